@@ -16,7 +16,9 @@
 //! warnings.
 
 use jounce::analysis::{Model, Parameter, settled_orbit};
-use jounce::continuation::{Continuation, Corrector, Direction, Metric, Position, StepControl, correct_at, tangent};
+use jounce::continuation::{
+    Continuation, Corrector, Direction, Metric, Position, StepControl, correct_at, tangent,
+};
 use jounce::integrate::{Control, Kernel};
 use jounce::orbit::{HarmonicBalance, OrbitMethod, ParametricModel, Shooting};
 use jounce::plant::{Plant, System};
@@ -38,7 +40,9 @@ fn cpu_s() -> f64 {
 fn read(path: &str, changes: &[String]) -> Result<Spec, Box<dyn Error>> {
     let mut file = SpecFile::read(path)?;
     for change in changes {
-        let (key, value) = change.split_once('=').ok_or_else(|| format!("'{change}' is not KEY=VALUE"))?;
+        let (key, value) = change
+            .split_once('=')
+            .ok_or_else(|| format!("'{change}' is not KEY=VALUE"))?;
         file.set(key, value)?;
     }
     Ok(file.spec()?)
@@ -49,13 +53,25 @@ const RUNS: usize = 25;
 
 /// One run of a kernel, or the median of many after it.
 fn alone(spec: &Spec, is_warm: bool) -> Result<String, Box<dyn Error>> {
-    let kernel = Kernel::new(Plant::new(System::assemble(spec, structure::modes(spec)?)?)?)?;
+    let kernel = Kernel::new(Plant::new(System::assemble(
+        spec,
+        structure::modes(spec)?,
+    )?)?)?;
     let rest = StartState::rest(&kernel.plant);
     let whole = RunPlan::of(&spec.run, 0.0);
     let timed = || -> Result<[f64; 4], Box<dyn Error>> {
         let (begun, before_s) = (Instant::now(), cpu_s());
-        let RunResult { mean_power_w, wall_time_s, .. } = simulate(&kernel, &rest, &whole)?;
-        Ok([cpu_s() - before_s, begun.elapsed().as_secs_f64(), wall_time_s, mean_power_w])
+        let RunResult {
+            mean_power_w,
+            wall_time_s,
+            ..
+        } = simulate(&kernel, &rest, &whole)?;
+        Ok([
+            cpu_s() - before_s,
+            begun.elapsed().as_secs_f64(),
+            wall_time_s,
+            mean_power_w,
+        ])
     };
     let mut runs = vec![timed()?];
     if is_warm {
@@ -63,7 +79,9 @@ fn alone(spec: &Spec, is_warm: bool) -> Result<String, Box<dyn Error>> {
         runs.sort_by(|a, b| a[0].total_cmp(&b[0]));
     }
     let [taken_s, wall_s, wall_time_s, mean_power_w] = runs[runs.len() / 2];
-    Ok(format!(r#"{{"mean_power_w": {mean_power_w:e}, "cpu_s": {taken_s:e}, "wall_s": {wall_s:e}, "wall_time_s": {wall_time_s:e}}}"#))
+    Ok(format!(
+        r#"{{"mean_power_w": {mean_power_w:e}, "cpu_s": {taken_s:e}, "wall_s": {wall_s:e}, "wall_time_s": {wall_time_s:e}}}"#
+    ))
 }
 
 /// All that the command `run` asks of the library for a prepared harvester.
@@ -72,14 +90,28 @@ fn whole_run(prepared: &Model) -> Result<String, Box<dyn Error>> {
     let own = prepared.with_control(&Control::default())?;
     let start = own.start(Path::new(""))?;
     let kernel = own.from_state(&start)?;
-    let plan = RunPlan::of(&own.spec.run, 0.0).watching(&own.spec, &kernel.plant).balancing(&kernel.plant);
+    let plan = RunPlan::of(&own.spec.run, 0.0)
+        .watching(&own.spec, &kernel.plant)
+        .balancing(&kernel.plant);
     let before_s = begun.elapsed().as_secs_f64();
     let answer = simulate(&kernel, &start, &plan)?;
     let simulate_s = begun.elapsed().as_secs_f64() - before_s;
     black_box(Warning::of(&own.spec, &kernel, &plan, &answer));
-    black_box((voltage_peaks(&kernel, &answer, &plan), charges(&kernel, &answer, &plan)));
-    let (run_s, RunResult { mean_power_w, wall_time_s, .. }) = (begun.elapsed().as_secs_f64(), answer);
-    Ok(format!(r#"{{"mean_power_w": {mean_power_w:e}, "run_s": {run_s:e}, "simulate_s": {simulate_s:e}, "wall_time_s": {wall_time_s:e}}}"#))
+    black_box((
+        voltage_peaks(&kernel, &answer, &plan),
+        charges(&kernel, &answer, &plan),
+    ));
+    let (
+        run_s,
+        RunResult {
+            mean_power_w,
+            wall_time_s,
+            ..
+        },
+    ) = (begun.elapsed().as_secs_f64(), answer);
+    Ok(format!(
+        r#"{{"mean_power_w": {mean_power_w:e}, "run_s": {run_s:e}, "simulate_s": {simulate_s:e}, "wall_time_s": {wall_time_s:e}}}"#
+    ))
 }
 
 /// Range of the walk by harmonic balance, Hz, and its harmonics.
@@ -92,20 +124,42 @@ fn balance(spec: Spec, with_orbits: bool) -> Result<String, Box<dyn Error>> {
     let base = Model::new(spec)?;
     let [low_hz, high_hz] = WALKED_HZ;
     let parameter = Parameter::new(&base, &key, high_hz - low_hz);
-    let corrector = Corrector { goal: 5e-8, most: 8 };
+    let corrector = Corrector {
+        goal: 5e-8,
+        most: 8,
+    };
     let kernel = parameter.at(low_hz)?.kernel;
     let rest = vec![0.0; kernel.plant.len()];
-    let orbit = settled_orbit(&parameter, low_hz, &rest, 1e-9, corrector.goal).ok_or("nothing settles at the start")?;
-    let method = HarmonicBalance::new(Shooting::new(&parameter, &kernel, 1, 1e-9), &kernel, HARMONICS, 0.0)?;
-    let guess = Position { unknown: method.unknown_of(orbit.start(), low_hz)?, parameter: low_hz };
+    let orbit = settled_orbit(&parameter, low_hz, &rest, 1e-9, corrector.goal)
+        .ok_or("nothing settles at the start")?;
+    let method = HarmonicBalance::new(
+        Shooting::new(&parameter, &kernel, 1, 1e-9),
+        &kernel,
+        HARMONICS,
+        0.0,
+    )?;
+    let guess = Position {
+        unknown: method.unknown_of(orbit.start(), low_hz)?,
+        parameter: low_hz,
+    };
     let scale = (high_hz - low_hz) / 20.0;
     let metric = Metric::at(&guess, scale);
-    let up = Direction { unknown: vec![0.0; guess.unknown.len()], parameter: 1.0 };
+    let up = Direction {
+        unknown: vec![0.0; guess.unknown.len()],
+        parameter: 1.0,
+    };
     let mut walks = Vec::new();
     for _ in 0..RUNS {
         let first = correct_at(&method, &corrector, &metric, guess.clone())?;
         let ahead = tangent(&first.local, &metric, &up).ok_or("no tangent at the start")?;
-        let mut walk = Continuation::new(&method, corrector, StepControl::default(), scale, first.position, ahead);
+        let mut walk = Continuation::new(
+            &method,
+            corrector,
+            StepControl::default(),
+            scale,
+            first.position,
+            ahead,
+        );
         let (before_s, mut points) = (cpu_s(), 0);
         while walk.position.parameter < high_hz {
             let step = walk.next().ok_or("the walk ended")??;
@@ -134,7 +188,11 @@ fn measure(path: &str, start: &str, changes: &[String]) -> Result<(), Box<dyn Er
             }
         }
         "balance" | "orbits" => println!("{}", balance(spec, start == "orbits")?),
-        other => return Err(format!("'{other}' is neither warm, first, each, balance nor orbits").into()),
+        other => {
+            return Err(
+                format!("'{other}' is neither warm, first, each, balance nor orbits").into(),
+            );
+        }
     }
     Ok(())
 }

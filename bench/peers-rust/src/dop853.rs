@@ -17,15 +17,32 @@ impl<const M: usize, const N: usize> ODE<f64, [f64; N]> for Counted<'_, M> {
 }
 
 /// Marches with DOP853 to relative tolerance `tolerance` and absolute tolerance `absolute`.
-pub fn march<const M: usize, const N: usize>(plant: &Plant<M>, tolerance: f64, absolute: f64) -> Result<Outcome, String> {
-    let system = Counted { plant, evaluations: Cell::new(0) };
+pub fn march<const M: usize, const N: usize>(
+    plant: &Plant<M>,
+    tolerance: f64,
+    absolute: f64,
+) -> Result<Outcome, String> {
+    let system = Counted {
+        plant,
+        evaluations: Cell::new(0),
+    };
     let middle_s = plant.duration_s - plant.average_over_s;
     let mut y = [0.0; N];
     for (from, to) in [(0.0, middle_s), (middle_s, plant.duration_s)] {
         y[2 * M + 1] = 0.0;
-        let method = ExplicitRungeKutta::dop853().rtol(tolerance).atol(absolute).max_steps(usize::MAX);
-        let solution = IVP::ode(&system, from, to, y).method(method).t_eval([to]).solve().map_err(|e| format!("{e:?}"))?;
+        let method = ExplicitRungeKutta::dop853()
+            .rtol(tolerance)
+            .atol(absolute)
+            .max_steps(usize::MAX);
+        let solution = IVP::ode(&system, from, to, y)
+            .method(method)
+            .t_eval([to])
+            .solve()
+            .map_err(|e| format!("{e:?}"))?;
         y = *solution.y.last().ok_or("no state at the end")?;
     }
-    Ok(Outcome { mean_power_w: y[2 * M + 1] / plant.average_over_s, evaluations: system.evaluations.get() })
+    Ok(Outcome {
+        mean_power_w: y[2 * M + 1] / plant.average_over_s,
+        evaluations: system.evaluations.get(),
+    })
 }

@@ -26,9 +26,19 @@ impl<const M: usize> Plant<M> {
     pub fn read(path: &str) -> Result<Self, String> {
         let text = fs::read_to_string(path).map_err(|e| format!("cannot read {path}: {e}"))?;
         let row = |name: &str| row(&text, name);
-        let modal = |name: &str| row(name)?.try_into().map_err(|_| format!("{name} needs {M} numbers"));
-        let single = |name: &str| row(name)?.first().copied().ok_or(format!("{name} is empty"));
-        let (frequency_hz, ratio): ([f64; M], [f64; M]) = (modal("frequency_hz")?, modal("damping_ratio")?);
+        let modal = |name: &str| {
+            row(name)?
+                .try_into()
+                .map_err(|_| format!("{name} needs {M} numbers"))
+        };
+        let single = |name: &str| {
+            row(name)?
+                .first()
+                .copied()
+                .ok_or(format!("{name} is empty"))
+        };
+        let (frequency_hz, ratio): ([f64; M], [f64; M]) =
+            (modal("frequency_hz")?, modal("damping_ratio")?);
         let omega = frequency_hz.map(|f| std::f64::consts::TAU * f);
         Ok(Self {
             stiffness: omega.map(|w| w * w),
@@ -52,7 +62,12 @@ impl<const M: usize> Plant<M> {
     pub fn rate(&self, t: f64, y: &[f64], dy: &mut [f64]) {
         let (q, v, voltage) = (&y[..M], &y[M..2 * M], y[2 * M]);
         let depth = (dot::<M>(&self.tip, q) - self.gap_m).max(0.0);
-        self.rate_under(self.amplitude_n * (self.drive_rad_s * t).sin(), -self.contact * depth * depth.sqrt(), y, dy);
+        self.rate_under(
+            self.amplitude_n * (self.drive_rad_s * t).sin(),
+            -self.contact * depth * depth.sqrt(),
+            y,
+            dy,
+        );
         dy[..M].copy_from_slice(v);
         dy[2 * M + 1] = voltage * voltage / self.resistance_ohm;
     }
@@ -70,11 +85,13 @@ impl<const M: usize> Plant<M> {
     fn rate_under(&self, drive_n: f64, contact_n: f64, y: &[f64], dy: &mut [f64]) {
         let (q, v, voltage) = (&y[..M], &y[M..2 * M], y[2 * M]);
         for i in 0..M {
-            dy[M + i] = self.table[i] * drive_n + self.tip[i] * contact_n + self.coupling[i] * voltage
-                - self.stiffness[i] * q[i]
-                - self.damping[i] * v[i];
+            dy[M + i] =
+                self.table[i] * drive_n + self.tip[i] * contact_n + self.coupling[i] * voltage
+                    - self.stiffness[i] * q[i]
+                    - self.damping[i] * v[i];
         }
-        dy[2 * M] = -(voltage / self.resistance_ohm + dot::<M>(&self.coupling, v)) / self.capacitance_f;
+        dy[2 * M] =
+            -(voltage / self.resistance_ohm + dot::<M>(&self.coupling, v)) / self.capacitance_f;
     }
 }
 
@@ -89,8 +106,13 @@ fn dot<const M: usize>(a: &[f64; M], b: &[f64]) -> f64 {
 }
 
 fn row(text: &str, name: &str) -> Result<Vec<f64>, String> {
-    let line = text.lines().find_map(|line| line.strip_prefix(name)?.strip_prefix(' ')).ok_or(format!("{name} is missing"))?;
-    line.split_whitespace().map(|word| word.parse().map_err(|e| format!("{name}: '{word}': {e}"))).collect()
+    let line = text
+        .lines()
+        .find_map(|line| line.strip_prefix(name)?.strip_prefix(' '))
+        .ok_or(format!("{name} is missing"))?;
+    line.split_whitespace()
+        .map(|word| word.parse().map_err(|e| format!("{name}: '{word}': {e}")))
+        .collect()
 }
 
 /// The number of modes in a parameter file.

@@ -1,8 +1,9 @@
 //! What can be typed.
 
 use crate::commands::{
-    basins, branch, check, completions, contact, diagram, ensemble, explore, fit, frf, jumps, materials, modes, new, noise, power, read,
-    reproduce, rig, run, segments, show, spectra, study, sweep,
+    basins, branch, check, completions, contact, diagram, ensemble, explore, fit, frf, jumps,
+    materials, modes, new, noise, power, read, reproduce, rig, run, segments, show, spectra, study,
+    sweep,
 };
 use clap::{Parser, Subcommand};
 

@@ -9,12 +9,22 @@ pub fn folder() -> PathBuf {
         return PathBuf::from(folder);
     }
     let cache = std::env::var_os("XDG_CACHE_HOME").map(PathBuf::from);
-    let home = || std::env::var_os("HOME").or_else(|| std::env::var_os("USERPROFILE")).map(|home| PathBuf::from(home).join(".cache"));
-    cache.or_else(home).unwrap_or_else(std::env::temp_dir).join("jounce")
+    let home = || {
+        std::env::var_os("HOME")
+            .or_else(|| std::env::var_os("USERPROFILE"))
+            .map(|home| PathBuf::from(home).join(".cache"))
+    };
+    cache
+        .or_else(home)
+        .unwrap_or_else(std::env::temp_dir)
+        .join("jounce")
 }
 
 /// Tells one piece of work from another: the spec's own digest, the options and the version.
 pub fn key(spec_hash_hex: &str, options: &str) -> String {
-    let digest = Sha256::digest(format!("{spec_hash_hex} {options} {}", env!("CARGO_PKG_VERSION")));
+    let digest = Sha256::digest(format!(
+        "{spec_hash_hex} {options} {}",
+        env!("CARGO_PKG_VERSION")
+    ));
     digest.iter().map(|byte| format!("{byte:02x}")).collect()
 }

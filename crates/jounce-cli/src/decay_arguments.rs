@@ -41,38 +41,79 @@ impl DecayArguments {
     /// The decays of the recordings.
     pub fn decays(&self, files: &[PathBuf], responses: &[String]) -> Result<Decays, Failure> {
         if self.free_decay {
-            let records = files.iter().map(|file| record(file)).collect::<Result<Vec<_>, _>>()?;
+            let records = files
+                .iter()
+                .map(|file| record(file))
+                .collect::<Result<Vec<_>, _>>()?;
             return Ok(reported(Decays::free(&records, responses, self.span_s()?)?));
         }
         let [file] = files else {
-            return Err(Failure::usage(format!("--output-only takes one recording, and {} are given", files.len())));
+            return Err(Failure::usage(format!(
+                "--output-only takes one recording, and {} are given",
+                files.len()
+            )));
         };
-        if let Some(spectrum) = read::file(file)?.recordings.first().filter(|recording| recording.over == Over::Frequency) {
+        if let Some(spectrum) = read::file(file)?
+            .recordings
+            .first()
+            .filter(|recording| recording.over == Over::Frequency)
+        {
             return Ok(reported(Decays::of_spectrum(spectrum, responses)?));
         }
         let record = record(file)?;
-        let lags_s = self.lags.as_ref().map(|text| positive("--lags", text, Unit::Time)).transpose()?;
-        let settings = AmbientSettings { responses: responses.to_vec(), references: self.reference.clone(), lags_s };
+        let lags_s = self
+            .lags
+            .as_ref()
+            .map(|text| positive("--lags", text, Unit::Time))
+            .transpose()?;
+        let settings = AmbientSettings {
+            responses: responses.to_vec(),
+            references: self.reference.clone(),
+            lags_s,
+        };
         Ok(reported(Decays::ambient(&record, &settings)?))
     }
 
     /// Manifest of an answer.
     pub fn manifest(&self, files: &[PathBuf]) -> Result<Manifest, Failure> {
-        let manifest = manifest("modes", files)?.with("test", if self.free_decay { "free decay" } else { "output only" });
+        let manifest = manifest("modes", files)?.with(
+            "test",
+            if self.free_decay {
+                "free decay"
+            } else {
+                "output only"
+            },
+        );
         let told = |given: &Option<String>| given.clone().unwrap_or_default();
-        Ok(manifest.with("span", told(&self.span)).with("reference", self.reference.join(" ")).with("lags", told(&self.lags)))
+        Ok(manifest
+            .with("span", told(&self.span))
+            .with("reference", self.reference.join(" "))
+            .with("lags", told(&self.lags)))
     }
 
     fn span_s(&self) -> Result<Option<(f64, f64)>, Failure> {
-        let Some(text) = &self.span else { return Ok(None) };
+        let Some(text) = &self.span else {
+            return Ok(None);
+        };
         let (from_s, to_s) = ends("--span", text, Unit::Time)?;
-        if from_s >= 0.0 { Ok(Some((from_s, to_s))) } else { Err(Failure::usage(format!("--span {text}: a decay begins at 0"))) }
+        if from_s >= 0.0 {
+            Ok(Some((from_s, to_s)))
+        } else {
+            Err(Failure::usage(format!(
+                "--span {text}: a decay begins at 0"
+            )))
+        }
     }
 }
 
 /// Tells what was noticed of the channels in use.
 fn reported(decays: Decays) -> Decays {
-    let used: Vec<&str> = decays.outputs.iter().chain(&decays.references).map(String::as_str).collect();
+    let used: Vec<&str> = decays
+        .outputs
+        .iter()
+        .chain(&decays.references)
+        .map(String::as_str)
+        .collect();
     print_issues(&decays.findings, Some(&used));
     decays
 }

@@ -59,7 +59,8 @@ impl Failure {
             Failure::Input(text) => (4, text, Vec::new()),
             Failure::Interrupted(text) => (INTERRUPTED, text, Vec::new()),
             Failure::Faults(path, faults) => {
-                let lines: Vec<String> = faults.iter().map(|fault| described(&path, fault)).collect();
+                let lines: Vec<String> =
+                    faults.iter().map(|fault| described(&path, fault)).collect();
                 (4, lines.join("\n"), faults)
             }
         };
@@ -88,7 +89,9 @@ impl From<ReadError> for Failure {
 impl From<AnalysisError> for Failure {
     fn from(error: AnalysisError) -> Self {
         match &error {
-            AnalysisError::Run(jounce::run::RunError::March(_)) => Failure::NotConverged(error.to_string()),
+            AnalysisError::Run(jounce::run::RunError::March(_)) => {
+                Failure::NotConverged(error.to_string())
+            }
             _ => Failure::Input(error.to_string()),
         }
     }
@@ -103,7 +106,9 @@ impl From<OrbitError<AnalysisError>> for Failure {
             | OrbitError::Impulsive { .. }
             | OrbitError::Rectified { .. }
             | OrbitError::Free => Failure::Input(error.to_string()),
-            OrbitError::March(_) | OrbitError::Multipliers { .. } => Failure::NotConverged(error.to_string()),
+            OrbitError::March(_) | OrbitError::Multipliers { .. } => {
+                Failure::NotConverged(error.to_string())
+            }
         }
     }
 }

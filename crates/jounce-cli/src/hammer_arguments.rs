@@ -8,7 +8,9 @@ use jounce::spec::Quantity as Unit;
 use jounce::table::Manifest;
 use jounce_measure::read;
 use jounce_measure::recording::{Over, Recording};
-use jounce_measure::response::{ChannelChoice, ComplexParts, Excitation, MeasuredResponses, bridged, paired};
+use jounce_measure::response::{
+    ChannelChoice, ComplexParts, Excitation, MeasuredResponses, bridged, paired,
+};
 use jounce_measure::spectral::{Estimator, HitWarning, ImpactHit, ImpactSettings};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -57,7 +59,12 @@ pub struct HammerArguments {
     #[arg(long, value_enum, default_value = "h1", requires = "measured")]
     estimator: Noise,
     /// For hv: density of the responses' noise over that of the force's, in squares of their SI units; a number above 0.
-    #[arg(long, value_name = "NUMBER", default_value_t = 1.0, requires = "measured")]
+    #[arg(
+        long,
+        value_name = "NUMBER",
+        default_value_t = 1.0,
+        requires = "measured"
+    )]
     noise_ratio: f64,
     /// Length of a block, as in 2s; by default a record with one hit is a block, else the shortest distance of two hits; under a shaker
     /// an eighth of the shortest record.
@@ -89,21 +96,36 @@ impl HammerArguments {
         let settings = self.settings()?;
         if let [file] = &self.measured[..] {
             let recordings = self.prepared(read::file(file)?.recordings)?;
-            if recordings.iter().all(|recording| recording.over == Over::Frequency) {
+            if recordings
+                .iter()
+                .all(|recording| recording.over == Over::Frequency)
+            {
                 let found = MeasuredResponses::given(&recordings)?;
                 print_issues(&found.findings, None);
                 return Ok(found);
             }
         }
-        let records = self.measured.iter().map(|file| record(file)).collect::<Result<Vec<_>, _>>()?;
+        let records = self
+            .measured
+            .iter()
+            .map(|file| record(file))
+            .collect::<Result<Vec<_>, _>>()?;
         let excitation = match (&self.input, &self.force) {
             (Some(channel), _) => Excitation::Channel(channel.clone()),
             (None, Some(channel)) => Excitation::Force(channel.clone()),
             (None, None) => Excitation::FirstForce,
         };
-        let chosen = ChannelChoice { excitation, responses: self.response.clone() };
+        let chosen = ChannelChoice {
+            excitation,
+            responses: self.response.clone(),
+        };
         let found = MeasuredResponses::of_hits(&records, &chosen, &settings)?;
-        let used: Vec<&str> = found.outputs.iter().chain([&found.input]).map(String::as_str).collect();
+        let used: Vec<&str> = found
+            .outputs
+            .iter()
+            .chain([&found.input])
+            .map(String::as_str)
+            .collect();
         print_issues(&found.findings, Some(&used));
         Ok(found)
     }
@@ -124,25 +146,50 @@ impl HammerArguments {
 
     /// Manifest of an answer.
     pub fn manifest(&self, command: &str) -> Result<Manifest, Failure> {
-        let manifest = manifest(command, &self.measured)?.with("estimator", format!("{:?}", self.estimator));
-        let manifest = manifest.with("force_window", self.force_window).with("end_ratio", self.end_ratio.unwrap_or(1.0));
-        Ok(manifest.with("shaker", self.shaker).with("input", self.input.clone().unwrap_or_default()))
+        let manifest =
+            manifest(command, &self.measured)?.with("estimator", format!("{:?}", self.estimator));
+        let manifest = manifest
+            .with("force_window", self.force_window)
+            .with("end_ratio", self.end_ratio.unwrap_or(1.0));
+        Ok(manifest
+            .with("shaker", self.shaker)
+            .with("input", self.input.clone().unwrap_or_default()))
     }
 
     fn settings(&self) -> Result<ImpactSettings, Failure> {
         if !(self.noise_ratio > 0.0 && self.noise_ratio.is_finite()) {
-            return Err(Failure::usage(format!("--noise-ratio {}: it must be above 0", self.noise_ratio)));
+            return Err(Failure::usage(format!(
+                "--noise-ratio {}: it must be above 0",
+                self.noise_ratio
+            )));
         }
-        if let Some(ratio) = self.end_ratio.filter(|ratio| !(*ratio > 0.0 && *ratio < 1.0)) {
-            return Err(Failure::usage(format!("--end-ratio {ratio}: it must lie between 0 and 1; 0.01 is usual")));
+        if let Some(ratio) = self
+            .end_ratio
+            .filter(|ratio| !(*ratio > 0.0 && *ratio < 1.0))
+        {
+            return Err(Failure::usage(format!(
+                "--end-ratio {ratio}: it must lie between 0 and 1; 0.01 is usual"
+            )));
         }
         let estimator = match self.estimator {
             Noise::H1 => Estimator::H1,
             Noise::H2 => Estimator::H2,
-            Noise::Hv => Estimator::Hv { noise_ratio: self.noise_ratio },
+            Noise::Hv => Estimator::Hv {
+                noise_ratio: self.noise_ratio,
+            },
         };
-        let block_s = self.block.as_ref().map(|text| positive("--block", text, Unit::Time)).transpose()?;
-        Ok(ImpactSettings { estimator, block_s, force_window: self.force_window, end_ratio: self.end_ratio, shaker: self.shaker })
+        let block_s = self
+            .block
+            .as_ref()
+            .map(|text| positive("--block", text, Unit::Time))
+            .transpose()?;
+        Ok(ImpactSettings {
+            estimator,
+            block_s,
+            force_window: self.force_window,
+            end_ratio: self.end_ratio,
+            shaker: self.shaker,
+        })
     }
 }
 
@@ -153,17 +200,32 @@ const MAX_LISTED_HITS: usize = 3;
 pub fn print_hits(responses: &MeasuredResponses) {
     if let Some(block_s) = responses.block_s {
         if responses.hits.is_empty() {
-            let blocks = responses.functions.first().map_or(0, |function| function.blocks);
-            line(format!("the input goes on, as a shaker's: {blocks} blocks of {block_s:.6} s averaged, half overlapping, Hann"));
+            let blocks = responses
+                .functions
+                .first()
+                .map_or(0, |function| function.blocks);
+            line(format!(
+                "the input goes on, as a shaker's: {blocks} blocks of {block_s:.6} s averaged, half overlapping, Hann"
+            ));
         } else {
             let used = responses.hits.iter().filter(|hit| hit.used).count();
-            line(format!("{used} hits of {} averaged, blocks of {block_s:.6} s", responses.hits.len()));
+            line(format!(
+                "{used} hits of {} averaged, blocks of {block_s:.6} s",
+                responses.hits.len()
+            ));
         }
     }
     print_warnings(&responses.hits);
-    let left: Vec<usize> = (1..).zip(&responses.hits).filter(|(_, hit)| !hit.used).map(|(number, _)| number).collect();
+    let left: Vec<usize> = (1..)
+        .zip(&responses.hits)
+        .filter(|(_, hit)| !hit.used)
+        .map(|(number, _)| number)
+        .collect();
     if !left.is_empty() {
-        line(format!("left out: {}, whose blocks would reach beyond the record", numbered(&left)));
+        line(format!(
+            "left out: {}, whose blocks would reach beyond the record",
+            numbered(&left)
+        ));
     }
 }
 
@@ -175,13 +237,26 @@ fn print_warnings(hits: &[ImpactHit]) {
             let fault = faults.entry(fault(*warning)).or_default();
             // A hit that bounces many times is one double hit.
             if fault.last().is_none_or(|(last, _)| *last != number) {
-                fault.push((number, format!("warning: hit {number} of {:.4} N {warning}", hit.peak_force_n)));
+                fault.push((
+                    number,
+                    format!(
+                        "warning: hit {number} of {:.4} N {warning}",
+                        hit.peak_force_n
+                    ),
+                ));
             }
         }
     }
     for (fault, found) in faults {
-        found.iter().take(MAX_LISTED_HITS).for_each(|(_, about)| line(about));
-        let more: Vec<usize> = found.iter().skip(MAX_LISTED_HITS).map(|(number, _)| *number).collect();
+        found
+            .iter()
+            .take(MAX_LISTED_HITS)
+            .for_each(|(_, about)| line(about));
+        let more: Vec<usize> = found
+            .iter()
+            .skip(MAX_LISTED_HITS)
+            .map(|(number, _)| *number)
+            .collect();
         if !more.is_empty() {
             line(format!("warning: {fault} too: {}", numbered(&more)));
         }
@@ -190,9 +265,17 @@ fn print_warnings(hits: &[ImpactHit]) {
 
 /// `hit 4, 5, 6 and 20 more`.
 fn numbered(hits: &[usize]) -> String {
-    let first: Vec<String> = hits.iter().take(MAX_LISTED_HITS).map(ToString::to_string).collect();
+    let first: Vec<String> = hits
+        .iter()
+        .take(MAX_LISTED_HITS)
+        .map(ToString::to_string)
+        .collect();
     let more = hits.len().saturating_sub(MAX_LISTED_HITS);
-    let rest = if more > 0 { format!(" and {more} more") } else { String::new() };
+    let rest = if more > 0 {
+        format!(" and {more} more")
+    } else {
+        String::new()
+    };
     format!("hit {}{rest}", first.join(", "))
 }
 

@@ -15,5 +15,12 @@ pub fn install(control: &Control) {
 /// # Errors
 /// [`Failure::Partial`].
 pub fn end(control: &Control, finished: impl FnOnce() -> String) -> Result<(), Failure> {
-    if control.is_stopped() { Err(Failure::Partial(format!("stopped: the answer is that of {}", finished()))) } else { Ok(()) }
+    if control.is_stopped() {
+        Err(Failure::Partial(format!(
+            "stopped: the answer is that of {}",
+            finished()
+        )))
+    } else {
+        Ok(())
+    }
 }

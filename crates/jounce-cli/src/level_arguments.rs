@@ -17,7 +17,12 @@ pub struct LevelArguments {
 impl LevelArguments {
     /// The levels, for a plant.
     pub fn read(&self, plant: &Plant) -> Result<Vec<QuantityLevel>, Failure> {
-        let levels = self.levels.iter().map(|text| QuantityLevel::parse(text, plant));
-        levels.collect::<Result<_, _>>().map_err(|why| Failure::usage(format!("--level {why}")))
+        let levels = self
+            .levels
+            .iter()
+            .map(|text| QuantityLevel::parse(text, plant));
+        levels
+            .collect::<Result<_, _>>()
+            .map_err(|why| Failure::usage(format!("--level {why}")))
     }
 }

@@ -25,8 +25,10 @@ static ALLOCATOR: MiMalloc = MiMalloc;
 
 fn main() -> ExitCode {
     // A negative number is a value, which its option may refuse by name, and no option of its own.
-    let command = arguments::Arguments::command().mut_subcommands(|command| command.allow_negative_numbers(true));
-    let arguments = arguments::Arguments::from_arg_matches(&command.get_matches()).unwrap_or_else(|error| error.exit());
+    let command = arguments::Arguments::command()
+        .mut_subcommands(|command| command.allow_negative_numbers(true));
+    let arguments = arguments::Arguments::from_arg_matches(&command.get_matches())
+        .unwrap_or_else(|error| error.exit());
     let json = arguments.command.wants_json();
     match commands::run(arguments.command) {
         Ok(()) => ExitCode::SUCCESS,

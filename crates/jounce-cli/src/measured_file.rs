@@ -6,7 +6,9 @@ use clap::Args;
 use jounce::spec::Quantity as Unit;
 use jounce::table::Manifest;
 use jounce_measure::read::{self, ChannelSummary, RecordingSummary};
-use jounce_measure::recording::{ChannelError, Issue, IssueKind, Quantity, Recording, chosen, named};
+use jounce_measure::recording::{
+    ChannelError, Issue, IssueKind, Quantity, Recording, chosen, named,
+};
 use sha2::{Digest, Sha256};
 use std::io::Read;
 use std::path::{Path, PathBuf};
@@ -39,11 +41,19 @@ pub fn record(file: &Path) -> Result<Recording, Failure> {
 
 /// Manifest of an answer that rests on recordings: their names and the SHA-256 of their bytes, in order.
 pub fn manifest(command: &str, files: &[PathBuf]) -> Result<Manifest, Failure> {
-    let name = |file: &PathBuf| file.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+    let name = |file: &PathBuf| {
+        file.file_name()
+            .map_or_else(String::new, |name| name.to_string_lossy().into_owned())
+    };
     let names: Vec<String> = files.iter().map(name).collect();
-    let hashes = files.iter().map(|file| hash_hex(file)).collect::<Result<Vec<_>, _>>()?;
+    let hashes = files
+        .iter()
+        .map(|file| hash_hex(file))
+        .collect::<Result<Vec<_>, _>>()?;
     let manifest = Manifest::new("").with("command", command);
-    Ok(manifest.with("recording", names.join(" ")).with("recording_sha256", hashes.join(" ")))
+    Ok(manifest
+        .with("recording", names.join(" "))
+        .with("recording_sha256", hashes.join(" ")))
 }
 
 /// SHA-256 of a file, read piece by piece.
@@ -54,7 +64,11 @@ fn hash_hex(file: &Path) -> Result<String, Failure> {
     loop {
         let count = from.read(&mut piece).map_err(fault)?;
         if count == 0 {
-            return Ok(hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect());
+            return Ok(hash
+                .finalize()
+                .iter()
+                .map(|byte| format!("{byte:02x}"))
+                .collect());
         }
         hash.update(&piece[..count]);
     }
@@ -62,7 +76,12 @@ fn hash_hex(file: &Path) -> Result<String, Failure> {
 
 /// The number of the channel of a name or number; without one, of the only channel or the first of a quantity. Where it tells no unit, what is
 /// assumed is kept among the findings.
-pub fn channel(recording: &mut RecordingSummary, wanted: Option<&str>, quantity: Quantity, option: &str) -> Result<usize, Failure> {
+pub fn channel(
+    recording: &mut RecordingSummary,
+    wanted: Option<&str>,
+    quantity: Quantity,
+    option: &str,
+) -> Result<usize, Failure> {
     let found = chosen(&recording.name, &recording.heads(), wanted, quantity);
     if found.is_err() {
         // Which recording was taken may be why it has no such channel.
@@ -85,10 +104,19 @@ pub fn any_channel(recording: &RecordingSummary, wanted: &str) -> Result<usize, 
 
 /// The first channel of a quantity that moves, else the first channel that does, else the first of them.
 pub fn first_live(recording: &RecordingSummary, quantity: Quantity) -> Option<usize> {
-    let still = |name: &str| recording.findings.iter().any(|f| f.kind == IssueKind::Constant && f.channel.as_deref() == Some(name));
-    let live = |channel: &&(usize, &ChannelSummary)| channel.1.sizes.peak > 0.0 && !still(&channel.1.name);
+    let still = |name: &str| {
+        recording
+            .findings
+            .iter()
+            .any(|f| f.kind == IssueKind::Constant && f.channel.as_deref() == Some(name))
+    };
+    let live =
+        |channel: &&(usize, &ChannelSummary)| channel.1.sizes.peak > 0.0 && !still(&channel.1.name);
     let all: Vec<(usize, &ChannelSummary)> = recording.channels.iter().enumerate().collect();
-    let found = all.iter().filter(live).find(|(_, channel)| channel.quantity == quantity);
+    let found = all
+        .iter()
+        .filter(live)
+        .find(|(_, channel)| channel.quantity == quantity);
     found
         .or_else(|| all.iter().find(live))
         .or_else(|| all.iter().find(|(_, channel)| channel.quantity == quantity))
@@ -104,8 +132,9 @@ pub fn summary(file: &Path) -> Result<RecordingSummary, Failure> {
 /// Some channels of it at even times and without missing samples; the others never come to memory. Tells on stderr what was noticed of these and of
 /// the whole, and what was done to them.
 pub fn loaded(recording: RecordingSummary, channels: &[usize]) -> Result<Recording, Failure> {
-    let kept =
-        recording.into_recording_of(channels).map_err(|fault| Failure::Input(format!("the scratch file cannot be read: {fault}")))?;
+    let kept = recording
+        .into_recording_of(channels)
+        .map_err(|fault| Failure::Input(format!("the scratch file cannot be read: {fault}")))?;
     let even = kept.into_even()?;
     print_issues(&even.findings, None);
     Ok(even)
@@ -114,18 +143,40 @@ pub fn loaded(recording: RecordingSummary, channels: &[usize]) -> Result<Recordi
 /// A positive quantity of an option.
 pub fn positive(option: &str, text: &str, quantity: Unit) -> Result<f64, Failure> {
     let fault = |reason: String| Failure::usage(format!("{option} {text}: {reason}"));
-    let value = quantity.read(text).map_err(|error| fault(error.to_string()))?;
-    if value > 0.0 && value.is_finite() { Ok(value) } else { Err(fault("it must be above 0".to_owned())) }
+    let value = quantity
+        .read(text)
+        .map_err(|error| fault(error.to_string()))?;
+    if value > 0.0 && value.is_finite() {
+        Ok(value)
+    } else {
+        Err(fault("it must be above 0".to_owned()))
+    }
 }
 
 /// Two quantities of an option, as in `0.2s:3s`.
 pub fn ends(option: &str, text: &str, quantity: Unit) -> Result<(f64, f64), Failure> {
-    let example = if quantity == Unit::Time { "0.2s:3s" } else { "500Hz:4300Hz" };
-    let wrong = || Failure::usage(format!("{option} {text}: write FROM:TO, as in {example}, the smaller one first"));
+    let example = if quantity == Unit::Time {
+        "0.2s:3s"
+    } else {
+        "500Hz:4300Hz"
+    };
+    let wrong = || {
+        Failure::usage(format!(
+            "{option} {text}: write FROM:TO, as in {example}, the smaller one first"
+        ))
+    };
     let (from, to) = text.split_once(':').ok_or_else(wrong)?;
-    let read = |text: &str| quantity.read(text).map_err(|error| Failure::usage(format!("{option} {text}: {error}")));
+    let read = |text: &str| {
+        quantity
+            .read(text)
+            .map_err(|error| Failure::usage(format!("{option} {text}: {error}")))
+    };
     let (from, to) = (read(from)?, read(to)?);
-    if from < to { Ok((from, to)) } else { Err(wrong()) }
+    if from < to {
+        Ok((from, to))
+    } else {
+        Err(wrong())
+    }
 }
 
 /// Tells on stderr what was noticed of recordings as a whole and of the channels in use, of all without a list: each sentence once, with the number
@@ -137,7 +188,11 @@ pub fn print_issues(findings: &[Issue], used: Option<&[&str]>) {
     };
     let mut told: Vec<(String, usize)> = Vec::new();
     for finding in findings.iter().filter(concerns) {
-        let text = if finding.kind.is_note() { format!("note: {finding}") } else { finding.to_string() };
+        let text = if finding.kind.is_note() {
+            format!("note: {finding}")
+        } else {
+            finding.to_string()
+        };
         match told.iter_mut().find(|(known, _)| *known == text) {
             Some((_, times)) => *times += 1,
             None => told.push((text, 1)),

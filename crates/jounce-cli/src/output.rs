@@ -33,19 +33,35 @@ const PLAIN: std::ops::RangeInclusive<i32> = -3..=5;
 
 /// A value with half the width of its interval, both to the digit that the second one of the half width has: `(6.9 +- 4.9)e-6 W`.
 pub fn with_uncertainty(value: f64, half_width: f64, unit: &str) -> String {
-    let behind = if unit.is_empty() { String::new() } else { format!(" {unit}") };
+    let behind = if unit.is_empty() {
+        String::new()
+    } else {
+        format!(" {unit}")
+    };
     let largest = value.abs().max(half_width.abs());
     if !(value.is_finite() && half_width.is_finite() && largest > 0.0) {
         return format!("{value} +- {half_width}{behind}");
     }
     let power = |x: f64| x.abs().log10().floor() as i32;
-    let exponent = if PLAIN.contains(&power(largest)) { 0 } else { power(largest) };
+    let exponent = if PLAIN.contains(&power(largest)) {
+        0
+    } else {
+        power(largest)
+    };
     let scale = 10f64.powi(-exponent);
     // Of no uncertainty more digits than a number has say nothing.
     let last = power(half_width.max(largest * 1e-12)) - exponent;
     let digits = usize::try_from(1 - last).unwrap_or(0);
-    let numbers = format!("{:.digits$} +- {:.digits$}", value * scale, half_width * scale);
-    if exponent == 0 { format!("{numbers}{behind}") } else { format!("({numbers})e{exponent}{behind}") }
+    let numbers = format!(
+        "{:.digits$} +- {:.digits$}",
+        value * scale,
+        half_width * scale
+    );
+    if exponent == 0 {
+        format!("{numbers}{behind}")
+    } else {
+        format!("({numbers})e{exponent}{behind}")
+    }
 }
 
 /// Prints a text on stdout as it is.
@@ -72,7 +88,12 @@ pub fn figure(folder: &Path, name: &str, figure: &Figure) -> Result<(), Failure>
 }
 
 fn make(folder: &Path) -> Result<(), Failure> {
-    std::fs::create_dir_all(folder).map_err(|error| Failure::Input(format!("the folder {} cannot be made: {error}", folder.display())))
+    std::fs::create_dir_all(folder).map_err(|error| {
+        Failure::Input(format!(
+            "the folder {} cannot be made: {error}",
+            folder.display()
+        ))
+    })
 }
 
 #[cfg(test)]
@@ -96,12 +117,34 @@ mod tests {
         for (value, half_width, unit, told) in cases {
             assert_eq!(with_uncertainty(value, half_width, unit), told);
         }
-        assert!(with_uncertainty(2.5, 0.0, "W").starts_with("2.5000000"), "{}", with_uncertainty(2.5, 0.0, "W"));
+        assert!(
+            with_uncertainty(2.5, 0.0, "W").starts_with("2.5000000"),
+            "{}",
+            with_uncertainty(2.5, 0.0, "W")
+        );
     }
 
     #[test]
     fn a_small_value_keeps_its_digits() {
-        let told = [12.321_816_8, 0.240_718_53, 1.000_01e-3, -2.5e-4, 4.6e-7, 0.0].map(key_value);
-        assert_eq!(told, ["12.321817", "0.240719", "0.001000010", "-0.0002500000", "4.600000e-7", "0.000000"]);
+        let told = [
+            12.321_816_8,
+            0.240_718_53,
+            1.000_01e-3,
+            -2.5e-4,
+            4.6e-7,
+            0.0,
+        ]
+        .map(key_value);
+        assert_eq!(
+            told,
+            [
+                "12.321817",
+                "0.240719",
+                "0.001000010",
+                "-0.0002500000",
+                "4.600000e-7",
+                "0.000000"
+            ]
+        );
     }
 }

@@ -19,7 +19,9 @@ pub fn bar(points: usize) -> ProgressBar {
 /// A bar for a number of things of one name.
 pub fn counted(things: usize, name: &'static str) -> ProgressBar {
     let bar = ProgressBar::with_draw_target(Some(things as u64), ProgressDrawTarget::stderr());
-    let style = ProgressStyle::with_template(&format!("{{bar:30}} {{pos}}/{{len}} {name}  {{per_sec}}  {{eta}} left  {{msg}}"));
+    let style = ProgressStyle::with_template(&format!(
+        "{{bar:30}} {{pos}}/{{len}} {name}  {{per_sec}}  {{eta}} left  {{msg}}"
+    ));
     let bar = bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
     lines_without_terminal(&bar, name);
     bar
@@ -31,15 +33,23 @@ pub fn with_progress<T>(control: &Control, work: impl FnOnce() -> T) -> T {
 }
 
 /// Shows a count of things of one name, whose end is not known, while `work` runs.
-pub fn with_count<T>(name: &'static str, count: &(dyn Fn() -> u64 + Sync), work: impl FnOnce() -> T) -> T {
+pub fn with_count<T>(
+    name: &'static str,
+    count: &(dyn Fn() -> u64 + Sync),
+    work: impl FnOnce() -> T,
+) -> T {
     let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::stderr());
-    let style = ProgressStyle::with_template(&format!("{{spinner}} {{pos}} {name}  {{per_sec}}  {{elapsed}} so far"));
+    let style = ProgressStyle::with_template(&format!(
+        "{{spinner}} {{pos}} {name}  {{per_sec}}  {{elapsed}} so far"
+    ));
     let bar = bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_spinner()));
     lines_without_terminal(&bar, name);
     let (end, ended) = std::sync::mpsc::channel::<()>();
     std::thread::scope(|scope| {
         scope.spawn(move || {
-            while ended.recv_timeout(POLL_INTERVAL) == Err(std::sync::mpsc::RecvTimeoutError::Timeout) {
+            while ended.recv_timeout(POLL_INTERVAL)
+                == Err(std::sync::mpsc::RecvTimeoutError::Timeout)
+            {
                 bar.set_position(count());
             }
             bar.finish_and_clear();
@@ -53,24 +63,39 @@ pub fn with_count<T>(name: &'static str, count: &(dyn Fn() -> u64 + Sync), work:
 fn lines_without_terminal(bar: &ProgressBar, name: &'static str) {
     if !std::io::stderr().is_terminal() {
         // A closed stderr is no reason to end the work.
-        print_lines(bar, name, LINE_INTERVAL, |line| drop(writeln!(std::io::stderr(), "{line}")));
+        print_lines(bar, name, LINE_INTERVAL, |line| {
+            drop(writeln!(std::io::stderr(), "{line}"))
+        });
     }
 }
 
 /// Says a line about a bar now and then, from a thread that ends with the bar.
-fn print_lines(bar: &ProgressBar, name: &'static str, every: Duration, say: impl Fn(String) + Send + 'static) {
+fn print_lines(
+    bar: &ProgressBar,
+    name: &'static str,
+    every: Duration,
+    say: impl Fn(String) + Send + 'static,
+) {
     let bar = bar.downgrade();
     std::thread::spawn(move || {
         let clock = Instant::now();
         let (mut next, mut before) = (every, None);
         loop {
             std::thread::sleep(POLL_INTERVAL.min(every));
-            let Some(bar) = bar.upgrade().filter(|bar| !bar.is_finished()) else { return };
+            let Some(bar) = bar.upgrade().filter(|bar| !bar.is_finished()) else {
+                return;
+            };
             // What an earlier run has finished is none of this one's rate.
             let before = *before.get_or_insert(bar.position());
             if clock.elapsed() >= next {
                 next += every;
-                say(line(name, bar.position(), before, bar.length(), clock.elapsed()));
+                say(line(
+                    name,
+                    bar.position(),
+                    before,
+                    bar.length(),
+                    clock.elapsed(),
+                ));
             }
         }
     });
@@ -80,11 +105,18 @@ fn print_lines(bar: &ProgressBar, name: &'static str, every: Duration, say: impl
 fn line(name: &str, position: u64, before: u64, end: Option<u64>, elapsed: Duration) -> String {
     let seconds = elapsed.as_secs_f64();
     let rate = position.saturating_sub(before) as f64 / seconds;
-    let per_s = if rate >= 1.0 || rate == 0.0 { format!("{rate:.0} per s") } else { format!("{:.0} s each", 1.0 / rate) };
+    let per_s = if rate >= 1.0 || rate == 0.0 {
+        format!("{rate:.0} per s")
+    } else {
+        format!("{:.0} s each", 1.0 / rate)
+    };
     match end {
         None => format!("{position} {name}, {per_s}, {seconds:.0} s so far"),
         Some(end) if rate == 0.0 => format!("{position} of {end} {name}, {seconds:.0} s so far"),
-        Some(end) => format!("{position} of {end} {name}, {per_s}, {:.0} s left", end.saturating_sub(position) as f64 / rate),
+        Some(end) => format!(
+            "{position} of {end} {name}, {per_s}, {:.0} s left",
+            end.saturating_sub(position) as f64 / rate
+        ),
     }
 }
 
@@ -95,8 +127,19 @@ mod tests {
 
     #[test]
     fn a_line_tells_rate_and_time_left() {
-        let at = |position, before, end, seconds| line("points", position, before, end, Duration::from_secs(seconds));
-        assert_eq!(at(220, 100, Some(400), 10), "220 of 400 points, 12 per s, 15 s left");
+        let at = |position, before, end, seconds| {
+            line(
+                "points",
+                position,
+                before,
+                end,
+                Duration::from_secs(seconds),
+            )
+        };
+        assert_eq!(
+            at(220, 100, Some(400), 10),
+            "220 of 400 points, 12 per s, 15 s left"
+        );
         assert_eq!(at(5, 0, Some(6), 20), "5 of 6 points, 4 s each, 4 s left");
         assert_eq!(at(3, 3, Some(400), 10), "3 of 400 points, 10 s so far");
         assert_eq!(at(50, 0, None, 10), "50 points, 5 per s, 10 s so far");
@@ -107,18 +150,34 @@ mod tests {
     fn lines_come_until_the_bar_is_finished() {
         let (said, heard) = std::sync::mpsc::channel();
         let bar = ProgressBar::with_draw_target(Some(10), ProgressDrawTarget::hidden());
-        print_lines(&bar, "points", Duration::from_millis(20), move |line| drop(said.send(line)));
+        print_lines(&bar, "points", Duration::from_millis(20), move |line| {
+            drop(said.send(line))
+        });
         let first = heard.recv_timeout(Duration::from_secs(60)).unwrap();
         bar.inc(4);
         // Some lines may have been said before.
-        let later = std::iter::from_fn(|| heard.recv_timeout(Duration::from_secs(60)).ok()).find(|line| !line.starts_with("0 of 10"));
-        assert!(first.starts_with("0 of 10 points") && later.as_ref().is_some_and(|line| line.starts_with("4 of 10 points")), "{later:?}");
-        assert!(later.iter().all(|line| line.chars().all(|c| !c.is_control())));
+        let later = std::iter::from_fn(|| heard.recv_timeout(Duration::from_secs(60)).ok())
+            .find(|line| !line.starts_with("0 of 10"));
+        assert!(
+            first.starts_with("0 of 10 points")
+                && later
+                    .as_ref()
+                    .is_some_and(|line| line.starts_with("4 of 10 points")),
+            "{later:?}"
+        );
+        assert!(
+            later
+                .iter()
+                .all(|line| line.chars().all(|c| !c.is_control()))
+        );
         bar.finish_and_clear();
         // The channel closes when the thread ends.
         while let Ok(line) = heard.recv_timeout(Duration::from_secs(60)) {
             assert!(line.contains("points"));
         }
-        assert_eq!(heard.recv_timeout(Duration::from_millis(1)), Err(std::sync::mpsc::RecvTimeoutError::Disconnected));
+        assert_eq!(
+            heard.recv_timeout(Duration::from_millis(1)),
+            Err(std::sync::mpsc::RecvTimeoutError::Disconnected)
+        );
     }
 }

@@ -37,13 +37,19 @@ impl SpecArguments {
         let mut faults = Vec::new();
         for assignment in &self.set {
             let Some((key, value)) = assignment.split_once('=') else {
-                return Err(Failure::usage(format!("--set {assignment}: write KEY=VALUE, as in --set stop.tip.gap=\"0.5 mm\"")));
+                return Err(Failure::usage(format!(
+                    "--set {assignment}: write KEY=VALUE, as in --set stop.tip.gap=\"0.5 mm\""
+                )));
             };
             if let Err(fault) = file.set(key, value) {
                 faults.push(fault);
             }
         }
-        if faults.is_empty() { Ok(file) } else { Err(Failure::faults(&self.spec, faults)) }
+        if faults.is_empty() {
+            Ok(file)
+        } else {
+            Err(Failure::faults(&self.spec, faults))
+        }
     }
 
     /// The spec itself.
@@ -64,33 +70,55 @@ impl SpecArguments {
     }
 
     /// Reads `KEY=FROM:TO`.
-    pub fn key_and_ends(&self, file: &SpecFile, over: &str) -> Result<(NumericKey, (f64, f64)), Failure> {
-        let wrong = || Failure::usage(format!("{over}: write KEY=FROM:TO, as in drive.shaker.frequency=4Hz:20Hz"));
+    pub fn key_and_ends(
+        &self,
+        file: &SpecFile,
+        over: &str,
+    ) -> Result<(NumericKey, (f64, f64)), Failure> {
+        let wrong = || {
+            Failure::usage(format!(
+                "{over}: write KEY=FROM:TO, as in drive.shaker.frequency=4Hz:20Hz"
+            ))
+        };
         let (name, text) = over.split_once('=').ok_or_else(wrong)?;
-        let (from, to) = text.split_once(':').filter(|(_, to)| !to.contains(':')).ok_or_else(wrong)?;
+        let (from, to) = text
+            .split_once(':')
+            .filter(|(_, to)| !to.contains(':'))
+            .ok_or_else(wrong)?;
         let key = self.checked(file.numeric_key(name.trim()))?;
-        let range = KeyRange::parse(key.clone(), &format!("{from},{to}")).map_err(|fault| Failure::faults(&self.spec, vec![fault]))?;
+        let range = KeyRange::parse(key.clone(), &format!("{from},{to}"))
+            .map_err(|fault| Failure::faults(&self.spec, vec![fault]))?;
         match range.values() {
             [low, high] if low < high => Ok((key, (*low, *high))),
-            _ => Err(Failure::usage(format!("{over}: the range must go from a smaller to a larger value"))),
+            _ => Err(Failure::usage(format!(
+                "{over}: the range must go from a smaller to a larger value"
+            ))),
         }
     }
 
     /// Folder of the spec file.
     pub fn folder(&self) -> PathBuf {
-        self.spec.parent().map_or_else(PathBuf::new, Path::to_path_buf)
+        self.spec
+            .parent()
+            .map_or_else(PathBuf::new, Path::to_path_buf)
     }
 
     /// Manifest of an answer.
     pub fn manifest(&self, spec: &Spec, command: &str) -> Manifest {
-        Manifest::new(&spec.hash_hex()).with("command", command).with("set", self.set.join(" "))
+        Manifest::new(&spec.hash_hex())
+            .with("command", command)
+            .with("set", self.set.join(" "))
     }
 }
 
 /// Prints on stderr what was noticed of the recordings of the drives.
 pub fn print_recording_issues(spec: &Spec) {
     for (drive, finding) in spec.findings() {
-        let kind = if finding.kind.is_note() { "note" } else { "warning" };
+        let kind = if finding.kind.is_note() {
+            "note"
+        } else {
+            "warning"
+        };
         eprintln!("{kind}: drive {drive}: {finding}");
     }
 }
@@ -98,28 +126,50 @@ pub fn print_recording_issues(spec: &Spec) {
 /// A frequency above 0 given with an option.
 pub fn frequency_hz(option: &str, text: &str) -> Result<f64, Failure> {
     let fault = |reason: String| Failure::usage(format!("--{option} {text}: {reason}"));
-    let value = Quantity::Frequency.read(text).map_err(|error| fault(error.to_string()))?;
-    if value > 0.0 && value.is_finite() { Ok(value) } else { Err(fault("a frequency must be above 0 Hz".into())) }
+    let value = Quantity::Frequency
+        .read(text)
+        .map_err(|error| fault(error.to_string()))?;
+    if value > 0.0 && value.is_finite() {
+        Ok(value)
+    } else {
+        Err(fault("a frequency must be above 0 Hz".into()))
+    }
 }
 
 /// A tolerance for orbits: double precision carries no march below its smallest.
 pub fn check_tolerance(tolerance: f64) -> Result<(), Failure> {
     let fits = (1e-14..1e-2).contains(&tolerance);
-    if fits { Ok(()) } else { Err(Failure::usage(format!("--tolerance {tolerance:e}: give a number from 1e-14 to 0.01"))) }
+    if fits {
+        Ok(())
+    } else {
+        Err(Failure::usage(format!(
+            "--tolerance {tolerance:e}: give a number from 1e-14 to 0.01"
+        )))
+    }
 }
 
 /// Drives that repeat themselves together, and move: without them nothing attracts but rest.
 pub fn check_drive(spec: &SpecArguments, plant: &Plant, what: &str) -> Result<(), Failure> {
     if let Some(drive) = plant.system.aperiodic() {
-        return Err(AnalysisError::Aperiodic { drive: drive.to_owned() }.into());
+        return Err(AnalysisError::Aperiodic {
+            drive: drive.to_owned(),
+        }
+        .into());
     }
-    let moving = plant.system.drives.iter().any(|drive| drive.amplitude_n != 0.0);
+    let moving = plant
+        .system
+        .drives
+        .iter()
+        .any(|drive| drive.amplitude_n != 0.0);
     match (plant.period_s(), moving) {
         (Some(_), true) => Ok(()),
         (Some(_), false) => Err(Failure::Input(format!(
             "{}: drive.amplitude is 0, but {what} needs a drive that moves: give it an amplitude greater than 0",
             spec.spec.display()
         ))),
-        (None, _) => Err(OrbitError::<AnalysisError>::Frequencies { frequencies: plant.tones.len() }.into()),
+        (None, _) => Err(OrbitError::<AnalysisError>::Frequencies {
+            frequencies: plant.tones.len(),
+        }
+        .into()),
     }
 }

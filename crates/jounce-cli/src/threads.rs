@@ -15,7 +15,9 @@ impl ThreadsArgument {
     /// Runs work on that many threads.
     pub fn run<T: Send>(&self, work: impl FnOnce() -> T + Send) -> Result<T, Failure> {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(self.threads.map_or(0, usize::from));
-        let pool = pool.build().map_err(|error| Failure::Input(format!("the threads cannot be started: {error}")))?;
+        let pool = pool
+            .build()
+            .map_err(|error| Failure::Input(format!("the threads cannot be started: {error}")))?;
         Ok(pool.install(work))
     }
 }

@@ -6,7 +6,10 @@ use assert_cmd::Command;
 use serde_json::Value;
 use std::path::Path;
 
-const SPEC: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/impact-harvester-2019/harvester.toml");
+const SPEC: &str = concat!(
+    env!("CARGO_MANIFEST_DIR"),
+    "/../../examples/impact-harvester-2019/harvester.toml"
+);
 /// The paper's case of two solutions, where the model has two (20 starts of `basins`): 5.244 uW and period 1, 8.181 uW and period 3.
 const CASE: [&str; 8] = [
     "--set",
@@ -20,14 +23,25 @@ const CASE: [&str; 8] = [
 ];
 
 fn jounce(folder: &Path, arguments: &[&str]) -> (i32, Value, String) {
-    let output = Command::cargo_bin("jounce").unwrap().args(arguments).current_dir(folder).output().unwrap();
+    let output = Command::cargo_bin("jounce")
+        .unwrap()
+        .args(arguments)
+        .current_dir(folder)
+        .output()
+        .unwrap();
     let text = String::from_utf8(output.stdout).unwrap();
     let json = serde_json::from_str(&text).unwrap_or(Value::Null);
-    (output.status.code().unwrap(), json, String::from_utf8(output.stderr).unwrap())
+    (
+        output.status.code().unwrap(),
+        json,
+        String::from_utf8(output.stderr).unwrap(),
+    )
 }
 
 fn written(folder: &Path, names: &[&str]) {
-    names.iter().for_each(|name| assert!(folder.join(name).is_file(), "{name} is missing"));
+    names
+        .iter()
+        .for_each(|name| assert!(folder.join(name).is_file(), "{name} is missing"));
 }
 
 /// A record of 20 s at 1536 Hz, noise of 1 %, a shaker that wanders, a jump from one solution to the other at 9 s. Measured: the change
@@ -35,35 +49,128 @@ fn written(folder: &Path, names: &[&str]) {
 #[test]
 fn a_switch_between_two_solutions_is_cut_and_each_is_named() {
     let folder = tempfile::tempdir().unwrap();
-    let solutions = ["--solution", "1a", "--solution", "3a@9s", "--starts", "8", "--rate", "1536Hz", "--noise", "0.01"];
-    let wander = ["--amplitude-wander", "0.002", "--frequency-wander", "0.00005", "--to", "switch.parquet", "--json"];
-    let (code, json, stderr) = jounce(folder.path(), &[&["rig", SPEC], &CASE[..], &solutions, &wander].concat());
+    let solutions = [
+        "--solution",
+        "1a",
+        "--solution",
+        "3a@9s",
+        "--starts",
+        "8",
+        "--rate",
+        "1536Hz",
+        "--noise",
+        "0.01",
+    ];
+    let wander = [
+        "--amplitude-wander",
+        "0.002",
+        "--frequency-wander",
+        "0.00005",
+        "--to",
+        "switch.parquet",
+        "--json",
+    ];
+    let (code, json, stderr) = jounce(
+        folder.path(),
+        &[&["rig", SPEC], &CASE[..], &solutions, &wander].concat(),
+    );
     assert!(code == 0 && stderr.contains("not modelled"), "{stderr}");
-    assert_eq!(json["channels"], serde_json::json!(["mfc.voltage", "tip.force", "base.acceleration"]));
-    let model = ["--model", SPEC, "--set", "drive.shaker.amplitude=42 N", "--starts", "8"];
-    let cut = ["regimes", "switch.parquet", "--drive", "13.5Hz", "--resistance", "100kohm", "--json", "--out", "out"];
+    assert_eq!(
+        json["channels"],
+        serde_json::json!(["mfc.voltage", "tip.force", "base.acceleration"])
+    );
+    let model = [
+        "--model",
+        SPEC,
+        "--set",
+        "drive.shaker.amplitude=42 N",
+        "--starts",
+        "8",
+    ];
+    let cut = [
+        "regimes",
+        "switch.parquet",
+        "--drive",
+        "13.5Hz",
+        "--resistance",
+        "100kohm",
+        "--json",
+        "--out",
+        "out",
+    ];
     let (code, json, stderr) = jounce(folder.path(), &[&cut[..], &model].concat());
     assert_eq!(code, 0, "{stderr}");
     let stretches = json["regimes"]["stretches"].as_array().unwrap();
     assert_eq!(stretches.len(), 2, "{json}");
-    assert!((stretches[1]["start_s"].as_f64().unwrap() - 9.0).abs() < json["regimes"]["uncertainty_s"].as_f64().unwrap(), "{json}");
-    for (k, (id, cycles, power_w)) in [("1a", 1, 5.244e-6), ("3a", 3, 8.181e-6)].into_iter().enumerate() {
+    assert!(
+        (stretches[1]["start_s"].as_f64().unwrap() - 9.0).abs()
+            < json["regimes"]["uncertainty_s"].as_f64().unwrap(),
+        "{json}"
+    );
+    for (k, (id, cycles, power_w)) in [("1a", 1, 5.244e-6), ("3a", 3, 8.181e-6)]
+        .into_iter()
+        .enumerate()
+    {
         let shown = &json["correspondences"][k];
         let first = &shown["candidates"][0];
-        assert_eq!((&shown["fits"], &first["id"], &first["period_cycles"]), (&"one".into(), &id.into(), &cycles.into()), "{shown}");
+        assert_eq!(
+            (&shown["fits"], &first["id"], &first["period_cycles"]),
+            (&"one".into(), &id.into(), &cycles.into()),
+            "{shown}"
+        );
         let number = |value: &Value| value.as_f64().unwrap();
-        eprintln!("{id}: waveform {:.4} away, spectrum {:.4}", number(&first["waveform_distance"]), number(&first["spectrum_distance"]));
-        assert!(number(&first["waveform_distance"]) < 0.02 && number(&first["spectrum_distance"]) < 0.02, "{first}");
-        assert!(number(&shown["candidates"][1]["waveform_distance"]) > 0.3, "{shown}");
-        assert!((number(&json["powers"][k]["mean_power_w"]) / power_w - 1.0).abs() < 0.01, "{}", json["powers"]);
+        eprintln!(
+            "{id}: waveform {:.4} away, spectrum {:.4}",
+            number(&first["waveform_distance"]),
+            number(&first["spectrum_distance"])
+        );
+        assert!(
+            number(&first["waveform_distance"]) < 0.02
+                && number(&first["spectrum_distance"]) < 0.02,
+            "{first}"
+        );
+        assert!(
+            number(&shown["candidates"][1]["waveform_distance"]) > 0.3,
+            "{shown}"
+        );
+        assert!(
+            (number(&json["powers"][k]["mean_power_w"]) / power_w - 1.0).abs() < 0.01,
+            "{}",
+            json["powers"]
+        );
     }
-    written(&folder.path().join("out"), &["regimes.csv", "regimes-section.svg", "regimes-time.png", "regimes-spectra.svg"]);
+    written(
+        &folder.path().join("out"),
+        &[
+            "regimes.csv",
+            "regimes-section.svg",
+            "regimes-time.png",
+            "regimes-spectra.svg",
+        ],
+    );
     let table = std::fs::read_to_string(folder.path().join("out/regimes.csv")).unwrap();
-    assert!(table.contains("waveform_distance") && table.contains("3a"), "{table}");
+    assert!(
+        table.contains("waveform_distance") && table.contains("3a"),
+        "{table}"
+    );
     // The linear harvester has one solution: the second stretch is none of it.
-    let other = ["--model", SPEC, "--set", "drive.shaker.amplitude=42 N", "--set", "stop.tip.gap=1 m", "--starts", "2"];
+    let other = [
+        "--model",
+        SPEC,
+        "--set",
+        "drive.shaker.amplitude=42 N",
+        "--set",
+        "stop.tip.gap=1 m",
+        "--starts",
+        "2",
+    ];
     let (_, json, _) = jounce(folder.path(), &[&cut[..7], &other].concat());
-    let fits: Vec<&Value> = json["correspondences"].as_array().unwrap().iter().map(|shown| &shown["fits"]).collect();
+    let fits: Vec<&Value> = json["correspondences"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|shown| &shown["fits"])
+        .collect();
     assert_eq!(fits, ["one", "none"], "{json}");
 }
 
@@ -71,45 +178,125 @@ fn a_switch_between_two_solutions_is_cut_and_each_is_named() {
 #[test]
 fn spectra_tell_their_convention_and_mark_the_orders() {
     let folder = tempfile::tempdir().unwrap();
-    let short = ["--solution", "3a", "--starts", "8", "--rate", "1536Hz", "--to", "one.csv"];
-    let (code, _, stderr) = jounce(folder.path(), &[&["rig", SPEC], &CASE[..], &["--set", "run.average_over=6 s"], &short].concat());
+    let short = [
+        "--solution",
+        "3a",
+        "--starts",
+        "8",
+        "--rate",
+        "1536Hz",
+        "--to",
+        "one.csv",
+    ];
+    let (code, _, stderr) = jounce(
+        folder.path(),
+        &[
+            &["rig", SPEC],
+            &CASE[..],
+            &["--set", "run.average_over=6 s"],
+            &short,
+        ]
+        .concat(),
+    );
     assert_eq!(code, 0, "{stderr}");
-    let (code, json, stderr) = jounce(folder.path(), &["spectra", "one.csv", "--drive", "13.5Hz", "--json", "--out", "out"]);
+    let (code, json, stderr) = jounce(
+        folder.path(),
+        &[
+            "spectra", "one.csv", "--drive", "13.5Hz", "--json", "--out", "out",
+        ],
+    );
     assert_eq!(code, 0, "{stderr}");
     let words = json["convention"].as_str().unwrap();
-    assert!(words.contains("hann") && words.contains("zero to peak") && words.contains("overlap 0.5"), "{words}");
+    assert!(
+        words.contains("hann") && words.contains("zero to peak") && words.contains("overlap 0.5"),
+        "{words}"
+    );
     let density = json["density"].as_array().unwrap();
     let spacing = json["resolution_hz"].as_f64().unwrap();
     let sum: f64 = density.iter().map(|s| s.as_f64().unwrap() * spacing).sum();
     // Parseval: the density's integral is the mean square, here that of the orders.
-    let orders: f64 = json["orders"].as_array().unwrap().iter().map(|o| o["amplitude_peak"].as_f64().unwrap().powi(2) / 2.0).sum();
+    let orders: f64 = json["orders"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|o| o["amplitude_peak"].as_f64().unwrap().powi(2) / 2.0)
+        .sum();
     assert!((sum / orders - 1.0).abs() < 0.02, "{sum} {orders}");
-    written(&folder.path().join("out"), &["spectra.csv", "spectra.svg", "spectrogram.parquet", "spectrogram.png", "spectrogram.svg"]);
+    written(
+        &folder.path().join("out"),
+        &[
+            "spectra.csv",
+            "spectra.svg",
+            "spectrogram.parquet",
+            "spectrogram.png",
+            "spectrogram.svg",
+        ],
+    );
     let picture = std::fs::read_to_string(folder.path().join("out/spectrogram.svg")).unwrap();
-    assert!(picture.contains(">drive<") && picture.contains(">8×<"), "order lines are marked");
+    assert!(
+        picture.contains(">drive<") && picture.contains(">8×<"),
+        "order lines are marked"
+    );
 }
 
 /// Wrong options end with one clear sentence; hits before the structure is quiet are told by the rig and by the analysis.
 #[test]
 fn what_cannot_be_recorded_is_told() {
     let folder = tempfile::tempdir().unwrap();
-    let rig = |more: &[&str]| jounce(folder.path(), &[&["rig", SPEC, "--to", "a.csv"], more].concat());
+    let rig = |more: &[&str]| {
+        jounce(
+            folder.path(),
+            &[&["rig", SPEC, "--to", "a.csv"], more].concat(),
+        )
+    };
     for (arguments, code, words) in [
         (vec!["--at", "beam.tpi"], 4, "beam.tip"),
-        (vec!["--solution", "9z", "--starts", "2"], 2, "the model's solutions are"),
-        (vec!["--solution", "1a", "--solution", "1a", "--starts", "2"], 2, "@42s"),
+        (
+            vec!["--solution", "9z", "--starts", "2"],
+            2,
+            "the model's solutions are",
+        ),
+        (
+            vec!["--solution", "1a", "--solution", "1a", "--starts", "2"],
+            2,
+            "@42s",
+        ),
         (vec!["--amplitude-wander", "2"], 4, "from 0 to 0.3"),
         (vec!["--cable", "0nF"], 2, "--cable"),
         (vec!["--base", "missing.csv"], 4, "missing.csv"),
-        (vec!["--hammer", "beam.hammer", "--solution", "1a"], 2, "cannot be used with"),
+        (
+            vec!["--hammer", "beam.hammer", "--solution", "1a"],
+            2,
+            "cannot be used with",
+        ),
         (vec!["--sensor-mass", "1g"], 2, "--at"),
     ] {
         let (found, _, stderr) = rig(&arguments);
-        assert!(found == code && stderr.contains(words) && !stderr.contains("panicked"), "{arguments:?}: {found} {stderr}");
+        assert!(
+            found == code && stderr.contains(words) && !stderr.contains("panicked"),
+            "{arguments:?}: {found} {stderr}"
+        );
     }
-    let hits = ["--hammer", "beam.hammer", "--at", "beam.tip", "--fixed-table", "--rate", "1024Hz", "--noise", "0.001", "--hits", "2"];
+    let hits = [
+        "--hammer",
+        "beam.hammer",
+        "--at",
+        "beam.tip",
+        "--fixed-table",
+        "--rate",
+        "1024Hz",
+        "--noise",
+        "0.001",
+        "--hits",
+        "2",
+    ];
     let (code, _, stderr) = rig(&[&hits[..], &["--block", "8s"]].concat());
-    assert!(code == 0 && stderr.contains("43.0 % of its motion") && stderr.contains("make a block 44 s long"), "{stderr}");
+    assert!(
+        code == 0
+            && stderr.contains("43.0 % of its motion")
+            && stderr.contains("make a block 44 s long"),
+        "{stderr}"
+    );
     let (code, json, _) = jounce(folder.path(), &["frf", "--measured", "a.csv", "--json"]);
     let told = |k: usize| json["hits"][k]["warnings"].to_string().contains("ringing");
     assert!(code == 0 && !told(0) && told(1), "{}", json["hits"]);

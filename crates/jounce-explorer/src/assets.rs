@@ -10,16 +10,38 @@ const POLICY: &str = "default-src 'none'; script-src 'self'; style-src 'self'; i
 
 /// One file: name, type, content.
 const FILES: [(&str, &str, &[u8]); 4] = [
-    ("", "text/html; charset=utf-8", include_bytes!("../page/index.html")),
-    ("app.js", "text/javascript; charset=utf-8", include_bytes!("../page/app.js")),
-    ("app.css", "text/css; charset=utf-8", include_bytes!("../page/app.css")),
-    ("icon.svg", "image/svg+xml", include_bytes!("../page/icon.svg")),
+    (
+        "",
+        "text/html; charset=utf-8",
+        include_bytes!("../page/index.html"),
+    ),
+    (
+        "app.js",
+        "text/javascript; charset=utf-8",
+        include_bytes!("../page/app.js"),
+    ),
+    (
+        "app.css",
+        "text/css; charset=utf-8",
+        include_bytes!("../page/app.css"),
+    ),
+    (
+        "icon.svg",
+        "image/svg+xml",
+        include_bytes!("../page/icon.svg"),
+    ),
 ];
 
 /// The file of a name; nothing but the list above can be had.
 pub fn serve(name: &str) -> Response {
     match FILES.iter().find(|(known, ..)| *known == name) {
-        Some((_, kind, content)) => guarded(([(header::CONTENT_TYPE, HeaderValue::from_static(kind))], *content).into_response()),
+        Some((_, kind, content)) => guarded(
+            (
+                [(header::CONTENT_TYPE, HeaderValue::from_static(kind))],
+                *content,
+            )
+                .into_response(),
+        ),
         None => refused(StatusCode::NOT_FOUND, "there is no such file"),
     }
 }
@@ -37,9 +59,17 @@ fn guarded(mut response: Response) -> Response {
         (header::X_FRAME_OPTIONS, "DENY"),
         (header::REFERRER_POLICY, "no-referrer"),
         (header::CACHE_CONTROL, "no-store"),
-        (HeaderName::from_static("cross-origin-opener-policy"), "same-origin"),
-        (HeaderName::from_static("cross-origin-resource-policy"), "same-origin"),
+        (
+            HeaderName::from_static("cross-origin-opener-policy"),
+            "same-origin",
+        ),
+        (
+            HeaderName::from_static("cross-origin-resource-policy"),
+            "same-origin",
+        ),
     ];
-    response.headers_mut().extend(fixed.map(|(name, value)| (name, HeaderValue::from_static(value))));
+    response
+        .headers_mut()
+        .extend(fixed.map(|(name, value)| (name, HeaderValue::from_static(value))));
     response
 }

@@ -43,7 +43,13 @@ impl Authenticator {
         if address.ip().is_loopback() || address.ip().is_unspecified() {
             hosts.extend(["127.0.0.1", "localhost", "[::1]"].map(|name| format!("{name}:{port}")));
         }
-        Ok(Self { digest: Sha256::digest(token.as_bytes()).into(), token, hosts, any_address: address.ip().is_unspecified(), port })
+        Ok(Self {
+            digest: Sha256::digest(token.as_bytes()).into(),
+            token,
+            hosts,
+            any_address: address.ip().is_unspecified(),
+            port,
+        })
     }
 
     /// The token.
@@ -55,21 +61,45 @@ impl Authenticator {
     ///
     /// # Errors
     /// [`RequestRefusal`].
-    pub fn check(&self, token: &str, headers: &HeaderMap, needs_origin: bool) -> Result<(), RequestRefusal> {
-        let host = headers.get(HOST).and_then(|host| host.to_str().ok()).unwrap_or_default();
+    pub fn check(
+        &self,
+        token: &str,
+        headers: &HeaderMap,
+        needs_origin: bool,
+    ) -> Result<(), RequestRefusal> {
+        let host = headers
+            .get(HOST)
+            .and_then(|host| host.to_str().ok())
+            .unwrap_or_default();
         // An attack by rebinding needs a name; an address names only what stands behind it.
-        let by_address = self.any_address && host.parse::<SocketAddr>().is_ok_and(|named| named.port() == self.port);
-        if !by_address && !self.hosts.iter().any(|known| known.eq_ignore_ascii_case(host)) {
+        let by_address = self.any_address
+            && host
+                .parse::<SocketAddr>()
+                .is_ok_and(|named| named.port() == self.port);
+        if !by_address
+            && !self
+                .hosts
+                .iter()
+                .any(|known| known.eq_ignore_ascii_case(host))
+        {
             return Err(RequestRefusal::Host);
         }
         let origins: Vec<_> = headers.get_all(ORIGIN).iter().collect();
         let own = format!("http://{host}");
-        if origins.iter().any(|origin| !origin.as_bytes().eq_ignore_ascii_case(own.as_bytes())) || (needs_origin && origins.is_empty()) {
+        if origins
+            .iter()
+            .any(|origin| !origin.as_bytes().eq_ignore_ascii_case(own.as_bytes()))
+            || (needs_origin && origins.is_empty())
+        {
             return Err(RequestRefusal::Origin);
         }
         // Digests are compared, so that the time taken says nothing about the token.
         let same = <[u8; 32]>::from(Sha256::digest(token.as_bytes())) == self.digest;
-        if same { Ok(()) } else { Err(RequestRefusal::Token) }
+        if same {
+            Ok(())
+        } else {
+            Err(RequestRefusal::Token)
+        }
     }
 }
 
@@ -92,7 +122,9 @@ mod tests {
     fn asked(host: &str, origin: Option<&str>) -> HeaderMap {
         let mut headers = HeaderMap::new();
         headers.insert(HOST, HeaderValue::from_str(host).unwrap());
-        origin.iter().for_each(|origin| drop(headers.insert(ORIGIN, HeaderValue::from_str(origin).unwrap())));
+        origin.iter().for_each(|origin| {
+            drop(headers.insert(ORIGIN, HeaderValue::from_str(origin).unwrap()))
+        });
         headers
     }
 
@@ -101,17 +133,58 @@ mod tests {
         let guard = Authenticator::new("127.0.0.1:4321".parse().unwrap(), None).unwrap();
         let token = guard.token().to_owned();
         assert_eq!(token.len(), 32);
-        assert_ne!(token, Authenticator::new("127.0.0.1:4321".parse().unwrap(), None).unwrap().token());
-        let check = |token: &str, host: &str, origin, socket| guard.check(token, &asked(host, origin), socket);
-        assert_eq!(check(&token, "localhost:4321", Some("http://localhost:4321"), true), Ok(()));
+        assert_ne!(
+            token,
+            Authenticator::new("127.0.0.1:4321".parse().unwrap(), None)
+                .unwrap()
+                .token()
+        );
+        let check = |token: &str, host: &str, origin, socket| {
+            guard.check(token, &asked(host, origin), socket)
+        };
+        assert_eq!(
+            check(
+                &token,
+                "localhost:4321",
+                Some("http://localhost:4321"),
+                true
+            ),
+            Ok(())
+        );
         assert_eq!(check(&token, "127.0.0.1:4321", None, false), Ok(()));
-        assert_eq!(check(&token, "127.0.0.1:4321", None, true), Err(RequestRefusal::Origin));
-        assert_eq!(check(&token, "127.0.0.1:4321", Some("http://evil.example"), false), Err(RequestRefusal::Origin));
-        assert_eq!(check(&token, "127.0.0.1:4321", Some("null"), true), Err(RequestRefusal::Origin));
-        assert_eq!(check(&token, "evil.example:4321", Some("http://evil.example:4321"), true), Err(RequestRefusal::Host));
-        assert_eq!(check(&token, "127.0.0.1:9", None, false), Err(RequestRefusal::Host));
-        assert_eq!(check(&token[1..], "127.0.0.1:4321", None, false), Err(RequestRefusal::Token));
-        assert_eq!(check("", "127.0.0.1:4321", None, false), Err(RequestRefusal::Token));
+        assert_eq!(
+            check(&token, "127.0.0.1:4321", None, true),
+            Err(RequestRefusal::Origin)
+        );
+        assert_eq!(
+            check(&token, "127.0.0.1:4321", Some("http://evil.example"), false),
+            Err(RequestRefusal::Origin)
+        );
+        assert_eq!(
+            check(&token, "127.0.0.1:4321", Some("null"), true),
+            Err(RequestRefusal::Origin)
+        );
+        assert_eq!(
+            check(
+                &token,
+                "evil.example:4321",
+                Some("http://evil.example:4321"),
+                true
+            ),
+            Err(RequestRefusal::Host)
+        );
+        assert_eq!(
+            check(&token, "127.0.0.1:9", None, false),
+            Err(RequestRefusal::Host)
+        );
+        assert_eq!(
+            check(&token[1..], "127.0.0.1:4321", None, false),
+            Err(RequestRefusal::Token)
+        );
+        assert_eq!(
+            check("", "127.0.0.1:4321", None, false),
+            Err(RequestRefusal::Token)
+        );
         let open = Authenticator::new("0.0.0.0:4321".parse().unwrap(), None).unwrap();
         let check = |host: &str| open.check(open.token(), &asked(host, None), false);
         assert_eq!(check("192.168.1.7:4321"), Ok(()));

@@ -4,7 +4,9 @@ use crate::cancellation::Cancellation;
 use crate::design::{Design, DesignFault};
 use crate::frame::Frame;
 use crate::session::Session;
-use jounce::analysis::{Basins, Grid, GridAxis, GridSide, InitialStates, Parameter, Recognition, SectionPoint};
+use jounce::analysis::{
+    Basins, Grid, GridAxis, GridSide, InitialStates, Parameter, Recognition, SectionPoint,
+};
 use jounce::orbit::ParametricModel;
 use serde_json::json;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -21,11 +23,23 @@ const TOLERANCE: f64 = 1e-6;
 ///
 /// # Errors
 /// [`DesignFault`].
-pub fn respond(session: &Session, id: u64, design: &Design, side: usize, cancellation: &Cancellation) -> Result<(), DesignFault> {
+pub fn respond(
+    session: &Session,
+    id: u64,
+    design: &Design,
+    side: usize,
+    cancellation: &Cancellation,
+) -> Result<(), DesignFault> {
     let base = session.prepared(&design.spec, cancellation)?;
-    let sine = design.spec.drive.iter().find_map(|(name, drive)| Some((name, drive.frequency_hz()?)));
+    let sine = design
+        .spec
+        .drive
+        .iter()
+        .find_map(|(name, drive)| Some((name, drive.frequency_hz()?)));
     let Some((name, value)) = sine else {
-        return Err(DesignFault::Text("a basin needs a drive of one frequency: give a drive a frequency".to_owned()));
+        return Err(DesignFault::Text(
+            "a basin needs a drive of one frequency: give a drive a frequency".to_owned(),
+        ));
     };
     let key = design.key(&format!("drive.{name}.frequency"))?;
     let parameter = Parameter::new(&base, &key, value);
@@ -33,23 +47,52 @@ pub fn respond(session: &Session, id: u64, design: &Design, side: usize, cancell
     parameter.at(value)?;
     let plant = &base.kernel.plant;
     let Some(tone) = plant.tones.first().filter(|_| !plant.ports.is_empty()) else {
-        return Err(DesignFault::Text("a basin needs a stop and a drive that moves".to_owned()));
+        return Err(DesignFault::Text(
+            "a basin needs a stop and a drive that moves".to_owned(),
+        ));
     };
     let reach_m = HALF_WIDTH * plant.scale_m();
     let reach_m_s = reach_m * tone.angular_frequency_rad_s;
     let count = side.clamp(2, MAX_SIDE_VALUES);
-    let axis = |axis, reach: f64| GridSide { axis, from: -reach, to: reach, count };
-    let starts = InitialStates::Grid(Grid { sides: vec![axis(GridAxis::Displacement, reach_m), axis(GridAxis::Velocity, reach_m_s)] });
-    let study = Basins { base: &base, parameter: &parameter, value, starts, recognition: Recognition::at(TOLERANCE) };
+    let axis = |axis, reach: f64| GridSide {
+        axis,
+        from: -reach,
+        to: reach,
+        count,
+    };
+    let starts = InitialStates::Grid(Grid {
+        sides: vec![
+            axis(GridAxis::Displacement, reach_m),
+            axis(GridAxis::Velocity, reach_m_s),
+        ],
+    });
+    let study = Basins {
+        base: &base,
+        parameter: &parameter,
+        value,
+        starts,
+        recognition: Recognition::at(TOLERANCE),
+    };
     let (of, finished, began) = (study.starts.len(), AtomicUsize::new(0), Instant::now());
     let answer = study.run(&|| {
         let done = 1 + finished.fetch_add(1, Ordering::Relaxed);
         let mut frame = Frame::new(id, "basins", "progress");
-        frame.put("done", done).put("of", of).put("seconds", began.elapsed().as_secs_f64());
+        frame
+            .put("done", done)
+            .put("of", of)
+            .put("seconds", began.elapsed().as_secs_f64());
         session.hint(cancellation, frame);
     })?;
-    let all: Vec<SectionPoint> = (0..of).map(|index| SectionPoint::of(&plant.system, &study.starts.start(plant, index))).collect();
-    let home = |index: usize| answer.attractors.iter().position(|a| a.starts.contains(&index)).map_or(-1.0, |k| k as f64);
+    let all: Vec<SectionPoint> = (0..of)
+        .map(|index| SectionPoint::of(&plant.system, &study.starts.start(plant, index)))
+        .collect();
+    let home = |index: usize| {
+        answer
+            .attractors
+            .iter()
+            .position(|a| a.starts.contains(&index))
+            .map_or(-1.0, |k| k as f64)
+    };
     let mut frame = Frame::new(id, "basins", "done");
     let listed: Vec<_> = (answer.attractors.iter())
         .map(|a| {
@@ -59,8 +102,14 @@ pub fn respond(session: &Session, id: u64, design: &Design, side: usize, cancell
             })
         })
         .collect();
-    frame.put("attractors", listed).put("lost", answer.lost.len()).put("side", count).put("frequency_hz", value);
-    frame.put("expected_power_w", answer.expected_power_w).put("expected_power_low_w", answer.expected_power_low_w);
+    frame
+        .put("attractors", listed)
+        .put("lost", answer.lost.len())
+        .put("side", count)
+        .put("frequency_hz", value);
+    frame
+        .put("expected_power_w", answer.expected_power_w)
+        .put("expected_power_low_w", answer.expected_power_low_w);
     frame.put("expected_power_high_w", answer.expected_power_high_w);
     frame.array("displacement", all.iter().map(|point| point.displacement_m));
     frame.array("velocity", all.iter().map(|point| point.velocity_m_per_s));

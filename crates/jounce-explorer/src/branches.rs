@@ -7,7 +7,8 @@ use crate::request::KeySpan;
 use crate::responses::{Origin, StoredResponse};
 use crate::session::Session;
 use jounce::analysis::{
-    BandwidthSearch, Bifurcation, Branch, BranchPoint, BranchSearch, BranchUpdate, KnownOrbit, OrbitMethodKind, WarmStart,
+    BandwidthSearch, Bifurcation, Branch, BranchPoint, BranchSearch, BranchUpdate, KnownOrbit,
+    OrbitMethodKind, WarmStart,
 };
 use jounce::analysis::{Extrapolation, Model, Parameter, settled_orbit};
 use jounce::continuation::StepControl;
@@ -35,28 +36,53 @@ const MAX_PERIOD_CYCLES: u32 = 8;
 const SLIDER_REST: Duration = Duration::from_millis(120);
 
 /// Long steps for the first answer.
-const LONG_STEPS: StepControl = StepControl { first: 0.1, longest: 1.2, shortest: 1e-6, turn: 0.45, stray: 0.25, most_evaluations: 6 };
+const LONG_STEPS: StepControl = StepControl {
+    first: 0.1,
+    longest: 1.2,
+    shortest: 1e-6,
+    turn: 0.45,
+    stray: 0.25,
+    most_evaluations: 6,
+};
 
 /// Answers twice; a third time with peaks and widths.
 ///
 /// # Errors
 /// [`DesignFault`]: faults of the design, of the range, or of the harvester.
-pub fn respond(session: &Session, id: u64, design: Design, over: &KeySpan, cancellation: &Cancellation) -> Result<(), DesignFault> {
+pub fn respond(
+    session: &Session,
+    id: u64,
+    design: Design,
+    over: &KeySpan,
+    cancellation: &Cancellation,
+) -> Result<(), DesignFault> {
     let key = design.range(&over.over, over.from, over.to)?;
     let range = (over.from, over.to);
     let base = session.prepared(&design.spec, cancellation)?;
     let parameter = Parameter::new(&base, &key, range.1 - range.0);
     let began = Instant::now();
-    let (found, linear) =
-        rayon::join(|| coarse(session, &design, &base, &parameter, range), || session.linear.curve(&design.spec, &parameter, range));
+    let (found, linear) = rayon::join(
+        || coarse(session, &design, &base, &parameter, range),
+        || session.linear.curve(&design.spec, &parameter, range),
+    );
     let send = |stage: &str, branches: Vec<Branch>, origin: Option<Origin>, began: Instant| {
         let mut frame = Frame::new(id, "response", stage);
-        frame.put("over", key.path()).put("unit", key.unit()).put("ms", 1e3 * began.elapsed().as_secs_f64());
+        frame
+            .put("over", key.path())
+            .put("unit", key.unit())
+            .put("ms", 1e3 * began.elapsed().as_secs_f64());
         linear.put(&mut frame);
         put_branches(&mut frame, &branches);
         if !cancellation.is_stopped() {
             let (spec, branches) = (design.spec.clone(), Arc::new(branches));
-            let answered = StoredResponse { id, spec, key: key.clone(), range, branches, origin };
+            let answered = StoredResponse {
+                id,
+                spec,
+                key: key.clone(),
+                range,
+                branches,
+                origin,
+            };
             session.answers.keep(answered);
         }
         session.send(cancellation, frame);
@@ -72,16 +98,33 @@ pub fn respond(session: &Session, id: u64, design: Design, over: &KeySpan, cance
         return Ok(());
     }
     let began = Instant::now();
-    let (method, seeds, longest_period) = (OrbitMethodKind::Shooting, START_VALUES, MAX_PERIOD_CYCLES);
-    let search = BranchSearch { base: &base, parameter: &parameter, range, method, tolerance: FINE_TOLERANCE, seeds, longest_period };
+    let (method, seeds, longest_period) =
+        (OrbitMethodKind::Shooting, START_VALUES, MAX_PERIOD_CYCLES);
+    let search = BranchSearch {
+        base: &base,
+        parameter: &parameter,
+        range,
+        method,
+        tolerance: FINE_TOLERANCE,
+        seeds,
+        longest_period,
+    };
     let branches = search.run()?;
     send("fine", branches.clone(), None, began);
     if !cancellation.is_stopped() && !branches.is_empty() {
-        let width = BandwidthSearch { base: &base, parameter: &parameter, range, tolerance: FINE_TOLERANCE };
+        let width = BandwidthSearch {
+            base: &base,
+            parameter: &parameter,
+            range,
+            tolerance: FINE_TOLERANCE,
+        };
         let widths = width.run(&branches);
         let mut frame = Frame::new(id, "response", "widths");
         if let Some(together) = &widths.together {
-            frame.put("peak", json!(together.peak)).put("intervals", json!(together.intervals)).put("width", together.width);
+            frame
+                .put("peak", json!(together.peak))
+                .put("intervals", json!(together.intervals))
+                .put("width", together.width);
         }
         session.send(cancellation, frame);
     }
@@ -90,19 +133,32 @@ pub fn respond(session: &Session, id: u64, design: Design, over: &KeySpan, cance
 
 /// The branches near those of the design before: carried over point by point, walked again where that loses points or the range is
 /// another one, and walked from settled orbits where nothing is known.
-fn coarse(session: &Session, design: &Design, base: &Model, parameter: &Parameter, range: (f64, f64)) -> (Vec<Branch>, Option<Origin>) {
+fn coarse(
+    session: &Session,
+    design: &Design,
+    base: &Model,
+    parameter: &Parameter,
+    range: (f64, f64),
+) -> (Vec<Branch>, Option<Origin>) {
     let kernel = &base.kernel;
     let last = session.answers.last(parameter.key().path());
     if let Some(last) = last.as_ref().filter(|last| last.range == range) {
         // A fine answer has more points than a curve needs; what was carried over keeps its points, so that they go on as they went.
         let known = match last.origin {
             Some(_) => Arc::clone(&last.branches),
-            None => Arc::new(last.branches.iter().map(|branch| branch.thinned(SIMPLIFY_SHARE)).collect()),
+            None => Arc::new(
+                last.branches
+                    .iter()
+                    .map(|branch| branch.thinned(SIMPLIFY_SHARE))
+                    .collect(),
+            ),
         };
-        let trend = last
-            .origin
-            .as_ref()
-            .and_then(|(spec, branches)| Some(Extrapolation { before: branches, reach: design.reach(spec, &last.spec)? }));
+        let trend = last.origin.as_ref().and_then(|(spec, branches)| {
+            Some(Extrapolation {
+                before: branches,
+                reach: design.reach(spec, &last.spec)?,
+            })
+        });
         let carry = BranchUpdate {
             harvester: parameter,
             kernel,
@@ -118,13 +174,26 @@ fn coarse(session: &Session, design: &Design, base: &Model, parameter: &Paramete
             return (carried.branches, Some((last.spec.clone(), known)));
         }
     }
-    let chase =
-        WarmStart { harvester: parameter, kernel, range, tolerance: COARSE_TOLERANCE, control: LONG_STEPS, resolution: MAX_LAST_MOVE };
-    let found = last.map(|last| chase.run(&last.orbits()).unwrap_or_default()).unwrap_or_default();
+    let chase = WarmStart {
+        harvester: parameter,
+        kernel,
+        range,
+        tolerance: COARSE_TOLERANCE,
+        control: LONG_STEPS,
+        resolution: MAX_LAST_MOVE,
+    };
+    let found = last
+        .map(|last| chase.run(&last.orbits()).unwrap_or_default())
+        .unwrap_or_default();
     if !found.is_empty() || kernel.control.is_stopped() {
         return (found, None);
     }
-    (chase.run(&settled(parameter, base, range)).unwrap_or_default(), None)
+    (
+        chase
+            .run(&settled(parameter, base, range))
+            .unwrap_or_default(),
+        None,
+    )
 }
 
 /// Orbits on which a march from rest and from the steady state settles at both ends of the range.
@@ -136,12 +205,19 @@ fn settled(family: &Parameter, base: &Model, range: (f64, f64)) -> Vec<KnownOrbi
     let jobs = [(low, &steady), (high, &steady), (low, &rest), (high, &rest)];
     let known = |(parameter, start): (f64, &Vec<f64>)| {
         let orbit = settled_orbit(family, parameter, start, COARSE_TOLERANCE, 1e-6)?;
-        Some(KnownOrbit { period_cycles: orbit.period_cycles, state: orbit.start().to_vec(), parameter })
+        Some(KnownOrbit {
+            period_cycles: orbit.period_cycles,
+            state: orbit.start().to_vec(),
+            parameter,
+        })
     };
     let ([a, b], [c, d]) = ([jobs[0], jobs[1]], [jobs[2], jobs[3]]);
     let pair = |one, two| rayon::join(|| known(one), || known(two));
     let (first, second) = (pair(a, b), pair(c, d));
-    [first.0, first.1, second.0, second.1].into_iter().flatten().collect()
+    [first.0, first.1, second.0, second.1]
+        .into_iter()
+        .flatten()
+        .collect()
 }
 
 fn put_branches(frame: &mut Frame, branches: &[Branch]) {

@@ -13,14 +13,23 @@ const LINEAR: f64 = 3.0;
 /// All controls: first the keys of the file in its order, then those that have defaults.
 pub fn controls(design: &Design) -> Vec<Value> {
     let written = leaves(&design.file.text());
-    let mut all: Vec<(String, Option<String>)> = written.into_iter().map(|(path, text)| (path, Some(text))).collect();
+    let mut all: Vec<(String, Option<String>)> = written
+        .into_iter()
+        .map(|(path, text)| (path, Some(text)))
+        .collect();
     for (path, _) in leaves(&design.spec.to_toml()) {
         let is_spring = path.starts_with("mass.") && path.ends_with(".stiffness");
         if !all.iter().any(|(known, _)| *known == path) && !is_spring {
             all.push((path, None));
         }
     }
-    let find = |(path, text): &(String, Option<String>)| control(design, &NumericKey::find(&design.spec, path).ok()?, text.as_deref());
+    let find = |(path, text): &(String, Option<String>)| {
+        control(
+            design,
+            &NumericKey::find(&design.spec, path).ok()?,
+            text.as_deref(),
+        )
+    };
     all.iter().filter_map(find).collect()
 }
 
@@ -37,7 +46,9 @@ fn leaves(text: &str) -> Vec<(String, String)> {
 
 fn gather(path: String, item: &Item, found: &mut Vec<(String, String)>) {
     match item.as_table_like() {
-        Some(table) => table.iter().for_each(|(name, item)| gather(format!("{path}.{name}"), item, found)),
+        Some(table) => table
+            .iter()
+            .for_each(|(name, item)| gather(format!("{path}.{name}"), item, found)),
         None => found.push((path, item.as_str().unwrap_or_default().to_owned())),
     }
 }
@@ -46,7 +57,9 @@ fn gather(path: String, item: &Item, found: &mut Vec<(String, String)>) {
 fn control(design: &Design, key: &NumericKey, written: Option<&str>) -> Option<Value> {
     let value = key.get(&design.spec).ok()?;
     let shown = key.show(value);
-    let own = [written.unwrap_or_default(), &shown].into_iter().find_map(split);
+    let own = [written.unwrap_or_default(), &shown]
+        .into_iter()
+        .find_map(split);
     let (unit, factor) = match own {
         Some((number, unit)) if number != 0.0 => (unit, value / number),
         _ => (key.unit(), 1.0),
@@ -62,14 +75,21 @@ fn control(design: &Design, key: &NumericKey, written: Option<&str>) -> Option<V
 
 /// Number and unit of a text.
 fn split(text: &str) -> Option<(f64, String)> {
-    let end = text.find(|letter: char| !letter.is_ascii_digit() && !"+-.eE".contains(letter)).unwrap_or(text.len());
+    let end = text
+        .find(|letter: char| !letter.is_ascii_digit() && !"+-.eE".contains(letter))
+        .unwrap_or(text.len());
     Some((text[..end].parse().ok()?, text[end..].trim().to_owned()))
 }
 
 /// Lengths, frequencies, angles and plain numbers go in equal steps, what spans decades goes by ratios.
 fn scale(key: &NumericKey, value: f64, low: f64) -> String {
     let linear = matches!(key.unit().as_str(), "m" | "Hz" | "s" | "rad" | "") || key.is_count();
-    if linear || value <= 0.0 || low < 0.0 && key.path().ends_with(".d31") { "linear" } else { "log" }.to_owned()
+    if linear || value <= 0.0 || low < 0.0 && key.path().ends_with(".d31") {
+        "linear"
+    } else {
+        "log"
+    }
+    .to_owned()
 }
 
 fn ends(scale: &str, value: f64, (low, high): (f64, f64)) -> (f64, f64) {
@@ -90,20 +110,37 @@ mod tests {
 
     #[test]
     fn every_number_of_the_paper_has_a_control() {
-        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/impact-harvester-2019/harvester.toml");
+        let path = concat!(
+            env!("CARGO_MANIFEST_DIR"),
+            "/../../examples/impact-harvester-2019/harvester.toml"
+        );
         let design = Design::read(&Source::File(path.into()), &[]).unwrap();
         let all = controls(&design);
-        let find = |key: &str| all.iter().find(|control| control["key"] == key).cloned().unwrap_or_default();
+        let find = |key: &str| {
+            all.iter()
+                .find(|control| control["key"] == key)
+                .cloned()
+                .unwrap_or_default()
+        };
         let gap = find("stop.tip.gap");
-        assert_eq!((&gap["unit"], &gap["scale"]), (&json!("mm"), &json!("linear")));
+        assert_eq!(
+            (&gap["unit"], &gap["scale"]),
+            (&json!("mm"), &json!("linear"))
+        );
         assert_eq!(split("0.5 mm"), Some((0.5, "mm".to_owned())));
         assert_eq!(split("1e-3m"), Some((1e-3, "m".to_owned())));
         assert_eq!(split("table"), None);
         assert!((gap["factor"].as_f64().unwrap() - 1e-3).abs() < 1e-15);
         let load = find("circuit.load.resistance");
-        assert_eq!((&load["scale"], load["from"].as_f64(), load["to"].as_f64()), (&json!("log"), Some(1e5), Some(1e7)));
+        assert_eq!(
+            (&load["scale"], load["from"].as_f64(), load["to"].as_f64()),
+            (&json!("log"), Some(1e5), Some(1e7))
+        );
         assert_eq!(find("beam.beam.point.tip")["written"], json!(true));
-        assert!(find("drive.shaker.phase")["written"] == json!(false) || find("drive.shaker.phase").is_null());
+        assert!(
+            find("drive.shaker.phase")["written"] == json!(false)
+                || find("drive.shaker.phase").is_null()
+        );
         assert!(find("run.start").is_null() && find("drive.shaker.at").is_null());
     }
 }

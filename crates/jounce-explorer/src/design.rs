@@ -45,7 +45,10 @@ impl DesignFault {
             DesignFault::Text(text) => json!([{ "key": "", "line": 0, "message": text }]),
             DesignFault::Faults(faults) => {
                 let listed = |fault: &Fault| {
-                    let set = fault.set.as_ref().and_then(|set| set.strip_prefix("--set ")?.split_once('='));
+                    let set = fault
+                        .set
+                        .as_ref()
+                        .and_then(|set| set.strip_prefix("--set ")?.split_once('='));
                     let key = set.map_or(fault.key.as_str(), |(key, _)| key);
                     json!({ "key": key, "line": fault.line, "message": words(fault) })
                 };
@@ -64,7 +67,9 @@ impl Design {
         let mut file = source.read()?;
         if !set.is_empty() {
             // A page may change numbers only: no path of a file comes from it.
-            let base = file.spec().map_err(|faults| DesignFault::Faults(faults.as_slice().to_vec()))?;
+            let base = file
+                .spec()
+                .map_err(|faults| DesignFault::Faults(faults.as_slice().to_vec()))?;
             let mut faults = Vec::new();
             for (key, value) in set {
                 let put = NumericKey::find(&base, key).and_then(|_| file.set(key, value));
@@ -74,8 +79,14 @@ impl Design {
                 return Err(DesignFault::Faults(faults));
             }
         }
-        let spec = file.spec().map_err(|faults| DesignFault::Faults(faults.as_slice().to_vec()))?;
-        Ok(Self { file, spec, overridden: set.iter().map(|(key, _)| key.clone()).collect() })
+        let spec = file
+            .spec()
+            .map_err(|faults| DesignFault::Faults(faults.as_slice().to_vec()))?;
+        Ok(Self {
+            file,
+            spec,
+            overridden: set.iter().map(|(key, _)| key.clone()).collect(),
+        })
     }
 
     /// A key with a number.
@@ -83,7 +94,9 @@ impl Design {
     /// # Errors
     /// [`DesignFault::Faults`] for a key that is none.
     pub fn key(&self, path: &str) -> Result<NumericKey, DesignFault> {
-        self.file.numeric_key(path).map_err(|faults| DesignFault::Faults(faults.as_slice().to_vec()))
+        self.file
+            .numeric_key(path)
+            .map_err(|faults| DesignFault::Faults(faults.as_slice().to_vec()))
     }
 
     /// The change from one spec to this design, in units of the change that led to that spec; nothing where the two changes are of
@@ -96,7 +109,11 @@ impl Design {
             let (a, b, c) = (a.ok()?, b.ok()?, c.ok()?);
             let size = b.abs().max(f64::MIN_POSITIVE);
             let (first, second) = ((b - a) / size, (c - b) / size);
-            (along, square, all) = (along + first * second, square + first * first, all + second * second);
+            (along, square, all) = (
+                along + first * second,
+                square + first * first,
+                all + second * second,
+            );
         }
         let reach = along / square;
         // Of two keys that move, each must go on as it went.
@@ -111,10 +128,13 @@ impl Design {
     pub fn range(&self, path: &str, from: f64, to: f64) -> Result<NumericKey, DesignFault> {
         let key = self.key(path)?;
         if !(from < to && from.is_finite() && to.is_finite()) {
-            return Err(DesignFault::Text(format!("{path}: the range must go from a smaller to a larger value")));
+            return Err(DesignFault::Text(format!(
+                "{path}: the range must go from a smaller to a larger value"
+            )));
         }
         for value in [from, to] {
-            key.set(&mut self.spec.clone(), value).map_err(|fault| DesignFault::Faults(vec![fault]))?;
+            key.set(&mut self.spec.clone(), value)
+                .map_err(|fault| DesignFault::Faults(vec![fault]))?;
         }
         Ok(key)
     }

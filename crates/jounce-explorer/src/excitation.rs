@@ -45,35 +45,69 @@ pub fn respond(
 ) -> Result<(), DesignFault> {
     let temporary = tempfile::tempdir()?;
     let record = match by {
-        ExcitationRequest::Recording { name, bytes, channel, .. } => Some(read_upload(name, bytes, channel.as_deref(), temporary.path())?),
+        ExcitationRequest::Recording {
+            name,
+            bytes,
+            channel,
+            ..
+        } => Some(read_upload(
+            name,
+            bytes,
+            channel.as_deref(),
+            temporary.path(),
+        )?),
         ExcitationRequest::Noise { .. } => None,
     };
     let mut spec = shaken(design, by, record.as_ref(), folder)?;
     let recorded_s = spec.drive.values().find_map(|drive| match &drive.signal {
-        DriveSignal::Recording { record: Some(record), .. } => Some(record.duration_s()),
+        DriveSignal::Recording {
+            record: Some(record),
+            ..
+        } => Some(record.duration_s()),
         _ => None,
     });
     let duration_s = recorded_s.unwrap_or(NOISE_S);
     if duration_s > MAX_DURATION_S {
-        return Err(DesignFault::Text(format!("the recording is {duration_s:.0} s long; drop one of at most {MAX_DURATION_S:.0} s")));
+        return Err(DesignFault::Text(format!(
+            "the recording is {duration_s:.0} s long; drop one of at most {MAX_DURATION_S:.0} s"
+        )));
     }
-    let average_over_s = if recorded_s.is_some() { duration_s } else { AVERAGED_SHARE * duration_s };
+    let average_over_s = if recorded_s.is_some() {
+        duration_s
+    } else {
+        AVERAGED_SHARE * duration_s
+    };
     // Noise is made for the length of the run.
     (spec.run.duration_s, spec.run.average_over_s) = (duration_s, average_over_s);
     let base = session.prepared(&spec, cancellation)?;
     let start = base.start(folder)?;
     let kernel = base.from_state(&start)?;
-    let plan = RunPlan { duration_s, average_over_s, tolerance: TOLERANCE, record_s: duration_s };
+    let plan = RunPlan {
+        duration_s,
+        average_over_s,
+        tolerance: TOLERANCE,
+        record_s: duration_s,
+    };
     let answer = simulate(&kernel, &start, &plan).map_err(AnalysisError::from)?;
     let mut frame = Frame::new(id, "shake", "done");
-    frame.put("mean_power_w", answer.mean_power_w).put("contacts", answer.contacts).put("average_over_s", average_over_s);
-    frame.put("max_penetration_m", answer.max_penetration_m).put("duration_s", duration_s);
+    frame
+        .put("mean_power_w", answer.mean_power_w)
+        .put("contacts", answer.contacts)
+        .put("average_over_s", average_over_s);
+    frame
+        .put("max_penetration_m", answer.max_penetration_m)
+        .put("duration_s", duration_s);
     if let Some(record) = record {
-        frame.put("channel", record.channel).put("findings", record.findings);
+        frame
+            .put("channel", record.channel)
+            .put("findings", record.findings);
     }
     if matches!(by, ExcitationRequest::Noise { .. }) {
         let linear = Random::new(&spec).and_then(|random| random.answer());
-        frame.put("linear_power_w", linear.map_or(f64::NAN, |answer| answer.mean_power_w));
+        frame.put(
+            "linear_power_w",
+            linear.map_or(f64::NAN, |answer| answer.mean_power_w),
+        );
     }
     put_histories(&mut frame, &kernel, &answer, duration_s)?;
     session.send(cancellation, frame);
@@ -81,7 +115,12 @@ pub fn respond(
 }
 
 /// The spec with noise or the recording in place of its first drive, checked like any other.
-fn shaken(design: &Design, by: &ExcitationRequest, record: Option<&Upload>, folder: &Path) -> Result<Spec, DesignFault> {
+fn shaken(
+    design: &Design,
+    by: &ExcitationRequest,
+    record: Option<&Upload>,
+    folder: &Path,
+) -> Result<Spec, DesignFault> {
     let mut spec = design.spec.clone();
     let recording = record.map_or_else(String::new, |record| record.file.display().to_string());
     for drive in spec.drive.values_mut() {
@@ -90,15 +129,30 @@ fn shaken(design: &Design, by: &ExcitationRequest, record: Option<&Upload>, fold
         }
     }
     let Some(drive) = spec.drive.values_mut().next() else {
-        return Err(DesignFault::Text("this design has no drive; give it one in the file".to_owned()));
+        return Err(DesignFault::Text(
+            "this design has no drive; give it one in the file".to_owned(),
+        ));
     };
     drive.signal = match *by {
-        ExcitationRequest::Noise { density, low_hz, high_hz } => {
-            DriveSignal::Noise { density, low_hz, high_hz, sample_rate_hz: None, seed: 1 }
-        }
+        ExcitationRequest::Noise {
+            density,
+            low_hz,
+            high_hz,
+        } => DriveSignal::Noise {
+            density,
+            low_hz,
+            high_hz,
+            sample_rate_hz: None,
+            seed: 1,
+        },
         ExcitationRequest::Recording { scale, .. } => {
             let mut signal = DriveSignal::recording(&recording);
-            if let DriveSignal::Recording { scale: factor, keep_mean, .. } = &mut signal {
+            if let DriveSignal::Recording {
+                scale: factor,
+                keep_mean,
+                ..
+            } = &mut signal
+            {
                 (*factor, *keep_mean) = (scale, Some(true));
             }
             signal
@@ -116,33 +170,72 @@ fn shaken(design: &Design, by: &ExcitationRequest, record: Option<&Upload>, fold
 }
 
 /// Voltage and displacement in pairs of extremes, and the density of the voltage in bands.
-fn put_histories(frame: &mut Frame, kernel: &Kernel, answer: &RunResult, duration_s: f64) -> Result<(), DesignFault> {
+fn put_histories(
+    frame: &mut Frame,
+    kernel: &Kernel,
+    answer: &RunResult,
+    duration_s: f64,
+) -> Result<(), DesignFault> {
     let plant = &kernel.plant;
     let rate_hz = RATE_HZ.min(MAX_SAMPLES / duration_s);
     let count = (duration_s * rate_hz) as usize;
     let time_s: Vec<f64> = (0..count).map(|k| k as f64 / rate_hz).collect();
     let instants = answer.trajectory.at(kernel, &time_s);
-    let states: Vec<Vec<f64>> = instants.iter().map(|at| plant.to_physical(&at.state, at.time_s)).collect();
-    let voltage: Vec<f64> = states.iter().map(|state| plant.patch_voltages_v(state).first().copied().unwrap_or(0.0)).collect();
+    let states: Vec<Vec<f64>> = instants
+        .iter()
+        .map(|at| plant.to_physical(&at.state, at.time_s))
+        .collect();
+    let voltage: Vec<f64> = states
+        .iter()
+        .map(|state| {
+            plant
+                .patch_voltages_v(state)
+                .first()
+                .copied()
+                .unwrap_or(0.0)
+        })
+        .collect();
     put_history(frame, "voltage", &time_s, &voltage);
     if let Some(stop) = plant.system.stops.first() {
-        let along: Vec<f64> = states.iter().map(|state| stop.shape.iter().zip(state).map(|(s, x)| s * x).sum()).collect();
+        let along: Vec<f64> = states
+            .iter()
+            .map(|state| stop.shape.iter().zip(state).map(|(s, x)| s * x).sum())
+            .collect();
         put_history(frame, "displacement", &time_s, &along);
         frame.put("gap_m", stop.gap_m);
     }
     if count > 2 * BANDS {
         let density = Samples::new(&voltage, rate_hz)?.density(Window::Hann);
         let wide = density.len() / BANDS;
-        let bands = density.chunks_exact(wide).map(|band| band.iter().sum::<f64>() / wide as f64);
+        let bands = density
+            .chunks_exact(wide)
+            .map(|band| band.iter().sum::<f64>() / wide as f64);
         frame.array("density.value", bands);
-        frame.array("density.frequency", (0..density.len() / wide).map(|k| (k as f64 + 0.5) * wide as f64 / duration_s));
+        frame.array(
+            "density.frequency",
+            (0..density.len() / wide).map(|k| (k as f64 + 0.5) * wide as f64 / duration_s),
+        );
     }
     Ok(())
 }
 
 fn put_history(frame: &mut Frame, name: &str, time_s: &[f64], values: &[f64]) {
     let wide = values.len().div_ceil(PAIRS).max(1);
-    let ends = |part: &[f64]| part.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(*v), high.max(*v)));
-    frame.array(&format!("{name}.time"), time_s.chunks(wide).flat_map(|part| [part[0], part[0]]));
-    frame.array(&format!("{name}.value"), values.chunks(wide).map(ends).flat_map(|(low, high)| [low, high]));
+    let ends = |part: &[f64]| {
+        part.iter()
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| {
+                (low.min(*v), high.max(*v))
+            })
+    };
+    frame.array(
+        &format!("{name}.time"),
+        time_s.chunks(wide).flat_map(|part| [part[0], part[0]]),
+    );
+    frame.array(
+        &format!("{name}.value"),
+        values
+            .chunks(wide)
+            .map(ends)
+            .flat_map(|(low, high)| [low, high]),
+    );
 }

@@ -16,14 +16,19 @@ struct FileState {
 
 fn file_state(path: &Path) -> Option<FileState> {
     let about = std::fs::metadata(path).ok()?;
-    Some(FileState { length: about.len(), changed: about.modified().ok()? })
+    Some(FileState {
+        length: about.len(),
+        changed: about.modified().ok()?,
+    })
 }
 
 /// Looks at a file for ever; what is returned counts its states. Without a file there is one state.
 pub fn follow(path: Option<PathBuf>) -> watch::Receiver<u64> {
     let (told, hears) = watch::channel(0);
     tokio::spawn(async move {
-        let Some(path) = path else { return told.closed().await };
+        let Some(path) = path else {
+            return told.closed().await;
+        };
         let mut before = file_state(&path);
         let mut pace = tokio::time::interval(CHECK_INTERVAL);
         loop {

@@ -28,13 +28,15 @@ impl Frame {
     pub fn array(&mut self, name: &str, values: impl IntoIterator<Item = f64>) -> &mut Self {
         let first = self.numbers.len();
         self.numbers.extend(values);
-        self.places.push(json!([name, first, self.numbers.len() - first]));
+        self.places
+            .push(json!([name, first, self.numbers.len() - first]));
         self
     }
 
     /// The bytes of the message.
     pub fn encode(mut self) -> Vec<u8> {
-        self.head.insert("arrays".to_owned(), Value::Array(self.places));
+        self.head
+            .insert("arrays".to_owned(), Value::Array(self.places));
         let mut head = Value::Object(self.head).to_string().into_bytes();
         let padded = (head.len() + 4).next_multiple_of(8) - 4;
         head.resize(padded, b' ');
@@ -42,7 +44,9 @@ impl Frame {
         // A head is far below 4 GiB: a spec has at most 16 MiB.
         bytes.extend_from_slice(&(head.len() as u32).to_le_bytes());
         bytes.extend_from_slice(&head);
-        self.numbers.iter().for_each(|value| bytes.extend_from_slice(&value.to_le_bytes()));
+        self.numbers
+            .iter()
+            .for_each(|value| bytes.extend_from_slice(&value.to_le_bytes()));
         bytes
     }
 }

@@ -11,7 +11,10 @@ use tempfile::NamedTempFile;
 /// # Errors
 /// No file can be written, or no browser can be started.
 pub fn open_in_browser(address: &str) -> std::io::Result<NamedTempFile> {
-    let mut file = tempfile::Builder::new().prefix("jounce-").suffix(".html").tempfile()?;
+    let mut file = tempfile::Builder::new()
+        .prefix("jounce-")
+        .suffix(".html")
+        .tempfile()?;
     write!(
         file,
         "<!doctype html><meta charset=\"utf-8\"><title>jounce</title><meta http-equiv=\"refresh\" content=\"0; url={address}\"><a href=\"{address}\">jounce</a>"

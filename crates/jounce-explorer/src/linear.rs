@@ -32,13 +32,28 @@ impl LastLinear {
         spec.stop.clear();
         let key = parameter.key().path().to_owned();
         // Nothing is locked while threads compute: one of them might be about to ask for the same.
-        let last = self.0.lock().unwrap_or_else(PoisonError::into_inner).clone();
-        if let Some(known) = last.filter(|known| known.range == range && known.key == key && known.spec == spec) {
+        let last = self
+            .0
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+            .clone();
+        if let Some(known) =
+            last.filter(|known| known.range == range && known.key == key && known.spec == spec)
+        {
             return known;
         }
-        let power = |k: usize| parameter.at(value(range, k)).map_or(f64::NAN, |setting| steady_power_w(&setting.kernel.plant));
+        let power = |k: usize| {
+            parameter
+                .at(value(range, k))
+                .map_or(f64::NAN, |setting| steady_power_w(&setting.kernel.plant))
+        };
         let power_w = (0..POINTS).into_par_iter().map(power).collect();
-        let found = Arc::new(Linear { spec, key, range, power_w });
+        let found = Arc::new(Linear {
+            spec,
+            key,
+            range,
+            power_w,
+        });
         *self.0.lock().unwrap_or_else(PoisonError::into_inner) = Some(Arc::clone(&found));
         found
     }
@@ -51,6 +66,8 @@ fn value((low, high): (f64, f64), k: usize) -> f64 {
 impl Linear {
     /// Puts it into an answer.
     pub fn put(&self, frame: &mut Frame) {
-        frame.array("linear.x", (0..POINTS).map(|k| value(self.range, k))).array("linear.power", self.power_w.iter().copied());
+        frame
+            .array("linear.x", (0..POINTS).map(|k| value(self.range, k)))
+            .array("linear.power", self.power_w.iter().copied());
     }
 }

@@ -28,18 +28,40 @@ pub fn respond(
     cancellation: &Cancellation,
 ) -> Result<(), DesignFault> {
     let key = design.key(over)?;
-    let value = key.get(&design.spec).map_err(|fault| DesignFault::Faults(vec![fault]))?;
+    let value = key
+        .get(&design.spec)
+        .map_err(|fault| DesignFault::Faults(vec![fault]))?;
     let (low, high) = key.limits();
     let (from, to) = ((value / RATIO).max(low), (value * RATIO).min(high));
-    let text = format!("{}:{}:{}log", key.show(from), key.show(to), points.clamp(2, MAX_POINTS));
-    let range = KeyRange::parse(key.clone(), &text).map_err(|fault| DesignFault::Faults(vec![fault]))?;
+    let text = format!(
+        "{}:{}:{}log",
+        key.show(from),
+        key.show(to),
+        points.clamp(2, MAX_POINTS)
+    );
+    let range =
+        KeyRange::parse(key.clone(), &text).map_err(|fault| DesignFault::Faults(vec![fault]))?;
     let base = session.prepared(&design.spec, cancellation)?;
     let parameter = Parameter::new(&base, &key, to - from);
     let at = |k: usize| from * (to / from).powf(k as f64 / (LINEAR_POINTS - 1) as f64);
-    let power = |k: usize| parameter.at(at(k)).map_or(f64::NAN, |setting| steady_power_w(&setting.kernel.plant));
+    let power = |k: usize| {
+        parameter
+            .at(at(k))
+            .map_or(f64::NAN, |setting| steady_power_w(&setting.kernel.plant))
+    };
     let mut frame = Frame::new(id, "load", "linear");
     frame.put("over", key.path()).put("unit", key.unit());
-    frame.array("linear.x", (0..LINEAR_POINTS).map(at)).array("linear.power", (0..LINEAR_POINTS).map(power));
+    frame
+        .array("linear.x", (0..LINEAR_POINTS).map(at))
+        .array("linear.power", (0..LINEAR_POINTS).map(power));
     session.send(cancellation, frame);
-    sweep::march(session, id, "load", design, &range, SweepOrder::Independent, cancellation)
+    sweep::march(
+        session,
+        id,
+        "load",
+        design,
+        &range,
+        SweepOrder::Independent,
+        cancellation,
+    )
 }

@@ -34,24 +34,60 @@ pub fn respond(
     cancellation: &Cancellation,
 ) -> Result<(), DesignFault> {
     let answered = session.answered(answer)?;
-    let curve = answered.branches.get(branch).and_then(|branch| Some((branch.period_cycles, branch.points.get(point)?)));
-    let Some((cycles, point)) = curve else { return Err(DesignFault::Text("this response has no such point".to_owned())) };
+    let curve = answered
+        .branches
+        .get(branch)
+        .and_then(|branch| Some((branch.period_cycles, branch.points.get(point)?)));
+    let Some((cycles, point)) = curve else {
+        return Err(DesignFault::Text(
+            "this response has no such point".to_owned(),
+        ));
+    };
     let base = session.prepared(&answered.spec, cancellation)?;
     let parameter = Parameter::new(&base, &answered.key, answered.range.1 - answered.range.0);
     let shooting = Shooting::new(&parameter, &base.kernel, cycles, TOLERANCE);
-    let position = Position { unknown: point.orbit.start().to_vec(), parameter: point.parameter };
+    let position = Position {
+        unknown: point.orbit.start().to_vec(),
+        parameter: point.parameter,
+    };
     let metric = Metric::at(&position, 1.0);
-    let found = correct_at(&shooting, &Corrector { goal: 50.0 * TOLERANCE, most: 10 }, &metric, position)?;
+    let found = correct_at(
+        &shooting,
+        &Corrector {
+            goal: 50.0 * TOLERANCE,
+            most: 10,
+        },
+        &metric,
+        position,
+    )?;
     let orbit = shooting.orbit(&found.local, found.error)?;
 
     let mut frame = Frame::new(id, "orbit", "done");
-    frame.put("parameter", point.parameter).put("over", answered.key.path()).put("unit", answered.key.unit());
-    frame.put("period_cycles", cycles).put("period_s", found.local.period_s);
-    frame.put("mean_power_w", orbit.mean_power_w).put("voltage_rms_v", orbit.voltage_rms_v).put("contacts", orbit.contacts);
-    frame.put("max_penetration_m", orbit.max_penetration_m).put("stable", orbit.is_stable());
-    frame.put("floquet_max_abs", orbit.floquet_max_abs()).put("error_estimate", orbit.error_estimate);
-    frame.array("multiplier.re", orbit.multipliers.iter().map(|value| value.re));
-    frame.array("multiplier.im", orbit.multipliers.iter().map(|value| value.im));
+    frame
+        .put("parameter", point.parameter)
+        .put("over", answered.key.path())
+        .put("unit", answered.key.unit());
+    frame
+        .put("period_cycles", cycles)
+        .put("period_s", found.local.period_s);
+    frame
+        .put("mean_power_w", orbit.mean_power_w)
+        .put("voltage_rms_v", orbit.voltage_rms_v)
+        .put("contacts", orbit.contacts);
+    frame
+        .put("max_penetration_m", orbit.max_penetration_m)
+        .put("stable", orbit.is_stable());
+    frame
+        .put("floquet_max_abs", orbit.floquet_max_abs())
+        .put("error_estimate", orbit.error_estimate);
+    frame.array(
+        "multiplier.re",
+        orbit.multipliers.iter().map(|value| value.re),
+    );
+    frame.array(
+        "multiplier.im",
+        orbit.multipliers.iter().map(|value| value.im),
+    );
     put_histories(&mut frame, &found.local)?;
     put_pictures(&mut frame, &found.local, &session.shapes(&answered.spec)?);
     put_stops(&mut frame, &answered.spec, &found.local.kernel.plant);
@@ -63,8 +99,13 @@ pub fn respond(
 fn sampled(shot: &ShootingEvaluation, samples: usize) -> Vec<TrajectoryState> {
     let cycle_s = shot.period_s / shot.trajectories.len() as f64;
     let per_cycle = samples / shot.trajectories.len();
-    let times: Vec<f64> = (0..per_cycle).map(|k| cycle_s * k as f64 / per_cycle as f64).collect();
-    shot.trajectories.iter().flat_map(|trajectory| trajectory.at(&shot.kernel, &times)).collect()
+    let times: Vec<f64> = (0..per_cycle)
+        .map(|k| cycle_s * k as f64 / per_cycle as f64)
+        .collect();
+    shot.trajectories
+        .iter()
+        .flat_map(|trajectory| trajectory.at(&shot.kernel, &times))
+        .collect()
 }
 
 /// Times, displacements towards the stops, velocities, forces, voltage and its spectrum.
@@ -73,23 +114,60 @@ fn put_histories(frame: &mut Frame, shot: &ShootingEvaluation) -> Result<(), Des
     let cycles = shot.trajectories.len();
     let per_cycle = SAMPLES_PER_CYCLE.min(MAX_SAMPLES / cycles).max(60);
     let instants = sampled(shot, per_cycle * cycles);
-    let states: Vec<Vec<f64>> = instants.iter().map(|at| plant.to_physical(&at.state, at.time_s)).collect();
+    let states: Vec<Vec<f64>> = instants
+        .iter()
+        .map(|at| plant.to_physical(&at.state, at.time_s))
+        .collect();
     let step_s = shot.period_s / instants.len() as f64;
     let n = plant.system.modes.len();
     frame.array("time", (0..instants.len()).map(|k| step_s * k as f64));
     for (p, stop) in plant.system.stops.iter().enumerate() {
-        let along = |state: &Vec<f64>, from: usize| stop.shape.iter().zip(&state[from..]).map(|(s, x)| s * x).sum::<f64>();
-        frame.array(&format!("displacement.{p}"), states.iter().map(|state| along(state, 0)));
-        frame.array(&format!("velocity.{p}"), states.iter().map(|state| along(state, n)));
-        frame.array(&format!("force.{p}"), instants.iter().map(|at| at.forces_n[p]));
+        let along = |state: &Vec<f64>, from: usize| {
+            stop.shape
+                .iter()
+                .zip(&state[from..])
+                .map(|(s, x)| s * x)
+                .sum::<f64>()
+        };
+        frame.array(
+            &format!("displacement.{p}"),
+            states.iter().map(|state| along(state, 0)),
+        );
+        frame.array(
+            &format!("velocity.{p}"),
+            states.iter().map(|state| along(state, n)),
+        );
+        frame.array(
+            &format!("force.{p}"),
+            instants.iter().map(|at| at.forces_n[p]),
+        );
     }
-    let voltage: Vec<f64> = states.iter().map(|state| plant.patch_voltages_v(state).first().copied().unwrap_or(0.0)).collect();
+    let voltage: Vec<f64> = states
+        .iter()
+        .map(|state| {
+            plant
+                .patch_voltages_v(state)
+                .first()
+                .copied()
+                .unwrap_or(0.0)
+        })
+        .collect();
     if voltage.len() > 1 {
         let spectrum = Samples::new(&voltage, 1.0 / step_s)?.spectrum(Window::Rectangular);
         let highest = SHOWN_ORDERS * cycles as f64 / shot.period_s * 1.0001;
-        let kept = spectrum.frequency_hz.iter().take_while(|f| **f <= highest).count();
-        frame.array("spectrum.frequency", spectrum.frequency_hz[..kept].iter().copied());
-        frame.array("spectrum.amplitude", spectrum.amplitude_peak[..kept].iter().copied());
+        let kept = spectrum
+            .frequency_hz
+            .iter()
+            .take_while(|f| **f <= highest)
+            .count();
+        frame.array(
+            "spectrum.frequency",
+            spectrum.frequency_hz[..kept].iter().copied(),
+        );
+        frame.array(
+            "spectrum.amplitude",
+            spectrum.amplitude_peak[..kept].iter().copied(),
+        );
     }
     frame.array("voltage", voltage);
     Ok(())
@@ -106,7 +184,13 @@ fn put_pictures(frame: &mut Frame, shot: &ShootingEvaluation, shapes: &Shapes) {
         frame.array(&format!("place.{name}"), beam.place_m.iter().copied());
         let picture = |at: &TrajectoryState| {
             let state = plant.to_physical(&at.state, at.time_s);
-            let bent = |shape: &Vec<f64>| shape.iter().zip(&state[..modes]).map(|(s, q)| s * q).sum::<f64>();
+            let bent = |shape: &Vec<f64>| {
+                shape
+                    .iter()
+                    .zip(&state[..modes])
+                    .map(|(s, q)| s * q)
+                    .sum::<f64>()
+            };
             beam.shape.iter().map(bent).collect::<Vec<f64>>()
         };
         frame.array(&format!("motion.{name}"), instants.iter().flat_map(picture));

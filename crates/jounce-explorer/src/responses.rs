@@ -54,7 +54,11 @@ impl Responses {
 
     /// The last response over a key.
     pub fn last(&self, key: &str) -> Option<Arc<StoredResponse>> {
-        self.open().iter().rev().find(|known| known.key.path() == key && !known.branches.is_empty()).cloned()
+        self.open()
+            .iter()
+            .rev()
+            .find(|known| known.key.path() == key && !known.branches.is_empty())
+            .cloned()
     }
 }
 
@@ -67,7 +71,11 @@ impl StoredResponse {
             places.dedup();
             let orbit = |place: usize| {
                 let point = branch.points.get(place)?;
-                Some(KnownOrbit { period_cycles: branch.period_cycles, state: point.orbit.start().to_vec(), parameter: point.parameter })
+                Some(KnownOrbit {
+                    period_cycles: branch.period_cycles,
+                    state: point.orbit.start().to_vec(),
+                    parameter: point.parameter,
+                })
             };
             places.into_iter().filter_map(orbit).collect::<Vec<_>>()
         };

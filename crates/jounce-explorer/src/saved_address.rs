@@ -18,7 +18,11 @@ pub struct SavedAddress {
 
 /// The folder in which this system wants programs to keep such things; none where it names none.
 pub fn state_folder() -> Option<PathBuf> {
-    let named = |name: &str| std::env::var_os(name).map(PathBuf::from).filter(|path| path.is_absolute());
+    let named = |name: &str| {
+        std::env::var_os(name)
+            .map(PathBuf::from)
+            .filter(|path| path.is_absolute())
+    };
     let state = named("XDG_STATE_HOME").or_else(|| Some(named("HOME")?.join(".local/state")));
     Some(state.or_else(|| named("LOCALAPPDATA"))?.join("jounce"))
 }
@@ -27,10 +31,13 @@ pub fn state_folder() -> Option<PathBuf> {
 fn file(folder: &Path, spec: &Path) -> PathBuf {
     let whole = spec.canonicalize().unwrap_or_else(|_| spec.to_path_buf());
     let digest = Sha256::digest(whole.as_os_str().as_encoded_bytes());
-    let name = digest.iter().take(8).fold(String::from("explore-"), |mut name, byte| {
-        let _ = write!(name, "{byte:02x}");
-        name
-    });
+    let name = digest
+        .iter()
+        .take(8)
+        .fold(String::from("explore-"), |mut name, byte| {
+            let _ = write!(name, "{byte:02x}");
+            name
+        });
     folder.join(name)
 }
 
@@ -49,7 +56,11 @@ impl SavedAddress {
         let text = std::fs::read_to_string(path).ok()?;
         let (port, token) = text.trim().split_once(' ')?;
         let is_token = token.len() == 32 && token.bytes().all(|letter| letter.is_ascii_hexdigit());
-        Some(Self { port: port.parse().ok()?, token: token.to_owned() }).filter(|_| is_token)
+        Some(Self {
+            port: port.parse().ok()?,
+            token: token.to_owned(),
+        })
+        .filter(|_| is_token)
     }
 
     /// Keeps it.
@@ -61,7 +72,9 @@ impl SavedAddress {
         // A temporary file is its owner's alone from the beginning.
         let mut temporary = tempfile::NamedTempFile::new_in(folder)?;
         writeln!(temporary, "{} {}", self.port, self.token)?;
-        temporary.persist(file(folder, spec)).map_err(|error| error.error)?;
+        temporary
+            .persist(file(folder, spec))
+            .map_err(|error| error.error)?;
         Ok(())
     }
 }
@@ -75,10 +88,19 @@ mod tests {
     fn what_was_kept_comes_back_unless_others_could_read_it() {
         let folder = tempfile::tempdir().unwrap();
         let (one, other) = (folder.path().join("a.toml"), folder.path().join("b.toml"));
-        let kept = SavedAddress { port: 4321, token: "0123456789abcdef0123456789abcdef".into() };
+        let kept = SavedAddress {
+            port: 4321,
+            token: "0123456789abcdef0123456789abcdef".into(),
+        };
         assert_eq!(SavedAddress::read(folder.path(), &one), None);
         kept.write(folder.path(), &one).unwrap();
-        assert_eq!((SavedAddress::read(folder.path(), &one), SavedAddress::read(folder.path(), &other)), (Some(kept.clone()), None));
+        assert_eq!(
+            (
+                SavedAddress::read(folder.path(), &one),
+                SavedAddress::read(folder.path(), &other)
+            ),
+            (Some(kept.clone()), None)
+        );
         #[cfg(unix)]
         {
             use std::os::unix::fs::PermissionsExt;

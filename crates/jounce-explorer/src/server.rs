@@ -50,7 +50,11 @@ pub struct ServerLimits {
 
 impl Default for ServerLimits {
     fn default() -> Self {
-        Self { sockets: 64, message_bytes: 16 << 20, longest: Duration::from_secs(120) }
+        Self {
+            sockets: 64,
+            message_bytes: 16 << 20,
+            longest: Duration::from_secs(120),
+        }
     }
 }
 
@@ -61,7 +65,9 @@ pub enum ExploreError {
     #[error(transparent)]
     Spec(#[from] jounce::spec::ReadError),
     /// The address is taken or not ours.
-    #[error("{address} cannot be listened on: {why}; give another --listen ADDRESS:PORT, or none for a free port of this machine")]
+    #[error(
+        "{address} cannot be listened on: {why}; give another --listen ADDRESS:PORT, or none for a free port of this machine"
+    )]
     Address {
         /// The address.
         address: SocketAddr,
@@ -123,20 +129,38 @@ impl Explorer {
         let keep = options.keep.as_deref().zip(options.spec.file());
         let kept = keep.and_then(|(folder, spec)| SavedAddress::read(folder, spec));
         let listener = listen(&options, kept.as_ref().map(|kept| kept.port))?;
-        let address = listener.local_addr().map_err(|error| ExploreError::System(error.to_string()))?;
-        let before = kept.filter(|kept| kept.port == address.port()).map(|kept| kept.token);
-        let guard = Authenticator::new(address, before).map_err(|error| ExploreError::System(error.to_string()))?;
+        let address = listener
+            .local_addr()
+            .map_err(|error| ExploreError::System(error.to_string()))?;
+        let before = kept
+            .filter(|kept| kept.port == address.port())
+            .map(|kept| kept.token);
+        let guard = Authenticator::new(address, before)
+            .map_err(|error| ExploreError::System(error.to_string()))?;
         if let Some((folder, spec)) = keep {
             // Without it the page works all the same, until the server ends.
-            let _ = SavedAddress { port: address.port(), token: guard.token().to_owned() }.write(folder, spec);
+            let _ = SavedAddress {
+                port: address.port(),
+                token: guard.token().to_owned(),
+            }
+            .write(folder, spec);
         }
-        Ok(Self { listener, address, guard, options, stop: watch::Sender::new(false) })
+        Ok(Self {
+            listener,
+            address,
+            guard,
+            options,
+            stop: watch::Sender::new(false),
+        })
     }
 
     /// Address of the page, with its token.
     pub fn page(&self) -> String {
-        let shown =
-            if self.address.ip().is_unspecified() { SocketAddr::from((Ipv4Addr::LOCALHOST, self.address.port())) } else { self.address };
+        let shown = if self.address.ip().is_unspecified() {
+            SocketAddr::from((Ipv4Addr::LOCALHOST, self.address.port()))
+        } else {
+            self.address
+        };
         format!("http://{shown}/{}/", self.guard.token())
     }
 
@@ -151,7 +175,10 @@ impl Explorer {
     /// [`ExploreError::System`].
     pub fn run(self) -> Result<(), ExploreError> {
         let system = |error: std::io::Error| ExploreError::System(error.to_string());
-        let runtime = tokio::runtime::Builder::new_multi_thread().enable_all().build().map_err(system)?;
+        let runtime = tokio::runtime::Builder::new_multi_thread()
+            .enable_all()
+            .build()
+            .map_err(system)?;
         let served = runtime.block_on(self.serve()).map_err(system);
         runtime.shutdown_timeout(Duration::from_secs(2));
         served
@@ -188,13 +215,21 @@ impl Explorer {
 }
 
 /// Takes the address that is wanted; without a wish the port of the server before, or a free one.
-fn listen(options: &ServerOptions, before: Option<u16>) -> Result<std::net::TcpListener, ExploreError> {
+fn listen(
+    options: &ServerOptions,
+    before: Option<u16>,
+) -> Result<std::net::TcpListener, ExploreError> {
     let local = |port| SocketAddr::from((Ipv4Addr::LOCALHOST, port));
     let wanted = options.listen.unwrap_or_else(|| local(0));
-    let again = before.filter(|_| options.listen.is_none()).and_then(|port| std::net::TcpListener::bind(local(port)).ok());
+    let again = before
+        .filter(|_| options.listen.is_none())
+        .and_then(|port| std::net::TcpListener::bind(local(port)).ok());
     let listener = again.map_or_else(|| std::net::TcpListener::bind(wanted), Ok);
     let ready = listener.and_then(|listener| listener.set_nonblocking(true).map(|()| listener));
-    ready.map_err(|why| ExploreError::Address { address: wanted, why })
+    ready.map_err(|why| ExploreError::Address {
+        address: wanted,
+        why,
+    })
 }
 
 /// Every request comes through here; the path is compared with known names and opens no file.
@@ -208,10 +243,23 @@ async fn answer(
     let path = uri.path().strip_prefix('/').unwrap_or_default();
     let (token, name) = path.split_once('/').unwrap_or((path, "socket"));
     match host.guard.check(token, &headers, name == "socket") {
-        Err(RequestRefusal::Host) => return refused(StatusCode::MISDIRECTED_REQUEST, "this server is not asked by that name"),
-        Err(RequestRefusal::Origin) => return refused(StatusCode::FORBIDDEN, "this server answers its own page only"),
+        Err(RequestRefusal::Host) => {
+            return refused(
+                StatusCode::MISDIRECTED_REQUEST,
+                "this server is not asked by that name",
+            );
+        }
+        Err(RequestRefusal::Origin) => {
+            return refused(
+                StatusCode::FORBIDDEN,
+                "this server answers its own page only",
+            );
+        }
         Err(RequestRefusal::Token) => {
-            return refused(StatusCode::FORBIDDEN, "use the address that `jounce explore` printed, with its token");
+            return refused(
+                StatusCode::FORBIDDEN,
+                "use the address that `jounce explore` printed, with its token",
+            );
         }
         Ok(()) => {}
     }
@@ -221,13 +269,21 @@ async fn answer(
     if name != "socket" {
         return serve(name);
     }
-    let Ok(upgrade) = upgrade else { return refused(StatusCode::BAD_REQUEST, "a websocket is expected here") };
+    let Ok(upgrade) = upgrade else {
+        return refused(StatusCode::BAD_REQUEST, "a websocket is expected here");
+    };
     let Ok(permit) = Arc::clone(&host.sockets).try_acquire_owned() else {
-        return refused(StatusCode::SERVICE_UNAVAILABLE, "too many pages are open; close one");
+        return refused(
+            StatusCode::SERVICE_UNAVAILABLE,
+            "too many pages are open; close one",
+        );
     };
     let most = host.options.limits.message_bytes;
-    upgrade.max_message_size(most).max_frame_size(most).on_upgrade(move |socket| async move {
-        socket::converse(socket, host).await;
-        drop(permit);
-    })
+    upgrade
+        .max_message_size(most)
+        .max_frame_size(most)
+        .on_upgrade(move |socket| async move {
+            socket::converse(socket, host).await;
+            drop(permit);
+        })
 }

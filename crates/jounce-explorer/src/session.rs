@@ -42,7 +42,15 @@ impl Session {
     /// A page that has asked nothing.
     pub fn new(host: Arc<Host>, out: mpsc::Sender<Vec<u8>>) -> Self {
         let (base, shapes) = (Mutex::new(None), Mutex::new(None));
-        Self { host, out, lanes: LatestRequests::default(), base, shapes, answers: Responses::default(), linear: LastLinear::default() }
+        Self {
+            host,
+            out,
+            lanes: LatestRequests::default(),
+            base,
+            shapes,
+            answers: Responses::default(),
+            linear: LastLinear::default(),
+        }
     }
 
     /// Sends a frame.
@@ -90,10 +98,19 @@ impl Session {
         tokio::spawn(async move {
             let is_long = matches!(
                 request.ask,
-                RequestKind::Sweep { .. } | RequestKind::Load { .. } | RequestKind::Basins { .. } | RequestKind::Shake { .. }
+                RequestKind::Sweep { .. }
+                    | RequestKind::Load { .. }
+                    | RequestKind::Basins { .. }
+                    | RequestKind::Shake { .. }
             );
-            let permits = if is_long { &session.host.long } else { &session.host.quick };
-            let Ok(_permit) = Arc::clone(permits).acquire_owned().await else { return };
+            let permits = if is_long {
+                &session.host.long
+            } else {
+                &session.host.quick
+            };
+            let Ok(_permit) = Arc::clone(permits).acquire_owned().await else {
+                return;
+            };
             if cancellation.is_stopped() {
                 return;
             }
@@ -108,14 +125,19 @@ impl Session {
             let done = tokio::task::spawn_blocking(move || worker.work(&request, &wish)).await;
             timer.abort();
             let wrong = match done {
-                _ if cancellation.is_late() => {
-                    Some(DesignFault::Text(format!("this took longer than {} s and was stopped; ask for less", longest.as_secs())))
-                }
+                _ if cancellation.is_late() => Some(DesignFault::Text(format!(
+                    "this took longer than {} s and was stopped; ask for less",
+                    longest.as_secs()
+                ))),
                 Ok(Ok(())) => None,
                 Ok(Err(wrong)) => Some(wrong),
-                Err(_) => Some(DesignFault::Text("the computation broke off; please report the spec that did it".to_owned())),
+                Err(_) => Some(DesignFault::Text(
+                    "the computation broke off; please report the spec that did it".to_owned(),
+                )),
             };
-            if let Some(wrong) = wrong.filter(|_| !cancellation.is_stopped() || cancellation.is_late()) {
+            if let Some(wrong) =
+                wrong.filter(|_| !cancellation.is_stopped() || cancellation.is_late())
+            {
                 let mut frame = Frame::new(id, name, "fault");
                 frame.put("faults", wrong.listed(session.host.options.spec.name()));
                 session.tell(frame).await;
@@ -129,18 +151,46 @@ impl Session {
         match &request.ask {
             RequestKind::Design => {
                 let mut frame = Frame::new(id, "design", "done");
-                let title = self.host.options.spec.name().file_stem().unwrap_or_default().to_string_lossy().into_owned();
-                frame.put("drawing", drawing(&title, &design)).put("controls", controls(&design));
-                frame.put("drives", design.spec.drive.keys().cloned().collect::<Vec<_>>());
+                let title = self
+                    .host
+                    .options
+                    .spec
+                    .name()
+                    .file_stem()
+                    .unwrap_or_default()
+                    .to_string_lossy()
+                    .into_owned();
+                frame
+                    .put("drawing", drawing(&title, &design))
+                    .put("controls", controls(&design));
+                frame.put(
+                    "drives",
+                    design.spec.drive.keys().cloned().collect::<Vec<_>>(),
+                );
                 self.send(cancellation, frame);
                 Ok(())
             }
             RequestKind::Response(over) => branches::respond(self, id, design, over, cancellation),
-            RequestKind::Orbit { answer, branch, point } => orbit::respond(self, id, (*answer, *branch, *point), cancellation),
-            RequestKind::Sweep { range, points } => sweep::respond(self, id, &design, range, *points, cancellation),
-            RequestKind::Load { over, points } => load_sweep::respond(self, id, &design, over, *points, cancellation),
+            RequestKind::Orbit {
+                answer,
+                branch,
+                point,
+            } => orbit::respond(self, id, (*answer, *branch, *point), cancellation),
+            RequestKind::Sweep { range, points } => {
+                sweep::respond(self, id, &design, range, *points, cancellation)
+            }
+            RequestKind::Load { over, points } => {
+                load_sweep::respond(self, id, &design, over, *points, cancellation)
+            }
             RequestKind::Basins { side } => basins::respond(self, id, &design, *side, cancellation),
-            RequestKind::Shake { by } => excitation::respond(self, id, &design, by, self.host.options.spec.folder(), cancellation),
+            RequestKind::Shake { by } => excitation::respond(
+                self,
+                id,
+                &design,
+                by,
+                self.host.options.spec.folder(),
+                cancellation,
+            ),
             RequestKind::Export(over) => {
                 self.send(cancellation, self.export(id, &design, over, &request.set)?);
                 Ok(())
@@ -150,17 +200,38 @@ impl Session {
     }
 
     /// The spec as text, and the lines that give the response on the screen.
-    fn export(&self, id: u64, design: &Design, over: &KeySpan, set: &[(String, String)]) -> Result<Frame, DesignFault> {
+    fn export(
+        &self,
+        id: u64,
+        design: &Design,
+        over: &KeySpan,
+        set: &[(String, String)],
+    ) -> Result<Frame, DesignFault> {
         let key = design.range(&over.over, over.from, over.to)?;
         let path = self.host.options.spec.name().display().to_string();
         let range = format!("{}:{}", key.show(over.from), key.show(over.to));
-        let sets: String = set.iter().map(|(key, value)| format!(" --set {}", quoted(&format!("{key}={value}")))).collect();
-        let shell = format!("jounce branch {} --over {}{sets}", quoted(&path), quoted(&format!("{}={range}", key.path())));
-        let changes: String = set.iter().map(|(key, value)| format!("harvester[{key:?}] = {value:?}\n")).collect();
-        let python =
-            format!("import jounce\n\nharvester = jounce.read({path:?})\n{changes}print(harvester.branch({:?}, {range:?}))\n", key.path());
+        let sets: String = set
+            .iter()
+            .map(|(key, value)| format!(" --set {}", quoted(&format!("{key}={value}"))))
+            .collect();
+        let shell = format!(
+            "jounce branch {} --over {}{sets}",
+            quoted(&path),
+            quoted(&format!("{}={range}", key.path()))
+        );
+        let changes: String = set
+            .iter()
+            .map(|(key, value)| format!("harvester[{key:?}] = {value:?}\n"))
+            .collect();
+        let python = format!(
+            "import jounce\n\nharvester = jounce.read({path:?})\n{changes}print(harvester.branch({:?}, {range:?}))\n",
+            key.path()
+        );
         let mut frame = Frame::new(id, "export", "done");
-        frame.put("spec", design.file.text()).put("shell", shell).put("python", python);
+        frame
+            .put("spec", design.file.text())
+            .put("shell", shell)
+            .put("python", python);
         Ok(frame)
     }
 
@@ -168,8 +239,16 @@ impl Session {
     ///
     /// # Errors
     /// [`AnalysisError`].
-    pub fn prepared(&self, spec: &Spec, cancellation: &Cancellation) -> Result<Model, AnalysisError> {
-        let before = self.base.lock().unwrap_or_else(PoisonError::into_inner).clone();
+    pub fn prepared(
+        &self,
+        spec: &Spec,
+        cancellation: &Cancellation,
+    ) -> Result<Model, AnalysisError> {
+        let before = self
+            .base
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+            .clone();
         let prepared = match before {
             Some(before) if before.spec == *spec => before,
             before => {
@@ -177,7 +256,8 @@ impl Session {
                     Some(before) => before.changed(spec.clone())?,
                     None => Model::new(spec.clone())?,
                 });
-                *self.base.lock().unwrap_or_else(PoisonError::into_inner) = Some(Arc::clone(&prepared));
+                *self.base.lock().unwrap_or_else(PoisonError::into_inner) =
+                    Some(Arc::clone(&prepared));
                 prepared
             }
         };
@@ -190,7 +270,8 @@ impl Session {
     /// [`AnalysisError`].
     pub fn shapes(&self, spec: &Spec) -> Result<Shapes, AnalysisError> {
         let same = |known: &Spec| {
-            (&known.beam, &known.patch, &known.mass, &known.modal) == (&spec.beam, &spec.patch, &spec.mass, &spec.modal)
+            (&known.beam, &known.patch, &known.mass, &known.modal)
+                == (&spec.beam, &spec.patch, &spec.mass, &spec.modal)
                 && known.reduction == spec.reduction
         };
         let mut kept = self.shapes.lock().unwrap_or_else(PoisonError::into_inner);
@@ -207,16 +288,22 @@ impl Session {
     /// # Errors
     /// [`DesignFault::Text`] where it is too old.
     pub fn answered(&self, id: u64) -> Result<Arc<StoredResponse>, DesignFault> {
-        self.answers
-            .find(id)
-            .ok_or_else(|| DesignFault::Text("this response is no longer kept; move a slider to compute it again".to_owned()))
+        self.answers.find(id).ok_or_else(|| {
+            DesignFault::Text(
+                "this response is no longer kept; move a slider to compute it again".to_owned(),
+            )
+        })
     }
 }
 
 /// One word of a shell line.
 fn quoted(word: &str) -> String {
     let plain = |letter: char| letter.is_ascii_alphanumeric() || "=./:_-".contains(letter);
-    if word.chars().all(plain) { word.to_owned() } else { format!("'{}'", word.replace('\'', "'\\''")) }
+    if word.chars().all(plain) {
+        word.to_owned()
+    } else {
+        format!("'{}'", word.replace('\'', "'\\''"))
+    }
 }
 
 #[cfg(test)]

@@ -62,7 +62,13 @@ async fn hear(session: &Arc<Session>, text: &str) {
         Ok(request) if request.set.len() <= MAX_OVERRIDES => session.ask(request),
         Ok(request) => {
             let mut frame = Frame::new(request.id, request.ask.name(), "fault");
-            frame.put("message", format!("{} overrides are too many; {MAX_OVERRIDES} are allowed", request.set.len()));
+            frame.put(
+                "message",
+                format!(
+                    "{} overrides are too many; {MAX_OVERRIDES} are allowed",
+                    request.set.len()
+                ),
+            );
             session.tell(frame).await;
         }
         Err(error) => {

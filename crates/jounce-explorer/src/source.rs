@@ -51,6 +51,10 @@ impl Source {
             Self::File(path) => path.parent().unwrap_or(Path::new("")),
             Self::Text { folder, .. } => folder,
         };
-        if folder.as_os_str().is_empty() { Path::new(".") } else { folder }
+        if folder.as_os_str().is_empty() {
+            Path::new(".")
+        } else {
+            folder
+        }
     }
 }

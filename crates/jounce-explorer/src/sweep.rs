@@ -25,9 +25,22 @@ pub fn respond(
     cancellation: &Cancellation,
 ) -> Result<(), DesignFault> {
     let key = design.range(&over.over, over.from, over.to)?;
-    let text = format!("{}:{}:{}x", key.show(over.from), key.show(over.to), points.clamp(2, MAX_POINTS));
+    let text = format!(
+        "{}:{}:{}x",
+        key.show(over.from),
+        key.show(over.to),
+        points.clamp(2, MAX_POINTS)
+    );
     let range = KeyRange::parse(key, &text).map_err(|fault| DesignFault::Faults(vec![fault]))?;
-    march(session, id, "sweep", design, &range, SweepOrder::Both, cancellation)
+    march(
+        session,
+        id,
+        "sweep",
+        design,
+        &range,
+        SweepOrder::Both,
+        cancellation,
+    )
 }
 
 /// Marches over a range; points carry the name of what was asked.
@@ -40,13 +53,28 @@ pub fn march(
     direction: SweepOrder,
     cancellation: &Cancellation,
 ) -> Result<(), DesignFault> {
-    let sweep = Sweep { spec: &design.spec, range, direction, fixed_duration: false, folder: PathBuf::new() };
+    let sweep = Sweep {
+        spec: &design.spec,
+        range,
+        direction,
+        fixed_duration: false,
+        folder: PathBuf::new(),
+    };
     let of = sweep.len();
     let done = |point: &SweepPoint| {
         let mut frame = Frame::new(id, ask, "point");
-        frame.put("over", range.key().path()).put("of", of).put("index", point.index).put("x", point.parameter);
-        frame.put("power", point.mean_power_w).put("voltage", point.voltage_rms_v).put("penetration", point.max_penetration_m);
-        frame.put("settled", point.settled).put("up", point.direction != SweepDirection::Down);
+        frame
+            .put("over", range.key().path())
+            .put("of", of)
+            .put("index", point.index)
+            .put("x", point.parameter);
+        frame
+            .put("power", point.mean_power_w)
+            .put("voltage", point.voltage_rms_v)
+            .put("penetration", point.max_penetration_m);
+        frame
+            .put("settled", point.settled)
+            .put("up", point.direction != SweepDirection::Down);
         session.send(cancellation, frame);
     };
     sweep.run(None, cancellation.control(), &done)?;

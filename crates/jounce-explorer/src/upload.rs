@@ -22,25 +22,52 @@ pub struct Upload {
 ///
 /// # Errors
 /// [`DesignFault::Text`]: what is no recording over time, or a channel that must be named.
-pub fn read_upload(name: &str, bytes: &str, wanted: Option<&str>, folder: &Path) -> Result<Upload, DesignFault> {
+pub fn read_upload(
+    name: &str,
+    bytes: &str,
+    wanted: Option<&str>,
+    folder: &Path,
+) -> Result<Upload, DesignFault> {
     // Under its own name, so that faults call it by that; a name from a page is no path.
-    let own = Path::new(name).file_name().ok_or_else(|| DesignFault::Text(format!("{name:?} is no name of a file")))?;
+    let own = Path::new(name)
+        .file_name()
+        .ok_or_else(|| DesignFault::Text(format!("{name:?} is no name of a file")))?;
     let (received, file) = (folder.join("dropped"), folder.join("recording.csv"));
     std::fs::create_dir(&received)?;
     std::fs::write(received.join(own), STANDARD.decode(bytes)?)?;
     let here = received.join("").display().to_string();
-    let recording =
-        read::record(&received.join(own)).map_err(|error| DesignFault::Text(error.to_string().replace(&here, "")))?.into_even()?;
-    let channel = chosen(&recording, wanted).map_err(|error| DesignFault::Text(format!("{name}: {error}")))?;
+    let recording = read::record(&received.join(own))
+        .map_err(|error| DesignFault::Text(error.to_string().replace(&here, "")))?
+        .into_even()?;
+    let channel = chosen(&recording, wanted)
+        .map_err(|error| DesignFault::Text(format!("{name}: {error}")))?;
     let mut text = "time (s),value\n".to_owned();
     for (place, value) in recording.grid.places().iter().zip(&channel.values) {
         let _ = writeln!(text, "{place:?},{value:?}");
     }
     std::fs::write(&file, text)?;
-    let of_this = |finding: &&Issue| finding.channel.as_ref().is_none_or(|own| *own == channel.name);
-    let findings = recording.findings.iter().filter(of_this).map(|finding| finding.about.clone()).collect();
-    let unit = if channel.unit.is_empty() { String::new() } else { format!(" in {}", channel.unit) };
-    Ok(Upload { file, channel: format!("{}{unit}", channel.name), findings })
+    let of_this = |finding: &&Issue| {
+        finding
+            .channel
+            .as_ref()
+            .is_none_or(|own| *own == channel.name)
+    };
+    let findings = recording
+        .findings
+        .iter()
+        .filter(of_this)
+        .map(|finding| finding.about.clone())
+        .collect();
+    let unit = if channel.unit.is_empty() {
+        String::new()
+    } else {
+        format!(" in {}", channel.unit)
+    };
+    Ok(Upload {
+        file,
+        channel: format!("{}{unit}", channel.name),
+        findings,
+    })
 }
 
 /// The wanted channel, or the only one: with a scale any quantity will do.
@@ -61,22 +88,49 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let found = read_upload("bridge.csv", &STANDARD.encode(text), wanted, folder.path());
         let told = found.map(|found| (std::fs::read_to_string(found.file).unwrap(), found.channel));
-        told.map_err(|wrong| if let DesignFault::Text(words) = wrong { words } else { panic!("{wrong:?}") })
+        told.map_err(|wrong| {
+            if let DesignFault::Text(words) = wrong {
+                words
+            } else {
+                panic!("{wrong:?}")
+            }
+        })
     }
 
     #[test]
     fn one_channel_is_taken_and_one_of_several_is_named() {
-        let one: String = (0..50).map(|k| format!("{},{}\n", 0.01 * f64::from(k), k % 7)).collect();
+        let one: String = (0..50)
+            .map(|k| format!("{},{}\n", 0.01 * f64::from(k), k % 7))
+            .collect();
         let (text, _) = drop(&format!("time (s),x\n{one}"), None).unwrap();
-        assert_eq!((text.lines().count(), text.lines().nth(9)), (51, Some("0.08,1.0")));
-        assert!(drop(&one, None).unwrap_err().contains("no column has a unit of time"));
-        let two: String = (0..50).map(|k| format!("{},{},{}\n", 0.01 * f64::from(k), k % 7, k % 5)).collect();
+        assert_eq!(
+            (text.lines().count(), text.lines().nth(9)),
+            (51, Some("0.08,1.0"))
+        );
+        assert!(
+            drop(&one, None)
+                .unwrap_err()
+                .contains("no column has a unit of time")
+        );
+        let two: String = (0..50)
+            .map(|k| format!("{},{},{}\n", 0.01 * f64::from(k), k % 7, k % 5))
+            .collect();
         let two = format!("time (s),left (g),right (m/s^2)\n{two}");
         let words = drop(&two, None).unwrap_err();
-        assert!(words.starts_with("bridge.csv: name the channel; bridge has left, right"), "{words}");
+        assert!(
+            words.starts_with("bridge.csv: name the channel; bridge has left, right"),
+            "{words}"
+        );
         let (text, channel) = drop(&two, Some("2")).unwrap();
-        assert!(text.lines().nth(10).unwrap().ends_with(",4.0") && channel == "right in m/s^2", "{text} {channel}");
-        assert!(drop(&two, Some("middle")).unwrap_err().contains("no channel \"middle\""));
+        assert!(
+            text.lines().nth(10).unwrap().ends_with(",4.0") && channel == "right in m/s^2",
+            "{text} {channel}"
+        );
+        assert!(
+            drop(&two, Some("middle"))
+                .unwrap_err()
+                .contains("no channel \"middle\"")
+        );
     }
 
     #[test]

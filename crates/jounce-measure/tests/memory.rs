@@ -21,8 +21,15 @@ const MOST: u64 = 48 << 20;
 /// A line of the status of this process, bytes.
 fn status(key: &str) -> u64 {
     let text = std::fs::read_to_string("/proc/self/status").expect("a status");
-    let line = text.lines().find_map(|line| line.strip_prefix(key)).expect("a line of the status");
-    line.trim_matches([':', '\t', ' ']).trim_end_matches(" kB").parse::<u64>().expect("a number") << 10
+    let line = text
+        .lines()
+        .find_map(|line| line.strip_prefix(key))
+        .expect("a line of the status");
+    line.trim_matches([':', '\t', ' '])
+        .trim_end_matches(" kB")
+        .parse::<u64>()
+        .expect("a number")
+        << 10
 }
 
 /// What something makes, and the peak of memory meanwhile above what there was `before` everything.
@@ -64,23 +71,45 @@ fn npy(path: &Path, rows: usize) {
     to.write_all(b"\x93NUMPY\x01\x00\x76\x00").expect("written");
     to.write_all(head.as_bytes()).expect("written");
     for row in 0..rows {
-        (0..4).for_each(|channel| to.write_all(&sample(row, channel).to_le_bytes()).expect("written"));
+        (0..4).for_each(|channel| {
+            to.write_all(&sample(row, channel).to_le_bytes())
+                .expect("written")
+        });
     }
     to.flush().expect("written");
-    std::fs::write(jounce_measure::read::Notes::path_of(path), "rate = \"1 kHz\"\n").expect("notes");
+    std::fs::write(
+        jounce_measure::read::Notes::path_of(path),
+        "rate = \"1 kHz\"\n",
+    )
+    .expect("notes");
 }
 
 /// One channel of as many numbers in binary, double precision, even times.
 fn uff58b(path: &Path, rows: usize) {
     let points = 4 * rows;
     let mut to = BufWriter::new(File::create(path).expect("a file"));
-    let axis = |kind: u32, name: &str, unit: &str| format!("{kind:>10}{:>5}{:>5}{:>5} {name:<20} {unit:<20}\n", 0, 0, 0);
-    let (b58, none) = (format!("    58b{:>6}{:>6}{:>12}{:>12}\n", 1, 2, 11, 8 * points), "NONE\n".repeat(5));
+    let axis = |kind: u32, name: &str, unit: &str| {
+        format!("{kind:>10}{:>5}{:>5}{:>5} {name:<20} {unit:<20}\n", 0, 0, 0)
+    };
+    let (b58, none) = (
+        format!("    58b{:>6}{:>6}{:>12}{:>12}\n", 1, 2, 11, 8 * points),
+        "NONE\n".repeat(5),
+    );
     let dofs = "    1         0    0         0 NONE               5   3 NONE               0   0\n";
-    let form = format!("{:>10}{points:>10}{:>10}  0.00000E+00  1.00000E-03  0.00000E+00\n", 4, 1);
-    let axes = axis(17, "Time", "s") + &axis(12, "a", "m/s^2") + &axis(0, "NONE", "NONE") + &axis(0, "NONE", "NONE");
-    to.write_all(format!("    -1\n{b58}{none}{dofs}{form}{axes}").as_bytes()).expect("written");
-    (0..points).for_each(|k| to.write_all(&sample(k / 4, k % 4).to_le_bytes()).expect("written"));
+    let form = format!(
+        "{:>10}{points:>10}{:>10}  0.00000E+00  1.00000E-03  0.00000E+00\n",
+        4, 1
+    );
+    let axes = axis(17, "Time", "s")
+        + &axis(12, "a", "m/s^2")
+        + &axis(0, "NONE", "NONE")
+        + &axis(0, "NONE", "NONE");
+    to.write_all(format!("    -1\n{b58}{none}{dofs}{form}{axes}").as_bytes())
+        .expect("written");
+    (0..points).for_each(|k| {
+        to.write_all(&sample(k / 4, k % 4).to_le_bytes())
+            .expect("written")
+    });
     to.write_all(b"\n    -1\n").expect("written");
     to.flush().expect("written");
 }
@@ -88,14 +117,45 @@ fn uff58b(path: &Path, rows: usize) {
 /// A matrix of four columns beside its rate, as MATLAB 5 writes them.
 fn mat(path: &Path, rows: usize) {
     let mut to = BufWriter::new(File::create(path).expect("a file"));
-    let words = |words: &[u32]| words.iter().flat_map(|word| word.to_le_bytes()).collect::<Vec<u8>>();
-    to.write_all(&[format!("{:<124}", "MATLAB 5.0 MAT-file").into_bytes(), vec![0, 1, b'I', b'M']].concat()).expect("written");
+    let words = |words: &[u32]| {
+        words
+            .iter()
+            .flat_map(|word| word.to_le_bytes())
+            .collect::<Vec<u8>>()
+    };
+    to.write_all(
+        &[
+            format!("{:<124}", "MATLAB 5.0 MAT-file").into_bytes(),
+            vec![0, 1, b'I', b'M'],
+        ]
+        .concat(),
+    )
+    .expect("written");
     for (name, rows, columns) in [(b"fs", 1, 1), (b"ab", rows, 4)] {
         let bytes = (8 * rows * columns) as u32;
-        let head = words(&[14, 48 + bytes, 6, 8, 6, 0, 5, 8, rows as u32, columns as u32, 2 << 16 | 1]);
-        to.write_all(&[head, name.to_vec(), vec![0; 2], words(&[9, bytes])].concat()).expect("written");
+        let head = words(&[
+            14,
+            48 + bytes,
+            6,
+            8,
+            6,
+            0,
+            5,
+            8,
+            rows as u32,
+            columns as u32,
+            2 << 16 | 1,
+        ]);
+        to.write_all(&[head, name.to_vec(), vec![0; 2], words(&[9, bytes])].concat())
+            .expect("written");
         for column in 0..columns {
-            let number = |row| if columns == 1 { RATE_HZ } else { sample(row, column) };
+            let number = |row| {
+                if columns == 1 {
+                    RATE_HZ
+                } else {
+                    sample(row, column)
+                }
+            };
             (0..rows).for_each(|row| to.write_all(&number(row).to_le_bytes()).expect("written"));
         }
     }
@@ -118,10 +178,24 @@ fn peaks(folder: &Path, rows: usize, before: u64) -> Vec<(&'static str, u64)> {
     let mut found = Vec::new();
     let (peak, whole) = peak_of(before, || read(&at("a.csv")));
     found.push(("CSV", peak));
-    let jitter = whole.recordings[0].findings.iter().find(|finding| finding.kind == IssueKind::Jitter);
-    assert_eq!(jitter.map(|finding| finding.count), Some(2 * rows.div_ceil(1000)), "each late stamp makes two odd steps");
-    for (name, file) in [("to Parquet", "c.parquet"), ("to UFF", "c.uff"), ("to CSV", "c.csv")] {
-        let (peak, ()) = peak_of(before, || write_surveyed(&whole.recordings[0], &at(file)).unwrap_or_else(|fault| panic!("{fault}")));
+    let jitter = whole.recordings[0]
+        .findings
+        .iter()
+        .find(|finding| finding.kind == IssueKind::Jitter);
+    assert_eq!(
+        jitter.map(|finding| finding.count),
+        Some(2 * rows.div_ceil(1000)),
+        "each late stamp makes two odd steps"
+    );
+    for (name, file) in [
+        ("to Parquet", "c.parquet"),
+        ("to UFF", "c.uff"),
+        ("to CSV", "c.csv"),
+    ] {
+        let (peak, ()) = peak_of(before, || {
+            write_surveyed(&whole.recordings[0], &at(file))
+                .unwrap_or_else(|fault| panic!("{fault}"))
+        });
         found.push((name, peak));
     }
     drop(whole);
@@ -136,10 +210,21 @@ fn peaks(folder: &Path, rows: usize, before: u64) -> Vec<(&'static str, u64)> {
     ] {
         let (peak, survey) = peak_of(before, || read(&at(file)));
         let recording = &survey.recordings[0];
-        assert_eq!(recording.places.count() * recording.channels.len(), 4 * rows, "{name}");
-        let mean_square: f64 =
-            recording.channels.iter().map(|channel| channel.sizes.rms.powi(2)).sum::<f64>() / recording.channels.len() as f64;
-        assert!((mean_square - 4.5).abs() < 0.01, "{name}: a sine of 3 has 4.5, not {mean_square}");
+        assert_eq!(
+            recording.places.count() * recording.channels.len(),
+            4 * rows,
+            "{name}"
+        );
+        let mean_square: f64 = recording
+            .channels
+            .iter()
+            .map(|channel| channel.sizes.rms.powi(2))
+            .sum::<f64>()
+            / recording.channels.len() as f64;
+        assert!(
+            (mean_square - 4.5).abs() < 0.01,
+            "{name}: a sine of 3 has 4.5, not {mean_square}"
+        );
         found.push((name, peak));
     }
     found
@@ -152,7 +237,14 @@ fn memory_does_not_grow_with_the_file() {
     let before = status("VmRSS");
     let [small, large] = ROWS.map(|rows| peaks(folder.path(), rows, before));
     for ((name, small), (_, large)) in small.into_iter().zip(large) {
-        eprintln!("{name}: {:.1} MB, then {:.1} MB", small as f64 / 1e6, large as f64 / 1e6);
-        assert!(large < MOST && large < small + MORE, "{name}: {small} bytes, then {large}");
+        eprintln!(
+            "{name}: {:.1} MB, then {:.1} MB",
+            small as f64 / 1e6,
+            large as f64 / 1e6
+        );
+        assert!(
+            large < MOST && large < small + MORE,
+            "{name}: {small} bytes, then {large}"
+        );
     }
 }

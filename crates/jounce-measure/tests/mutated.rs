@@ -51,23 +51,43 @@ fn sine(count: u32) -> Vec<f64> {
 
 fn matlab(compressed: bool) -> Vec<u8> {
     let signal = |name| vec![column(&sine(40)), Value::Text(name), Value::Text("g")];
-    let signals = Value::Structs(vec!["values", "label", "unit"], vec![signal("tip"), signal("base")]);
-    let response = fields(vec![("freq", column(&ramp(20))), ("h", Value::Complex(vec![20, 2], sine(40), sine(40)))]);
+    let signals = Value::Structs(
+        vec!["values", "label", "unit"],
+        vec![signal("tip"), signal("base")],
+    );
+    let response = fields(vec![
+        ("freq", column(&ramp(20))),
+        ("h", Value::Complex(vec![20, 2], sine(40), sine(40))),
+    ]);
     let data = fields(vec![
         ("time", column(&ramp(40))),
         ("signal", signals),
         ("frf", response),
         ("cells", Value::Cell(vec![column(&sine(40)); 3])),
     ]);
-    file(&[("data", data), ("fs", column(&[1000.0])), ("n", Value::Short((0..40).collect()))], compressed)
+    file(
+        &[
+            ("data", data),
+            ("fs", column(&[1000.0])),
+            ("n", Value::Short((0..40).collect())),
+        ],
+        compressed,
+    )
 }
 
 fn hdf5() -> Vec<u8> {
     let mut file = hdf5_pure::FileBuilder::new();
     file.create_dataset("time").with_f64_data(&ramp(120));
-    file.create_dataset("tip").with_f64_data(&sine(120)).with_shape(&[120]).with_chunks(&[32]).with_deflate(6);
+    file.create_dataset("tip")
+        .with_f64_data(&sine(120))
+        .with_shape(&[120])
+        .with_chunks(&[32])
+        .with_deflate(6);
     let mut group = file.create_group("more");
-    group.create_dataset("m").with_f32_data(&[0.5; 240]).with_shape(&[120, 2]);
+    group
+        .create_dataset("m")
+        .with_f32_data(&[0.5; 240])
+        .with_shape(&[120, 2]);
     group.set_attr("fs", hdf5_pure::AttrValue::F64(1000.0));
     file.add_group(group.finish());
     file.finish().expect("memory")
@@ -84,12 +104,21 @@ fn whole(folder: &Path) -> Vec<(&'static str, Vec<u8>)> {
     let channel = |path| Channel {
         path,
         values: sine(40),
-        properties: vec![Property::Text("unit_string", "V"), Property::Number("wf_increment", 1e-3)],
+        properties: vec![
+            Property::Text("unit_string", "V"),
+            Property::Number("wf_increment", 1e-3),
+        ],
     };
     let channels = || [channel("/'run'/'a'"), channel("/'run'/'b'")];
     let shapes = b"    -1\n    55\nNONE\nNONE\nNONE\nNONE\nNONE\n         1         2         2         8         2         3\n         2         4         1         1\n  1.0e+01  0.0e+00  1.0e-02  0.0e+00\n         1\n -1.4e+00 -1.4e+00 -1.4e+00\n    -1\n";
-    let entries = [("time.npy", samples::npy(&rows[..1])), ("tip.npy", samples::npy(&rows[1..]))];
-    let bytes: Vec<u8> = sine(200).iter().flat_map(|x| ((x * 3e4) as i16).to_le_bytes()).collect();
+    let entries = [
+        ("time.npy", samples::npy(&rows[..1])),
+        ("tip.npy", samples::npy(&rows[1..])),
+    ];
+    let bytes: Vec<u8> = sine(200)
+        .iter()
+        .flat_map(|x| ((x * 3e4) as i16).to_le_bytes())
+        .collect();
     vec![
         ("csv", written(&samples::record(), "a.csv")),
         ("parquet", written(&samples::record(), "a.parquet")),
@@ -103,7 +132,14 @@ fn whole(folder: &Path) -> Vec<(&'static str, Vec<u8>)> {
         ("mat", matlab(false)),
         ("mat", matlab(true)),
         ("h5", hdf5()),
-        ("tdms", [segment(&channels(), false, true), segment(&channels(), true, false)].concat()),
+        (
+            "tdms",
+            [
+                segment(&channels(), false, true),
+                segment(&channels(), true, false),
+            ]
+            .concat(),
+        ),
         ("wav", wav::file(1, 2, 2, 48_000, &bytes)),
         ("lvm", samples::lvm().into_bytes()),
     ]
@@ -116,7 +152,11 @@ fn mutated(mut bytes: Vec<u8>, others: &[(&'static str, Vec<u8>)], random: &mut 
             break;
         }
         // Half of the changes go to the head, where lengths and types stand.
-        let reach = if random.below(2) == 0 { bytes.len().min(256) } else { bytes.len() };
+        let reach = if random.below(2) == 0 {
+            bytes.len().min(256)
+        } else {
+            bytes.len()
+        };
         let at = random.below(reach);
         let end = (at + 1 + random.below(64)).min(bytes.len());
         match random.below(11) {
@@ -128,7 +168,10 @@ fn mutated(mut bytes: Vec<u8>, others: &[(&'static str, Vec<u8>)], random: &mut 
             5 => {
                 let word = [0, 1, 0x7fff_ffff, 0x8000_0000, 1 << 24, 0xffff_fffe][random.below(6)];
                 let bytes_of = u32::to_le_bytes(word);
-                bytes[at..].iter_mut().zip(bytes_of).for_each(|(to, from)| *to = from);
+                bytes[at..]
+                    .iter_mut()
+                    .zip(bytes_of)
+                    .for_each(|(to, from)| *to = from);
             }
             6 => drop(bytes.drain(at..end)),
             7 => drop(bytes.splice(at..at, bytes[at..end].to_vec())),
@@ -150,12 +193,22 @@ fn mutated(mut bytes: Vec<u8>, others: &[(&'static str, Vec<u8>)], random: &mut 
 /// A line of the status of this process, bytes.
 fn status(key: &str) -> u64 {
     let text = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
-    let line = text.lines().find_map(|line| line.strip_prefix(key)).unwrap_or("0 kB");
-    line.trim_matches([':', '\t', ' ']).trim_end_matches(" kB").parse::<u64>().unwrap_or(0) << 10
+    let line = text
+        .lines()
+        .find_map(|line| line.strip_prefix(key))
+        .unwrap_or("0 kB");
+    line.trim_matches([':', '\t', ' '])
+        .trim_end_matches(" kB")
+        .parse::<u64>()
+        .unwrap_or(0)
+        << 10
 }
 
 fn asked(key: &str, otherwise: u64) -> u64 {
-    std::env::var(key).ok().map_or(otherwise, |text| text.parse().unwrap_or_else(|_| panic!("{key} is {text}; give a whole number")))
+    std::env::var(key).ok().map_or(otherwise, |text| {
+        text.parse()
+            .unwrap_or_else(|_| panic!("{key} is {text}; give a whole number"))
+    })
 }
 
 /// Number of the input that is read, and when it began, ms.
@@ -169,7 +222,10 @@ fn control(begin: Instant) {
             std::thread::sleep(Duration::from_secs(1));
             let since = Duration::from_millis(SINCE_MS.load(Ordering::Relaxed));
             if begin.elapsed().saturating_sub(since) > LONGEST {
-                eprintln!("input {} takes more than {LONGEST:?}", NUMBER.load(Ordering::Relaxed));
+                eprintln!(
+                    "input {} takes more than {LONGEST:?}",
+                    NUMBER.load(Ordering::Relaxed)
+                );
                 std::process::exit(1);
             }
         }
@@ -178,15 +234,28 @@ fn control(begin: Instant) {
 
 #[test]
 fn damaged_files_give_a_result_or_an_error() {
-    let folder = tempfile::tempdir_in(Path::new("/dev/shm")).or_else(|_| tempfile::tempdir()).expect("a folder");
+    let folder = tempfile::tempdir_in(Path::new("/dev/shm"))
+        .or_else(|_| tempfile::tempdir())
+        .expect("a folder");
     let whole = whole(folder.path());
     for (ending, bytes) in &whole {
         let path = folder.path().join(format!("whole.{ending}"));
         std::fs::write(&path, bytes).expect("a file");
-        std::fs::write(Notes::path_of(&path), if *ending == "npy" { "rate = \"1 kHz\"\n" } else { "" }).expect("notes");
+        std::fs::write(
+            Notes::path_of(&path),
+            if *ending == "npy" {
+                "rate = \"1 kHz\"\n"
+            } else {
+                ""
+            },
+        )
+        .expect("notes");
         summary(&path).unwrap_or_else(|fault| panic!("the whole file: {fault}"));
     }
-    let (from, count) = (asked("JOUNCE_MUTATIONS_FROM", 0), asked("JOUNCE_MUTATIONS", COUNT));
+    let (from, count) = (
+        asked("JOUNCE_MUTATIONS_FROM", 0),
+        asked("JOUNCE_MUTATIONS", COUNT),
+    );
     let begin = Instant::now();
     control(begin);
     let (mut slowest, mut read, before) = (Duration::ZERO, 0, status("VmRSS"));
@@ -199,7 +268,11 @@ fn damaged_files_give_a_result_or_an_error() {
         NUMBER.store(number, Ordering::Relaxed);
         SINCE_MS.store(begin.elapsed().as_millis() as u64, Ordering::Relaxed);
         let since = Instant::now();
-        let found = catch_unwind(AssertUnwindSafe(|| summary(&path).map(|_| ()).map_err(|fault| fault.to_string())));
+        let found = catch_unwind(AssertUnwindSafe(|| {
+            summary(&path)
+                .map(|_| ())
+                .map_err(|fault| fault.to_string())
+        }));
         slowest = slowest.max(since.elapsed());
         match found {
             Ok(Ok(())) => read += 1,
@@ -211,5 +284,9 @@ fn damaged_files_give_a_result_or_an_error() {
         assert!(peak < MOST_MEMORY, "input {number}, {ending}: {peak} bytes");
     }
     let peak = status("VmHWM").saturating_sub(before);
-    eprintln!("{count} inputs from {from}, {read} read, slowest {slowest:.3?}, peak {:.1} MB, {:.0?}", peak as f64 / 1e6, begin.elapsed());
+    eprintln!(
+        "{count} inputs from {from}, {read} read, slowest {slowest:.3?}, peak {:.1} MB, {:.0?}",
+        peak as f64 / 1e6,
+        begin.elapsed()
+    );
 }

@@ -26,7 +26,12 @@ impl<'py> PythonDict<'py> {
     }
 
     /// The same with an array of one axis, a value per item.
-    pub fn each<I, T: numpy::Element>(self, name: &str, items: &[I], value: impl Fn(&I) -> T) -> PyResult<Self> {
+    pub fn each<I, T: numpy::Element>(
+        self,
+        name: &str,
+        items: &[I],
+        value: impl Fn(&I) -> T,
+    ) -> PyResult<Self> {
         self.array(name, items.iter().map(value).collect())
     }
 
@@ -43,6 +48,10 @@ impl<'py> PythonDict<'py> {
 }
 
 /// Rows of a width as an array of two axes; there may be no row.
-pub fn matrix<'py>(py: Python<'py>, rows: &[Vec<f64>], width: usize) -> PyResult<Bound<'py, PyArray2<f64>>> {
+pub fn matrix<'py>(
+    py: Python<'py>,
+    rows: &[Vec<f64>],
+    width: usize,
+) -> PyResult<Bound<'py, PyArray2<f64>>> {
     PyArray1::from_vec(py, rows.concat()).reshape([rows.len(), width])
 }

@@ -5,7 +5,9 @@ use crate::cancellable::{cancellable, on_threads, to_python_result};
 use crate::failure::Failure;
 use crate::run::PythonResult;
 use crate::spec::Spec;
-use jounce::analysis::{AnalysisError, Bandwidth, BandwidthSearch, Bifurcation, Branch, BranchPoint, Model, Parameter};
+use jounce::analysis::{
+    AnalysisError, Bandwidth, BandwidthSearch, Bifurcation, Branch, BranchPoint, Model, Parameter,
+};
 use jounce::analysis::{BranchOptions, BranchSearch, OrbitMethodKind, QuantityLevel};
 use jounce::plant::Plant;
 use jounce::run::{ExceededLimit, Limits, WorstExcess};
@@ -19,16 +21,28 @@ const HARMONICS: usize = 64;
 fn method_of(name: &str, harmonics: Option<usize>) -> Result<OrbitMethodKind, Failure> {
     if let Some(harmonics) = harmonics.filter(|harmonics| !(4..=2048).contains(harmonics)) {
         let details = serde_json::json!({ "harmonics": harmonics, "least": 4, "most": 2048 });
-        return Err(Failure::new("ArgumentError", format!("harmonics is {harmonics}; it must be from 4 to 2048")).with(details));
+        return Err(Failure::new(
+            "ArgumentError",
+            format!("harmonics is {harmonics}; it must be from 4 to 2048"),
+        )
+        .with(details));
     }
     match (name, harmonics) {
         ("shooting", None) => Ok(OrbitMethodKind::Shooting),
         ("shooting", Some(harmonics)) => {
-            let why = format!("harmonics is {harmonics}; shooting has none: give method=\"harmonic-balance\" or leave harmonics out");
-            Err(Failure::new("ArgumentError", why).with(serde_json::json!({ "harmonics": harmonics, "method": name })))
+            let why = format!(
+                "harmonics is {harmonics}; shooting has none: give method=\"harmonic-balance\" or leave harmonics out"
+            );
+            Err(Failure::new("ArgumentError", why)
+                .with(serde_json::json!({ "harmonics": harmonics, "method": name })))
         }
-        ("harmonic-balance", harmonics) => Ok(OrbitMethodKind::HarmonicBalance { harmonics: harmonics.unwrap_or(HARMONICS) }),
-        _ => Err(Failure::new("ArgumentError", format!("method is \"{name}\"; it must be \"shooting\" or \"harmonic-balance\""))),
+        ("harmonic-balance", harmonics) => Ok(OrbitMethodKind::HarmonicBalance {
+            harmonics: harmonics.unwrap_or(HARMONICS),
+        }),
+        _ => Err(Failure::new(
+            "ArgumentError",
+            format!("method is \"{name}\"; it must be \"shooting\" or \"harmonic-balance\""),
+        )),
     }
 }
 
@@ -39,7 +53,11 @@ pub fn checked_tolerance(tolerance: f64) -> Result<f64, Failure> {
         Ok(tolerance)
     } else {
         let details = serde_json::json!({ "tolerance": tolerance, "least": 1e-14, "most": 0.01 });
-        Err(Failure::new("ArgumentError", format!("tolerance is {tolerance}; it must be from 1e-14 to 0.01")).with(details))
+        Err(Failure::new(
+            "ArgumentError",
+            format!("tolerance is {tolerance}; it must be from 1e-14 to 0.01"),
+        )
+        .with(details))
     }
 }
 
@@ -52,12 +70,19 @@ pub fn checked_seeds(seeds: usize) -> Result<usize, Failure> {
         return Ok(seeds);
     }
     let details = serde_json::json!({ "seeds": seeds, "least": 0, "most": MAX_SEEDS });
-    Err(Failure::new("ArgumentError", format!("seeds is {seeds}; it must be at most {MAX_SEEDS}")).with(details))
+    Err(Failure::new(
+        "ArgumentError",
+        format!("seeds is {seeds}; it must be at most {MAX_SEEDS}"),
+    )
+    .with(details))
 }
 
 /// Levels of quantities of an orbit.
 pub fn checked_levels(levels: &[String], plant: &Plant) -> Result<Vec<QuantityLevel>, Failure> {
-    let read = |text: &String| QuantityLevel::parse(text, plant).map_err(|why| Failure::new("ArgumentError", format!("levels: {why}")));
+    let read = |text: &String| {
+        QuantityLevel::parse(text, plant)
+            .map_err(|why| Failure::new("ArgumentError", format!("levels: {why}")))
+    };
     levels.iter().map(read).collect()
 }
 
@@ -66,12 +91,19 @@ fn checked_step(largest_step: f64) -> Result<f64, Failure> {
         return Ok(largest_step);
     }
     let details = serde_json::json!({ "largest_step": largest_step, "least": 1e-3, "most": 1.0 });
-    Err(Failure::new("ArgumentError", format!("largest_step is {largest_step}; it must be from 0.001 to 1")).with(details))
+    Err(Failure::new(
+        "ArgumentError",
+        format!("largest_step is {largest_step}; it must be from 0.001 to 1"),
+    )
+    .with(details))
 }
 
 /// Follows every branch over a range of a key.
 #[pyfunction]
-#[expect(clippy::too_many_arguments, reason = "one argument per option of the Python method, which calls by name")]
+#[expect(
+    clippy::too_many_arguments,
+    reason = "one argument per option of the Python method, which calls by name"
+)]
 pub fn branch<'py>(
     py: Python<'py>,
     spec: &Spec,
@@ -87,16 +119,37 @@ pub fn branch<'py>(
     threads: Option<usize>,
     progress: Option<Bound<'py, PyAny>>,
 ) -> PythonResult<'py> {
-    let (way, tolerance, seeds) = (method_of(method, harmonics)?, checked_tolerance(tolerance)?, checked_seeds(seeds)?);
+    let (way, tolerance, seeds) = (
+        method_of(method, harmonics)?,
+        checked_tolerance(tolerance)?,
+        checked_seeds(seeds)?,
+    );
     let over = format!("{key}={}:{}", range.0, range.1);
     let (found_key, range) = spec.ends(key, range)?;
     let found = cancellable(py, progress.as_ref(), |control| {
         let base = spec.prepared(control)?;
         let parameter = Parameter::new(&base, &found_key, range.1 - range.0);
-        let search = BranchSearch { base: &base, parameter: &parameter, range, method: way, tolerance, seeds, longest_period };
+        let search = BranchSearch {
+            base: &base,
+            parameter: &parameter,
+            range,
+            method: way,
+            tolerance,
+            seeds,
+            longest_period,
+        };
         let levels = checked_levels(&levels, &base.kernel.plant)?;
-        let options = BranchOptions { levels, largest_step: checked_step(step_and_budget.0)?, budget: step_and_budget.1 };
-        let width = BandwidthSearch { base: &base, parameter: &parameter, range, tolerance };
+        let options = BranchOptions {
+            levels,
+            largest_step: checked_step(step_and_budget.0)?,
+            budget: step_and_budget.1,
+        };
+        let width = BandwidthSearch {
+            base: &base,
+            parameter: &parameter,
+            range,
+            tolerance,
+        };
         on_threads(threads, || {
             let branches = search.run_with(&options)?;
             let warnings = match warnings(&base, &parameter, &branches, tolerance) {
@@ -107,25 +160,51 @@ pub fn branch<'py>(
             Ok((width.run(&branches), branches, warnings))
         })
     });
-    let options = [("over", over), ("method", method.to_owned()), ("tolerance", tolerance.to_string()), ("seeds", seeds.to_string())];
+    let options = [
+        ("over", over),
+        ("method", method.to_owned()),
+        ("tolerance", tolerance.to_string()),
+        ("seeds", seeds.to_string()),
+    ];
     let manifest = spec.manifest("branch", &options);
     to_python_result(py, found, |(widths, branches, warnings)| {
         let each = branches.iter().zip(&widths.branches);
-        let listed = each.map(|(branch, width)| one(py, branch, width.as_ref())).collect::<PyResult<Vec<_>>>()?;
-        let answer = PythonDict::new(py).with("key", key)?.with("unit", found_key.unit())?.with("branches", listed)?;
-        let answer = answer.with("warnings", warnings)?.with("half_power", json(&widths.together.as_ref())?)?;
+        let listed = each
+            .map(|(branch, width)| one(py, branch, width.as_ref()))
+            .collect::<PyResult<Vec<_>>>()?;
+        let answer = PythonDict::new(py)
+            .with("key", key)?
+            .with("unit", found_key.unit())?
+            .with("branches", listed)?;
+        let answer = answer
+            .with("warnings", warnings)?
+            .with("half_power", json(&widths.together.as_ref())?)?;
         Ok(answer.with("manifest", manifest)?.dict())
     })
 }
 
 /// Limits of patches that points of branches pass.
-fn warnings(base: &Model, parameter: &Parameter<'_>, branches: &[Branch], tolerance: f64) -> Result<Vec<String>, Failure> {
+fn warnings(
+    base: &Model,
+    parameter: &Parameter<'_>,
+    branches: &[Branch],
+    tolerance: f64,
+) -> Result<Vec<String>, Failure> {
     let limits = Limits::of(&base.spec, &base.kernel.plant);
-    let passed = branches.iter().map(|branch| branch.exceeded(parameter, &limits, tolerance)).collect::<Result<Vec<_>, AnalysisError>>()?;
+    let passed = branches
+        .iter()
+        .map(|branch| branch.exceeded(parameter, &limits, tolerance))
+        .collect::<Result<Vec<_>, AnalysisError>>()?;
     let all: Vec<&[ExceededLimit]> = passed.iter().flatten().map(Vec::as_slice).collect();
-    let values: Vec<f64> = branches.iter().flat_map(|branch| &branch.points).map(|point| point.parameter).collect();
+    let values: Vec<f64> = branches
+        .iter()
+        .flat_map(|branch| &branch.points)
+        .map(|point| point.parameter)
+        .collect();
     let (path, unit) = (parameter.key().path(), parameter.key().unit());
-    Ok(WorstExcess::messages(&all, "points", |place| format!("{path} = {:.6} {unit}", values[place])))
+    Ok(WorstExcess::messages(&all, "points", |place| {
+        format!("{path} = {:.6} {unit}", values[place])
+    }))
 }
 
 /// A value as JSON.
@@ -134,7 +213,11 @@ pub fn json(value: &impl serde::Serialize) -> PyResult<String> {
 }
 
 /// One branch as a dictionary.
-pub fn one<'py>(py: Python<'py>, branch: &Branch, width: Option<&Bandwidth>) -> PyResult<Bound<'py, PyDict>> {
+pub fn one<'py>(
+    py: Python<'py>,
+    branch: &Branch,
+    width: Option<&Bandwidth>,
+) -> PyResult<Bound<'py, PyDict>> {
     let points: &[BranchPoint] = &branch.points;
     let bifurcations: &[Bifurcation] = &branch.bifurcations;
     let answer = PythonDict::new(py)
@@ -143,17 +226,39 @@ pub fn one<'py>(py: Python<'py>, branch: &Branch, width: Option<&Bandwidth>) -> 
         .each("mean_power_w", points, |p| p.orbit.mean_power_w)?
         .each("voltage_rms_v", points, |p| p.orbit.voltage_rms_v)?
         .each("stable", points, |p| p.orbit.is_stable())?
-        .each("stability_undecided", points, |p| p.orbit.is_stability_undecided())?
+        .each("stability_undecided", points, |p| {
+            p.orbit.is_stability_undecided()
+        })?
         .each("floquet_max_abs", points, |p| p.orbit.floquet_max_abs())?
         .each("contacts_per_period", points, |p| p.orbit.contacts as i64)?
         .each("max_penetration_m", points, |p| p.orbit.max_penetration_m)?
-        .each("displacement_peak_m", points, |p| p.orbit.displacement_peak_m)?
+        .each("displacement_peak_m", points, |p| {
+            p.orbit.displacement_peak_m
+        })?
         .each("error_estimate", points, |p| p.orbit.error_estimate)?
-        .with("bifurcation_kind", bifurcations.iter().map(|found| found.kind.name()).collect::<Vec<_>>())?
-        .with("bifurcation_name", bifurcations.iter().map(|found| found.level.clone().or(found.stop.clone())).collect::<Vec<_>>())?
-        .each("bifurcation_parameter", bifurcations, |found| found.at.parameter)?
-        .each("bifurcation_power_w", bifurcations, |found| found.at.orbit.mean_power_w)?
-        .each("bifurcation_displacement_peak_m", bifurcations, |found| found.at.orbit.displacement_peak_m)?
+        .with(
+            "bifurcation_kind",
+            bifurcations
+                .iter()
+                .map(|found| found.kind.name())
+                .collect::<Vec<_>>(),
+        )?
+        .with(
+            "bifurcation_name",
+            bifurcations
+                .iter()
+                .map(|found| found.level.clone().or(found.stop.clone()))
+                .collect::<Vec<_>>(),
+        )?
+        .each("bifurcation_parameter", bifurcations, |found| {
+            found.at.parameter
+        })?
+        .each("bifurcation_power_w", bifurcations, |found| {
+            found.at.orbit.mean_power_w
+        })?
+        .each("bifurcation_displacement_peak_m", bifurcations, |found| {
+            found.at.orbit.displacement_peak_m
+        })?
         .with("not_proved", json(&branch.not_proved)?)?
         .with("not_followed", branch.not_followed)?
         .with("endings", json(&branch.endings)?)?

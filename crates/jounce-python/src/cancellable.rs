@@ -41,7 +41,10 @@ pub fn cancellable<T: Send>(
             });
             let waits = heard == Err(RecvTimeoutError::Timeout);
             if ended.is_none() {
-                ended = py.check_signals().and_then(|()| teller.tell(py, &control, !waits)).err();
+                ended = py
+                    .check_signals()
+                    .and_then(|()| teller.tell(py, &control, !waits))
+                    .err();
             }
             if !waits {
                 break;
@@ -101,10 +104,19 @@ pub fn visited<T: Send>(
         teller: ProgressReporter::new(progress.map(|own| own.clone().unbind())),
     }));
     let inside = Arc::clone(&visit);
-    let control = Control::with_callback(move |control| inside.lock().unwrap_or_else(PoisonError::into_inner).look(control));
+    let control = Control::with_callback(move |control| {
+        inside
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+            .look(control)
+    });
     let answer = py.detach(|| work(&control));
     let mut visit = visit.lock().unwrap_or_else(PoisonError::into_inner);
-    let ended = visit.ended.take().or_else(|| py.check_signals().and_then(|()| visit.teller.tell(py, &control, true)).err());
+    let ended = visit.ended.take().or_else(|| {
+        py.check_signals()
+            .and_then(|()| visit.teller.tell(py, &control, true))
+            .err()
+    });
     (answer, ended)
 }
 
@@ -120,7 +132,11 @@ impl Visit {
         if self.ended.is_some() || self.looked.elapsed() < POLL_INTERVAL {
             return;
         }
-        self.ended = Python::attach(|py| py.check_signals().and_then(|()| self.teller.tell(py, control, false))).err();
+        self.ended = Python::attach(|py| {
+            py.check_signals()
+                .and_then(|()| self.teller.tell(py, control, false))
+        })
+        .err();
         if self.ended.is_some() {
             control.stop();
         }
@@ -138,11 +154,18 @@ struct ProgressReporter {
 
 impl ProgressReporter {
     fn new(progress: Option<Py<PyAny>>) -> Self {
-        Self { progress, begun: Instant::now(), told: Instant::now(), last: (0, 0) }
+        Self {
+            progress,
+            begun: Instant::now(),
+            told: Instant::now(),
+            last: (0, 0),
+        }
     }
 
     fn tell(&mut self, py: Python<'_>, control: &Control, at_the_end: bool) -> PyResult<()> {
-        let Some(progress) = &self.progress else { return Ok(()) };
+        let Some(progress) = &self.progress else {
+            return Ok(());
+        };
         // What it answers is read at the next look.
         control.request_progress();
         let now = control.progress();
@@ -153,16 +176,28 @@ impl ProgressReporter {
         (self.last, self.told) = (now, Instant::now());
         let (done, expected) = now;
         // Without a known end there is nothing left to estimate.
-        let left_s =
-            (done > 0 && expected > 0).then(|| self.begun.elapsed().as_secs_f64() * expected.saturating_sub(done) as f64 / done as f64);
+        let left_s = (done > 0 && expected > 0).then(|| {
+            self.begun.elapsed().as_secs_f64() * expected.saturating_sub(done) as f64 / done as f64
+        });
         progress.call1(py, (done, expected, left_s)).map(|_| ())
     }
 }
 
 /// Runs `work` on a pool of its own: the shared one does not survive a `fork`.
-pub fn on_threads<T: Send>(threads: Option<usize>, work: impl FnOnce() -> Result<T, Failure> + Send) -> Result<T, Failure> {
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.unwrap_or(0)).build();
-    pool.map_err(|error| Failure::new("JounceError", format!("the threads cannot be started: {error}")))?.install(work)
+pub fn on_threads<T: Send>(
+    threads: Option<usize>,
+    work: impl FnOnce() -> Result<T, Failure> + Send,
+) -> Result<T, Failure> {
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(threads.unwrap_or(0))
+        .build();
+    pool.map_err(|error| {
+        Failure::new(
+            "JounceError",
+            format!("the threads cannot be started: {error}"),
+        )
+    })?
+    .install(work)
 }
 
 /// An answer for Python, and what ended it early. Where that left no answer at all, only the latter counts.

@@ -21,25 +21,37 @@ pub struct CloudOptions {
 impl CloudOptions {
     /// The cloud, of so many starts if nothing else is said.
     pub fn cloud(self, starts: usize) -> Result<Cloud, Failure> {
-        let cloud = Cloud { starts: self.starts.unwrap_or(starts), seed: self.seed.unwrap_or(SEED), spread: self.spread.unwrap_or(SPREAD) };
+        let cloud = Cloud {
+            starts: self.starts.unwrap_or(starts),
+            seed: self.seed.unwrap_or(SEED),
+            spread: self.spread.unwrap_or(SPREAD),
+        };
         let &Cloud { starts, spread, .. } = &cloud;
         if (1..=MAX_STARTS).contains(&starts) && spread > 0.0 && spread.is_finite() {
             return Ok(cloud);
         }
-        let why =
-            format!("starts is {starts} and spread {spread}; starts must be from 1 to {MAX_STARTS}, spread greater than 0 and finite");
+        let why = format!(
+            "starts is {starts} and spread {spread}; starts must be from 1 to {MAX_STARTS}, spread greater than 0 and finite"
+        );
         let details = serde_json::json!({ "starts": starts, "least_starts": 1, "most_starts": MAX_STARTS, "spread": spread });
         Err(Failure::new("ArgumentError", why).with(details))
     }
 
     /// Refuses them where there is no cloud; `else_try` is what would make one.
     pub fn refuse(self, else_try: &str) -> Result<(), Failure> {
-        let given = [("starts", self.starts.is_some()), ("seed", self.seed.is_some()), ("spread", self.spread.is_some())];
+        let given = [
+            ("starts", self.starts.is_some()),
+            ("seed", self.seed.is_some()),
+            ("spread", self.spread.is_some()),
+        ];
         match given.into_iter().find(|(_, is_given)| *is_given) {
             None => Ok(()),
             Some((option, _)) => {
-                let why = format!("{option} belongs to a cloud of starts: {else_try} or leave {option} out");
-                Err(Failure::new("ArgumentError", why).with(serde_json::json!({ "option": option })))
+                let why = format!(
+                    "{option} belongs to a cloud of starts: {else_try} or leave {option} out"
+                );
+                Err(Failure::new("ArgumentError", why)
+                    .with(serde_json::json!({ "option": option })))
             }
         }
     }

@@ -2,7 +2,10 @@
 
 use crate::failure::Failure;
 use crate::spec::Spec;
-use jounce_explorer::{ExploreError, Explorer as Server, ServerLimits, ServerOptions, Source, Stopper, open_in_browser, state_folder};
+use jounce_explorer::{
+    ExploreError, Explorer as Server, ServerLimits, ServerOptions, Source, Stopper,
+    open_in_browser, state_folder,
+};
 use pyo3::prelude::*;
 use std::any::Any;
 use std::net::SocketAddr;
@@ -29,20 +32,46 @@ impl Explorer {
     /// Serves a spec as it is, or a file and what becomes of it.
     #[new]
     #[pyo3(signature = (*, spec = None, path = None, listen = None))]
-    fn new(spec: Option<&Spec>, path: Option<PathBuf>, listen: Option<&str>) -> Result<Self, Failure> {
+    fn new(
+        spec: Option<&Spec>,
+        path: Option<PathBuf>,
+        listen: Option<&str>,
+    ) -> Result<Self, Failure> {
         let source = match (spec, path) {
-            (Some(spec), None) => Source::Text { text: spec.file().text(), folder: spec.folder() },
+            (Some(spec), None) => Source::Text {
+                text: spec.file().text(),
+                folder: spec.folder(),
+            },
             (None, Some(path)) => Source::File(path),
-            _ => return Err(Failure::new("ArgumentError", "give either a spec or the path of one")),
+            _ => {
+                return Err(Failure::new(
+                    "ArgumentError",
+                    "give either a spec or the path of one",
+                ));
+            }
         };
-        let wrong = |text: &str| format!("listen is \"{text}\"; write ADDRESS:PORT, as in 127.0.0.1:8080");
-        let parsed = |text: &str| text.parse::<SocketAddr>().map_err(|_| Failure::new("ArgumentError", wrong(text)));
+        let wrong =
+            |text: &str| format!("listen is \"{text}\"; write ADDRESS:PORT, as in 127.0.0.1:8080");
+        let parsed = |text: &str| {
+            text.parse::<SocketAddr>()
+                .map_err(|_| Failure::new("ArgumentError", wrong(text)))
+        };
         let listen = listen.map(parsed).transpose()?;
-        let server =
-            Server::bind(ServerOptions { spec: source, set: Vec::new(), listen, keep: state_folder(), limits: ServerLimits::default() })?;
+        let server = Server::bind(ServerOptions {
+            spec: source,
+            set: Vec::new(),
+            listen,
+            keep: state_folder(),
+            limits: ServerLimits::default(),
+        })?;
         let (address, stopper) = (server.page(), server.stopper());
         let running = Mutex::new(Some(std::thread::spawn(move || server.run())));
-        Ok(Self { address, stopper, running, opened: Mutex::new(None) })
+        Ok(Self {
+            address,
+            stopper,
+            running,
+            opened: Mutex::new(None),
+        })
     }
 
     /// The address of the page, with its token.
@@ -54,7 +83,11 @@ impl Explorer {
     /// Is it still there?
     #[getter]
     fn running(&self) -> bool {
-        self.running.lock().unwrap_or_else(PoisonError::into_inner).as_ref().is_some_and(|thread| !thread.is_finished())
+        self.running
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+            .as_ref()
+            .is_some_and(|thread| !thread.is_finished())
     }
 
     /// Opens the page in the browser.
@@ -68,8 +101,15 @@ impl Explorer {
     fn stop(&self, py: Python<'_>) -> PyResult<()> {
         self.stopper.stop();
         let ended = py.detach(|| {
-            self.opened.lock().unwrap_or_else(PoisonError::into_inner).take();
-            let thread = self.running.lock().unwrap_or_else(PoisonError::into_inner).take();
+            self.opened
+                .lock()
+                .unwrap_or_else(PoisonError::into_inner)
+                .take();
+            let thread = self
+                .running
+                .lock()
+                .unwrap_or_else(PoisonError::into_inner)
+                .take();
             thread.map(JoinHandle::join)
         });
         match ended {

@@ -15,18 +15,32 @@ type Fitted = PyResult<(Option<String>, Option<PyErr>)>;
 /// Fits the free keys that a text of features names, or a file of that text.
 #[pyfunction]
 #[pyo3(signature = (spec, *, text = None, path = None, progress = None))]
-pub fn fit<'py>(py: Python<'py>, spec: &Spec, text: Option<&str>, path: Option<PathBuf>, progress: Option<Bound<'py, PyAny>>) -> Fitted {
-    match cancellable(py, progress.as_ref(), |control| fitted(spec, text, path, control)) {
+pub fn fit<'py>(
+    py: Python<'py>,
+    spec: &Spec,
+    text: Option<&str>,
+    path: Option<PathBuf>,
+    progress: Option<Bound<'py, PyAny>>,
+) -> Fitted {
+    match cancellable(py, progress.as_ref(), |control| {
+        fitted(spec, text, path, control)
+    }) {
         (Ok(answer), ended) => Ok((Some(json(&answer)?), ended)),
         (Err(_), Some(ended)) => Ok((None, Some(ended))),
         (Err(failure), None) => Err(failure.raised(py)),
     }
 }
 
-fn fitted(spec: &Spec, text: Option<&str>, path: Option<PathBuf>, control: &Control) -> Result<FitResult, Failure> {
+fn fitted(
+    spec: &Spec,
+    text: Option<&str>,
+    path: Option<PathBuf>,
+    control: &Control,
+) -> Result<FitResult, Failure> {
     let features = match &path {
         Some(path) => Features::read(path)?,
-        None => Features::from_toml(text.unwrap_or_default()).map_err(|faults| FitError::Features { faults })?,
+        None => Features::from_toml(text.unwrap_or_default())
+            .map_err(|faults| FitError::Features { faults })?,
     };
     Ok(jounce_measure::fit::fit(&spec.file(), &spec.spec, &features, &spec.folder(), control)?.0)
 }

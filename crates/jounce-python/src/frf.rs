@@ -32,8 +32,21 @@ pub fn frf<'py>(
         let found = responses(spec, &frequency_hz, &input, &hold, open_circuit, control)?;
         Failure::unless_stopped(control, found)
     });
-    let options = [("input", input_name(&input)), ("hold", hold.join(" ")), ("open_circuit", open_circuit.to_string())];
-    to_python_result(py, found, |answers| into_python(py, answers, &input, hold, frequency_hz, spec.manifest("frf", &options)))
+    let options = [
+        ("input", input_name(&input)),
+        ("hold", hold.join(" ")),
+        ("open_circuit", open_circuit.to_string()),
+    ];
+    to_python_result(py, found, |answers| {
+        into_python(
+            py,
+            answers,
+            &input,
+            hold,
+            frequency_hz,
+            spec.manifest("frf", &options),
+        )
+    })
 }
 
 fn into_python<'py>(
@@ -46,11 +59,24 @@ fn into_python<'py>(
 ) -> PyResult<Bound<'py, PyDict>> {
     let all = PyDict::new(py);
     for frf in answers {
-        let values: Vec<Complex64> = frf.value.iter().map(|value| Complex64::new(value.re, value.im)).collect();
-        all.set_item(frf.response.name(), (numpy::PyArray1::from_vec(py, values), frf.response.unit(input)))?;
+        let values: Vec<Complex64> = frf
+            .value
+            .iter()
+            .map(|value| Complex64::new(value.re, value.im))
+            .collect();
+        all.set_item(
+            frf.response.name(),
+            (
+                numpy::PyArray1::from_vec(py, values),
+                frf.response.unit(input),
+            ),
+        )?;
     }
-    let answer =
-        PythonDict::new(py).with("input", input_name(input))?.with("held", hold)?.with("responses", all)?.with("manifest", manifest)?;
+    let answer = PythonDict::new(py)
+        .with("input", input_name(input))?
+        .with("held", hold)?
+        .with("responses", all)?
+        .with("manifest", manifest)?;
     Ok(answer.array("frequency_hz", frequency_hz)?.dict())
 }
 
@@ -68,14 +94,23 @@ fn input_of(spec: &Spec, named: Option<String>, base: bool) -> Result<FrfInput, 
         if named.is_some() {
             return wrong("input and base are both given; give one of them".to_owned());
         }
-        return match spec.spec.modal.iter().find(|(_, modal)| modal.participation_sqrt_kg.is_empty()) {
+        return match spec
+            .spec
+            .modal
+            .iter()
+            .find(|(_, modal)| modal.participation_sqrt_kg.is_empty())
+        {
             None => Ok(FrfInput::BaseAcceleration),
             Some((name, _)) => wrong(format!(
                 "modal.{name}.participation_sqrt_kg is missing: without it jounce cannot know how an acceleration of the base shakes this structure"
             )),
         };
     }
-    let forced = spec.spec.drive.values().find(|drive| drive.kind == DriveKind::Force);
+    let forced = spec
+        .spec
+        .drive
+        .values()
+        .find(|drive| drive.kind == DriveKind::Force);
     match named.or_else(|| forced.map(|drive| drive.at.clone())) {
         Some(point) => Ok(FrfInput::Force(point)),
         None => {
@@ -100,11 +135,27 @@ fn responses(
     spec.gravity = Gravity::default();
     spec.stop.clear();
     let modes = modes_holding(&spec, hold)?;
-    let motion = if *input == FrfInput::BaseAcceleration { FrfResponse::Displacement } else { FrfResponse::Acceleration };
+    let motion = if *input == FrfInput::BaseAcceleration {
+        FrfResponse::Displacement
+    } else {
+        FrfResponse::Acceleration
+    };
     let points = modes.shape.keys().map(|point| motion(point.clone()));
-    let patches = modes.patch.keys().map(|patch| FrfResponse::Voltage(patch.clone()));
-    let loads = spec.circuit.keys().map(|load| FrfResponse::LoadVoltage(load.clone()));
+    let patches = modes
+        .patch
+        .keys()
+        .map(|patch| FrfResponse::Voltage(patch.clone()));
+    let loads = spec
+        .circuit
+        .keys()
+        .map(|load| FrfResponse::LoadVoltage(load.clone()));
     let wanted: Vec<FrfResponse> = points.chain(patches).chain(loads).collect();
     let plant = Plant::new(System::assemble(&spec, modes)?)?;
-    Ok(linear::frf_until(&plant, input, &wanted, frequency_hz, &|| control.is_stopped())?)
+    Ok(linear::frf_until(
+        &plant,
+        input,
+        &wanted,
+        frequency_hz,
+        &|| control.is_stopped(),
+    )?)
 }

@@ -12,7 +12,10 @@ use pyo3::types::PyDict;
 
 /// Follows folds, doublings, tori, grazings and levels over two keys.
 #[pyfunction]
-#[expect(clippy::too_many_arguments, reason = "one argument per option of the Python method, which calls by name")]
+#[expect(
+    clippy::too_many_arguments,
+    reason = "one argument per option of the Python method, which calls by name"
+)]
 pub fn jumps<'py>(
     py: Python<'py>,
     spec: &Spec,
@@ -29,22 +32,47 @@ pub fn jumps<'py>(
 ) -> PythonResult<'py> {
     let (tolerance, seeds) = (checked_tolerance(tolerance)?, checked_seeds(seeds)?);
     if keys.0 == keys.1 {
-        return Err(Failure::new("ArgumentError", format!("both keys are {}; give two different ones", keys.0)).raised(py));
+        return Err(Failure::new(
+            "ArgumentError",
+            format!("both keys are {}; give two different ones", keys.0),
+        )
+        .raised(py));
     }
     let named = |key: &str, (from, to): &(String, String)| format!("{key}={from}:{to}");
-    let options = [("over", named(&keys.0, &over)), ("against", named(&keys.1, &against)), ("tolerance", tolerance.to_string())];
+    let options = [
+        ("over", named(&keys.0, &over)),
+        ("against", named(&keys.1, &against)),
+        ("tolerance", tolerance.to_string()),
+    ];
     let manifest = spec.manifest("jumps", &options);
-    let ((key, range), (key_2, range_2)) = (spec.ends(&keys.0, over)?, spec.ends(&keys.1, against)?);
+    let ((key, range), (key_2, range_2)) =
+        (spec.ends(&keys.0, over)?, spec.ends(&keys.1, against)?);
     let found = cancellable(py, progress.as_ref(), |control| {
         let base = spec.prepared(control)?;
-        let search =
-            BifurcationSearch { base: &base, keys: [&key, &key_2], ranges: [range, range_2], tolerance, seeds, longest_period, peaks };
-        let options = BranchOptions { levels: checked_levels(&levels, &base.kernel.plant)?, ..BranchOptions::default() };
+        let search = BifurcationSearch {
+            base: &base,
+            keys: [&key, &key_2],
+            ranges: [range, range_2],
+            tolerance,
+            seeds,
+            longest_period,
+            peaks,
+        };
+        let options = BranchOptions {
+            levels: checked_levels(&levels, &base.kernel.plant)?,
+            ..BranchOptions::default()
+        };
         on_threads(threads, || Ok(search.run_with(&options)?))
     });
     to_python_result(py, found, |curves| {
-        let listed = curves.iter().map(|curve| one(py, curve)).collect::<PyResult<Vec<_>>>()?;
-        let answer = PythonDict::new(py).with("keys", keys)?.with("units", (key.unit(), key_2.unit()))?.with("curves", listed)?;
+        let listed = curves
+            .iter()
+            .map(|curve| one(py, curve))
+            .collect::<PyResult<Vec<_>>>()?;
+        let answer = PythonDict::new(py)
+            .with("keys", keys)?
+            .with("units", (key.unit(), key_2.unit()))?
+            .with("curves", listed)?;
         Ok(answer.with("manifest", manifest)?.dict())
     })
 }

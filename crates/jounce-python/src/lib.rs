@@ -60,7 +60,9 @@ mod _core {
     #[pymodule_export]
     use super::measured::power::measured_power;
     #[pymodule_export]
-    use super::measured::recording::{recording_even, recording_given, recording_read, recording_write};
+    use super::measured::recording::{
+        recording_even, recording_given, recording_read, recording_write,
+    };
     #[pymodule_export]
     use super::measured::segments::measured_regimes;
     #[pymodule_export]

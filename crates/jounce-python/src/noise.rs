@@ -24,12 +24,32 @@ struct NoiseResult {
 
 /// Means and mean squares, and densities at so many frequencies from one to another, Hz; by default over the band of the noises.
 #[pyfunction]
-pub fn noise<'py>(py: Python<'py>, spec: &Spec, low_hz: Option<f64>, high_hz: Option<f64>, points: usize) -> PythonResult<'py> {
-    let found = cancellable(py, None, |control| answered(spec, low_hz, high_hz, points, control));
-    to_python_result(py, found, |found| into_python(py, found, spec.manifest("noise", &[("points", points.to_string())])))
+pub fn noise<'py>(
+    py: Python<'py>,
+    spec: &Spec,
+    low_hz: Option<f64>,
+    high_hz: Option<f64>,
+    points: usize,
+) -> PythonResult<'py> {
+    let found = cancellable(py, None, |control| {
+        answered(spec, low_hz, high_hz, points, control)
+    });
+    to_python_result(py, found, |found| {
+        into_python(
+            py,
+            found,
+            spec.manifest("noise", &[("points", points.to_string())]),
+        )
+    })
 }
 
-fn answered(spec: &Spec, low_hz: Option<f64>, high_hz: Option<f64>, points: usize, control: &Control) -> Result<NoiseResult, Failure> {
+fn answered(
+    spec: &Spec,
+    low_hz: Option<f64>,
+    high_hz: Option<f64>,
+    points: usize,
+    control: &Control,
+) -> Result<NoiseResult, Failure> {
     let random = Random::new(&spec.spec)?;
     let [low, high] = random.usual_band_hz();
     let (low, high) = (low_hz.unwrap_or(low), high_hz.unwrap_or(high));
@@ -44,39 +64,104 @@ fn answered(spec: &Spec, low_hz: Option<f64>, high_hz: Option<f64>, points: usiz
     let frequency_hz = random.frequencies_hz(low, high, points);
     let answer = random.answer()?;
     let densities = random.densities_until(&frequency_hz, &|| control.is_stopped())?;
-    Failure::unless_stopped(control, NoiseResult { answer, densities, frequency_hz })
+    Failure::unless_stopped(
+        control,
+        NoiseResult {
+            answer,
+            densities,
+            frequency_hz,
+        },
+    )
 }
 
-fn into_python<'py>(py: Python<'py>, found: NoiseResult, manifest: String) -> PyResult<Bound<'py, PyDict>> {
-    let NoiseResult { answer, frequency_hz, densities } = found;
+fn into_python<'py>(
+    py: Python<'py>,
+    found: NoiseResult,
+    manifest: String,
+) -> PyResult<Bound<'py, PyDict>> {
+    let NoiseResult {
+        answer,
+        frequency_hz,
+        densities,
+    } = found;
     let all = PyDict::new(py);
     for density in densities {
-        all.set_item(density.name, (PyArray1::from_vec(py, density.value), density.unit))?;
+        all.set_item(
+            density.name,
+            (PyArray1::from_vec(py, density.value), density.unit),
+        )?;
     }
-    let RandomResponse { loads, patches, points, stops, .. } = &answer;
-    let bandwidths: Vec<Vec<f64>> = loads.iter().map(|load| load.noise_bandwidth_hz.clone()).collect();
+    let RandomResponse {
+        loads,
+        patches,
+        points,
+        stops,
+        ..
+    } = &answer;
+    let bandwidths: Vec<Vec<f64>> = loads
+        .iter()
+        .map(|load| load.noise_bandwidth_hz.clone())
+        .collect();
     let told = PythonDict::new(py)
         .rows("load_noise_bandwidth_hz", &bandwidths, answer.drives.len())?
         .with("drive", &answer.drives)?
         .with("left_out", &answer.left_out)?
         .with("mean_power_w", answer.mean_power_w)?
-        .with("load", loads.iter().map(|load| load.name.as_str()).collect::<Vec<_>>())?
+        .with(
+            "load",
+            loads
+                .iter()
+                .map(|load| load.name.as_str())
+                .collect::<Vec<_>>(),
+        )?
         .each("load_power_w", loads, |load| load.mean_power_w)?
         .each("load_spectral_power_w", loads, |load| load.spectral_power_w)?
-        .each("load_power_difference_relative", loads, |load| load.difference_relative)?
+        .each("load_power_difference_relative", loads, |load| {
+            load.difference_relative
+        })?
         .each("load_voltage_rms_v", loads, |load| load.voltage_rms_v)?
-        .each("load_statistical_bandwidth_hz", loads, |load| load.statistical_bandwidth_hz)?
-        .with("patch", patches.iter().map(|patch| patch.name.as_str()).collect::<Vec<_>>())?
+        .each("load_statistical_bandwidth_hz", loads, |load| {
+            load.statistical_bandwidth_hz
+        })?
+        .with(
+            "patch",
+            patches
+                .iter()
+                .map(|patch| patch.name.as_str())
+                .collect::<Vec<_>>(),
+        )?
         .each("patch_voltage_rms_v", patches, |patch| patch.voltage_rms_v)?
-        .with("point", points.iter().map(|point| point.name.as_str()).collect::<Vec<_>>())?
-        .each("point_displacement_rms_m", points, |point| point.displacement_rms_m)?
-        .each("point_velocity_rms_m_s", points, |point| point.velocity_rms_m_s)?
-        .with("stop", stops.iter().map(|stop| stop.name.as_str()).collect::<Vec<_>>())?
+        .with(
+            "point",
+            points
+                .iter()
+                .map(|point| point.name.as_str())
+                .collect::<Vec<_>>(),
+        )?
+        .each("point_displacement_rms_m", points, |point| {
+            point.displacement_rms_m
+        })?
+        .each("point_velocity_rms_m_s", points, |point| {
+            point.velocity_rms_m_s
+        })?
+        .with(
+            "stop",
+            stops
+                .iter()
+                .map(|stop| stop.name.as_str())
+                .collect::<Vec<_>>(),
+        )?
         .each("stop_gap_m", stops, |stop| stop.gap_m)?
         .each("stop_mean_m", stops, |stop| stop.mean_m)?
-        .each("stop_displacement_rms_m", stops, |stop| stop.displacement_rms_m)?
-        .each("stop_reached_hz", stops, |stop| stop.reached_hz.unwrap_or(f64::NAN))?
-        .each("stop_share_beyond", stops, |stop| stop.share_beyond.unwrap_or(f64::NAN))?
+        .each("stop_displacement_rms_m", stops, |stop| {
+            stop.displacement_rms_m
+        })?
+        .each("stop_reached_hz", stops, |stop| {
+            stop.reached_hz.unwrap_or(f64::NAN)
+        })?
+        .each("stop_share_beyond", stops, |stop| {
+            stop.share_beyond.unwrap_or(f64::NAN)
+        })?
         .array("frequency_hz", frequency_hz)?
         .with("densities", all)?
         .with("manifest", manifest)?;

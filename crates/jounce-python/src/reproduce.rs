@@ -12,9 +12,18 @@ use std::path::{Path, PathBuf};
 
 /// Computes everything and writes the report into a folder.
 #[pyfunction]
-pub fn reproduce<'py>(py: Python<'py>, out: PathBuf, threads: Option<usize>, progress: Option<Bound<'py, PyAny>>) -> PythonResult<'py> {
-    let found = cancellable(py, progress.as_ref(), |control| on_threads(threads, || written(&out, control)));
-    to_python_result(py, found, |(written, claims)| into_python(py, &written, &claims))
+pub fn reproduce<'py>(
+    py: Python<'py>,
+    out: PathBuf,
+    threads: Option<usize>,
+    progress: Option<Bound<'py, PyAny>>,
+) -> PythonResult<'py> {
+    let found = cancellable(py, progress.as_ref(), |control| {
+        on_threads(threads, || written(&out, control))
+    });
+    to_python_result(py, found, |(written, claims)| {
+        into_python(py, &written, &claims)
+    })
 }
 
 fn written(out: &Path, control: &Control) -> Result<(Written, Vec<Claim>), Failure> {
@@ -25,13 +34,29 @@ fn written(out: &Path, control: &Control) -> Result<(Written, Vec<Claim>), Failu
     Ok((reproduction.write(out)?, reproduction.claims))
 }
 
-fn into_python<'py>(py: Python<'py>, written: &Written, claims: &[Claim]) -> PyResult<Bound<'py, PyDict>> {
+fn into_python<'py>(
+    py: Python<'py>,
+    written: &Written,
+    claims: &[Claim],
+) -> PyResult<Bound<'py, PyDict>> {
     let answer = PythonDict::new(py)
         .with("report", &written.report)?
         .with("tables", &written.tables)?
         .with("figures", &written.figures)?
-        .with("claim", claims.iter().map(|claim| claim.claim.clone()).collect::<Vec<_>>())?
+        .with(
+            "claim",
+            claims
+                .iter()
+                .map(|claim| claim.claim.clone())
+                .collect::<Vec<_>>(),
+        )?
         .each("holds", claims, |claim| claim.holds)?
-        .with("evidence", claims.iter().map(|claim| claim.evidence.clone()).collect::<Vec<_>>())?;
+        .with(
+            "evidence",
+            claims
+                .iter()
+                .map(|claim| claim.evidence.clone())
+                .collect::<Vec<_>>(),
+        )?;
     Ok(answer.dict())
 }

@@ -13,7 +13,8 @@ use jounce::spec::{Gravity, driving_channel};
 use jounce::structure::modes_holding;
 use jounce_measure::recording::{Quantity, Recording};
 use jounce_measure::rig::{
-    Cable, Disturbance, HammerTest, RigError, Sensor, ShakerTest, carry, hammer_test, on_recorded_base, shaker_test, start_of_run,
+    Cable, Disturbance, HammerTest, RigError, Sensor, ShakerTest, carry, hammer_test,
+    on_recorded_base, shaker_test, start_of_run,
 };
 use jounce_measure::solution::{SolutionSearch, solutions, start_of};
 use pyo3::prelude::*;
@@ -66,13 +67,20 @@ pub struct Shaker {
 
 impl Sensors {
     fn sensor(&self) -> Sensor {
-        Sensor { noise_ratio: self.noise, bits: self.bits }
+        Sensor {
+            noise_ratio: self.noise,
+            bits: self.bits,
+        }
     }
 
     /// Cables and accelerometers are part of what is measured.
     fn fit(&self, spec: &mut jounce::spec::Spec) -> Result<(), Failure> {
         if self.cable_f.is_some() || self.cable_leakage_ohm.is_some() {
-            Cable { capacitance_f: self.cable_f.unwrap_or(0.0), leakage_ohm: self.cable_leakage_ohm }.wire(spec)?;
+            Cable {
+                capacitance_f: self.cable_f.unwrap_or(0.0),
+                leakage_ohm: self.cable_leakage_ohm,
+            }
+            .wire(spec)?;
         }
         if let Some(mass_kg) = self.sensor_mass_kg {
             carry(spec, &self.at, mass_kg)?;
@@ -91,14 +99,32 @@ impl Shaker {
             frequency_drift: self.frequency_drift,
         };
         // A memory of nothing is none.
-        let still = Disturbance { memory_s: wander.memory_s, ..Disturbance::NONE } == wander;
+        let still = Disturbance {
+            memory_s: wander.memory_s,
+            ..Disturbance::NONE
+        } == wander;
         if still { Disturbance::NONE } else { wander }
     }
 
     /// Times and states of the solutions that are asked for.
-    fn solutions(&self, spec: &jounce::spec::Spec, control: &Control) -> Result<Vec<(f64, StartState)>, Failure> {
-        let found = solutions(spec, &SolutionSearch { starts: self.starts, seed: self.starts_seed, ..SolutionSearch::default() }, control)?;
-        self.solution.iter().map(|(id, at_s)| Ok((*at_s, start_of(&found, id)?))).collect()
+    fn solutions(
+        &self,
+        spec: &jounce::spec::Spec,
+        control: &Control,
+    ) -> Result<Vec<(f64, StartState)>, Failure> {
+        let found = solutions(
+            spec,
+            &SolutionSearch {
+                starts: self.starts,
+                seed: self.starts_seed,
+                ..SolutionSearch::default()
+            },
+            control,
+        )?;
+        self.solution
+            .iter()
+            .map(|(id, at_s)| Ok((*at_s, start_of(&found, id)?)))
+            .collect()
     }
 }
 
@@ -112,23 +138,43 @@ pub fn rig_shaken<'py>(
     base: Option<GivenRecording<'py>>,
 ) -> PythonResult<'py> {
     let base = base.map(|base| base.even()).transpose()?;
-    let found = cancellable(py, None, |control| shaken(spec, &sensors, &shaker, base.as_ref(), control));
+    let found = cancellable(py, None, |control| {
+        shaken(spec, &sensors, &shaker, base.as_ref(), control)
+    });
     to_python_result(py, found, |recording| into_python(py, recording))
 }
 
-fn shaken(own: &Spec, sensors: &Sensors, shaker: &Shaker, base: Option<&Recording>, control: &Control) -> Result<Recording, Failure> {
+fn shaken(
+    own: &Spec,
+    sensors: &Sensors,
+    shaker: &Shaker,
+    base: Option<&Recording>,
+    control: &Control,
+) -> Result<Recording, Failure> {
     let mut spec = own.spec.clone();
     sensors.fit(&mut spec)?;
     if let Some(base) = base {
         let wanted = shaker.base_channel.as_deref();
-        let number =
-            driving_channel((&base.name, &base.heads(), &base.findings), wanted, Quantity::Acceleration).map_err(RigError::from)?;
-        on_recorded_base(&mut spec, base, &base.channels[number].name, shaker.keep_mean)?;
+        let number = driving_channel(
+            (&base.name, &base.heads(), &base.findings),
+            wanted,
+            Quantity::Acceleration,
+        )
+        .map_err(RigError::from)?;
+        on_recorded_base(
+            &mut spec,
+            base,
+            &base.channels[number].name,
+            shaker.keep_mean,
+        )?;
     }
     let modes = modes_holding(&spec, &sensors.hold)?;
     let run = &spec.run;
     let (starts, before_s) = match shaker.solution.is_empty() {
-        true => (vec![(0.0, start_of_run(&spec, &modes, &own.folder())?)], run.duration_s - run.average_over_s),
+        true => (
+            vec![(0.0, start_of_run(&spec, &modes, &own.folder())?)],
+            run.duration_s - run.average_over_s,
+        ),
         false => (shaker.solutions(&spec, control)?, 0.0),
     };
     let test = ShakerTest {
@@ -146,8 +192,15 @@ fn shaken(own: &Spec, sensors: &Sensors, shaker: &Shaker, base: Option<&Recordin
 
 /// Strikes a point with a hammer, stops and drives taken away; without points to record at, every point and patch records.
 #[pyfunction]
-pub fn rig_struck<'py>(py: Python<'py>, spec: &Spec, sensors: Sensors, hits: Hits) -> PyResult<Bound<'py, PyDict>> {
-    let found = py.detach(|| struck(spec, &sensors, hits)).map_err(|failure| failure.raised(py))?;
+pub fn rig_struck<'py>(
+    py: Python<'py>,
+    spec: &Spec,
+    sensors: Sensors,
+    hits: Hits,
+) -> PyResult<Bound<'py, PyDict>> {
+    let found = py
+        .detach(|| struck(spec, &sensors, hits))
+        .map_err(|failure| failure.raised(py))?;
     into_python(py, found)
 }
 
@@ -159,11 +212,42 @@ fn struck(spec: &Spec, sensors: &Sensors, hits: Hits) -> Result<Recording, Failu
     spec.gravity = Gravity::default();
     let modes = modes_holding(&spec, &sensors.hold)?;
     let everywhere = sensors.at.is_empty();
-    let points: Vec<String> = if everywhere { modes.shape.keys().cloned().collect() } else { sensors.at.clone() };
-    let patches = modes.patch.keys().filter(|_| everywhere).map(|patch| FrfResponse::Voltage(patch.clone()));
-    let responses = points.into_iter().map(FrfResponse::Acceleration).chain(patches).collect();
-    let Hits { point, hits, block_s, peak_force_n, contact_time_s } = hits;
+    let points: Vec<String> = if everywhere {
+        modes.shape.keys().cloned().collect()
+    } else {
+        sensors.at.clone()
+    };
+    let patches = modes
+        .patch
+        .keys()
+        .filter(|_| everywhere)
+        .map(|patch| FrfResponse::Voltage(patch.clone()));
+    let responses = points
+        .into_iter()
+        .map(FrfResponse::Acceleration)
+        .chain(patches)
+        .collect();
+    let Hits {
+        point,
+        hits,
+        block_s,
+        peak_force_n,
+        contact_time_s,
+    } = hits;
     let (rate_hz, sensor, seed) = (sensors.rate_hz, sensors.sensor(), sensors.seed);
-    let test = HammerTest { point, responses, hits, block_s, peak_force_n, contact_time_s, rate_hz, sensor, seed };
-    Ok(hammer_test(&Plant::new(System::assemble(&spec, modes)?)?, &test)?)
+    let test = HammerTest {
+        point,
+        responses,
+        hits,
+        block_s,
+        peak_force_n,
+        contact_time_s,
+        rate_hz,
+        sensor,
+        seed,
+    };
+    Ok(hammer_test(
+        &Plant::new(System::assemble(&spec, modes)?)?,
+        &test,
+    )?)
 }

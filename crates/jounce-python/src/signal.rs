@@ -10,9 +10,20 @@ type Row<'py> = Bound<'py, PyArray1<f64>>;
 
 /// Frequencies and amplitudes (zero to peak) of the spectrum of a signal, Hann window.
 #[pyfunction]
-pub fn spectrum<'py>(py: Python<'py>, values: PyReadonlyArray1<'py, f64>, sample_rate_hz: f64) -> PyResult<(Row<'py>, Row<'py>)> {
+pub fn spectrum<'py>(
+    py: Python<'py>,
+    values: PyReadonlyArray1<'py, f64>,
+    sample_rate_hz: f64,
+) -> PyResult<(Row<'py>, Row<'py>)> {
     let values = values.as_array().to_vec();
-    let found = py.detach(|| Ok::<_, jounce::signal::SignalError>(Samples::new(&values, sample_rate_hz)?.spectrum(Window::Hann)));
+    let found = py.detach(|| {
+        Ok::<_, jounce::signal::SignalError>(
+            Samples::new(&values, sample_rate_hz)?.spectrum(Window::Hann),
+        )
+    });
     let found = found.map_err(|error| Failure::of("ArgumentError", &error).raised(py))?;
-    Ok((PyArray1::from_vec(py, found.frequency_hz), PyArray1::from_vec(py, found.amplitude_peak)))
+    Ok((
+        PyArray1::from_vec(py, found.frequency_hz),
+        PyArray1::from_vec(py, found.amplitude_peak),
+    ))
 }

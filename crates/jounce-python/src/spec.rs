@@ -28,8 +28,16 @@ impl Spec {
     /// Reads a text; state files and recordings are looked for in `folder`.
     #[new]
     fn new(text: String, folder: PathBuf) -> Result<Self, Failure> {
-        let spec = SpecFile::from_text(text.as_str()).in_folder(&folder).spec()?;
-        Ok(Self { text, folder, spec, prepared: OnceLock::new(), hash_hex: OnceLock::new() })
+        let spec = SpecFile::from_text(text.as_str())
+            .in_folder(&folder)
+            .spec()?;
+        Ok(Self {
+            text,
+            folder,
+            spec,
+            prepared: OnceLock::new(),
+            hash_hex: OnceLock::new(),
+        })
     }
 
     /// Reads a file.
@@ -42,12 +50,21 @@ impl Spec {
     /// The same with keys set, all at once.
     fn with_keys(&self, keys: Vec<(String, String)>) -> Result<Self, Failure> {
         let mut file = self.file();
-        let faults: Vec<_> = keys.iter().filter_map(|(key, value)| file.set(key, value).err()).collect();
+        let faults: Vec<_> = keys
+            .iter()
+            .filter_map(|(key, value)| file.set(key, value).err())
+            .collect();
         if !faults.is_empty() {
             return Err(Failure::faults(&faults));
         }
         let spec = file.spec()?;
-        Ok(Self { text: file.text(), folder: self.folder.clone(), spec, prepared: OnceLock::new(), hash_hex: OnceLock::new() })
+        Ok(Self {
+            text: file.text(),
+            folder: self.folder.clone(),
+            spec,
+            prepared: OnceLock::new(),
+            hash_hex: OnceLock::new(),
+        })
     }
 
     /// The text, comments and layout kept.
@@ -69,7 +86,11 @@ impl Spec {
 
     /// What was noticed of the recordings of its drives, as JSON.
     fn findings(&self) -> PyResult<String> {
-        let findings: Vec<_> = self.spec.findings().map(|(_, finding)| finding.clone()).collect();
+        let findings: Vec<_> = self
+            .spec
+            .findings()
+            .map(|(_, finding)| finding.clone())
+            .collect();
         crate::measured::recording::findings(&findings)
     }
 
@@ -85,9 +106,15 @@ impl Spec {
     }
 
     /// The harvester to scale: as SVG, and as PNG at twice its size.
-    fn drawing<'py>(&self, py: Python<'py>, title: &str) -> PyResult<(String, Bound<'py, PyBytes>)> {
+    fn drawing<'py>(
+        &self,
+        py: Python<'py>,
+        title: &str,
+    ) -> PyResult<(String, Bound<'py, PyBytes>)> {
         let drawing = jounce::show::drawing(title, &self.spec);
-        let png = py.detach(|| drawing.to_png(2.0)).map_err(|error| Failure::new("ArgumentError", error).raised(py))?;
+        let png = py
+            .detach(|| drawing.to_png(2.0))
+            .map_err(|error| Failure::new("ArgumentError", error).raised(py))?;
         Ok((drawing.to_svg(), PyBytes::new(py, &png)))
     }
 
@@ -131,26 +158,40 @@ impl Spec {
     }
 
     /// A key and the two ends of its range.
-    pub fn ends(&self, key: &str, range: (String, String)) -> Result<(NumericKey, (f64, f64)), Failure> {
+    pub fn ends(
+        &self,
+        key: &str,
+        range: (String, String),
+    ) -> Result<(NumericKey, (f64, f64)), Failure> {
         let found = KeyRange::parse(self.key(key)?, &format!("{},{}", range.0, range.1))?;
         match found.values() {
             [low, high] if low < high => Ok((found.key().clone(), (*low, *high))),
             ends => {
-                let why = format!("{key}: the range {} to {} must go from a smaller to a larger value", range.0, range.1);
-                Err(Failure::new("ArgumentError", why).with(serde_json::json!({ "key": key, "ends": ends })))
+                let why = format!(
+                    "{key}: the range {} to {} must go from a smaller to a larger value",
+                    range.0, range.1
+                );
+                Err(Failure::new("ArgumentError", why)
+                    .with(serde_json::json!({ "key": key, "ends": ends })))
             }
         }
     }
 
     /// The spec with another tolerance of the march.
     pub fn with_tolerance(&self, tolerance: Option<f64>) -> Result<Option<Self>, Failure> {
-        tolerance.map(|tolerance| self.with_keys(vec![("run.tolerance".to_owned(), format!("{tolerance:e}"))])).transpose()
+        tolerance
+            .map(|tolerance| {
+                self.with_keys(vec![("run.tolerance".to_owned(), format!("{tolerance:e}"))])
+            })
+            .transpose()
     }
 
     /// Where an answer comes from, as JSON.
     pub fn manifest(&self, command: &str, options: &[(&str, String)]) -> String {
         let manifest = Manifest::new(self.hash_hex()).with("command", command);
-        let manifest = options.iter().fold(manifest, |manifest, (name, value)| manifest.with(name, value));
+        let manifest = options.iter().fold(manifest, |manifest, (name, value)| {
+            manifest.with(name, value)
+        });
         serde_json::to_string(&manifest).unwrap_or_default()
     }
 }
@@ -178,7 +219,15 @@ pub fn quantity_si(kind: &str, text: &str) -> PyResult<f64> {
         "capacitance" => Quantity::Capacitance,
         "mass" => Quantity::Mass,
         "force" => Quantity::Force,
-        _ => return Err(PyValueError::new_err(format!("{kind}: no kind of quantity"))),
+        _ => {
+            return Err(PyValueError::new_err(format!(
+                "{kind}: no kind of quantity"
+            )));
+        }
     };
-    quantity.read(text).map_err(|error| Failure::new("ArgumentError", error).with(serde_json::json!({ "given": text, "due": kind })).into())
+    quantity.read(text).map_err(|error| {
+        Failure::new("ArgumentError", error)
+            .with(serde_json::json!({ "given": text, "due": kind }))
+            .into()
+    })
 }

@@ -7,7 +7,10 @@ use pyo3::prelude::*;
 /// Kind and summary of every starter.
 #[pyfunction]
 pub fn starters() -> Vec<(&'static str, &'static str)> {
-    STARTERS.iter().map(|starter| (starter.kind, starter.summary)).collect()
+    STARTERS
+        .iter()
+        .map(|starter| (starter.kind, starter.summary))
+        .collect()
 }
 
 /// The text of the starter of a kind.

@@ -21,7 +21,11 @@ impl Study {
     /// A study of a spec from the text of what varies.
     #[new]
     fn new(spec: &Spec, text: &str) -> Result<Self, Failure> {
-        Ok(Self(jounce::study::Study::with_spec(spec.file(), &spec.folder(), text)?))
+        Ok(Self(jounce::study::Study::with_spec(
+            spec.file(),
+            &spec.folder(),
+            text,
+        )?))
     }
 
     /// SHA-256 of all that its table depends on.
@@ -49,8 +53,15 @@ impl Study {
         match index < self.0.design.len() {
             true => Ok(self.0.design.point(index)),
             false => {
-                let (points, text) = (self.0.design.len(), format!("there is no point {index}; the study has {}", self.0.design.len()));
-                Err(Failure::new("ArgumentError", text).with(serde_json::json!({ "point": index, "points": points })))
+                let (points, text) = (
+                    self.0.design.len(),
+                    format!(
+                        "there is no point {index}; the study has {}",
+                        self.0.design.len()
+                    ),
+                );
+                Err(Failure::new("ArgumentError", text)
+                    .with(serde_json::json!({ "point": index, "points": points })))
             }
         }
     }
@@ -64,11 +75,19 @@ impl Study {
         }
         let found = cancellable(py, None, |control| {
             let table = self.0.part(part, control)?;
-            let bytes = table.map(|table| table.to_parquet(&self.0.part_manifest(part))).transpose().map_err(StudyError::from)?;
-            bytes.map(|bytes| (bytes, control.wall_time_s())).ok_or_else(|| Failure::new("JounceError", "stopped"))
+            let bytes = table
+                .map(|table| table.to_parquet(&self.0.part_manifest(part)))
+                .transpose()
+                .map_err(StudyError::from)?;
+            bytes
+                .map(|bytes| (bytes, control.wall_time_s()))
+                .ok_or_else(|| Failure::new("JounceError", "stopped"))
         });
         to_python_result(py, found, |(bytes, wall_time_s)| {
-            Ok(PythonDict::new(py).with("bytes", PyBytes::new(py, &bytes))?.with("wall_time_s", wall_time_s)?.dict())
+            Ok(PythonDict::new(py)
+                .with("bytes", PyBytes::new(py, &bytes))?
+                .with("wall_time_s", wall_time_s)?
+                .dict())
         })
     }
 
@@ -81,18 +100,25 @@ impl Study {
         threads: Option<usize>,
         progress: Option<Bound<'py, PyAny>>,
     ) -> PythonResult<'py> {
-        let shard: Shard = shard.parse().map_err(|error: String| Failure::new("ArgumentError", error).raised(py))?;
+        let shard: Shard = shard
+            .parse()
+            .map_err(|error: String| Failure::new("ArgumentError", error).raised(py))?;
         let found = cancellable(py, progress.as_ref(), |control| {
             let folder = Folder::of(&folder, &self.0)?;
-            on_threads(threads, || Ok(folder.run(&self.0, shard, control, &|_| ())?))?;
+            on_threads(threads, || {
+                Ok(folder.run(&self.0, shard, control, &|_| ())?)
+            })?;
             Ok(control.wall_time_s())
         });
-        to_python_result(py, found, |wall_time_s| Ok(PythonDict::new(py).with("wall_time_s", wall_time_s)?.dict()))
+        to_python_result(py, found, |wall_time_s| {
+            Ok(PythonDict::new(py).with("wall_time_s", wall_time_s)?.dict())
+        })
     }
 
     /// Numbers of the parts that a folder lacks; the folder is made where there is none.
     fn missing(&self, py: Python<'_>, folder: PathBuf) -> PyResult<Vec<usize>> {
-        py.detach(|| Ok::<_, Failure>(Folder::of(&folder, &self.0)?.missing())).map_err(|failure| failure.raised(py))
+        py.detach(|| Ok::<_, Failure>(Folder::of(&folder, &self.0)?.missing()))
+            .map_err(|failure| failure.raised(py))
     }
 
     /// Keeps a part that was computed elsewhere.
@@ -105,31 +131,49 @@ impl Study {
 /// Joins the parts of a folder to one table; its path.
 #[pyfunction]
 pub fn study_merge(py: Python<'_>, folder: PathBuf) -> PyResult<PathBuf> {
-    py.detach(|| Ok::<_, Failure>(Folder::open(&folder)?.merge()?)).map_err(|failure| failure.raised(py))
+    py.detach(|| Ok::<_, Failure>(Folder::open(&folder)?.merge()?))
+        .map_err(|failure| failure.raised(py))
 }
 
 /// How far the study of a folder is, as JSON.
 #[pyfunction]
 pub fn study_status(py: Python<'_>, folder: PathBuf) -> PyResult<String> {
-    let status = py.detach(|| Ok::<_, Failure>(Folder::open(&folder)?.status())).map_err(|failure| failure.raised(py))?;
+    let status = py
+        .detach(|| Ok::<_, Failure>(Folder::open(&folder)?.status()))
+        .map_err(|failure| failure.raised(py))?;
     Ok(serde_json::to_string(&status).map_err(|error| Failure::new("JounceError", error))?)
 }
 
 /// A table that jounce wrote: columns by name, their units and meanings, the manifest as JSON.
 #[pyfunction]
-pub fn table_read<'py>(py: Python<'py>, path: PathBuf) -> PyResult<(Bound<'py, PyDict>, Bound<'py, PyDict>, String)> {
-    let read = py.detach(|| Table::read(&path)).map_err(|error| Failure::from(error).raised(py))?;
+pub fn table_read<'py>(
+    py: Python<'py>,
+    path: PathBuf,
+) -> PyResult<(Bound<'py, PyDict>, Bound<'py, PyDict>, String)> {
+    let read = py
+        .detach(|| Table::read(&path))
+        .map_err(|error| Failure::from(error).raised(py))?;
     let (columns, notes) = (PyDict::new(py), PyDict::new(py));
     for column in read.0.columns() {
         notes.set_item(&column.name, (&column.unit, &column.about))?;
         match &column.values {
-            Values::Float(values) => columns.set_item(&column.name, PyArray1::from_slice(py, values))?,
-            Values::Integer(values) => columns.set_item(&column.name, PyArray1::from_slice(py, values))?,
-            Values::Count(values) => columns.set_item(&column.name, PyArray1::from_iter(py, values.iter().map(|value| *value as i64)))?,
-            Values::Flag(values) => columns.set_item(&column.name, PyArray1::from_slice(py, values))?,
+            Values::Float(values) => {
+                columns.set_item(&column.name, PyArray1::from_slice(py, values))?
+            }
+            Values::Integer(values) => {
+                columns.set_item(&column.name, PyArray1::from_slice(py, values))?
+            }
+            Values::Count(values) => columns.set_item(
+                &column.name,
+                PyArray1::from_iter(py, values.iter().map(|value| *value as i64)),
+            )?,
+            Values::Flag(values) => {
+                columns.set_item(&column.name, PyArray1::from_slice(py, values))?
+            }
             Values::Text(values) => columns.set_item(&column.name, values)?,
         }
     }
-    let manifest = serde_json::to_string(&read.1).map_err(|error| Failure::new("JounceError", error))?;
+    let manifest =
+        serde_json::to_string(&read.1).map_err(|error| Failure::new("JounceError", error))?;
     Ok((columns, notes, manifest))
 }

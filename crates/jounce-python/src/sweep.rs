@@ -12,7 +12,10 @@ use pyo3::types::PyDict;
 
 /// Marches a run at every value of a key.
 #[pyfunction]
-#[expect(clippy::too_many_arguments, reason = "one argument per option of the Python method, which calls by name")]
+#[expect(
+    clippy::too_many_arguments,
+    reason = "one argument per option of the Python method, which calls by name"
+)]
 pub fn sweep<'py>(
     py: Python<'py>,
     spec: &Spec,
@@ -33,31 +36,58 @@ pub fn sweep<'py>(
         "both" => SweepOrder::Both,
         "independent" => SweepOrder::Independent,
         _ => {
-            let why = format!("direction is \"{direction}\"; it must be \"up\", \"down\", \"both\" or \"independent\"");
+            let why = format!(
+                "direction is \"{direction}\"; it must be \"up\", \"down\", \"both\" or \"independent\""
+            );
             return Err(Failure::new("ArgumentError", why).raised(py));
         }
     };
-    let study = Sweep { spec: &spec.spec, range: &range, direction: order, fixed_duration, folder: spec.folder() };
-    let found = cancellable(py, progress.as_ref(), |control| on_threads(threads, || Ok(study.run(None, control, &|_| ())?)));
-    let options =
-        [("over", format!("{key}={values}")), ("direction", direction.to_owned()), ("fixed_duration", fixed_duration.to_string())];
+    let study = Sweep {
+        spec: &spec.spec,
+        range: &range,
+        direction: order,
+        fixed_duration,
+        folder: spec.folder(),
+    };
+    let found = cancellable(py, progress.as_ref(), |control| {
+        on_threads(threads, || Ok(study.run(None, control, &|_| ())?))
+    });
+    let options = [
+        ("over", format!("{key}={values}")),
+        ("direction", direction.to_owned()),
+        ("fixed_duration", fixed_duration.to_string()),
+    ];
     let manifest = spec.manifest("sweep", &options);
-    to_python_result(py, found, |points| into_python(py, (key, &range.key().unit(), manifest), &points))
+    to_python_result(py, found, |points| {
+        into_python(py, (key, &range.key().unit(), manifest), &points)
+    })
 }
 
-fn into_python<'py>(py: Python<'py>, (key, unit, manifest): (&str, &str, String), points: &[SweepPoint]) -> PyResult<Bound<'py, PyDict>> {
+fn into_python<'py>(
+    py: Python<'py>,
+    (key, unit, manifest): (&str, &str, String),
+    points: &[SweepPoint],
+) -> PyResult<Bound<'py, PyDict>> {
     let answer = PythonDict::new(py)
         .with("key", key)?
         .with("unit", unit)?
         .each("parameter", points, |p| p.parameter)?
-        .with("direction", points.iter().map(|p| p.direction.name()).collect::<Vec<_>>())?
+        .with(
+            "direction",
+            points
+                .iter()
+                .map(|p| p.direction.name())
+                .collect::<Vec<_>>(),
+        )?
         .each("mean_power_w", points, |p| p.mean_power_w)?
         .each("voltage_rms_v", points, |p| p.voltage_rms_v)?
         .each("max_penetration_m", points, |p| p.max_penetration_m)?
         .each("contact_rate_hz", points, |p| p.contact_rate_hz)?
         .each("settled", points, |p| p.settled)?
         .each("period_cycles", points, |p| i64::from(p.period_cycles))?
-        .each("energy_residual_relative", points, |p| p.energy_residual_relative)?
+        .each("energy_residual_relative", points, |p| {
+            p.energy_residual_relative
+        })?
         .each("simulated_time_s", points, |p| p.simulated_time_s)?
         .with("warnings", warnings(key, unit, points))?
         .with("manifest", manifest)?;
@@ -66,6 +96,11 @@ fn into_python<'py>(py: Python<'py>, (key, unit, manifest): (&str, &str, String)
 
 /// Limits of patches that points pass.
 fn warnings(key: &str, unit: &str, points: &[SweepPoint]) -> Vec<String> {
-    let passed: Vec<&[ExceededLimit]> = points.iter().map(|point| point.exceeded.as_slice()).collect();
-    WorstExcess::messages(&passed, "points", |place| format!("{key} = {:.6} {unit}", points[place].parameter))
+    let passed: Vec<&[ExceededLimit]> = points
+        .iter()
+        .map(|point| point.exceeded.as_slice())
+        .collect();
+    WorstExcess::messages(&passed, "points", |place| {
+        format!("{key} = {:.6} {unit}", points[place].parameter)
+    })
 }

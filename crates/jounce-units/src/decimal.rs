@@ -22,7 +22,14 @@ impl<'t> Decimal<'t> {
             exponent = value;
             rest = after;
         }
-        Some((Self { negative, digits, exponent }, rest))
+        Some((
+            Self {
+                negative,
+                digits,
+                exponent,
+            },
+            rest,
+        ))
     }
 
     /// The `f64` nearest to the number times `10^power`; infinite where it does not fit.
@@ -34,7 +41,10 @@ impl<'t> Decimal<'t> {
 
     /// The number times `10^power` as whole digits and a power of ten, where the digits fit.
     pub fn whole(self, power: i64) -> Option<(i128, i64)> {
-        let decimals = self.digits.split_once('.').map_or(0, |(_, after)| after.len());
+        let decimals = self
+            .digits
+            .split_once('.')
+            .map_or(0, |(_, after)| after.len());
         let digits = self.digits.replace('.', "").parse::<i128>().ok()?;
         let exponent = self.exponent.saturating_add(power) - i64::try_from(decimals).ok()?;
         Some((if self.negative { -digits } else { digits }, exponent))
@@ -48,8 +58,12 @@ impl<'t> Decimal<'t> {
 
 fn digits_end(text: &str) -> Option<usize> {
     let mut point = false;
-    let end = text.find(|c: char| !(c.is_ascii_digit() || (c == '.' && !std::mem::replace(&mut point, true)))).unwrap_or(text.len());
-    text[..end].contains(|c: char| c.is_ascii_digit()).then_some(end)
+    let end = text
+        .find(|c: char| !(c.is_ascii_digit() || (c == '.' && !std::mem::replace(&mut point, true))))
+        .unwrap_or(text.len());
+    text[..end]
+        .contains(|c: char| c.is_ascii_digit())
+        .then_some(end)
 }
 
 /// An exponent at the front of a text, if it is one: `e3` is, the `E` of `Em` is not.
@@ -59,7 +73,9 @@ fn exponent_of(text: &str) -> Option<(i64, &str)> {
         Some(rest) => (true, rest),
         None => (false, after.strip_prefix('+').unwrap_or(after)),
     };
-    let end = unsigned.find(|c: char| !c.is_ascii_digit()).unwrap_or(unsigned.len());
+    let end = unsigned
+        .find(|c: char| !c.is_ascii_digit())
+        .unwrap_or(unsigned.len());
     let (digits, rest) = unsigned.split_at(end);
     if digits.is_empty() {
         return None;

@@ -33,12 +33,17 @@ impl Dimension {
 
     /// True when both measure the same kind of quantity.
     pub fn is(self, other: Self) -> bool {
-        self.0.iter().zip(other.0).all(|(a, b)| (a - b).abs() < SAME)
+        self.0
+            .iter()
+            .zip(other.0)
+            .all(|(a, b)| (a - b).abs() < SAME)
     }
 
     /// The kind in words with its article, `"a length"`; base units where the kind has no name here.
     pub fn kind(self) -> String {
-        let named = KINDS.iter().find(|(_, exponents)| self.is(Self::new(*exponents)));
+        let named = KINDS
+            .iter()
+            .find(|(_, exponents)| self.is(Self::new(*exponents)));
         let [kg, m, s, rest @ ..] = self.0;
         match named {
             Some((name, _)) => (*name).to_owned(),

@@ -35,17 +35,30 @@ pub(super) enum UnitFault {
 }
 
 impl Unit {
-    const ONE: Self = Self { power_of_ten: 0.0, up: 1.0, down: 1.0, dimension: Dimension::NONE };
+    const ONE: Self = Self {
+        power_of_ten: 0.0,
+        up: 1.0,
+        down: 1.0,
+        dimension: Dimension::NONE,
+    };
 
     /// Reads a whole expression.
     pub(super) fn parse(text: &str) -> Result<Self, UnitFault> {
         let mut parser = Parser { rest: text.trim() };
         let unit = parser.unit()?;
-        if parser.rest.is_empty() { Ok(unit) } else { Err(parser.unexpected()) }
+        if parser.rest.is_empty() {
+            Ok(unit)
+        } else {
+            Err(parser.unexpected())
+        }
     }
 
     fn times(self, other: Self, power: f64) -> Self {
-        let (up, down) = if power < 0.0 { (other.down, other.up) } else { (other.up, other.down) };
+        let (up, down) = if power < 0.0 {
+            (other.down, other.up)
+        } else {
+            (other.up, other.down)
+        };
         Self {
             power_of_ten: self.power_of_ten + other.power_of_ten * power,
             up: self.up * up.powf(power.abs()),
@@ -67,12 +80,20 @@ impl<'t> Parser<'t> {
         loop {
             self.rest = self.rest.trim_start();
             if self.rest.is_empty() || self.rest.starts_with(')') {
-                return if first { Err(self.unexpected()) } else { Ok(unit) };
+                return if first {
+                    Err(self.unexpected())
+                } else {
+                    Ok(unit)
+                };
             }
             let divides = self.eat("/");
-            let multiplies = !divides && !first && (self.eat("*") || self.eat("\u{b7}") || self.eat("\u{22c5}"));
+            let multiplies =
+                !divides && !first && (self.eat("*") || self.eat("\u{b7}") || self.eat("\u{22c5}"));
             if !first && !divides && divided {
-                return Err(UnitFault::Malformed("a product after a quotient reads both ways; use parentheses, as in N/(m s)".to_owned()));
+                return Err(UnitFault::Malformed(
+                    "a product after a quotient reads both ways; use parentheses, as in N/(m s)"
+                        .to_owned(),
+                ));
             }
             if divides || multiplies {
                 self.rest = self.rest.trim_start();
@@ -87,7 +108,9 @@ impl<'t> Parser<'t> {
         let base = if self.eat("(") {
             let inner = self.unit()?;
             if !self.eat(")") {
-                return Err(UnitFault::Malformed("a parenthesis is not closed".to_owned()));
+                return Err(UnitFault::Malformed(
+                    "a parenthesis is not closed".to_owned(),
+                ));
             }
             inner
         } else if self.eat("1") {
@@ -97,7 +120,9 @@ impl<'t> Parser<'t> {
         };
         let power = self.power()?;
         if !power.is_finite() || power.abs() > MAX_POWER {
-            return Err(UnitFault::Malformed(format!("powers go from -{MAX_POWER} to {MAX_POWER}")));
+            return Err(UnitFault::Malformed(format!(
+                "powers go from -{MAX_POWER} to {MAX_POWER}"
+            )));
         }
         Ok(Unit::ONE.times(base, power))
     }
@@ -111,9 +136,16 @@ impl<'t> Parser<'t> {
             return Err(UnitFault::Unknown(name.to_owned()));
         };
         if self.rest.starts_with(|c: char| c.is_ascii_digit()) {
-            return Err(UnitFault::Malformed(format!("a power is written with ^, as in {name}^2")));
+            return Err(UnitFault::Malformed(format!(
+                "a power is written with ^, as in {name}^2"
+            )));
         }
-        Ok(Unit { power_of_ten: f64::from(found.power_of_ten), up: found.up, down: found.down, dimension: found.dimension })
+        Ok(Unit {
+            power_of_ten: f64::from(found.power_of_ten),
+            up: found.up,
+            down: found.down,
+            dimension: found.dimension,
+        })
     }
 
     fn power(&mut self) -> Result<f64, UnitFault> {
@@ -125,22 +157,41 @@ impl<'t> Parser<'t> {
             if self.eat("/") {
                 power /= self.number()?;
             }
-            return if self.eat(")") { Ok(power) } else { Err(UnitFault::Malformed("a parenthesis is not closed".to_owned())) };
+            return if self.eat(")") {
+                Ok(power)
+            } else {
+                Err(UnitFault::Malformed(
+                    "a parenthesis is not closed".to_owned(),
+                ))
+            };
         }
         let sign = if self.eat("⁻") { -1.0 } else { 1.0 };
         let digits = self.take(|c| SUPERSCRIPTS.contains(&c));
         if digits.is_empty() {
-            return if sign > 0.0 { Ok(1.0) } else { Err(self.unexpected()) };
+            return if sign > 0.0 {
+                Ok(1.0)
+            } else {
+                Err(self.unexpected())
+            };
         }
-        let value = digits.chars().filter_map(|c| SUPERSCRIPTS.iter().position(|s| *s == c));
+        let value = digits
+            .chars()
+            .filter_map(|c| SUPERSCRIPTS.iter().position(|s| *s == c));
         Ok(sign * value.fold(0.0, |sum, digit| 10.0 * sum + digit as f64))
     }
 
     fn number(&mut self) -> Result<f64, UnitFault> {
-        let sign = if self.eat("-") || self.eat("\u{2212}") { -1.0 } else { 1.0 };
+        let sign = if self.eat("-") || self.eat("\u{2212}") {
+            -1.0
+        } else {
+            1.0
+        };
         self.eat("+");
         let digits = self.take(|c| c.is_ascii_digit() || c == '.');
-        digits.parse::<f64>().map(|value| sign * value).map_err(|_| UnitFault::Malformed("a power is a number, as in m^1.5".to_owned()))
+        digits
+            .parse::<f64>()
+            .map(|value| sign * value)
+            .map_err(|_| UnitFault::Malformed("a power is a number, as in m^1.5".to_owned()))
     }
 
     fn eat(&mut self, token: &str) -> bool {

@@ -49,7 +49,9 @@ impl Quantity {
             Self::Capacitance => &["nF", "pF", "uF", "F"],
             Self::Resistance => &["ohm", "kohm", "Mohm"],
             Self::Stiffness => &["N/m", "kN/m", "N/mm"],
-            Self::ContactStiffness { exponent } => return vec![per_metre(exponent), format!("k{}", per_metre(exponent))],
+            Self::ContactStiffness { exponent } => {
+                return vec![per_metre(exponent), format!("k{}", per_metre(exponent))];
+            }
             Self::Damping => &["N s/m", "kg/s"],
             Self::InverseSpeed => &["s/m", "s/mm"],
             Self::Speed => &["m/s", "mm/s"],
@@ -140,10 +142,17 @@ impl Quantity {
             Self::Power => &[("uW", -6), ("mW", -3), ("W", 0)],
             other => return vec![(other.si_unit(), 0)],
         };
-        scales.iter().map(|(unit, power)| ((*unit).to_owned(), *power)).collect()
+        scales
+            .iter()
+            .map(|(unit, power)| ((*unit).to_owned(), *power))
+            .collect()
     }
 }
 
 fn per_metre(exponent: f64) -> String {
-    if exponent == 1.0 { "N/m".to_owned() } else { format!("N/m^{exponent}") }
+    if exponent == 1.0 {
+        "N/m".to_owned()
+    } else {
+        format!("N/m^{exponent}")
+    }
 }

@@ -14,7 +14,11 @@ impl Quantity {
         let (mantissa, exponent) = shortest.split_once('e').unwrap_or((&shortest, "0"));
         let exponent = exponent.parse::<i32>().unwrap_or(0);
         let scales = self.scales();
-        let fitting = scales.iter().rev().find(|(_, power)| *power <= exponent).or(scales.first());
+        let fitting = scales
+            .iter()
+            .rev()
+            .find(|(_, power)| *power <= exponent)
+            .or(scales.first());
         let (unit, power) = match fitting {
             Some(scale) if value != 0.0 && value.is_finite() => scale.clone(),
             _ => (self.si_unit(), 0),
@@ -31,11 +35,16 @@ fn shifted(mantissa: &str, exponent: i32) -> String {
     if !(-3..=9).contains(&exponent) {
         return format!("{mantissa}e{exponent}");
     }
-    let (sign, unsigned) = mantissa.strip_prefix('-').map_or(("", mantissa), |rest| ("-", rest));
+    let (sign, unsigned) = mantissa
+        .strip_prefix('-')
+        .map_or(("", mantissa), |rest| ("-", rest));
     let digits = unsigned.replace('.', "");
     let point = 1 + exponent;
     if point <= 0 {
-        return format!("{sign}0.{}{digits}", "0".repeat(point.unsigned_abs() as usize));
+        return format!(
+            "{sign}0.{}{digits}",
+            "0".repeat(point.unsigned_abs() as usize)
+        );
     }
     let point = point.unsigned_abs() as usize;
     if digits.len() <= point {
@@ -60,7 +69,11 @@ mod tests {
             (Quantity::Resistance, 1e6, "1 Mohm"),
             (Quantity::ChargePerForce, -170e-12, "-170 pC/N"),
             (Quantity::Density, 5440.0, "5440 kg/m^3"),
-            (Quantity::ContactStiffness { exponent: 1.5 }, 1e10, "1e10 N/m^1.5"),
+            (
+                Quantity::ContactStiffness { exponent: 1.5 },
+                1e10,
+                "1e10 N/m^1.5",
+            ),
             (Quantity::Force, 1e-30, "1e-27 mN"),
         ] {
             assert_eq!(quantity.write(value), text);

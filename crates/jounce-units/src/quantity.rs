@@ -88,7 +88,10 @@ impl Quantity {
         let value = decimal * unit.up / unit.down * 10f64.powf(unit.power_of_ten - whole);
         let lost = value == 0.0 && !number.is_zero();
         if !value.is_finite() || lost {
-            return Err(QuantityError::NotRepresentable { text: clip(text), unit: self.si_unit() });
+            return Err(QuantityError::NotRepresentable {
+                text: clip(text),
+                unit: self.si_unit(),
+            });
         }
         Ok(value)
     }
@@ -97,30 +100,60 @@ impl Quantity {
     pub fn exact(self, text: &str) -> Option<(i128, i64)> {
         let (number, unit) = self.split(text).ok()?;
         let decimal = unit.up == 1.0 && unit.down == 1.0 && unit.power_of_ten.fract() == 0.0;
-        if decimal { number.whole(unit.power_of_ten as i64) } else { None }
+        if decimal {
+            number.whole(unit.power_of_ten as i64)
+        } else {
+            None
+        }
     }
 
     fn split(self, text: &str) -> Result<(Decimal<'_>, Unit), QuantityError> {
         let (shown, due) = (clip(text), || self.due());
         if text.chars().count() > MAX_CHARS {
-            return Err(QuantityError::Malformed { text: shown, why: format!("longer than {MAX_CHARS} characters"), due: due() });
+            return Err(QuantityError::Malformed {
+                text: shown,
+                why: format!("longer than {MAX_CHARS} characters"),
+                due: due(),
+            });
         }
         let text = text.trim();
         let Some((number, rest)) = Decimal::split(text) else {
-            return Err(QuantityError::NotANumber { text: shown, due: due() });
+            return Err(QuantityError::NotANumber {
+                text: shown,
+                due: due(),
+            });
         };
         if rest.trim().is_empty() {
-            return Err(QuantityError::NoUnit { text: shown, due: due() });
+            return Err(QuantityError::NoUnit {
+                text: shown,
+                due: due(),
+            });
         }
         if rest.starts_with(',') {
-            return Err(QuantityError::Malformed { text: shown, why: "decimals take a point, not a comma".to_owned(), due: due() });
+            return Err(QuantityError::Malformed {
+                text: shown,
+                why: "decimals take a point, not a comma".to_owned(),
+                due: due(),
+            });
         }
         let unit = Unit::parse(&self.spelled(rest)).map_err(|refusal| match refusal {
-            UnitFault::Unknown(unit) => QuantityError::UnknownUnit { text: shown.clone(), unit, due: due() },
-            UnitFault::Malformed(why) => QuantityError::Malformed { text: shown.clone(), why, due: due() },
+            UnitFault::Unknown(unit) => QuantityError::UnknownUnit {
+                text: shown.clone(),
+                unit,
+                due: due(),
+            },
+            UnitFault::Malformed(why) => QuantityError::Malformed {
+                text: shown.clone(),
+                why,
+                due: due(),
+            },
         })?;
         if !unit.dimension.is(self.dimension()) {
-            return Err(QuantityError::WrongKind { text: shown, kind: unit.dimension.kind(), due: due() });
+            return Err(QuantityError::WrongKind {
+                text: shown,
+                kind: unit.dimension.kind(),
+                due: due(),
+            });
         }
         Ok((number, unit))
     }
@@ -131,7 +164,9 @@ impl Quantity {
             return Cow::Borrowed(unit);
         }
         let is_letter = |c: Option<char>| c.is_some_and(char::is_alphabetic);
-        let alone = |at: usize| !is_letter(unit[..at].chars().next_back()) && !is_letter(unit[at + 1..].chars().next());
+        let alone = |at: usize| {
+            !is_letter(unit[..at].chars().next_back()) && !is_letter(unit[at + 1..].chars().next())
+        };
         let mut spelled = String::with_capacity(unit.len() + 1);
         for (at, c) in unit.char_indices() {
             spelled.push(c);
@@ -186,29 +221,84 @@ mod tests {
             (Quantity::AccelerationPsd, "1 g^2/Hz", 9.80665 * 9.80665),
             (Quantity::ForcePsd, "0.5 N^2/Hz", 0.5),
         ] {
-            assert_eq!(quantity.read(text).unwrap().to_bits(), f64::to_bits(value), "{text}");
+            assert_eq!(
+                quantity.read(text).unwrap().to_bits(),
+                f64::to_bits(value),
+                "{text}"
+            );
         }
         // 10^4.5 is no power of ten with a whole exponent: one rounding more.
         let value = contact.read("1 N/mm^1.5").unwrap();
-        assert!((value / 31_622.776_601_683_793 - 1.0).abs() < 4e-16, "{value}");
+        assert!(
+            (value / 31_622.776_601_683_793 - 1.0).abs() < 4e-16,
+            "{value}"
+        );
     }
 
     #[test]
     fn wrong_texts_are_refused_with_the_units_that_fit() {
         for (quantity, text, message) in [
-            (Quantity::Frequency, "13 mm", "\"13 mm\" is a length; a frequency is due, in Hz, kHz, 1/min"),
-            (Quantity::Frequency, "13 rad/s", "\"13 rad/s\" is an angular frequency; a frequency is due, in Hz, kHz, 1/min"),
-            (Quantity::Frequency, "13", "13 has no unit; a frequency is due, in Hz, kHz, 1/min"),
-            (Quantity::Force, "fifty N", "\"fifty N\" does not start with a number; a force is due, in N, mN, kN"),
-            (Quantity::Force, "nan N", "\"nan N\" does not start with a number; a force is due, in N, mN, kN"),
-            (Quantity::Force, "5 newtons", "\"5 newtons\": \"newtons\" is no known unit; a force is due, in N, mN, kN"),
-            (Quantity::Damping, "5 N/m s", "a product after a quotient reads both ways; use parentheses, as in N/(m s)"),
-            (Quantity::Length, "1,5 mm", "decimals take a point, not a comma"),
-            (Quantity::Length, "1e400 mm", "\"1e400 mm\" is too large or too small for a number in m"),
-            (Quantity::Length, "1e-400 mm", "\"1e-400 mm\" is too large or too small for a number in m"),
-            (Quantity::Pressure, "1 N/m2", "a power is written with ^, as in m^2"),
+            (
+                Quantity::Frequency,
+                "13 mm",
+                "\"13 mm\" is a length; a frequency is due, in Hz, kHz, 1/min",
+            ),
+            (
+                Quantity::Frequency,
+                "13 rad/s",
+                "\"13 rad/s\" is an angular frequency; a frequency is due, in Hz, kHz, 1/min",
+            ),
+            (
+                Quantity::Frequency,
+                "13",
+                "13 has no unit; a frequency is due, in Hz, kHz, 1/min",
+            ),
+            (
+                Quantity::Force,
+                "fifty N",
+                "\"fifty N\" does not start with a number; a force is due, in N, mN, kN",
+            ),
+            (
+                Quantity::Force,
+                "nan N",
+                "\"nan N\" does not start with a number; a force is due, in N, mN, kN",
+            ),
+            (
+                Quantity::Force,
+                "5 newtons",
+                "\"5 newtons\": \"newtons\" is no known unit; a force is due, in N, mN, kN",
+            ),
+            (
+                Quantity::Damping,
+                "5 N/m s",
+                "a product after a quotient reads both ways; use parentheses, as in N/(m s)",
+            ),
+            (
+                Quantity::Length,
+                "1,5 mm",
+                "decimals take a point, not a comma",
+            ),
+            (
+                Quantity::Length,
+                "1e400 mm",
+                "\"1e400 mm\" is too large or too small for a number in m",
+            ),
+            (
+                Quantity::Length,
+                "1e-400 mm",
+                "\"1e-400 mm\" is too large or too small for a number in m",
+            ),
+            (
+                Quantity::Pressure,
+                "1 N/m2",
+                "a power is written with ^, as in m^2",
+            ),
             (Quantity::Pressure, "1 N/m^99", "powers go from -12 to 12"),
-            (Quantity::Pressure, "1 N/(m^2", "a parenthesis is not closed"),
+            (
+                Quantity::Pressure,
+                "1 N/(m^2",
+                "a parenthesis is not closed",
+            ),
             (Quantity::Pressure, "1 N//m^2", "`/` is not expected there"),
             (Quantity::Pressure, "1 N/", "the unit stops too early"),
             (

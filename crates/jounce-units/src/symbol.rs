@@ -36,7 +36,12 @@ const PLAIN: &[(&[&str], [i8; 5], f64, f64)] = &[
     (&["min"], [0, 0, 1, 0, 0], 60.0, 1.0),
     (&["h"], [0, 0, 1, 0, 0], 3600.0, 1.0),
     (&["gn"], [0, 1, -2, 0, 0], 9.80665, 1.0),
-    (&["deg", "\u{b0}"], [0, 0, 0, 0, 1], std::f64::consts::PI, 180.0),
+    (
+        &["deg", "\u{b0}"],
+        [0, 0, 0, 0, 1],
+        std::f64::consts::PI,
+        180.0,
+    ),
 ];
 
 /// SI prefixes; micro is `u`, the micro sign or the Greek letter.
@@ -71,7 +76,10 @@ impl UnitSymbol {
         Self::bare(name).or_else(|| {
             PREFIXES.iter().find_map(|(prefix, power)| {
                 let symbol = Self::prefixable(name.strip_prefix(prefix)?)?;
-                Some(Self { power_of_ten: symbol.power_of_ten + power, ..symbol })
+                Some(Self {
+                    power_of_ten: symbol.power_of_ten + power,
+                    ..symbol
+                })
             })
         })
     }
@@ -79,13 +87,24 @@ impl UnitSymbol {
     fn bare(name: &str) -> Option<Self> {
         let plain = PLAIN.iter().find(|(names, ..)| names.contains(&name));
         plain
-            .map(|&(_, exponents, up, down)| Self { power_of_ten: 0, up, down, dimension: Dimension::new(exponents) })
+            .map(|&(_, exponents, up, down)| Self {
+                power_of_ten: 0,
+                up,
+                down,
+                dimension: Dimension::new(exponents),
+            })
             .or_else(|| Self::prefixable(name))
     }
 
     fn prefixable(name: &str) -> Option<Self> {
-        let (_, exponents, power_of_ten) = PREFIXED.iter().find(|(names, ..)| names.contains(&name))?;
-        Some(Self { power_of_ten: *power_of_ten, up: 1.0, down: 1.0, dimension: Dimension::new(*exponents) })
+        let (_, exponents, power_of_ten) =
+            PREFIXED.iter().find(|(names, ..)| names.contains(&name))?;
+        Some(Self {
+            power_of_ten: *power_of_ten,
+            up: 1.0,
+            down: 1.0,
+            dimension: Dimension::new(*exponents),
+        })
     }
 }
 

@@ -10,5 +10,8 @@ fn the_book_holds_the_key_reference_of_the_program() {
         std::fs::write(&page, &said).expect("the page can be written");
     }
     let held = std::fs::read_to_string(&page).expect("the page is there");
-    assert!(held.trim_end() == said.trim_end(), "book/src/keys.md is out of date; set JOUNCE_WRITE=1 and run this test again");
+    assert!(
+        held.trim_end() == said.trim_end(),
+        "book/src/keys.md is out of date; set JOUNCE_WRITE=1 and run this test again"
+    );
 }

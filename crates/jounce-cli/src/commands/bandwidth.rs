@@ -14,11 +14,28 @@ pub fn to_json(width: &Bandwidth) -> serde_json::Value {
 /// As lines of text.
 pub fn print(width: &Bandwidth, unit: &str) {
     let peak = &width.peak;
-    line(format!("  {:<16} {:>12} {unit}  {:.6e} W  ({})", "largest stable", key_value(peak.parameter), peak.mean_power_w, why(peak.at)));
-    line(format!("  {:<16} {:>12} {unit}  +- {:.1e}", "half-power width", key_value(width.width), width.width_error));
+    line(format!(
+        "  {:<16} {:>12} {unit}  {:.6e} W  ({})",
+        "largest stable",
+        key_value(peak.parameter),
+        peak.mean_power_w,
+        why(peak.at)
+    ));
+    line(format!(
+        "  {:<16} {:>12} {unit}  +- {:.1e}",
+        "half-power width",
+        key_value(width.width),
+        width.width_error
+    ));
     for interval in &width.intervals {
         let (from, to) = (&interval.from, &interval.to);
-        line(format!("    from {} ({}) to {} {unit} ({})", key_value(from.parameter), why(from.at), key_value(to.parameter), why(to.at)));
+        line(format!(
+            "    from {} ({}) to {} {unit} ({})",
+            key_value(from.parameter),
+            why(from.at),
+            key_value(to.parameter),
+            why(to.at)
+        ));
     }
 }
 
@@ -37,27 +54,70 @@ type Row<'w> = (String, &'w Bandwidth, IntervalEdge, IntervalEdge);
 
 /// One row for each interval of each branch, and of all together.
 pub fn table(key: &NumericKey, widths: &Bandwidths) -> Result<Table, Failure> {
-    let own = widths.branches.iter().enumerate().map(|(k, width)| (k.to_string(), width));
+    let own = widths
+        .branches
+        .iter()
+        .enumerate()
+        .map(|(k, width)| (k.to_string(), width));
     let all: Vec<Row> = (own.chain([("all".to_owned(), &widths.together)]))
         .filter_map(|(name, width)| Some((name, width.as_ref()?)))
-        .flat_map(|(name, width)| width.intervals.iter().map(move |interval| (name.clone(), width, interval.from, interval.to)))
+        .flat_map(|(name, width)| {
+            width
+                .intervals
+                .iter()
+                .map(move |interval| (name.clone(), width, interval.from, interval.to))
+        })
         .collect();
     let number = |name: &str, unit: &str, about: &str, value: &dyn Fn(&Row) -> f64| {
-        Column::new(name, unit, about, all.iter().map(value).collect::<Vec<f64>>())
+        Column::new(
+            name,
+            unit,
+            about,
+            all.iter().map(value).collect::<Vec<f64>>(),
+        )
     };
     let text = |name: &str, about: &str, value: &dyn Fn(&Row) -> String| {
-        Column::new(name, "", about, all.iter().map(value).collect::<Vec<String>>())
+        Column::new(
+            name,
+            "",
+            about,
+            all.iter().map(value).collect::<Vec<String>>(),
+        )
     };
     let unit = key.unit();
     Ok(Table::new(vec![
-        text("branch", "number of the branch, from 0; `all` for all together", &|row| row.0.clone()),
-        number("peak_parameter", &unit, "where a stable orbit has the largest power", &|row| row.1.peak.parameter),
-        number("peak_mean_power_w", "W", "mean power there", &|row| row.1.peak.mean_power_w),
-        number("from", &unit, "lower end of a range with at least half of it", &|row| row.2.parameter),
-        number("from_error", &unit, "its estimated error", &|row| row.2.parameter_error),
-        text("from_at", "what ends the range", &|row| why(row.2.at).to_owned()),
+        text(
+            "branch",
+            "number of the branch, from 0; `all` for all together",
+            &|row| row.0.clone(),
+        ),
+        number(
+            "peak_parameter",
+            &unit,
+            "where a stable orbit has the largest power",
+            &|row| row.1.peak.parameter,
+        ),
+        number("peak_mean_power_w", "W", "mean power there", &|row| {
+            row.1.peak.mean_power_w
+        }),
+        number(
+            "from",
+            &unit,
+            "lower end of a range with at least half of it",
+            &|row| row.2.parameter,
+        ),
+        number("from_error", &unit, "its estimated error", &|row| {
+            row.2.parameter_error
+        }),
+        text("from_at", "what ends the range", &|row| {
+            why(row.2.at).to_owned()
+        }),
         number("to", &unit, "upper end", &|row| row.3.parameter),
-        number("to_error", &unit, "its estimated error", &|row| row.3.parameter_error),
-        text("to_at", "what ends the range", &|row| why(row.3.at).to_owned()),
+        number("to_error", &unit, "its estimated error", &|row| {
+            row.3.parameter_error
+        }),
+        text("to_at", "what ends the range", &|row| {
+            why(row.3.at).to_owned()
+        }),
     ])?)
 }

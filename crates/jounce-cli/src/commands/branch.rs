@@ -12,7 +12,10 @@ use crate::progress;
 use crate::spec_arguments::{OutputArguments, SpecArguments, check_tolerance};
 use crate::threads::ThreadsArgument;
 use clap::{Args, ValueEnum};
-use jounce::analysis::{AnalysisError, BranchOptions, BranchSearch, Model, NotProved, OrbitMethodKind, Parameter, Termination};
+use jounce::analysis::{
+    AnalysisError, BranchOptions, BranchSearch, Model, NotProved, OrbitMethodKind, Parameter,
+    Termination,
+};
 use jounce::analysis::{BandwidthSearch, Bandwidths, Bifurcation, Branch as Curve, BranchPoint};
 use jounce::orbit::OrbitError;
 use jounce::picture::{self, Axis, BranchLine, BranchMark};
@@ -91,23 +94,36 @@ impl Branch {
             longest_period: self.longest_period,
         };
         let options = self.options(&base.kernel.plant)?;
-        let width = BandwidthSearch { base: &base, parameter: &parameter, range, tolerance: self.tolerance };
+        let width = BandwidthSearch {
+            base: &base,
+            parameter: &parameter,
+            range,
+            tolerance: self.tolerance,
+        };
         let limits = Limits::of(&base.spec, &base.kernel.plant);
         let work = || -> Result<_, OrbitError<AnalysisError>> {
             let branches = search.run_with(&options)?;
-            let passed: Result<Vec<_>, AnalysisError> =
-                branches.iter().map(|branch| branch.exceeded(&parameter, &limits, self.tolerance)).collect();
+            let passed: Result<Vec<_>, AnalysisError> = branches
+                .iter()
+                .map(|branch| branch.exceeded(&parameter, &limits, self.tolerance))
+                .collect();
             let passed = match passed {
                 // What was followed so far is worth more than its warnings.
-                Err(_) if base.kernel.control.is_stopped() => branches.iter().map(|branch| vec![Vec::new(); branch.points.len()]).collect(),
+                Err(_) if base.kernel.control.is_stopped() => branches
+                    .iter()
+                    .map(|branch| vec![Vec::new(); branch.points.len()])
+                    .collect(),
                 passed => passed.map_err(OrbitError::Harvester)?,
             };
             Ok((width.run(&branches), passed, branches))
         };
         interruption::install(&base.kernel.control);
-        let (widths, passed, branches) = progress::with_progress(&base.kernel.control, || self.threads.run(work))??;
+        let (widths, passed, branches) =
+            progress::with_progress(&base.kernel.control, || self.threads.run(work))??;
         if branches.is_empty() && base.kernel.control.is_stopped() {
-            return Err(Failure::Interrupted("stopped before the first branch was finished".to_owned()));
+            return Err(Failure::Interrupted(
+                "stopped before the first branch was finished".to_owned(),
+            ));
         }
         if branches.is_empty() {
             let text = format!(
@@ -117,35 +133,53 @@ impl Branch {
             return Err(Failure::NotConverged(text));
         }
         self.tell_doubts(&branches, key.unit().as_ref());
-        let values: Vec<f64> = branches.iter().flat_map(|branch| &branch.points).map(|point| point.parameter).collect();
+        let values: Vec<f64> = branches
+            .iter()
+            .flat_map(|branch| &branch.points)
+            .map(|point| point.parameter)
+            .collect();
         let all: Vec<&[ExceededLimit]> = passed.iter().flatten().map(Vec::as_slice).collect();
-        limit_warnings::warn(&all, "points", |place| format!("{} = {:.6} {}", key.path(), values[place], key.unit()));
+        limit_warnings::warn(&all, "points", |place| {
+            format!("{} = {:.6} {}", key.path(), values[place], key.unit())
+        });
         self.tell((&base.spec, shown), &key, (&branches, &passed), &widths)?;
-        interruption::end(&base.kernel.control, || format!("the {} branches that were finished", branches.len()))?;
+        interruption::end(&base.kernel.control, || {
+            format!("the {} branches that were finished", branches.len())
+        })?;
         if branches.iter().any(Curve::is_complete) {
             return Ok(());
         }
-        Err(Failure::Incomplete("no branch is whole: each ends where it could not be followed".to_owned()))
+        Err(Failure::Incomplete(
+            "no branch is whole: each ends where it could not be followed".to_owned(),
+        ))
     }
 
     fn options(&self, plant: &Plant) -> Result<BranchOptions, Failure> {
         let largest_step = self.largest_step;
         if !(1e-3..=1.0).contains(&largest_step) {
-            return Err(Failure::usage(format!("--largest-step {largest_step}: give a number from 0.001 to 1")));
+            return Err(Failure::usage(format!(
+                "--largest-step {largest_step}: give a number from 0.001 to 1"
+            )));
         }
-        Ok(BranchOptions { largest_step, budget: self.budget, levels: self.levels.read(plant)? })
+        Ok(BranchOptions {
+            largest_step,
+            budget: self.budget,
+            levels: self.levels.read(plant)?,
+        })
     }
 
     fn method(&self) -> Result<OrbitMethodKind, Failure> {
         match (self.method, self.harmonics) {
-            (_, Some(harmonics)) if !(4..=2048).contains(&harmonics) => {
-                Err(Failure::usage(format!("--harmonics {harmonics}: give a number from 4 to 2048")))
-            }
+            (_, Some(harmonics)) if !(4..=2048).contains(&harmonics) => Err(Failure::usage(
+                format!("--harmonics {harmonics}: give a number from 4 to 2048"),
+            )),
             (OrbitMethod::Shooting, Some(harmonics)) => Err(Failure::usage(format!(
                 "--harmonics {harmonics}: --method shooting has no harmonics; add --method harmonic-balance or leave --harmonics out"
             ))),
             (OrbitMethod::Shooting, None) => Ok(OrbitMethodKind::Shooting),
-            (OrbitMethod::HarmonicBalance, harmonics) => Ok(OrbitMethodKind::HarmonicBalance { harmonics: harmonics.unwrap_or(HARMONICS) }),
+            (OrbitMethod::HarmonicBalance, harmonics) => Ok(OrbitMethodKind::HarmonicBalance {
+                harmonics: harmonics.unwrap_or(HARMONICS),
+            }),
         }
     }
 
@@ -159,20 +193,30 @@ impl Branch {
 
     /// Branches that end early, and an error that is large.
     fn tell_doubts(&self, branches: &[Curve], unit: &str) {
-        for (branch, ending) in branches.iter().flat_map(|branch| branch.endings.iter().map(move |ending| (branch, ending))) {
+        for (branch, ending) in branches
+            .iter()
+            .flat_map(|branch| branch.endings.iter().map(move |ending| (branch, ending)))
+        {
             let (what, why, parameter) = match ending {
                 Termination::Failed { why, parameter } => ("ends", why, parameter),
-                Termination::Grazing { why, parameter } => ("grazes and turns sharply", why, parameter),
+                Termination::Grazing { why, parameter } => {
+                    ("grazes and turns sharply", why, parameter)
+                }
                 Termination::Sticking { why, parameter } => ("begins to stick", why, parameter),
                 Termination::Points => {
                     let points = branch.points.len();
                     let cycles = branch.period_cycles;
-                    eprintln!("a branch of period {cycles} is left after {points} points: give a shorter range or a larger --budget");
+                    eprintln!(
+                        "a branch of period {cycles} is left after {points} points: give a shorter range or a larger --budget"
+                    );
                     continue;
                 }
                 Termination::Range | Termination::Closed | Termination::Merged => continue,
             };
-            eprintln!("a branch of period {} {what} at {parameter} {}: {why}", branch.period_cycles, unit);
+            eprintln!(
+                "a branch of period {} {what} at {parameter} {}: {why}",
+                branch.period_cycles, unit
+            );
         }
         let not_followed: usize = branches.iter().map(|branch| branch.not_followed).sum();
         if not_followed > 0 {
@@ -181,14 +225,33 @@ impl Branch {
                 self.budget
             );
         }
-        for (branch, part) in branches.iter().flat_map(|branch| branch.not_proved.iter().map(move |part| (branch, part))) {
-            let (cycles, event, NotProved { from, to, why, .. }) = (branch.period_cycles, part.event.name(), part);
-            eprintln!("warning: a branch of period {cycles} may hold two more events `{event}` from {from} to {to} {unit}: {why}");
+        for (branch, part) in branches
+            .iter()
+            .flat_map(|branch| branch.not_proved.iter().map(move |part| (branch, part)))
+        {
+            let (cycles, event, NotProved { from, to, why, .. }) =
+                (branch.period_cycles, part.event.name(), part);
+            eprintln!(
+                "warning: a branch of period {cycles} may hold two more events `{event}` from {from} to {to} {unit}: {why}"
+            );
         }
-        let estimates = branches.iter().flat_map(|branch| &branch.points).map(|point| (point.orbit.error_estimate, point.parameter));
-        if let Some((worst, parameter)) = estimates.max_by(|a, b| a.0.total_cmp(&b.0)).filter(|(worst, _)| *worst > 1e-3) {
-            let other = if self.method == OrbitMethod::Shooting { "" } else { " or --method shooting" };
-            eprintln!("the largest error estimate is {worst:.1e}, at {parameter} {}: a smaller --tolerance{other} brings it down", unit);
+        let estimates = branches
+            .iter()
+            .flat_map(|branch| &branch.points)
+            .map(|point| (point.orbit.error_estimate, point.parameter));
+        if let Some((worst, parameter)) = estimates
+            .max_by(|a, b| a.0.total_cmp(&b.0))
+            .filter(|(worst, _)| *worst > 1e-3)
+        {
+            let other = if self.method == OrbitMethod::Shooting {
+                ""
+            } else {
+                " or --method shooting"
+            };
+            eprintln!(
+                "the largest error estimate is {worst:.1e}, at {parameter} {}: a smaller --tolerance{other} brings it down",
+                unit
+            );
         }
     }
 
@@ -218,17 +281,43 @@ impl Branch {
             return Ok(());
         }
         for (branch, width) in branches.iter().zip(&widths.branches) {
-            let stable = branch.points.iter().filter(|point| point.orbit.is_stable()).count();
-            let undecided = branch.points.iter().filter(|point| point.orbit.is_stability_undecided()).count();
-            let doubt = if undecided > 0 { format!(", {undecided} of undecided stability") } else { String::new() };
-            line(format!("branch of period {}: {} points, {stable} of them stable{doubt}", branch.period_cycles, branch.points.len()));
+            let stable = branch
+                .points
+                .iter()
+                .filter(|point| point.orbit.is_stable())
+                .count();
+            let undecided = branch
+                .points
+                .iter()
+                .filter(|point| point.orbit.is_stability_undecided())
+                .count();
+            let doubt = if undecided > 0 {
+                format!(", {undecided} of undecided stability")
+            } else {
+                String::new()
+            };
+            line(format!(
+                "branch of period {}: {} points, {stable} of them stable{doubt}",
+                branch.period_cycles,
+                branch.points.len()
+            ));
             for found in &branch.bifurcations {
                 let (at, unit) = (&found.at, key.unit());
                 let (value, of) = (shown.value(at), shown.unit());
-                let name = found.level.as_ref().or(found.stop.as_ref()).map_or_else(String::new, |name| format!("  {name}"));
-                line(format!("  {:<16} {:>12} {unit}  {value:.6e} {of}{name}", found.kind.name(), output::key_value(at.parameter)));
+                let name = found
+                    .level
+                    .as_ref()
+                    .or(found.stop.as_ref())
+                    .map_or_else(String::new, |name| format!("  {name}"));
+                line(format!(
+                    "  {:<16} {:>12} {unit}  {value:.6e} {of}{name}",
+                    found.kind.name(),
+                    output::key_value(at.parameter)
+                ));
             }
-            width.iter().for_each(|width| bandwidth::print(width, &key.unit()));
+            width
+                .iter()
+                .for_each(|width| bandwidth::print(width, &key.unit()));
         }
         if let Some(together) = widths.together.as_ref().filter(|_| branches.len() > 1) {
             line("all branches together");
@@ -246,16 +335,39 @@ impl Branch {
         branches: &[Curve],
         widths: &Bandwidths,
     ) -> Result<(), Failure> {
-        let manifest = self.spec.manifest(spec, "branch").with("over", &self.over).with("tolerance", self.tolerance);
+        let manifest = self
+            .spec
+            .manifest(spec, "branch")
+            .with("over", &self.over)
+            .with("tolerance", self.tolerance);
         output::table(folder, "branches", &points_table(key, branches)?, &manifest)?;
-        output::table(folder, "bifurcations", &bifurcations_table(key, branches)?, &manifest)?;
-        output::table(folder, "bandwidths", &bandwidth::table(key, widths)?, &manifest)?;
-        let lines: Vec<BranchLine> = branches.iter().map(|branch| branch_line(branch, shown)).collect();
-        let marks = branches.iter().flat_map(|branch| branch.bifurcations.iter().map(|found| mark(found, shown)));
+        output::table(
+            folder,
+            "bifurcations",
+            &bifurcations_table(key, branches)?,
+            &manifest,
+        )?;
+        output::table(
+            folder,
+            "bandwidths",
+            &bandwidth::table(key, widths)?,
+            &manifest,
+        )?;
+        let lines: Vec<BranchLine> = branches
+            .iter()
+            .map(|branch| branch_line(branch, shown))
+            .collect();
+        let marks = branches
+            .iter()
+            .flat_map(|branch| branch.bifurcations.iter().map(|found| mark(found, shown)));
         let marks: Vec<BranchMark> = marks.collect();
         let (x, y) = (Axis::linear(key.path(), &key.unit()), shown.axis());
         let title = format!("Branches of periodic answers over {}", key.path());
-        output::figure(folder, "branches", &picture::branches(&title, x, y, &lines, &marks))
+        output::figure(
+            folder,
+            "branches",
+            &picture::branches(&title, x, y, &lines, &marks),
+        )
     }
 }
 
@@ -306,12 +418,27 @@ fn branch_line(branch: &Curve, shown: OrbitQuantityShown) -> BranchLine {
     BranchLine {
         label: format!("period {}", branch.period_cycles),
         parameter: branch.points.iter().map(|point| point.parameter).collect(),
-        value: branch.points.iter().map(|point| shown.value(point)).collect(),
-        stable: branch.points.iter().map(|point| point.orbit.is_stable()).collect(),
+        value: branch
+            .points
+            .iter()
+            .map(|point| shown.value(point))
+            .collect(),
+        stable: branch
+            .points
+            .iter()
+            .map(|point| point.orbit.is_stable())
+            .collect(),
     }
 }
 
 fn mark(found: &Bifurcation, shown: OrbitQuantityShown) -> BranchMark {
-    let kind = found.level.clone().unwrap_or_else(|| found.kind.name().to_owned());
-    BranchMark { kind, parameter: found.at.parameter, value: shown.value(&found.at) }
+    let kind = found
+        .level
+        .clone()
+        .unwrap_or_else(|| found.kind.name().to_owned());
+    BranchMark {
+        kind,
+        parameter: found.at.parameter,
+        value: shown.value(&found.at),
+    }
 }

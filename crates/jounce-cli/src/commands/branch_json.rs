@@ -5,9 +5,22 @@ use jounce::analysis::{Bandwidth, Bifurcation, Branch as Curve, BranchPoint};
 use jounce::run::ExceededLimit;
 
 /// A branch with its points and what it passes.
-pub fn branch_to_json(branch: &Curve, passed: &[Vec<ExceededLimit>], width: Option<&Bandwidth>) -> serde_json::Value {
-    let points: Vec<_> = branch.points.iter().zip(passed).map(|(point, passed)| point_to_json(point, passed)).collect();
-    let bifurcations: Vec<_> = branch.bifurcations.iter().map(bifurcation_to_json).collect();
+pub fn branch_to_json(
+    branch: &Curve,
+    passed: &[Vec<ExceededLimit>],
+    width: Option<&Bandwidth>,
+) -> serde_json::Value {
+    let points: Vec<_> = branch
+        .points
+        .iter()
+        .zip(passed)
+        .map(|(point, passed)| point_to_json(point, passed))
+        .collect();
+    let bifurcations: Vec<_> = branch
+        .bifurcations
+        .iter()
+        .map(bifurcation_to_json)
+        .collect();
     serde_json::json!({
         "period_cycles": branch.period_cycles,
         "points": points,

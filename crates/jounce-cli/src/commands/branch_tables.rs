@@ -7,49 +7,137 @@ use jounce::table::{Column, Table};
 
 /// Every point of every branch.
 pub fn points_table(key: &NumericKey, branches: &[Curve]) -> Result<Table, Failure> {
-    let all: Vec<(usize, &Curve, &BranchPoint)> =
-        branches.iter().enumerate().flat_map(|(k, branch)| branch.points.iter().map(move |point| (k, branch, point))).collect();
+    let all: Vec<(usize, &Curve, &BranchPoint)> = branches
+        .iter()
+        .enumerate()
+        .flat_map(|(k, branch)| branch.points.iter().map(move |point| (k, branch, point)))
+        .collect();
     let number = |name: &str, unit: &str, about: &str, value: fn(&BranchPoint) -> f64| {
-        Column::new(name, unit, about, all.iter().map(|(_, _, point)| value(point)).collect::<Vec<f64>>())
+        Column::new(
+            name,
+            unit,
+            about,
+            all.iter()
+                .map(|(_, _, point)| value(point))
+                .collect::<Vec<f64>>(),
+        )
     };
     let count = |name: &str, about: &str, value: fn(&(usize, &Curve, &BranchPoint)) -> u64| {
         Column::new(name, "", about, all.iter().map(value).collect::<Vec<u64>>())
     };
     Ok(Table::new(vec![
-        count("branch", "number of the branch, from 0", |(k, _, _)| *k as u64),
-        count("period_cycles", "period in drive cycles", |(_, branch, _)| u64::from(branch.period_cycles)),
+        count("branch", "number of the branch, from 0", |(k, _, _)| {
+            *k as u64
+        }),
+        count(
+            "period_cycles",
+            "period in drive cycles",
+            |(_, branch, _)| u64::from(branch.period_cycles),
+        ),
         number("parameter", &key.unit(), key.path(), |p| p.parameter),
-        number("mean_power_w", "W", "mean power of all loads", |p| p.orbit.mean_power_w),
-        number("voltage_rms_v", "V", "voltage of the first load, else of what the first rectifier feeds, rms", |p| p.orbit.voltage_rms_v),
-        Column::new("stable", "", "attracts", all.iter().map(|(_, _, p)| p.orbit.is_stable()).collect::<Vec<bool>>()),
+        number("mean_power_w", "W", "mean power of all loads", |p| {
+            p.orbit.mean_power_w
+        }),
+        number(
+            "voltage_rms_v",
+            "V",
+            "voltage of the first load, else of what the first rectifier feeds, rms",
+            |p| p.orbit.voltage_rms_v,
+        ),
+        Column::new(
+            "stable",
+            "",
+            "attracts",
+            all.iter()
+                .map(|(_, _, p)| p.orbit.is_stable())
+                .collect::<Vec<bool>>(),
+        ),
         Column::new(
             "stability_undecided",
             "",
             "a multiplier has modulus one within its error",
-            all.iter().map(|(_, _, p)| p.orbit.is_stability_undecided()).collect::<Vec<bool>>(),
+            all.iter()
+                .map(|(_, _, p)| p.orbit.is_stability_undecided())
+                .collect::<Vec<bool>>(),
         ),
-        number("floquet_max_abs", "", "largest modulus of a Floquet multiplier", |p| p.orbit.floquet_max_abs()),
-        count("contacts_per_period", "contacts that begin in a period", |(_, _, p)| p.orbit.contacts),
-        number("max_penetration_m", "m", "largest penetration of the stop", |p| p.orbit.max_penetration_m),
-        number("displacement_peak_m", "m", "half of the range of the displacement at the first stop", |p| p.orbit.displacement_peak_m),
-        number("error_estimate", "", "estimated relative error of the state and the mean power, the larger one", |p| {
-            p.orbit.error_estimate
-        }),
+        number(
+            "floquet_max_abs",
+            "",
+            "largest modulus of a Floquet multiplier",
+            |p| p.orbit.floquet_max_abs(),
+        ),
+        count(
+            "contacts_per_period",
+            "contacts that begin in a period",
+            |(_, _, p)| p.orbit.contacts,
+        ),
+        number(
+            "max_penetration_m",
+            "m",
+            "largest penetration of the stop",
+            |p| p.orbit.max_penetration_m,
+        ),
+        number(
+            "displacement_peak_m",
+            "m",
+            "half of the range of the displacement at the first stop",
+            |p| p.orbit.displacement_peak_m,
+        ),
+        number(
+            "error_estimate",
+            "",
+            "estimated relative error of the state and the mean power, the larger one",
+            |p| p.orbit.error_estimate,
+        ),
     ])?)
 }
 
 /// Every bifurcation.
 pub fn bifurcations_table(key: &NumericKey, branches: &[Curve]) -> Result<Table, Failure> {
-    let all: Vec<(u64, &Bifurcation)> =
-        branches.iter().enumerate().flat_map(|(k, branch)| branch.bifurcations.iter().map(move |found| (k as u64, found))).collect();
+    let all: Vec<(u64, &Bifurcation)> = branches
+        .iter()
+        .enumerate()
+        .flat_map(|(k, branch)| {
+            branch
+                .bifurcations
+                .iter()
+                .map(move |found| (k as u64, found))
+        })
+        .collect();
     let number = |name: &str, unit: &str, about: &str, value: fn(&BranchPoint) -> f64| {
-        Column::new(name, unit, about, all.iter().map(|(_, found)| value(&found.at)).collect::<Vec<f64>>())
+        Column::new(
+            name,
+            unit,
+            about,
+            all.iter()
+                .map(|(_, found)| value(&found.at))
+                .collect::<Vec<f64>>(),
+        )
     };
     Ok(Table::new(vec![
-        Column::new("branch", "", "number of the branch, from 0", all.iter().map(|(k, _)| *k).collect::<Vec<u64>>()),
-        Column::new("kind", "", "what happens", all.iter().map(|(_, found)| found.kind.name().to_owned()).collect::<Vec<_>>()),
+        Column::new(
+            "branch",
+            "",
+            "number of the branch, from 0",
+            all.iter().map(|(k, _)| *k).collect::<Vec<u64>>(),
+        ),
+        Column::new(
+            "kind",
+            "",
+            "what happens",
+            all.iter()
+                .map(|(_, found)| found.kind.name().to_owned())
+                .collect::<Vec<_>>(),
+        ),
         number("parameter", &key.unit(), key.path(), |p| p.parameter),
-        number("mean_power_w", "W", "mean power of all loads", |p| p.orbit.mean_power_w),
-        number("displacement_peak_m", "m", "half of the range of the displacement at the first stop", |p| p.orbit.displacement_peak_m),
+        number("mean_power_w", "W", "mean power of all loads", |p| {
+            p.orbit.mean_power_w
+        }),
+        number(
+            "displacement_peak_m",
+            "m",
+            "half of the range of the displacement at the first stop",
+            |p| p.orbit.displacement_peak_m,
+        ),
     ])?)
 }

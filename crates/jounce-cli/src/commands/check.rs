@@ -21,7 +21,9 @@ impl Check {
     pub fn run(&self) -> Result<(), Failure> {
         let spec = match self.spec.spec() {
             Err(Failure::Faults(path, faults)) if self.output.json => {
-                faults.iter().for_each(|fault| eprintln!("{}", described(&path, fault)));
+                faults
+                    .iter()
+                    .for_each(|fault| eprintln!("{}", described(&path, fault)));
                 print(&serde_json::json!({ "valid": false, "faults": faults }));
                 // The faults are told; only the exit code is left to give.
                 std::process::exit(4);

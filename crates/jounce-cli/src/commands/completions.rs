@@ -14,7 +14,12 @@ pub struct Completions {
 impl Completions {
     /// Prints the script.
     pub fn run(&self) -> Result<(), Failure> {
-        clap_complete::generate(self.shell, &mut Arguments::command(), "jounce", &mut std::io::stdout());
+        clap_complete::generate(
+            self.shell,
+            &mut Arguments::command(),
+            "jounce",
+            &mut std::io::stdout(),
+        );
         Ok(())
     }
 }

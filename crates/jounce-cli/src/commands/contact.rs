@@ -33,15 +33,26 @@ pub struct Contact {
 impl Contact {
     /// Finds the hits, fits each and tells.
     pub fn run(&self) -> Result<(), Failure> {
-        let mass_kg = self.mass.as_ref().map(|text| positive("--mass", text, Unit::Mass)).transpose()?;
+        let mass_kg = self
+            .mass
+            .as_ref()
+            .map(|text| positive("--mass", text, Unit::Mass))
+            .transpose()?;
         let mut survey = self.file.survey()?;
-        let number = channel(&mut survey, self.force.as_deref(), Quantity::Force, "--force")?;
+        let number = channel(
+            &mut survey,
+            self.force.as_deref(),
+            Quantity::Force,
+            "--force",
+        )?;
         let record = loaded(survey, &[number])?;
         let force = &record.channels[0];
         let samples = Samples::new(&force.values, record.rate())?;
         let found = hits(&samples, HitSearch::default())?;
-        let fits: Vec<Result<ContactFit, String>> =
-            found.iter().map(|hit| fit(&samples, hit, mass_kg).map_err(|fault| fault.to_string())).collect();
+        let fits: Vec<Result<ContactFit, String>> = found
+            .iter()
+            .map(|hit| fit(&samples, hit, mass_kg).map_err(|fault| fault.to_string()))
+            .collect();
         if let Some(folder) = &self.file.output.out {
             self.write(folder, &samples, &found, &fits)?;
         }
@@ -51,7 +62,9 @@ impl Contact {
                 Err(why) => serde_json::json!({ "hit": hit, "law": null, "why": why }),
             };
             let listed: Vec<_> = found.iter().zip(&fits).map(one).collect();
-            print(&serde_json::json!({ "channel": force.name, "hits": listed, "findings": record.findings }));
+            print(
+                &serde_json::json!({ "channel": force.name, "hits": listed, "findings": record.findings }),
+            );
             return Ok(());
         }
         for (hit, fitted) in found.iter().zip(&fits) {
@@ -60,52 +73,172 @@ impl Contact {
         Ok(())
     }
 
-    fn write(&self, folder: &Path, force: &Samples<'_>, found: &[Hit], fits: &[Result<ContactFit, String>]) -> Result<(), Failure> {
+    fn write(
+        &self,
+        folder: &Path,
+        force: &Samples<'_>,
+        found: &[Hit],
+        fits: &[Result<ContactFit, String>],
+    ) -> Result<(), Failure> {
         let hit = |of: &dyn Fn(&Hit) -> f64| found.iter().map(of).collect::<Vec<f64>>();
-        let law = |of: &dyn Fn(&ContactFit) -> f64| fits.iter().map(|law| law.as_ref().map_or(f64::NAN, of)).collect::<Vec<f64>>();
+        let law = |of: &dyn Fn(&ContactFit) -> f64| {
+            fits.iter()
+                .map(|law| law.as_ref().map_or(f64::NAN, of))
+                .collect::<Vec<f64>>()
+        };
         let mut table = Table::new(vec![
-            Column::new("time_s", "s", "time of the largest force", hit(&|hit| hit.peak as f64 / force.rate_hz())),
-            Column::new("peak_force_n", "N", "largest force", hit(&|hit| hit.peak_force_n)),
-            Column::new("contact_time_s", "s", "time above a tenth of the largest force", hit(&|hit| hit.contact_time_s)),
-            Column::new("impulse_n_s", "N s", "integral of the force", hit(&|hit| hit.impulse_n_s)),
-            Column::new("warnings", "", "number of warnings", found.iter().map(|hit| hit.warnings.len() as u64).collect::<Vec<_>>()),
-            Column::new("law_contact_time_s", "s", "time from touch to parting of the law", law(&|law| law.contact_time_s)),
-            Column::new("exponent", "", "exponent of the law", law(&|law| law.exponent)),
-            Column::new("exponent_deviation", "", "its standard deviation", law(&|law| law.exponent_deviation)),
-            Column::new("restitution", "", "speed after over speed before", law(&|law| law.restitution)),
-            Column::new("restitution_deviation", "", "its standard deviation", law(&|law| law.restitution_deviation)),
+            Column::new(
+                "time_s",
+                "s",
+                "time of the largest force",
+                hit(&|hit| hit.peak as f64 / force.rate_hz()),
+            ),
+            Column::new(
+                "peak_force_n",
+                "N",
+                "largest force",
+                hit(&|hit| hit.peak_force_n),
+            ),
+            Column::new(
+                "contact_time_s",
+                "s",
+                "time above a tenth of the largest force",
+                hit(&|hit| hit.contact_time_s),
+            ),
+            Column::new(
+                "impulse_n_s",
+                "N s",
+                "integral of the force",
+                hit(&|hit| hit.impulse_n_s),
+            ),
+            Column::new(
+                "warnings",
+                "",
+                "number of warnings",
+                found
+                    .iter()
+                    .map(|hit| hit.warnings.len() as u64)
+                    .collect::<Vec<_>>(),
+            ),
+            Column::new(
+                "law_contact_time_s",
+                "s",
+                "time from touch to parting of the law",
+                law(&|law| law.contact_time_s),
+            ),
+            Column::new(
+                "exponent",
+                "",
+                "exponent of the law",
+                law(&|law| law.exponent),
+            ),
+            Column::new(
+                "exponent_deviation",
+                "",
+                "its standard deviation",
+                law(&|law| law.exponent_deviation),
+            ),
+            Column::new(
+                "restitution",
+                "",
+                "speed after over speed before",
+                law(&|law| law.restitution),
+            ),
+            Column::new(
+                "restitution_deviation",
+                "",
+                "its standard deviation",
+                law(&|law| law.restitution_deviation),
+            ),
         ])?;
         if self.mass.is_some() {
             let about = "N/m^exponent, for the mass of the hammer";
-            table.push(Column::new("stiffness", "", about, law(&|law| law.stiffness.unwrap_or(f64::NAN))))?;
+            table.push(Column::new(
+                "stiffness",
+                "",
+                about,
+                law(&|law| law.stiffness.unwrap_or(f64::NAN)),
+            ))?;
             let about = "standard deviation of its logarithm";
             let deviation = law(&|law| law.stiffness_relative_deviation.unwrap_or(f64::NAN));
-            table.push(Column::new("stiffness_relative_deviation", "", about, deviation))?;
+            table.push(Column::new(
+                "stiffness_relative_deviation",
+                "",
+                about,
+                deviation,
+            ))?;
             let [low, high] = [0, 1].map(|end| law(&|law| end_95(law.stiffness_95, end)));
-            table.push(Column::new("stiffness_low", "", "lower end of the interval of 95 % of the stiffness", low))?;
+            table.push(Column::new(
+                "stiffness_low",
+                "",
+                "lower end of the interval of 95 % of the stiffness",
+                low,
+            ))?;
             table.push(Column::new("stiffness_high", "", "its upper end", high))?;
             for (name, unit, about, held) in LAWS {
-                let stiffness = law(&|law| held(law).and_then(|held| held.stiffness).unwrap_or(f64::NAN));
-                let [low, high] = [0, 1].map(|end| law(&|law| end_95(held(law).and_then(|held| held.stiffness_95), end)));
+                let stiffness = law(&|law| {
+                    held(law)
+                        .and_then(|held| held.stiffness)
+                        .unwrap_or(f64::NAN)
+                });
+                let [low, high] = [0, 1].map(|end| {
+                    law(&|law| end_95(held(law).and_then(|held| held.stiffness_95), end))
+                });
                 let about = format!("stiffness of {about}; NaN where the pulse does not allow it");
-                table.push(Column::new(&format!("{name}_stiffness"), unit, &about, stiffness))?;
-                table.push(Column::new(&format!("{name}_stiffness_low"), unit, "lower end of its interval of 95 %", low))?;
-                table.push(Column::new(&format!("{name}_stiffness_high"), unit, "its upper end", high))?;
+                table.push(Column::new(
+                    &format!("{name}_stiffness"),
+                    unit,
+                    &about,
+                    stiffness,
+                ))?;
+                table.push(Column::new(
+                    &format!("{name}_stiffness_low"),
+                    unit,
+                    "lower end of its interval of 95 %",
+                    low,
+                ))?;
+                table.push(Column::new(
+                    &format!("{name}_stiffness_high"),
+                    unit,
+                    "its upper end",
+                    high,
+                ))?;
             }
-            table.push(Column::new("speed_m_s", "m/s", "speed of the hammer", law(&|law| law.speed_m_s.unwrap_or(f64::NAN))))?;
+            table.push(Column::new(
+                "speed_m_s",
+                "m/s",
+                "speed of the hammer",
+                law(&|law| law.speed_m_s.unwrap_or(f64::NAN)),
+            ))?;
         }
         output::table(folder, "contact", &table, &self.file.manifest("contact")?)?;
-        let drawn: Vec<PulseFigure> =
-            found.iter().zip(fits).take(MAX_SHOWN_PULSES).map(|(hit, law)| PulseFigure::of(force, hit, law.as_ref().ok())).collect();
-        output::figure(folder, "contact-pulses", &pulses("Force pulses and the laws fitted to them", &drawn))
+        let drawn: Vec<PulseFigure> = found
+            .iter()
+            .zip(fits)
+            .take(MAX_SHOWN_PULSES)
+            .map(|(hit, law)| PulseFigure::of(force, hit, law.as_ref().ok()))
+            .collect();
+        output::figure(
+            folder,
+            "contact-pulses",
+            &pulses("Force pulses and the laws fitted to them", &drawn),
+        )
     }
 }
 
 /// Name, unit of the stiffness, words, and what was fitted of it.
-type Law = (&'static str, &'static str, &'static str, fn(&ContactFit) -> Option<FixedExponentLaw>);
+type Law = (
+    &'static str,
+    &'static str,
+    &'static str,
+    fn(&ContactFit) -> Option<FixedExponentLaw>,
+);
 
 /// Laws of given exponents.
-const LAWS: [Law; 2] = [("linear", "N/m", "a linear spring", |law| law.linear), ("hertz", "N/m^1.5", "Hertz's law", |law| law.hertz)];
+const LAWS: [Law; 2] = [
+    ("linear", "N/m", "a linear spring", |law| law.linear),
+    ("hertz", "N/m^1.5", "Hertz's law", |law| law.hertz),
+];
 
 /// An end of an interval, NaN where there is none.
 fn end_95(interval: Option<(f64, f64)>, end: usize) -> f64 {
@@ -124,9 +257,15 @@ fn print_hit(hit: &Hit, fitted: &Result<ContactFit, String>, rate_hz: f64) {
         HitSearch::default().edge * hit.peak_force_n,
         hit.impulse_n_s
     ));
-    hit.warnings.iter().take(MAX_LISTED_WARNINGS).for_each(|warning| line(format!("  warning: the hit {warning}")));
+    hit.warnings
+        .iter()
+        .take(MAX_LISTED_WARNINGS)
+        .for_each(|warning| line(format!("  warning: the hit {warning}")));
     if hit.warnings.len() > MAX_LISTED_WARNINGS {
-        line(format!("  warning: and {} more like these", hit.warnings.len() - MAX_LISTED_WARNINGS));
+        line(format!(
+            "  warning: and {} more like these",
+            hit.warnings.len() - MAX_LISTED_WARNINGS
+        ));
     }
     match fitted {
         Err(why) => line(format!("  no law: {why}")),
@@ -139,14 +278,20 @@ fn print_hit(hit: &Hit, fitted: &Result<ContactFit, String>, rate_hz: f64) {
                 law.restitution_half_width(),
                 law.contact_time_s
             ));
-            if let (Some(stiffness), Some((low, high)), Some(speed)) = (law.stiffness, law.stiffness_95, law.speed_m_s) {
+            if let (Some(stiffness), Some((low, high)), Some(speed)) =
+                (law.stiffness, law.stiffness_95, law.speed_m_s)
+            {
                 let unit = format!("N/m^{:.3}", law.exponent);
-                line(format!("  stiffness {stiffness:.4e} {unit}, 95 % from {low:.4e} to {high:.4e}, speed {speed:.4} m/s"));
+                line(format!(
+                    "  stiffness {stiffness:.4e} {unit}, 95 % from {low:.4e} to {high:.4e}, speed {speed:.4} m/s"
+                ));
             }
             for (_, unit, about, held) in LAWS {
                 let held = held(law).and_then(|held| held.stiffness.zip(held.stiffness_95));
                 if let Some((stiffness, (low, high))) = held {
-                    line(format!("  as {about}: stiffness {stiffness:.4e} {unit}, 95 % from {low:.4e} to {high:.4e}"));
+                    line(format!(
+                        "  as {about}: stiffness {stiffness:.4e} {unit}, 95 % from {low:.4e} to {high:.4e}"
+                    ));
                 }
             }
             line(match law.told {

@@ -8,7 +8,10 @@ use crate::progress;
 use crate::spec_arguments::{OutputArguments, SpecArguments};
 use crate::threads::ThreadsArgument;
 use clap::Args;
-use jounce::analysis::{Ensemble as Study, EnsembleResult, Estimate, IntervalOver, Member, Model, StopEstimates, VoltageSpectrum};
+use jounce::analysis::{
+    Ensemble as Study, EnsembleResult, Estimate, IntervalOver, Member, Model, StopEstimates,
+    VoltageSpectrum,
+};
 use jounce::picture::{self, DensityLine};
 use jounce::run::{ExceededLimit, RunPlan, Warning};
 use jounce::table::{Column, Table};
@@ -43,8 +46,14 @@ pub struct Ensemble {
 impl Ensemble {
     /// Marches the members and reports.
     pub fn run(&self) -> Result<(), Failure> {
-        if self.members == 0 || self.relative_width.is_some_and(|width| !(width > 0.0 && width < 1.0)) {
-            return Err(Failure::usage("--members must be greater than 0, --relative-width between 0 and 1".to_owned()));
+        if self.members == 0
+            || self
+                .relative_width
+                .is_some_and(|width| !(width > 0.0 && width < 1.0))
+        {
+            return Err(Failure::usage(
+                "--members must be greater than 0, --relative-width between 0 and 1".to_owned(),
+            ));
         }
         if self.spectrum && self.members < 2 {
             return Err(Failure::usage("--spectrum needs two --members at least: one alone tells no density from its scatter".to_owned()));
@@ -56,7 +65,11 @@ impl Ensemble {
             members: self.members,
             seed: self.seed,
             relative_width: self.relative_width,
-            most_rounds: if self.relative_width.is_some() { MAX_ROUNDS } else { 1 },
+            most_rounds: if self.relative_width.is_some() {
+                MAX_ROUNDS
+            } else {
+                1
+            },
             with_spectrum: self.spectrum,
         };
         interruption::install(&base.kernel.control);
@@ -68,23 +81,35 @@ impl Ensemble {
         let answer = self.threads.run(|| study.run(&done))??;
         bar.finish_and_clear();
         if answer.members.is_empty() {
-            return Err(Failure::Interrupted("stopped before the first member was finished".to_owned()));
+            return Err(Failure::Interrupted(
+                "stopped before the first member was finished".to_owned(),
+            ));
         }
         for warning in Warning::of_recordings(&base.spec, &RunPlan::of(&base.spec.run, 0.0)) {
             eprintln!("warning: {warning}");
         }
-        let passed: Vec<&[ExceededLimit]> = answer.members.iter().map(|member| member.exceeded.as_slice()).collect();
-        limit_warnings::warn(&passed, "members", |place| format!("member {}", answer.members[place].index));
+        let passed: Vec<&[ExceededLimit]> = answer
+            .members
+            .iter()
+            .map(|member| member.exceeded.as_slice())
+            .collect();
+        limit_warnings::warn(&passed, "members", |place| {
+            format!("member {}", answer.members[place].index)
+        });
         if let Some(folder) = &self.output.out {
             self.write(folder, &base, &answer)?;
         }
         self.tell(&answer);
-        interruption::end(&base.kernel.control, || format!("the {} members that were finished", answer.members.len()))
+        interruption::end(&base.kernel.control, || {
+            format!("the {} members that were finished", answer.members.len())
+        })
     }
 
     fn tell(&self, answer: &EnsembleResult) {
         let power = &answer.power_w;
-        let worst = answer.members.iter().fold(0.0_f64, |max, member| max.max(member.energy_residual_relative.abs()));
+        let worst = answer.members.iter().fold(0.0_f64, |max, member| {
+            max.max(member.energy_residual_relative.abs())
+        });
         if self.output.json {
             print(&serde_json::json!({
                 "mean_power_w": power.mean,
@@ -105,18 +130,37 @@ impl Ensemble {
             }));
             return;
         }
-        let over = if power.interval == IntervalOver::Members { "over members" } else { "over batches of the members" };
-        line(format!("mean power         {:.6e} W +- {:.1e} W (95 %, {over})", power.mean, power.half_width));
-        line(format!("members            {}, seed {}", answer.members.len(), self.seed));
+        let over = if power.interval == IntervalOver::Members {
+            "over members"
+        } else {
+            "over batches of the members"
+        };
+        line(format!(
+            "mean power         {:.6e} W +- {:.1e} W (95 %, {over})",
+            power.mean, power.half_width
+        ));
+        line(format!(
+            "members            {}, seed {}",
+            answer.members.len(),
+            self.seed
+        ));
         if !answer.reached {
-            line(format!("NOT reached        the relative width is {:.3}; give more --members", power.relative_width()));
+            line(format!(
+                "NOT reached        the relative width is {:.3}; give more --members",
+                power.relative_width()
+            ));
         }
         let rate = &answer.contact_rate_hz;
         if rate.mean > 0.0 {
-            line(format!("contacts           {:.4} per second +- {:.2}", rate.mean, rate.half_width));
+            line(format!(
+                "contacts           {:.4} per second +- {:.2}",
+                rate.mean, rate.half_width
+            ));
             line(format!(
                 "strikes            {:.4e} m/s in the mean, {:.4e} m/s at most, {:.4e} s each",
-                answer.mean_impact_velocity_m_s, answer.max_impact_velocity_m_s, answer.mean_contact_duration_s
+                answer.mean_impact_velocity_m_s,
+                answer.max_impact_velocity_m_s,
+                answer.mean_contact_duration_s
             ));
         }
         for stop in &answer.stops {
@@ -124,37 +168,96 @@ impl Ensemble {
         }
         for spectrum in &answer.spectra {
             let (mean, width) = (spectrum.bandwidth_hz.mean, spectrum.bandwidth_hz.half_width);
-            line(format!("bandwidth of V     {mean:.4e} Hz +- {width:.1e} Hz (statistical, patch {})", spectrum.patch));
+            line(format!(
+                "bandwidth of V     {mean:.4e} Hz +- {width:.1e} Hz (statistical, patch {})",
+                spectrum.patch
+            ));
         }
-        line(format!("energy residual    {worst:.1e} of the largest energy"));
+        line(format!(
+            "energy residual    {worst:.1e} of the largest energy"
+        ));
     }
 
     fn write(&self, folder: &Path, base: &Model, answer: &EnsembleResult) -> Result<(), Failure> {
-        let manifest = self.spec.manifest(&base.spec, "ensemble").with("seed", self.seed).with("members", answer.members.len());
+        let manifest = self
+            .spec
+            .manifest(&base.spec, "ensemble")
+            .with("seed", self.seed)
+            .with("members", answer.members.len());
         output::table(folder, "ensemble", &table(&answer.members)?, &manifest)?;
         self.write_spectra(folder, base, answer)?;
-        let powers: Vec<f64> = answer.members.iter().map(|member| member.mean_power_w).collect();
-        let (low, high) = (answer.power_w.mean - answer.power_w.half_width, answer.power_w.mean + answer.power_w.half_width);
-        output::figure(folder, "ensemble", &picture::ensemble("Mean power of realisations", &powers, low, high))
+        let powers: Vec<f64> = answer
+            .members
+            .iter()
+            .map(|member| member.mean_power_w)
+            .collect();
+        let (low, high) = (
+            answer.power_w.mean - answer.power_w.half_width,
+            answer.power_w.mean + answer.power_w.half_width,
+        );
+        output::figure(
+            folder,
+            "ensemble",
+            &picture::ensemble("Mean power of realisations", &powers, low, high),
+        )
     }
 }
 
 impl Ensemble {
-    fn write_spectra(&self, folder: &Path, base: &Model, answer: &EnsembleResult) -> Result<(), Failure> {
-        let Some(first) = answer.spectra.first() else { return Ok(()) };
-        let mut table = Table::new(vec![Column::new("frequency_hz", "Hz", "middle of the bin", first.frequency_hz.clone())])?;
+    fn write_spectra(
+        &self,
+        folder: &Path,
+        base: &Model,
+        answer: &EnsembleResult,
+    ) -> Result<(), Failure> {
+        let Some(first) = answer.spectra.first() else {
+            return Ok(());
+        };
+        let mut table = Table::new(vec![Column::new(
+            "frequency_hz",
+            "Hz",
+            "middle of the bin",
+            first.frequency_hz.clone(),
+        )])?;
         let mut lines = Vec::new();
         for spectrum in &answer.spectra {
-            let column = |of: fn(&Estimate) -> f64| spectrum.density.iter().map(of).collect::<Vec<f64>>();
+            let column =
+                |of: fn(&Estimate) -> f64| spectrum.density.iter().map(of).collect::<Vec<f64>>();
             let (mean, width) = (column(|own| own.mean), column(|own| own.half_width));
             let name = |what: &str| format!("{}.{what}", spectrum.patch);
-            table.push(Column::new(&name("voltage.psd"), "V^2/Hz", "power spectral density, one-sided", mean.clone()))?;
-            table.push(Column::new(&name("voltage.psd_half_width"), "V^2/Hz", "half of its 95 % interval", width))?;
-            let ends = [column(|own| own.mean - own.half_width), column(|own| own.mean + own.half_width)];
-            lines.push(DensityLine { quantity: name("voltage"), unit: "V^2/Hz".to_owned(), density: mean, interval: ends });
+            table.push(Column::new(
+                &name("voltage.psd"),
+                "V^2/Hz",
+                "power spectral density, one-sided",
+                mean.clone(),
+            ))?;
+            table.push(Column::new(
+                &name("voltage.psd_half_width"),
+                "V^2/Hz",
+                "half of its 95 % interval",
+                width,
+            ))?;
+            let ends = [
+                column(|own| own.mean - own.half_width),
+                column(|own| own.mean + own.half_width),
+            ];
+            lines.push(DensityLine {
+                quantity: name("voltage"),
+                unit: "V^2/Hz".to_owned(),
+                density: mean,
+                interval: ends,
+            });
         }
-        let manifest = self.spec.manifest(&base.spec, "ensemble").with("seed", self.seed).with("members", answer.members.len());
-        output::figure(folder, "ensemble-spectrum", &picture::densities("Spectra of realisations", &first.frequency_hz, &lines))?;
+        let manifest = self
+            .spec
+            .manifest(&base.spec, "ensemble")
+            .with("seed", self.seed)
+            .with("members", answer.members.len());
+        output::figure(
+            folder,
+            "ensemble-spectrum",
+            &picture::densities("Spectra of realisations", &first.frequency_hz, &lines),
+        )?;
         output::table(folder, "ensemble-spectrum", &table, &manifest)
     }
 }
@@ -171,7 +274,11 @@ fn print_stop(stop: &StopEstimates) {
     if stop.contact_rate_hz.mean == 0.0 {
         return line(format!("stop {:<12}  no contacts", stop.name));
     }
-    line(format!("stop {:<12}  {}", stop.name, with_interval(&stop.contact_rate_hz, "contacts per second")));
+    line(format!(
+        "stop {:<12}  {}",
+        stop.name,
+        with_interval(&stop.contact_rate_hz, "contacts per second")
+    ));
     line(format!(
         "  approach speed   {}, {:.4e} m/s at most",
         with_interval(&stop.mean_impact_velocity_m_s, "m/s"),
@@ -208,25 +315,67 @@ fn stop_json(stop: &StopEstimates) -> serde_json::Value {
 }
 
 fn bandwidth_json(spectrum: &VoltageSpectrum) -> (String, serde_json::Value) {
-    (spectrum.patch.clone(), estimate_json(&spectrum.bandwidth_hz))
+    (
+        spectrum.patch.clone(),
+        estimate_json(&spectrum.bandwidth_hz),
+    )
 }
 
 fn table(members: &[Member]) -> Result<Table, Failure> {
     let number = |name: &str, unit: &str, about: &str, value: fn(&Member) -> f64| {
-        Column::new(name, unit, about, members.iter().map(value).collect::<Vec<f64>>())
+        Column::new(
+            name,
+            unit,
+            about,
+            members.iter().map(value).collect::<Vec<f64>>(),
+        )
     };
-    let whole =
-        |name: &str, about: &str, value: fn(&Member) -> u64| Column::new(name, "", about, members.iter().map(value).collect::<Vec<u64>>());
+    let whole = |name: &str, about: &str, value: fn(&Member) -> u64| {
+        Column::new(
+            name,
+            "",
+            about,
+            members.iter().map(value).collect::<Vec<u64>>(),
+        )
+    };
     Ok(Table::new(vec![
-        whole("member", "number of the realisation under its seed", |m| m.index as u64),
-        number("mean_power_w", "W", "mean power of all loads", |m| m.mean_power_w),
+        whole("member", "number of the realisation under its seed", |m| {
+            m.index as u64
+        }),
+        number("mean_power_w", "W", "mean power of all loads", |m| {
+            m.mean_power_w
+        }),
         whole("contacts", "contacts that began", |m| m.contacts),
-        number("contact_rate_hz", "Hz", "contacts per second", |m| m.contact_rate_hz),
-        number("mean_impact_velocity_m_s", "m/s", "mean speed at which contacts began", |m| m.mean_impact_velocity_m_s),
-        number("max_impact_velocity_m_s", "m/s", "largest speed at which one began", |m| m.max_impact_velocity_m_s),
-        number("mean_contact_duration_s", "s", "mean time that a contact lasts", |m| m.mean_contact_duration_s),
-        number("max_penetration_m", "m", "largest penetration", |m| m.max_penetration_m),
-        number("energy_residual_relative", "", "energy residual over the largest energy", |m| m.energy_residual_relative),
+        number("contact_rate_hz", "Hz", "contacts per second", |m| {
+            m.contact_rate_hz
+        }),
+        number(
+            "mean_impact_velocity_m_s",
+            "m/s",
+            "mean speed at which contacts began",
+            |m| m.mean_impact_velocity_m_s,
+        ),
+        number(
+            "max_impact_velocity_m_s",
+            "m/s",
+            "largest speed at which one began",
+            |m| m.max_impact_velocity_m_s,
+        ),
+        number(
+            "mean_contact_duration_s",
+            "s",
+            "mean time that a contact lasts",
+            |m| m.mean_contact_duration_s,
+        ),
+        number("max_penetration_m", "m", "largest penetration", |m| {
+            m.max_penetration_m
+        }),
+        number(
+            "energy_residual_relative",
+            "",
+            "energy residual over the largest energy",
+            |m| m.energy_residual_relative,
+        ),
     ])?)
 }
 

@@ -4,7 +4,9 @@ use crate::failure::Failure;
 use crate::output::{line, print};
 use crate::spec_arguments::SpecArguments;
 use clap::Args;
-use jounce_explorer::{ExploreError, Explorer, ServerLimits, ServerOptions, Source, open_in_browser, state_folder};
+use jounce_explorer::{
+    ExploreError, Explorer, ServerLimits, ServerOptions, Source, open_in_browser, state_folder,
+};
 use std::net::SocketAddr;
 
 /// Arguments of `explore`.
@@ -28,7 +30,9 @@ impl Explore {
     pub fn run(&self) -> Result<(), Failure> {
         let pair = |text: &String| match text.split_once('=') {
             Some((key, value)) => Ok((key.to_owned(), value.to_owned())),
-            None => Err(Failure::usage(format!("--set {text}: write KEY=VALUE, as in --set stop.tip.gap=\"0.5 mm\""))),
+            None => Err(Failure::usage(format!(
+                "--set {text}: write KEY=VALUE, as in --set stop.tip.gap=\"0.5 mm\""
+            ))),
         };
         let set = self.spec.set.iter().map(pair).collect::<Result<_, _>>()?;
         let options = ServerOptions {
@@ -42,19 +46,24 @@ impl Explore {
         let page = explorer.page();
         match self.json {
             true => print(&serde_json::json!({ "page": page })),
-            false => line(format!("{page}\nKeep the address to yourself: whoever has it can use the page. Ctrl+C ends it.")),
+            false => line(format!(
+                "{page}\nKeep the address to yourself: whoever has it can use the page. Ctrl+C ends it."
+            )),
         }
         // The file that leads the browser to the page goes with this variable.
         let mut opened = None;
         if !self.no_browser {
             match open_in_browser(&page) {
                 Ok(file) => opened = Some(file),
-                Err(error) => eprintln!("no browser could be started ({error}); open the address yourself"),
+                Err(error) => {
+                    eprintln!("no browser could be started ({error}); open the address yourself")
+                }
             }
         }
         let stopper = explorer.stopper();
         let handled = ctrlc::set_handler(move || stopper.stop());
-        handled.map_err(|error| Failure::Input(format!("interruptions cannot be handled: {error}")))?;
+        handled
+            .map_err(|error| Failure::Input(format!("interruptions cannot be handled: {error}")))?;
         explorer.run()?;
         drop(opened);
         Ok(())

@@ -53,65 +53,169 @@ impl Fit {
         let file = self.spec.file()?;
         let spec = self.spec.read(&file)?;
         let control = Control::default();
-        let (answer, _) =
-            progress::with_count("models tried", &|| control.progress().0, || fit(&file, &spec, &features, &self.spec.folder(), &control))?;
+        let (answer, _) = progress::with_count("models tried", &|| control.progress().0, || {
+            fit(&file, &spec, &features, &self.spec.folder(), &control)
+        })?;
         if let Some(folder) = &self.output.out {
             self.write(folder, file, &spec, &answer)?;
         }
         if self.output.json {
-            print(&serde_json::to_value(&answer).map_err(|error| Failure::Input(error.to_string()))?);
+            print(
+                &serde_json::to_value(&answer)
+                    .map_err(|error| Failure::Input(error.to_string()))?,
+            );
         } else {
             print_fit(&answer);
         }
         Ok(())
     }
 
-    fn write(&self, folder: &Path, mut file: SpecFile, spec: &Spec, answer: &FitResult) -> Result<(), Failure> {
+    fn write(
+        &self,
+        folder: &Path,
+        mut file: SpecFile,
+        spec: &Spec,
+        answer: &FitResult,
+    ) -> Result<(), Failure> {
         let key = |of: &dyn Fn(&FittedKey) -> f64| answer.keys.iter().map(of).collect::<Vec<f64>>();
-        let feature = |of: &dyn Fn(&FittedFeature) -> f64| answer.features.iter().map(of).collect::<Vec<f64>>();
+        let feature = |of: &dyn Fn(&FittedFeature) -> f64| {
+            answer.features.iter().map(of).collect::<Vec<f64>>()
+        };
         let table = Table::new(vec![
-            Column::new("key", "", "the key", answer.keys.iter().map(|key| key.key.clone()).collect::<Vec<_>>()),
-            Column::new("unit", "", "unit of the next columns", answer.keys.iter().map(|key| key.unit.clone()).collect::<Vec<_>>()),
+            Column::new(
+                "key",
+                "",
+                "the key",
+                answer
+                    .keys
+                    .iter()
+                    .map(|key| key.key.clone())
+                    .collect::<Vec<_>>(),
+            ),
+            Column::new(
+                "unit",
+                "",
+                "unit of the next columns",
+                answer
+                    .keys
+                    .iter()
+                    .map(|key| key.unit.clone())
+                    .collect::<Vec<_>>(),
+            ),
             Column::new("before", "", "value in the spec", key(&|key| key.before)),
             Column::new("after", "", "fitted value", key(&|key| key.after)),
-            Column::new("low", "", "lower end of its interval of 95 %", key(&|key| key.low)),
-            Column::new("high", "", "upper end of its interval of 95 %", key(&|key| key.high)),
+            Column::new(
+                "low",
+                "",
+                "lower end of its interval of 95 %",
+                key(&|key| key.low),
+            ),
+            Column::new(
+                "high",
+                "",
+                "upper end of its interval of 95 %",
+                key(&|key| key.high),
+            ),
         ])?;
-        let manifest = self.spec.manifest(spec, "fit").with("to", self.to.display());
+        let manifest = self
+            .spec
+            .manifest(spec, "fit")
+            .with("to", self.to.display());
         output::table(folder, "fit-keys", &table, &manifest)?;
         let table = Table::new(vec![
-            Column::new("feature", "", "the feature", answer.features.iter().map(|f| f.name.clone()).collect::<Vec<_>>()),
-            Column::new("measured", "", "as measured", feature(&|feature| feature.measured)),
-            Column::new("deviation", "", "relative standard deviation of the measurement", feature(&|feature| feature.deviation)),
-            Column::new("before", "", "of the model before", feature(&|feature| feature.before)),
-            Column::new("after", "", "of the model after", feature(&|feature| feature.after)),
-            Column::new("predicted_deviation", "", "relative deviation of the model after", feature(&|f| f.predicted_deviation)),
-            Column::new("low", "", "lower end of the interval of 95 % for a further measurement", feature(&|f| f.low)),
+            Column::new(
+                "feature",
+                "",
+                "the feature",
+                answer
+                    .features
+                    .iter()
+                    .map(|f| f.name.clone())
+                    .collect::<Vec<_>>(),
+            ),
+            Column::new(
+                "measured",
+                "",
+                "as measured",
+                feature(&|feature| feature.measured),
+            ),
+            Column::new(
+                "deviation",
+                "",
+                "relative standard deviation of the measurement",
+                feature(&|feature| feature.deviation),
+            ),
+            Column::new(
+                "before",
+                "",
+                "of the model before",
+                feature(&|feature| feature.before),
+            ),
+            Column::new(
+                "after",
+                "",
+                "of the model after",
+                feature(&|feature| feature.after),
+            ),
+            Column::new(
+                "predicted_deviation",
+                "",
+                "relative deviation of the model after",
+                feature(&|f| f.predicted_deviation),
+            ),
+            Column::new(
+                "low",
+                "",
+                "lower end of the interval of 95 % for a further measurement",
+                feature(&|f| f.low),
+            ),
             Column::new("high", "", "its upper end", feature(&|f| f.high)),
         ])?;
         output::table(folder, "fit-features", &table, &manifest)?;
         for (number, curve) in answer.curves.iter().enumerate() {
             let name = format!("fit-curve-{}", number + 1);
-            output::table(folder, &name, &curve_table(curve)?, &manifest.clone().with("curve", &curve.name))?;
+            output::table(
+                folder,
+                &name,
+                &curve_table(curve)?,
+                &manifest.clone().with("curve", &curve.name),
+            )?;
         }
-        output::figure(folder, "fit", &fitted("Model against measurement, before and after the fit", answer))?;
+        output::figure(
+            folder,
+            "fit",
+            &fitted(
+                "Model against measurement, before and after the fit",
+                answer,
+            ),
+        )?;
         for key in &answer.keys {
             let value = format!("{:?} {}", key.after, key.unit);
-            file.set(&key.key, value.trim()).map_err(|fault| Failure::faults(&self.spec.spec, vec![fault]))?;
+            file.set(&key.key, value.trim())
+                .map_err(|fault| Failure::faults(&self.spec.spec, vec![fault]))?;
         }
-        Ok(jounce::store::write(&folder.join("fitted.toml"), file.text().as_bytes())?)
+        Ok(jounce::store::write(
+            &folder.join("fitted.toml"),
+            file.text().as_bytes(),
+        )?)
     }
 }
 
 fn curve_table(curve: &FittedCurve) -> Result<Table, Failure> {
     let unit = if curve.over == "time_s" { "s" } else { "Hz" };
-    let column = |name: &str, about: &str, values: &[f64]| Column::new(name, &curve.unit, about, values.to_vec());
+    let column = |name: &str, about: &str, values: &[f64]| {
+        Column::new(name, &curve.unit, about, values.to_vec())
+    };
     Ok(Table::new(vec![
         Column::new(&curve.over, unit, "place", curve.at.clone()),
         column("measured", "as measured", &curve.measured),
         column("before", "of the model before", &curve.before),
         column("after", "of the model after", &curve.after),
-        column("low", "lower end of the interval of 95 % for a further measurement", &curve.low),
+        column(
+            "low",
+            "lower end of the interval of 95 % for a further measurement",
+            &curve.low,
+        ),
         column("high", "its upper end", &curve.high),
     ])?)
 }
@@ -119,10 +223,15 @@ fn curve_table(curve: &FittedCurve) -> Result<Table, Failure> {
 fn print_fit(answer: &FitResult) {
     for key in &answer.keys {
         let (path, unit) = (&key.key, &key.unit);
-        line(format!("{path}: {:.6e} {unit} -> {:.6e} {unit}, 95 % from {:.6e} to {:.6e}", key.before, key.after, key.low, key.high));
+        line(format!(
+            "{path}: {:.6e} {unit} -> {:.6e} {unit}, 95 % from {:.6e} to {:.6e}",
+            key.before, key.after, key.low, key.high
+        ));
     }
     if !answer.features.is_empty() {
-        line("feature                    measured        before   error %         after   error %   +- 95 %");
+        line(
+            "feature                    measured        before   error %         after   error %   +- 95 %",
+        );
     }
     for feature in &answer.features {
         let (before, after) = feature.errors();
@@ -149,8 +258,14 @@ fn print_fit(answer: &FitResult) {
     }
     for found in &answer.deviations {
         if let Some(freedom) = found.degrees_of_freedom {
-            line(format!("deviation of {} from residuals: {:.3e}, {freedom:.1} degrees of freedom", found.name, found.deviation));
+            line(format!(
+                "deviation of {} from residuals: {:.3e}, {freedom:.1} degrees of freedom",
+                found.name, found.deviation
+            ));
         }
     }
-    answer.warnings.iter().for_each(|warning| line(format!("warning: {warning}")));
+    answer
+        .warnings
+        .iter()
+        .for_each(|warning| line(format!("warning: {warning}")));
 }

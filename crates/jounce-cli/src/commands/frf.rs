@@ -58,7 +58,10 @@ impl Frf {
         let mut spec = arguments.spec()?;
         let frequency_hz = self.frequencies()?;
         let held = fixed_bodies(&self.hold, self.fixed_table, &spec);
-        let forced = spec.drive.values().find(|drive| drive.kind == DriveKind::Force);
+        let forced = spec
+            .drive
+            .values()
+            .find(|drive| drive.kind == DriveKind::Force);
         let input = match (&self.hammer.input, forced) {
             _ if self.base => FrfInput::BaseAcceleration,
             (Some(point), _) => FrfInput::Force(point.clone()),
@@ -69,10 +72,15 @@ impl Frf {
             }
         };
         if self.base
-            && let Some((name, _)) = spec.modal.iter().find(|(_, modal)| modal.participation_sqrt_kg.is_empty())
+            && let Some((name, _)) = spec
+                .modal
+                .iter()
+                .find(|(_, modal)| modal.participation_sqrt_kg.is_empty())
         {
             let why = "is missing: without it jounce cannot know how an acceleration of the base shakes this structure";
-            return Err(Failure::Input(format!("modal.{name}.participation_sqrt_kg {why}")));
+            return Err(Failure::Input(format!(
+                "modal.{name}.participation_sqrt_kg {why}"
+            )));
         }
         if self.open_circuit {
             spec.open_circuits();
@@ -81,59 +89,135 @@ impl Frf {
         spec.gravity = Gravity::default();
         spec.stop.clear();
         let modes = structure::modes_holding(&spec, &held)?;
-        let motion = if self.base { FrfResponse::Displacement } else { FrfResponse::Acceleration };
+        let motion = if self.base {
+            FrfResponse::Displacement
+        } else {
+            FrfResponse::Acceleration
+        };
         let points = modes.shape.keys().map(|point| motion(point.clone()));
-        let patches = modes.patch.keys().map(|patch| FrfResponse::Voltage(patch.clone()));
-        let loads = spec.circuit.keys().map(|load| FrfResponse::LoadVoltage(load.clone()));
+        let patches = modes
+            .patch
+            .keys()
+            .map(|patch| FrfResponse::Voltage(patch.clone()));
+        let loads = spec
+            .circuit
+            .keys()
+            .map(|load| FrfResponse::LoadVoltage(load.clone()));
         let responses: Vec<FrfResponse> = points.chain(patches).chain(loads).collect();
         let plant = Plant::new(System::assemble(&spec, modes)?)?;
         let answers = linear::frf(&plant, &input, &responses, &frequency_hz)?;
         if let Some(folder) = &self.output.out {
-            write(folder, &arguments.manifest(&spec, "frf"), &frequency_hz, &answers, &input)?;
+            write(
+                folder,
+                &arguments.manifest(&spec, "frf"),
+                &frequency_hz,
+                &answers,
+                &input,
+            )?;
         }
         self.tell(&input, &held, &frequency_hz, &answers);
         Ok(())
     }
 
-    fn tell(&self, input: &FrfInput, held: &[String], frequency_hz: &[f64], answers: &[linear::Frf]) {
+    fn tell(
+        &self,
+        input: &FrfInput,
+        held: &[String],
+        frequency_hz: &[f64],
+        answers: &[linear::Frf],
+    ) {
         if self.output.json {
             let listed: serde_json::Map<String, serde_json::Value> = (answers.iter())
                 .map(|frf| {
                     let re: Vec<f64> = frf.value.iter().map(|v| v.re).collect();
                     let im: Vec<f64> = frf.value.iter().map(|v| v.im).collect();
-                    (frf.response.name(), serde_json::json!({ "re": re, "im": im, "unit": frf.response.unit(input) }))
+                    (
+                        frf.response.name(),
+                        serde_json::json!({ "re": re, "im": im, "unit": frf.response.unit(input) }),
+                    )
                 })
                 .collect();
-            print(&serde_json::json!({ "input": shown(input), "held": held, "frequency_hz": frequency_hz, "responses": listed }));
+            print(
+                &serde_json::json!({ "input": shown(input), "held": held, "frequency_hz": frequency_hz, "responses": listed }),
+            );
             return;
         }
         for frf in answers {
-            let highest = frf.value.iter().map(|v| v.norm()).enumerate().max_by(|a, b| a.1.total_cmp(&b.1));
+            let highest = frf
+                .value
+                .iter()
+                .map(|v| v.norm())
+                .enumerate()
+                .max_by(|a, b| a.1.total_cmp(&b.1));
             if let Some((place, size)) = highest {
-                line(format!("{}: highest {size:.5e} {} at {:.4} Hz", frf.response.name(), frf.response.unit(input), frequency_hz[place]));
+                line(format!(
+                    "{}: highest {size:.5e} {} at {:.4} Hz",
+                    frf.response.name(),
+                    frf.response.unit(input),
+                    frequency_hz[place]
+                ));
             }
         }
     }
 
     fn frequencies(&self) -> Result<Vec<f64>, Failure> {
-        let (from, to) = (frequency_hz("from", &self.from)?, frequency_hz("to", &self.to)?);
+        let (from, to) = (
+            frequency_hz("from", &self.from)?,
+            frequency_hz("to", &self.to)?,
+        );
         if from >= to || !(2..=1_000_000).contains(&self.points) {
-            return Err(Failure::usage("frf needs --from below --to, and 2 to 1000000 --points".into()));
+            return Err(Failure::usage(
+                "frf needs --from below --to, and 2 to 1000000 --points".into(),
+            ));
         }
         let ratio = (to / from).ln() / (self.points - 1) as f64;
-        Ok((0..self.points).map(|k| if k + 1 == self.points { to } else { from * (ratio * k as f64).exp() }).collect())
+        Ok((0..self.points)
+            .map(|k| {
+                if k + 1 == self.points {
+                    to
+                } else {
+                    from * (ratio * k as f64).exp()
+                }
+            })
+            .collect())
     }
 }
 
-fn write(folder: &Path, manifest: &Manifest, frequency_hz: &[f64], answers: &[linear::Frf], input: &FrfInput) -> Result<(), Failure> {
-    let mut table = Table::new(vec![Column::new("frequency_hz", "Hz", "frequency", frequency_hz.to_vec())])?;
+fn write(
+    folder: &Path,
+    manifest: &Manifest,
+    frequency_hz: &[f64],
+    answers: &[linear::Frf],
+    input: &FrfInput,
+) -> Result<(), Failure> {
+    let mut table = Table::new(vec![Column::new(
+        "frequency_hz",
+        "Hz",
+        "frequency",
+        frequency_hz.to_vec(),
+    )])?;
     for frf in answers {
         let (name, unit) = (frf.response.name(), frf.response.unit(input));
         let (re, im): (Vec<f64>, Vec<f64>) = frf.value.iter().map(|v| (v.re, v.im)).unzip();
-        table.push(Column::new(&format!("{name}.re"), unit, "real part", re.clone()))?;
-        table.push(Column::new(&format!("{name}.im"), unit, "imaginary part", im.clone()))?;
-        let response = picture::ResponseLine { label: name.clone(), re, im };
-        let figure = picture::frequency_responses(&name, &name, unit, Scale::Log, frequency_hz, &[response]);
+        table.push(Column::new(
+            &format!("{name}.re"),
+            unit,
+            "real part",
+            re.clone(),
+        ))?;
+        table.push(Column::new(
+            &format!("{name}.im"),
+            unit,
+            "imaginary part",
+            im.clone(),
+        ))?;
+        let response = picture::ResponseLine {
+            label: name.clone(),
+            re,
+            im,
+        };
+        let figure =
+            picture::frequency_responses(&name, &name, unit, Scale::Log, frequency_hz, &[response]);
         output::figure(folder, &format!("frf-{name}"), &figure)?;
     }
     output::table(folder, "frf", &table, manifest)

@@ -8,7 +8,9 @@ use crate::progress;
 use crate::spec_arguments::{OutputArguments, SpecArguments, check_tolerance};
 use crate::threads::ThreadsArgument;
 use clap::Args;
-use jounce::analysis::{BifurcationCurve, BifurcationCurvePoint, BifurcationSearch, BranchOptions, Model};
+use jounce::analysis::{
+    BifurcationCurve, BifurcationCurvePoint, BifurcationSearch, BranchOptions, Model,
+};
 use jounce::picture::{self, Axis, BifurcationLine};
 use jounce::spec::{NumericKey, Spec};
 use jounce::table::{Column, Table};
@@ -53,7 +55,10 @@ impl Jumps {
         let (key, range) = self.spec.key_and_ends(&file, &self.over)?;
         let (key_2, range_2) = self.spec.key_and_ends(&file, &self.against)?;
         if key.path() == key_2.path() {
-            return Err(Failure::usage(format!("--over and --against are both {}: give two different keys", key.path())));
+            return Err(Failure::usage(format!(
+                "--over and --against are both {}: give two different keys",
+                key.path()
+            )));
         }
         let search = BifurcationSearch {
             base: &base,
@@ -64,29 +69,59 @@ impl Jumps {
             longest_period: self.longest_period,
             peaks: !self.no_peaks,
         };
-        let options = BranchOptions { levels: self.levels.read(&base.kernel.plant)?, ..BranchOptions::default() };
+        let options = BranchOptions {
+            levels: self.levels.read(&base.kernel.plant)?,
+            ..BranchOptions::default()
+        };
         interruption::install(&base.kernel.control);
-        let curves = progress::with_progress(&base.kernel.control, || self.threads.run(|| search.run_with(&options)))??;
-        for (curve, why) in curves.iter().flat_map(|curve| curve.failures.iter().map(move |why| (curve, why))) {
-            eprintln!("a curve of kind {} ends early in {}: {why}", name(curve), key_2.path());
+        let curves = progress::with_progress(&base.kernel.control, || {
+            self.threads.run(|| search.run_with(&options))
+        })??;
+        for (curve, why) in curves
+            .iter()
+            .flat_map(|curve| curve.failures.iter().map(move |why| (curve, why)))
+        {
+            eprintln!(
+                "a curve of kind {} ends early in {}: {why}",
+                name(curve),
+                key_2.path()
+            );
         }
         self.tell(&base.spec, [&key, &key_2], &curves)?;
-        interruption::end(&base.kernel.control, || format!("the {} curves that were finished", curves.len()))?;
+        interruption::end(&base.kernel.control, || {
+            format!("the {} curves that were finished", curves.len())
+        })?;
         if curves.is_empty() || curves.iter().any(|curve| curve.failures.is_empty()) {
             return Ok(());
         }
-        Err(Failure::Incomplete("no curve is whole: each ends where it could not be followed".to_owned()))
+        Err(Failure::Incomplete(
+            "no curve is whole: each ends where it could not be followed".to_owned(),
+        ))
     }
 
-    fn tell(&self, spec: &Spec, keys: [&NumericKey; 2], curves: &[BifurcationCurve]) -> Result<(), Failure> {
+    fn tell(
+        &self,
+        spec: &Spec,
+        keys: [&NumericKey; 2],
+        curves: &[BifurcationCurve],
+    ) -> Result<(), Failure> {
         if let Some(folder) = &self.output.out {
-            let manifest = self.spec.manifest(spec, "jumps").with("over", &self.over).with("against", &self.against);
+            let manifest = self
+                .spec
+                .manifest(spec, "jumps")
+                .with("over", &self.over)
+                .with("against", &self.against);
             output::table(folder, "jumps", &table(keys, curves)?, &manifest)?;
             let [x, y] = keys.map(|key| Axis::linear(key.path(), &key.unit()));
             output::figure(
                 folder,
                 "jumps",
-                &picture::bifurcations("Where the answer jumps", x, y, &curves.iter().map(curve_line).collect::<Vec<_>>()),
+                &picture::bifurcations(
+                    "Where the answer jumps",
+                    x,
+                    y,
+                    &curves.iter().map(curve_line).collect::<Vec<_>>(),
+                ),
             )?;
         }
         if self.output.json {
@@ -101,13 +136,23 @@ impl Jumps {
             return Ok(());
         }
         if curves.is_empty() {
-            line(format!("no fold, doubling, torus, grazing, level or peak over {} for {}", self.over, self.against));
+            line(format!(
+                "no fold, doubling, torus, grazing, level or peak over {} for {}",
+                self.over, self.against
+            ));
         }
         for curve in curves {
-            line(format!("{} of period {}: {} points", name(curve), curve.period_cycles, curve.points.len()));
+            line(format!(
+                "{} of period {}: {} points",
+                name(curve),
+                curve.period_cycles,
+                curve.points.len()
+            ));
             for point in curve.points.first().into_iter().chain(curve.points.last()) {
                 let (unit, unit_2) = (keys[0].unit(), keys[1].unit());
-                let stable = point.stable.map_or("", |stable| if stable { "  stable" } else { "  unstable" });
+                let stable = point
+                    .stable
+                    .map_or("", |stable| if stable { "  stable" } else { "  unstable" });
                 line(format!(
                     "  {:>12} {unit}  {:>12} {unit_2}  {:.6e} W{stable}",
                     output::key_value(point.parameter),
@@ -148,28 +193,58 @@ fn to_json(curve: &BifurcationCurve) -> serde_json::Value {
 }
 
 fn table(keys: [&NumericKey; 2], curves: &[BifurcationCurve]) -> Result<Table, Failure> {
-    let all: Vec<(u64, &BifurcationCurve, &BifurcationCurvePoint)> =
-        curves.iter().enumerate().flat_map(|(k, curve)| curve.points.iter().map(move |point| (k as u64, curve, point))).collect();
+    let all: Vec<(u64, &BifurcationCurve, &BifurcationCurvePoint)> = curves
+        .iter()
+        .enumerate()
+        .flat_map(|(k, curve)| {
+            curve
+                .points
+                .iter()
+                .map(move |point| (k as u64, curve, point))
+        })
+        .collect();
     let number = |name: &str, unit: &str, about: &str, value: fn(&BifurcationCurvePoint) -> f64| {
-        Column::new(name, unit, about, all.iter().map(|(_, _, point)| value(point)).collect::<Vec<f64>>())
+        Column::new(
+            name,
+            unit,
+            about,
+            all.iter()
+                .map(|(_, _, point)| value(point))
+                .collect::<Vec<f64>>(),
+        )
     };
     Ok(Table::new(vec![
-        Column::new("curve", "", "number of the curve, from 0", all.iter().map(|(k, ..)| *k).collect::<Vec<u64>>()),
+        Column::new(
+            "curve",
+            "",
+            "number of the curve, from 0",
+            all.iter().map(|(k, ..)| *k).collect::<Vec<u64>>(),
+        ),
         Column::new(
             "kind",
             "",
             "what happens, or the level that is passed",
-            all.iter().map(|(_, curve, _)| name(curve).to_owned()).collect::<Vec<_>>(),
+            all.iter()
+                .map(|(_, curve, _)| name(curve).to_owned())
+                .collect::<Vec<_>>(),
         ),
         Column::new(
             "period_cycles",
             "",
             "period in drive cycles",
-            all.iter().map(|(_, curve, _)| u64::from(curve.period_cycles)).collect::<Vec<_>>(),
+            all.iter()
+                .map(|(_, curve, _)| u64::from(curve.period_cycles))
+                .collect::<Vec<_>>(),
         ),
-        number("parameter", &keys[0].unit(), keys[0].path(), |p| p.parameter),
-        number("parameter_2", &keys[1].unit(), keys[1].path(), |p| p.parameter_2),
-        number("mean_power_w", "W", "mean power of all loads", |p| p.mean_power_w),
+        number("parameter", &keys[0].unit(), keys[0].path(), |p| {
+            p.parameter
+        }),
+        number("parameter_2", &keys[1].unit(), keys[1].path(), |p| {
+            p.parameter_2
+        }),
+        number("mean_power_w", "W", "mean power of all loads", |p| {
+            p.mean_power_w
+        }),
     ])?)
 }
 

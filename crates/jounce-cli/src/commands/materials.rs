@@ -21,9 +21,18 @@ impl Materials {
             return Ok(());
         }
         for material in LIBRARY {
-            line(format!("{}: {} GPa, {} kg/m^3", material.name, decimals(material.youngs_modulus_pa / 1e9), material.density_kg_m3));
+            line(format!(
+                "{}: {} GPa, {} kg/m^3",
+                material.name,
+                decimals(material.youngs_modulus_pa / 1e9),
+                material.density_kg_m3
+            ));
             if let Some(active) = material.active {
-                let which = if active.electrode_spacing_m.is_some() { "d33" } else { "d31" };
+                let which = if active.electrode_spacing_m.is_some() {
+                    "d33"
+                } else {
+                    "d31"
+                };
                 line(format!(
                     "    {which} {} pC/N, permittivity at constant strain {} nF/m",
                     decimals(active.charge_coefficient_m_per_v * 1e12),
@@ -31,7 +40,10 @@ impl Materials {
                 ));
             }
             if let Some(strain) = material.strain_limit {
-                line(format!("    recommended strain at most {} ppm", decimals(strain * 1e6)));
+                line(format!(
+                    "    recommended strain at most {} ppm",
+                    decimals(strain * 1e6)
+                ));
             }
             if let Some([low, high]) = material.voltage_limits_v {
                 line(format!("    voltage from {low} V to {high} V"));

@@ -19,7 +19,8 @@ pub fn run(hammer: &HammerArguments, output: &OutputArguments) -> Result<(), Fai
     if output.json {
         let references = found.references.len().max(1);
         let one = |(k, function): (usize, &FrequencyResponse)| {
-            let (re, im): (Vec<f64>, Vec<f64>) = function.value.iter().map(|h| (h.re, h.im)).unzip();
+            let (re, im): (Vec<f64>, Vec<f64>) =
+                function.value.iter().map(|h| (h.re, h.im)).unzip();
             let told = serde_json::json!({
                 "re": re,
                 "im": im,
@@ -32,7 +33,8 @@ pub fn run(hammer: &HammerArguments, output: &OutputArguments) -> Result<(), Fai
             });
             (found.names[k].clone(), told)
         };
-        let listed: serde_json::Map<String, serde_json::Value> = found.functions.iter().enumerate().map(one).collect();
+        let listed: serde_json::Map<String, serde_json::Value> =
+            found.functions.iter().enumerate().map(one).collect();
         print(&serde_json::json!({
             "frequency_hz": found.functions[0].frequency_hz,
             "responses": listed,
@@ -47,27 +49,70 @@ pub fn run(hammer: &HammerArguments, output: &OutputArguments) -> Result<(), Fai
         return Ok(());
     }
     print_hits(&found);
-    for (number, ((name, unit), function)) in found.names.iter().zip(&found.units).zip(&found.functions).enumerate() {
+    for (number, ((name, unit), function)) in found
+        .names
+        .iter()
+        .zip(&found.units)
+        .zip(&found.functions)
+        .enumerate()
+    {
         let lines = function.value.iter().enumerate().skip(1);
         if let Some((k, highest)) = lines.max_by(|a, b| a.1.norm().total_cmp(&b.1.norm())) {
-            let (frequency_hz, coherence, size) = (function.frequency_hz[k], function.coherence[k], highest.norm());
-            let per_g = found.per_g(number).map_or_else(String::new, |(factor, unit)| format!(" ({:.5e} {unit})", size * factor));
-            let unit = if found.is_transmissibility(number) { "(transmissibility)" } else { unit };
-            line(format!("{name}: highest {size:.5e} {unit}{per_g} at {frequency_hz:.4} Hz, coherence {coherence:.5}"));
+            let (frequency_hz, coherence, size) = (
+                function.frequency_hz[k],
+                function.coherence[k],
+                highest.norm(),
+            );
+            let per_g = found
+                .per_g(number)
+                .map_or_else(String::new, |(factor, unit)| {
+                    format!(" ({:.5e} {unit})", size * factor)
+                });
+            let unit = if found.is_transmissibility(number) {
+                "(transmissibility)"
+            } else {
+                unit
+            };
+            line(format!(
+                "{name}: highest {size:.5e} {unit}{per_g} at {frequency_hz:.4} Hz, coherence {coherence:.5}"
+            ));
         }
     }
     Ok(())
 }
 
-fn write(folder: &Path, hammer: &HammerArguments, found: &MeasuredResponses) -> Result<(), Failure> {
+fn write(
+    folder: &Path,
+    hammer: &HammerArguments,
+    found: &MeasuredResponses,
+) -> Result<(), Failure> {
     let frequency_hz = found.functions[0].frequency_hz.clone();
-    let mut table = Table::new(vec![Column::new("frequency_hz", "Hz", "frequency", frequency_hz)])?;
+    let mut table = Table::new(vec![Column::new(
+        "frequency_hz",
+        "Hz",
+        "frequency",
+        frequency_hz,
+    )])?;
     for ((name, unit), function) in found.names.iter().zip(&found.units).zip(&found.functions) {
         let (re, im): (Vec<f64>, Vec<f64>) = function.value.iter().map(|h| (h.re, h.im)).unzip();
         table.push(Column::new(&format!("{name}.re"), unit, "real part", re))?;
-        table.push(Column::new(&format!("{name}.im"), unit, "imaginary part", im))?;
-        table.push(Column::new(&format!("{name}.coherence"), "", "coherence", function.coherence.clone()))?;
+        table.push(Column::new(
+            &format!("{name}.im"),
+            unit,
+            "imaginary part",
+            im,
+        ))?;
+        table.push(Column::new(
+            &format!("{name}.coherence"),
+            "",
+            "coherence",
+            function.coherence.clone(),
+        ))?;
     }
     output::table(folder, "frf", &table, &hammer.manifest("frf")?)?;
-    output::figure(folder, "frf", &measured_responses("Measured frequency responses", found))
+    output::figure(
+        folder,
+        "frf",
+        &measured_responses("Measured frequency responses", found),
+    )
 }

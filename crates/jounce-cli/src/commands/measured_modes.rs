@@ -10,7 +10,9 @@ use clap::Args;
 use jounce::spec::Quantity as Unit;
 use jounce::table::{Column, Table};
 use jounce_measure::draw::{modal_fit, stabilisation};
-use jounce_measure::modal::{Band, Identification, ModalSettings, Mode, Stability, identify, identify_decays, mac_matrix};
+use jounce_measure::modal::{
+    Band, Identification, ModalSettings, Mode, Stability, identify, identify_decays, mac_matrix,
+};
 use jounce_measure::recording::{Issue, Quantity};
 use jounce_measure::response::MeasuredResponses;
 use std::path::Path;
@@ -28,7 +30,9 @@ pub struct BandArguments {
 
 impl BandArguments {
     fn between_hz(&self, highest: f64) -> Result<(f64, f64), Failure> {
-        let Some(text) = &self.between else { return Ok((0.0, highest)) };
+        let Some(text) = &self.between else {
+            return Ok((0.0, highest));
+        };
         ends("--between", text, Unit::Frequency)
     }
 }
@@ -47,9 +51,17 @@ struct ModeSource {
 }
 
 /// Prints the modes of a hammer test, of free decays or of outputs alone.
-pub fn run(hammer: &HammerArguments, decay: &DecayArguments, band: &BandArguments, output: &OutputArguments) -> Result<(), Failure> {
+pub fn run(
+    hammer: &HammerArguments,
+    decay: &DecayArguments,
+    band: &BandArguments,
+    output: &OutputArguments,
+) -> Result<(), Failure> {
     if !(2..=400).contains(&band.order) {
-        return Err(Failure::usage(format!("--order {}: give 2 to 400", band.order)));
+        return Err(Failure::usage(format!(
+            "--order {}: give 2 to 400",
+            band.order
+        )));
     }
     let settings = ModalSettings { order: band.order };
     let (taken, found) = if decay.are_given() {
@@ -67,12 +79,37 @@ pub fn run(hammer: &HammerArguments, decay: &DecayArguments, band: &BandArgument
         )
     } else {
         let responses = hammer.responses()?;
-        let highest = responses.functions[0].frequency_hz.last().copied().unwrap_or(0.0);
+        let highest = responses.functions[0]
+            .frequency_hz
+            .last()
+            .copied()
+            .unwrap_or(0.0);
         let mut found = identify(&Band::of(&responses, band.between_hz(highest)?)?, settings)?;
-        found.modes.iter_mut().for_each(|mode| mode.without_decay(responses.window_decay_per_s));
-        let MeasuredResponses { outputs, names: functions, findings, .. } = responses.clone();
-        let references = if responses.references.len() > 1 { responses.references.clone() } else { Vec::new() };
-        (ModeSource { outputs, references, functions, responses: Some(responses), findings }, found)
+        found
+            .modes
+            .iter_mut()
+            .for_each(|mode| mode.without_decay(responses.window_decay_per_s));
+        let MeasuredResponses {
+            outputs,
+            names: functions,
+            findings,
+            ..
+        } = responses.clone();
+        let references = if responses.references.len() > 1 {
+            responses.references.clone()
+        } else {
+            Vec::new()
+        };
+        (
+            ModeSource {
+                outputs,
+                references,
+                functions,
+                responses: Some(responses),
+                findings,
+            },
+            found,
+        )
     };
     if let Some(folder) = &output.out {
         write(folder, hammer, decay, &taken, &found)?;
@@ -85,7 +122,11 @@ pub fn run(hammer: &HammerArguments, decay: &DecayArguments, band: &BandArgument
     line("mode  frequency_hz +- 95 %         damping_ratio +- 95 %");
     for (k, mode) in found.modes.iter().enumerate() {
         let frequency = with_uncertainty(mode.frequency_hz, mode.frequency_half_width_hz(), "");
-        line(format!("{:>4}  {frequency:<28}  {}", k + 1, with_uncertainty(mode.damping_ratio, mode.damping_half_width(), "")));
+        line(format!(
+            "{:>4}  {frequency:<28}  {}",
+            k + 1,
+            with_uncertainty(mode.damping_ratio, mode.damping_half_width(), "")
+        ));
     }
     if !taken.references.is_empty() {
         line(format!(
@@ -106,14 +147,28 @@ pub fn run(hammer: &HammerArguments, decay: &DecayArguments, band: &BandArgument
 /// What each mode adds to the motion of each output per motion of the base.
 fn print_participation(responses: &MeasuredResponses, found: &Identification) {
     for (k, mode) in (1..).zip(&found.modes) {
-        for (output, of) in responses.outputs.iter().zip(mode.base_participation(responses).unwrap_or_default()) {
-            line(format!("mode {k}: participation of the base at {output} {:.5} {}", of.re, of.unit).trim_end());
+        for (output, of) in responses
+            .outputs
+            .iter()
+            .zip(mode.base_participation(responses).unwrap_or_default())
+        {
+            line(
+                format!(
+                    "mode {k}: participation of the base at {output} {:.5} {}",
+                    of.re, of.unit
+                )
+                .trim_end(),
+            );
         }
     }
 }
 
 fn print_doubt(found: &Identification) {
-    let doubtful: Vec<String> = (1..).zip(&found.modes).filter(|(_, mode)| mode.is_doubtful()).map(|(k, _)| k.to_string()).collect();
+    let doubtful: Vec<String> = (1..)
+        .zip(&found.modes)
+        .filter(|(_, mode)| mode.is_doubtful())
+        .map(|(k, _)| k.to_string())
+        .collect();
     if !doubtful.is_empty() {
         line(format!(
             "warning: the damping of mode {} cannot be told from none, as that of poles which noise makes; if a smaller --order or a narrower \
@@ -127,23 +182,37 @@ fn print_doubt(found: &Identification) {
 const MAX_LISTED_PEAKS: usize = 8;
 
 fn print_unexplained(found: &Identification) {
-    let peaks: Vec<String> = found.unexplained.iter().take(MAX_LISTED_PEAKS).map(|peak| format!("{:.6}", peak.frequency_hz)).collect();
+    let peaks: Vec<String> = found
+        .unexplained
+        .iter()
+        .take(MAX_LISTED_PEAKS)
+        .map(|peak| format!("{:.6}", peak.frequency_hz))
+        .collect();
     if !peaks.is_empty() {
         let more = found.unexplained.len().saturating_sub(MAX_LISTED_PEAKS);
         line(format!(
             "warning: the responses have peaks at {}{} Hz that no mode explains; try a --between around them, or a larger --order",
             peaks.join(", "),
-            if more > 0 { format!(" and {more} more") } else { String::new() }
+            if more > 0 {
+                format!(" and {more} more")
+            } else {
+                String::new()
+            }
         ));
     }
 }
 
 fn print_trust(responses: &MeasuredResponses, found: &Identification) {
     if responses.window_decay_per_s > 0.0 {
-        line(format!("damping of the exponential window, {:.5} 1/s, was taken off", responses.window_decay_per_s));
+        line(format!(
+            "damping of the exponential window, {:.5} 1/s, was taken off",
+            responses.window_decay_per_s
+        ));
     }
     if responses.block_s.is_none() {
-        line("response functions tell no noise; the intervals rest on what the modes leave of each line");
+        line(
+            "response functions tell no noise; the intervals rest on what the modes leave of each line",
+        );
     }
     if found.misfit > 1.0 && responses.block_s.is_some() {
         line(format!(
@@ -193,29 +262,88 @@ fn write(
     taken: &ModeSource,
     found: &Identification,
 ) -> Result<(), Failure> {
-    let manifest = if decay.are_given() { decay.manifest(&hammer.measured)? } else { hammer.manifest("modes")? };
+    let manifest = if decay.are_given() {
+        decay.manifest(&hammer.measured)?
+    } else {
+        hammer.manifest("modes")?
+    };
     let number = |of: &dyn Fn(&Mode) -> f64| found.modes.iter().map(of).collect::<Vec<f64>>();
     let mut table = Table::new(vec![
-        Column::new("frequency_hz", "Hz", "undamped natural frequency", number(&|mode| mode.frequency_hz)),
-        Column::new("frequency_deviation_hz", "Hz", "its standard deviation", number(&|mode| mode.frequency_deviation_hz)),
-        Column::new("damping_ratio", "", "damping ratio", number(&|mode| mode.damping_ratio)),
-        Column::new("damping_deviation", "", "its standard deviation", number(&|mode| mode.damping_deviation)),
-        Column::new("quantile_95", "", "deviations from a value to an end of its interval of 95 %", number(&|mode| mode.quantile_95)),
+        Column::new(
+            "frequency_hz",
+            "Hz",
+            "undamped natural frequency",
+            number(&|mode| mode.frequency_hz),
+        ),
+        Column::new(
+            "frequency_deviation_hz",
+            "Hz",
+            "its standard deviation",
+            number(&|mode| mode.frequency_deviation_hz),
+        ),
+        Column::new(
+            "damping_ratio",
+            "",
+            "damping ratio",
+            number(&|mode| mode.damping_ratio),
+        ),
+        Column::new(
+            "damping_deviation",
+            "",
+            "its standard deviation",
+            number(&|mode| mode.damping_deviation),
+        ),
+        Column::new(
+            "quantile_95",
+            "",
+            "deviations from a value to an end of its interval of 95 %",
+            number(&|mode| mode.quantile_95),
+        ),
     ])?;
     for (k, name) in taken.outputs.iter().enumerate() {
         let about = "shape, of size 1 at the largest response";
-        table.push(Column::new(&format!("{name}.shape.re"), "", about, number(&|mode| mode.shape()[k].re)))?;
-        table.push(Column::new(&format!("{name}.shape.im"), "", about, number(&|mode| mode.shape()[k].im)))?;
+        table.push(Column::new(
+            &format!("{name}.shape.re"),
+            "",
+            about,
+            number(&|mode| mode.shape()[k].re),
+        ))?;
+        table.push(Column::new(
+            &format!("{name}.shape.im"),
+            "",
+            about,
+            number(&|mode| mode.shape()[k].im),
+        ))?;
     }
     for (k, name) in taken.references.iter().enumerate() {
         let about = "participation of a force, by reciprocity the shape where it acts, of size 1 at the largest";
-        table.push(Column::new(&format!("{name}.participation.re"), "", about, number(&|mode| mode.participation[k].re)))?;
-        table.push(Column::new(&format!("{name}.participation.im"), "", about, number(&|mode| mode.participation[k].im)))?;
+        table.push(Column::new(
+            &format!("{name}.participation.re"),
+            "",
+            about,
+            number(&|mode| mode.participation[k].re),
+        ))?;
+        table.push(Column::new(
+            &format!("{name}.participation.im"),
+            "",
+            about,
+            number(&|mode| mode.participation[k].im),
+        ))?;
     }
     output::table(folder, "modes", &table, &manifest)?;
-    let mut mac = Table::new(vec![Column::new("frequency_hz", "Hz", "undamped natural frequency", number(&|mode| mode.frequency_hz))])?;
+    let mut mac = Table::new(vec![Column::new(
+        "frequency_hz",
+        "Hz",
+        "undamped natural frequency",
+        number(&|mode| mode.frequency_hz),
+    )])?;
     for (k, row) in (1..).zip(mac_matrix(&found.modes)) {
-        mac.push(Column::new(&format!("mode_{k}"), "", "modal assurance criterion with this mode", row))?;
+        mac.push(Column::new(
+            &format!("mode_{k}"),
+            "",
+            "modal assurance criterion with this mode",
+            row,
+        ))?;
     }
     output::table(folder, "modes-mac", &mac, &manifest)?;
     let stable = |stable: Stability| match stable {
@@ -225,22 +353,68 @@ fn write(
     };
     let diagram = &found.diagram;
     let table = Table::new(vec![
-        Column::new("order", "", "order of the denominator", diagram.iter().map(|pole| pole.order as u64).collect::<Vec<_>>()),
-        Column::new("frequency_hz", "Hz", "frequency of the pole", diagram.iter().map(|p| p.pole.frequency_hz).collect::<Vec<_>>()),
-        Column::new("damping_ratio", "", "its damping ratio", diagram.iter().map(|p| p.pole.damping_ratio).collect::<Vec<_>>()),
+        Column::new(
+            "order",
+            "",
+            "order of the denominator",
+            diagram
+                .iter()
+                .map(|pole| pole.order as u64)
+                .collect::<Vec<_>>(),
+        ),
+        Column::new(
+            "frequency_hz",
+            "Hz",
+            "frequency of the pole",
+            diagram
+                .iter()
+                .map(|p| p.pole.frequency_hz)
+                .collect::<Vec<_>>(),
+        ),
+        Column::new(
+            "damping_ratio",
+            "",
+            "its damping ratio",
+            diagram
+                .iter()
+                .map(|p| p.pole.damping_ratio)
+                .collect::<Vec<_>>(),
+        ),
         Column::new(
             "stable",
             "",
             "what stays from the order below",
-            diagram.iter().map(|p| stable(p.stable).to_owned()).collect::<Vec<_>>(),
+            diagram
+                .iter()
+                .map(|p| stable(p.stable).to_owned())
+                .collect::<Vec<_>>(),
         ),
     ])?;
     output::table(folder, "modes-stabilisation", &table, &manifest)?;
-    output::figure(folder, "modes-stabilisation", &stabilisation("Stabilisation diagram", found))?;
+    output::figure(
+        folder,
+        "modes-stabilisation",
+        &stabilisation("Stabilisation diagram", found),
+    )?;
     let title = match &taken.responses {
         None => "One-sided spectra",
-        Some(responses) if responses.inputs.iter().all(|input| *input == Quantity::Force) => "Displacement per force",
+        Some(responses)
+            if responses
+                .inputs
+                .iter()
+                .all(|input| *input == Quantity::Force) =>
+        {
+            "Displacement per force"
+        }
         Some(_) => "Displacement, or voltage, per input",
     };
-    output::figure(folder, "modes-fit", &modal_fit(&format!("{title}: measured, and what the modes give"), &taken.functions, found))
+    output::figure(
+        folder,
+        "modes-fit",
+        &modal_fit(
+            &format!("{title}: measured, and what the modes give"),
+            &taken.functions,
+            found,
+        ),
+    )
 }

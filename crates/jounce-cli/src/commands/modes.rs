@@ -62,9 +62,24 @@ impl Modes {
         let couplings = couplings(&modes);
         if let Some(folder) = &self.output.out {
             let table = Table::new(vec![
-                Column::new("frequency_hz", "Hz", "undamped short-circuit frequency", frequency_hz.clone()),
-                Column::new("damping_ratio", "", "damping ratio", modes.damping_ratio.clone()),
-                Column::new("discretisation_error", "", "estimated relative error of the frequency", modes.discretisation_error.clone()),
+                Column::new(
+                    "frequency_hz",
+                    "Hz",
+                    "undamped short-circuit frequency",
+                    frequency_hz.clone(),
+                ),
+                Column::new(
+                    "damping_ratio",
+                    "",
+                    "damping ratio",
+                    modes.damping_ratio.clone(),
+                ),
+                Column::new(
+                    "discretisation_error",
+                    "",
+                    "estimated relative error of the frequency",
+                    modes.discretisation_error.clone(),
+                ),
             ])?;
             output::table(folder, "modes", &table, &arguments.manifest(&spec, "modes"))?;
             self.draw(folder, &spec, &held, &frequency_hz)?;
@@ -84,7 +99,11 @@ impl Modes {
         }
         line("mode  frequency_hz  damping_ratio");
         for (i, frequency) in frequency_hz.iter().enumerate() {
-            line(format!("{:>4}  {frequency:>12.5}  {:>13.5}", i + 1, modes.damping_ratio[i]));
+            line(format!(
+                "{:>4}  {frequency:>12.5}  {:>13.5}",
+                i + 1,
+                modes.damping_ratio[i]
+            ));
         }
         for c in couplings {
             line(format!(
@@ -98,18 +117,36 @@ impl Modes {
         Ok(())
     }
 
-    fn draw(&self, folder: &std::path::Path, spec: &Spec, held: &[String], frequency_hz: &[f64]) -> Result<(), Failure> {
+    fn draw(
+        &self,
+        folder: &std::path::Path,
+        spec: &Spec,
+        held: &[String],
+        frequency_hz: &[f64],
+    ) -> Result<(), Failure> {
         for (name, along) in structure::shapes_along_beams(spec, held, 200)? {
             let shapes: Vec<ModeShape> = (0..frequency_hz.len().min(5))
                 .filter_map(|mode| {
-                    Some(ModeShape { label: format!("{}: {:.2} Hz", mode + 1, frequency_hz[mode]), displacement: along.mode(mode)? })
+                    Some(ModeShape {
+                        label: format!("{}: {:.2} Hz", mode + 1, frequency_hz[mode]),
+                        displacement: along.mode(mode)?,
+                    })
                 })
                 .collect();
             let patches: Vec<ShapePatch> = (spec.patch.iter())
                 .filter(|(_, patch)| patch.on == name)
-                .map(|(label, patch)| ShapePatch { label: label.clone(), start_m: patch.start_m, end_m: patch.start_m + patch.length_m })
+                .map(|(label, patch)| ShapePatch {
+                    label: label.clone(),
+                    start_m: patch.start_m,
+                    end_m: patch.start_m + patch.length_m,
+                })
                 .collect();
-            let figure = mode_shapes(&format!("Mode shapes of {name}"), &along.place_m, &shapes, &patches);
+            let figure = mode_shapes(
+                &format!("Mode shapes of {name}"),
+                &along.place_m,
+                &shapes,
+                &patches,
+            );
             output::figure(folder, &format!("modes-{name}"), &figure)?;
         }
         Ok(())

@@ -34,7 +34,10 @@ impl New {
         match &self.out {
             Some(path) => {
                 if !self.force && path.symlink_metadata().is_ok() {
-                    let told = format!("{} is there already; choose another name, or replace it with --force", path.display());
+                    let told = format!(
+                        "{} is there already; choose another name, or replace it with --force",
+                        path.display()
+                    );
                     return Err(Failure::Input(told));
                 }
                 starter.write(path, self.force)?;
@@ -56,7 +59,13 @@ impl New {
             print(&serde_json::json!({ "kinds": kinds }));
             return;
         }
-        let room = STARTERS.iter().map(|starter| starter.kind.len()).max().unwrap_or(0);
-        STARTERS.iter().for_each(|starter| line(format!("{:room$}  {}", starter.kind, starter.summary)));
+        let room = STARTERS
+            .iter()
+            .map(|starter| starter.kind.len())
+            .max()
+            .unwrap_or(0);
+        STARTERS
+            .iter()
+            .for_each(|starter| line(format!("{:room$}  {}", starter.kind, starter.summary)));
     }
 }

@@ -36,10 +36,18 @@ impl Noise {
         let frequency_hz = self.frequencies(&random)?;
         let answer = random.answer()?;
         if let Some(folder) = &self.output.out {
-            self.write(folder, &spec, &frequency_hz, &random.densities(&frequency_hz)?)?;
+            self.write(
+                folder,
+                &spec,
+                &frequency_hz,
+                &random.densities(&frequency_hz)?,
+            )?;
         }
         if self.output.json {
-            print(&serde_json::to_value(&answer).map_err(|error| Failure::Input(error.to_string()))?);
+            print(
+                &serde_json::to_value(&answer)
+                    .map_err(|error| Failure::Input(error.to_string()))?,
+            );
         } else {
             print_response(&answer);
         }
@@ -48,20 +56,41 @@ impl Noise {
 
     fn frequencies(&self, random: &Random) -> Result<Vec<f64>, Failure> {
         let [low, high] = random.usual_band_hz();
-        let read = |option: &str, text: &Option<String>, default: f64| text.as_ref().map_or(Ok(default), |text| frequency_hz(option, text));
+        let read = |option: &str, text: &Option<String>, default: f64| {
+            text.as_ref()
+                .map_or(Ok(default), |text| frequency_hz(option, text))
+        };
         let (from, to) = (read("from", &self.from, low)?, read("to", &self.to, high)?);
         if from >= to || !(2..=1_000_000).contains(&self.points) {
-            return Err(Failure::usage("noise needs --from below --to, and 2 to 1000000 --points".into()));
+            return Err(Failure::usage(
+                "noise needs --from below --to, and 2 to 1000000 --points".into(),
+            ));
         }
         Ok(random.frequencies_hz(from, to, self.points))
     }
 
-    fn write(&self, folder: &Path, spec: &Spec, frequency_hz: &[f64], densities: &[Density]) -> Result<(), Failure> {
-        let mut table = Table::new(vec![Column::new("frequency_hz", "Hz", "frequency", frequency_hz.to_vec())])?;
+    fn write(
+        &self,
+        folder: &Path,
+        spec: &Spec,
+        frequency_hz: &[f64],
+        densities: &[Density],
+    ) -> Result<(), Failure> {
+        let mut table = Table::new(vec![Column::new(
+            "frequency_hz",
+            "Hz",
+            "frequency",
+            frequency_hz.to_vec(),
+        )])?;
         let mut lines = Vec::new();
         for density in densities {
             let about = "power spectral density, one-sided, without contact";
-            table.push(Column::new(&format!("{}.psd", density.name), density.unit, about, density.value.clone()))?;
+            table.push(Column::new(
+                &format!("{}.psd", density.name),
+                density.unit,
+                about,
+                density.value.clone(),
+            ))?;
             lines.push(DensityLine {
                 quantity: density.name.clone(),
                 unit: density.unit.to_owned(),
@@ -69,7 +98,11 @@ impl Noise {
                 interval: [Vec::new(), Vec::new()],
             });
         }
-        output::figure(folder, "noise", &picture::densities("Power spectral densities, no contact", frequency_hz, &lines))?;
+        output::figure(
+            folder,
+            "noise",
+            &picture::densities("Power spectral densities, no contact", frequency_hz, &lines),
+        )?;
         output::table(folder, "noise", &table, &self.spec.manifest(spec, "noise"))
     }
 }
@@ -77,22 +110,40 @@ impl Noise {
 fn print_response(answer: &RandomResponse) {
     line(format!("mean power         {:.6e} W", answer.mean_power_w));
     for load in &answer.loads {
-        line(format!("load {:<12}  {:.6} V rms, {:.9e} W by the Lyapunov equation", load.name, load.voltage_rms_v, load.mean_power_w));
+        line(format!(
+            "load {:<12}  {:.6} V rms, {:.9e} W by the Lyapunov equation",
+            load.name, load.voltage_rms_v, load.mean_power_w
+        ));
         let (spectral_w, difference) = (load.spectral_power_w, load.difference_relative);
-        line(format!("  by quadrature    {spectral_w:.9e} W, relative difference {difference:.1e}"));
+        line(format!(
+            "  by quadrature    {spectral_w:.9e} W, relative difference {difference:.1e}"
+        ));
         for (drive, bandwidth_hz) in answer.drives.iter().zip(&load.noise_bandwidth_hz) {
-            line(format!("  noise bandwidth  {bandwidth_hz:.6e} Hz per unit of drive {drive}"));
+            line(format!(
+                "  noise bandwidth  {bandwidth_hz:.6e} Hz per unit of drive {drive}"
+            ));
         }
-        line(format!("  bandwidth of V   {:.6e} Hz (statistical)", load.statistical_bandwidth_hz));
+        line(format!(
+            "  bandwidth of V   {:.6e} Hz (statistical)",
+            load.statistical_bandwidth_hz
+        ));
     }
     for patch in &answer.patches {
-        line(format!("patch {:<12} {:.6} V rms", patch.name, patch.voltage_rms_v));
+        line(format!(
+            "patch {:<12} {:.6} V rms",
+            patch.name, patch.voltage_rms_v
+        ));
     }
     for point in &answer.points {
-        line(format!("point {:<12} {:.6e} m rms, {:.6e} m/s rms", point.name, point.displacement_rms_m, point.velocity_rms_m_s));
+        line(format!(
+            "point {:<12} {:.6e} m rms, {:.6e} m/s rms",
+            point.name, point.displacement_rms_m, point.velocity_rms_m_s
+        ));
     }
     for name in &answer.left_out {
-        line(format!("LEFT OUT           drive {name}: it is no stationary noise"));
+        line(format!(
+            "LEFT OUT           drive {name}: it is no stationary noise"
+        ));
     }
     for stop in &answer.stops {
         let (name, gap_m) = (&stop.name, stop.gap_m);

@@ -60,32 +60,62 @@ impl Power {
     /// Computes and tells.
     pub fn run(&self) -> Result<(), Failure> {
         let read = |text: &String| positive("--resistance", text, Unit::Resistance);
-        let mut resistances = self.resistance.iter().map(read).collect::<Result<Vec<_>, _>>()?;
+        let mut resistances = self
+            .resistance
+            .iter()
+            .map(read)
+            .collect::<Result<Vec<_>, _>>()?;
         if resistances.len() == 1 {
             resistances.resize(self.files.len(), resistances[0]);
         }
         if resistances.len() != self.files.len() {
             let (given, files) = (resistances.len(), self.files.len());
-            return Err(Failure::usage(format!("{given} times --resistance for {files} recordings: give one for all, or one for each")));
+            return Err(Failure::usage(format!(
+                "{given} times --resistance for {files} recordings: give one for all, or one for each"
+            )));
         }
-        let drive_hz = self.drive.as_ref().map(|text| positive("--drive", text, Unit::Frequency)).transpose()?;
-        let answers = self.files.iter().zip(resistances).map(|(file, ohm)| self.answer(file, ohm, drive_hz));
+        let drive_hz = self
+            .drive
+            .as_ref()
+            .map(|text| positive("--drive", text, Unit::Frequency))
+            .transpose()?;
+        let answers = self
+            .files
+            .iter()
+            .zip(resistances)
+            .map(|(file, ohm)| self.answer(file, ohm, drive_hz));
         let answers = answers.collect::<Result<Vec<_>, _>>()?;
         if let Some(folder) = &self.output.out {
             self.write(folder, &answers, drive_hz)?;
         }
         if self.output.json {
-            print(&serde_json::json!({ "records": answers.iter().map(to_json).collect::<Vec<_>>() }));
+            print(
+                &serde_json::json!({ "records": answers.iter().map(to_json).collect::<Vec<_>>() }),
+            );
         } else {
             answers.iter().for_each(|answer| self.tell(answer));
         }
         Ok(())
     }
 
-    fn answer(&self, file: &Path, resistance_ohm: f64, drive_hz: Option<f64>) -> Result<PowerResult, Failure> {
+    fn answer(
+        &self,
+        file: &Path,
+        resistance_ohm: f64,
+        drive_hz: Option<f64>,
+    ) -> Result<PowerResult, Failure> {
         let mut survey = summary(file)?;
-        let voltage = channel(&mut survey, self.voltage.as_deref(), Quantity::Voltage, "--voltage")?;
-        let base = self.base.as_ref().map(|name| channel(&mut survey, Some(name), Quantity::Acceleration, "--base")).transpose()?;
+        let voltage = channel(
+            &mut survey,
+            self.voltage.as_deref(),
+            Quantity::Voltage,
+            "--voltage",
+        )?;
+        let base = self
+            .base
+            .as_ref()
+            .map(|name| channel(&mut survey, Some(name), Quantity::Acceleration, "--base"))
+            .transpose()?;
         let wanted: Vec<usize> = std::iter::once(voltage).chain(base).collect();
         let record = loaded(survey, &wanted)?;
         let voltage = &record.channels[0];
@@ -101,16 +131,36 @@ impl Power {
         let orders = match drive_hz {
             None => Vec::new(),
             Some(drive_hz) => {
-                let inside: Vec<f64> = REPORTED_ORDERS.into_iter().filter(|order| order * drive_hz < 0.5 * record.rate()).collect();
+                let inside: Vec<f64> = REPORTED_ORDERS
+                    .into_iter()
+                    .filter(|order| order * drive_hz < 0.5 * record.rate())
+                    .collect();
                 samples.orders(drive_hz, &inside)?.lines
             }
         };
         let spectrum = self.output.out.is_some().then(|| {
-            let Spectrum { frequency_hz, amplitude_peak, .. } = samples.spectrum(Window::Hann);
-            SpectrumLine { label: format!("{}: {resistance_ohm} ohm", record.name), frequency_hz, amplitude_peak }
+            let Spectrum {
+                frequency_hz,
+                amplitude_peak,
+                ..
+            } = samples.spectrum(Window::Hann);
+            SpectrumLine {
+                label: format!("{}: {resistance_ohm} ohm", record.name),
+                frequency_hz,
+                amplitude_peak,
+            }
         });
         let (name, channel) = (record.name.clone(), voltage.name.clone());
-        Ok(PowerResult { name, channel, resistance_ohm, power, mean_square, orders, spectrum, findings: record.findings })
+        Ok(PowerResult {
+            name,
+            channel,
+            resistance_ohm,
+            power,
+            mean_square,
+            orders,
+            spectrum,
+            findings: record.findings,
+        })
     }
 
     fn tell(&self, answer: &PowerResult) {
@@ -119,45 +169,125 @@ impl Power {
             line(format!("{}, {} ohm", answer.name, answer.resistance_ohm));
         }
         let mean = with_uncertainty(power.mean_power_w, power.half_width_w, "W");
-        line(format!("mean power {mean} (95 %, {} batches)", power.batches));
-        line(format!("mean voltage {:.4e} V, {}", power.mean_voltage_v, if self.remove_mean { "taken away" } else { "kept" }));
+        line(format!(
+            "mean power {mean} (95 %, {} batches)",
+            power.batches
+        ));
+        line(format!(
+            "mean voltage {:.4e} V, {}",
+            power.mean_voltage_v,
+            if self.remove_mean {
+                "taken away"
+            } else {
+                "kept"
+            }
+        ));
         if let Some(square) = answer.mean_square {
-            line(format!("per mean square of the base's acceleration: {:.6e} W/(m/s^2)^2", power.mean_power_w / square));
+            line(format!(
+                "per mean square of the base's acceleration: {:.6e} W/(m/s^2)^2",
+                power.mean_power_w / square
+            ));
         }
         for order in &answer.orders {
-            line(format!("order {:>4}, {:>10.4} Hz: {:.5e} V peak", order.order, order.frequency_hz, order.amplitude_peak));
+            line(format!(
+                "order {:>4}, {:>10.4} Hz: {:.5e} V peak",
+                order.order, order.frequency_hz, order.amplitude_peak
+            ));
         }
         if power.correlated {
-            line("the power remembers too long for this record, or changes on the way (see jounce regimes): its interval is a rough one");
+            line(
+                "the power remembers too long for this record, or changes on the way (see jounce regimes): its interval is a rough one",
+            );
         }
     }
 
-    fn write(&self, folder: &Path, answers: &[PowerResult], drive_hz: Option<f64>) -> Result<(), Failure> {
-        let numbers = |of: &dyn Fn(&PowerResult) -> f64| answers.iter().map(of).collect::<Vec<f64>>();
+    fn write(
+        &self,
+        folder: &Path,
+        answers: &[PowerResult],
+        drive_hz: Option<f64>,
+    ) -> Result<(), Failure> {
+        let numbers =
+            |of: &dyn Fn(&PowerResult) -> f64| answers.iter().map(of).collect::<Vec<f64>>();
         let mut table = Table::new(vec![
-            Column::new("recording", "", "name of the recording", answers.iter().map(|a| a.name.clone()).collect::<Vec<_>>()),
-            Column::new("resistance_ohm", "ohm", "resistance of the load", numbers(&|a| a.resistance_ohm)),
-            Column::new("mean_power_w", "W", "mean power", numbers(&|a| a.power.mean_power_w)),
-            Column::new("half_width_w", "W", "half the width of its interval of 95 %", numbers(&|a| a.power.half_width_w)),
-            Column::new("mean_voltage_v", "V", "mean of the voltage", numbers(&|a| a.power.mean_voltage_v)),
+            Column::new(
+                "recording",
+                "",
+                "name of the recording",
+                answers.iter().map(|a| a.name.clone()).collect::<Vec<_>>(),
+            ),
+            Column::new(
+                "resistance_ohm",
+                "ohm",
+                "resistance of the load",
+                numbers(&|a| a.resistance_ohm),
+            ),
+            Column::new(
+                "mean_power_w",
+                "W",
+                "mean power",
+                numbers(&|a| a.power.mean_power_w),
+            ),
+            Column::new(
+                "half_width_w",
+                "W",
+                "half the width of its interval of 95 %",
+                numbers(&|a| a.power.half_width_w),
+            ),
+            Column::new(
+                "mean_voltage_v",
+                "V",
+                "mean of the voltage",
+                numbers(&|a| a.power.mean_voltage_v),
+            ),
         ])?;
         let squares: Option<Vec<f64>> = answers.iter().map(|answer| answer.mean_square).collect();
         if let Some(squares) = &squares {
             let about = "mean square of the base's acceleration about its mean";
-            table.push(Column::new("mean_square_base_acceleration_m2_s4", "m^2/s^4", about, squares.clone()))?;
+            table.push(Column::new(
+                "mean_square_base_acceleration_m2_s4",
+                "m^2/s^4",
+                about,
+                squares.clone(),
+            ))?;
         }
         let manifest = manifest("power", &self.files)?.with("remove_mean", self.remove_mean);
         output::table(folder, "power", &table, &manifest)?;
         let point = |(k, answer): (usize, &PowerResult)| {
             let per = squares.as_ref().map_or(1.0, |squares| squares[k]);
-            let (power, half_width) = (answer.power.mean_power_w / per, answer.power.half_width_w / per);
-            LoadPoint { resistance_ohm: answer.resistance_ohm, power, half_width }
+            let (power, half_width) = (
+                answer.power.mean_power_w / per,
+                answer.power.half_width_w / per,
+            );
+            LoadPoint {
+                resistance_ohm: answer.resistance_ohm,
+                power,
+                half_width,
+            }
         };
         let points: Vec<LoadPoint> = answers.iter().enumerate().map(point).collect();
-        let unit = if squares.is_some() { "W/(m/s^2)^2" } else { "W" };
-        output::figure(folder, "power-load", &power_over_load("Measured mean power", unit, &points))?;
-        let lines: Vec<SpectrumLine> = answers.iter().filter_map(|answer| answer.spectrum.clone()).collect();
-        let figure = spectra("Voltage spectrum, Hann window", "Voltage", "V", Scale::Log, &lines, drive_hz);
+        let unit = if squares.is_some() {
+            "W/(m/s^2)^2"
+        } else {
+            "W"
+        };
+        output::figure(
+            folder,
+            "power-load",
+            &power_over_load("Measured mean power", unit, &points),
+        )?;
+        let lines: Vec<SpectrumLine> = answers
+            .iter()
+            .filter_map(|answer| answer.spectrum.clone())
+            .collect();
+        let figure = spectra(
+            "Voltage spectrum, Hann window",
+            "Voltage",
+            "V",
+            Scale::Log,
+            &lines,
+            drive_hz,
+        );
         output::figure(folder, "power-spectrum", &figure)
     }
 }

@@ -7,7 +7,9 @@ use clap::Args;
 use jounce::picture::{Axis, Figure, Line, Panel, Series, Trace, time_histories};
 use jounce::spec::Quantity as Unit;
 use jounce::table::{Column, Table};
-use jounce_measure::read::{ChannelSummary, FileSummary, ModeShape, Notes, RecordingSummary, survey_noted};
+use jounce_measure::read::{
+    ChannelSummary, FileSummary, ModeShape, Notes, RecordingSummary, survey_noted,
+};
 use jounce_measure::recording::{Issue, Over, Series as _, Sizes};
 use jounce_measure::write::write_surveyed;
 use std::path::{Path, PathBuf};
@@ -56,7 +58,11 @@ impl Read {
         if self.file.output.json {
             let recordings: Vec<_> = contents.recordings.iter().map(to_json).collect();
             let shapes: Vec<_> = contents.shapes.iter().map(mode_shape).collect();
-            let frequencies: Vec<_> = contents.shapes.iter().map(|shape| shape.frequency_hz).collect();
+            let frequencies: Vec<_> = contents
+                .shapes
+                .iter()
+                .map(|shape| shape.frequency_hz)
+                .collect();
             print(&serde_json::json!({
                 "recordings": recordings,
                 "shape_frequencies_hz": frequencies,
@@ -70,7 +76,11 @@ impl Read {
         }
         for shape in &contents.shapes {
             let components = shape.real.first().map_or(0, Vec::len);
-            let damping = if shape.damping_ratio.is_nan() { "not given".to_owned() } else { format!("{:.3e}", shape.damping_ratio) };
+            let damping = if shape.damping_ratio.is_nan() {
+                "not given".to_owned()
+            } else {
+                format!("{:.3e}", shape.damping_ratio)
+            };
             line(format!(
                 "shape at {} Hz, damping ratio {damping}, {} nodes of {components} components",
                 shape.frequency_hz,
@@ -93,14 +103,25 @@ impl Read {
         };
         let part = self.part(first)?;
         write_surveyed(part.as_ref().unwrap_or(first), path)?;
-        let added = part.iter().flat_map(|part| &part.findings).filter(|finding| !first.findings.contains(finding));
+        let added = part
+            .iter()
+            .flat_map(|part| &part.findings)
+            .filter(|finding| !first.findings.contains(finding));
         added.for_each(|told| eprintln!("{}: {told}", path.display()));
-        let mut left: Vec<String> = others.iter().map(|recording| recording.name.clone()).collect();
+        let mut left: Vec<String> = others
+            .iter()
+            .map(|recording| recording.name.clone())
+            .collect();
         if !contents.shapes.is_empty() {
             left.push(format!("{} mode shapes", contents.shapes.len()));
         }
         if !left.is_empty() {
-            eprintln!("{}: {} is written; left out: {}", path.display(), first.name, left.join(", "));
+            eprintln!(
+                "{}: {} is written; left out: {}",
+                path.display(),
+                first.name,
+                left.join(", ")
+            );
         }
         Ok(())
     }
@@ -111,41 +132,124 @@ impl Read {
             return Ok(None);
         }
         let all = (f64::NEG_INFINITY, f64::INFINITY);
-        let span = self.span.as_ref().map_or(Ok(all), |span| span_of(recording, span))?;
-        let named = self.channel.iter().map(|channel| any_channel(recording, channel)).collect::<Result<Vec<_>, _>>()?;
-        let channels = if named.is_empty() { (0..recording.channels.len()).collect() } else { named };
+        let span = self
+            .span
+            .as_ref()
+            .map_or(Ok(all), |span| span_of(recording, span))?;
+        let named = self
+            .channel
+            .iter()
+            .map(|channel| any_channel(recording, channel))
+            .collect::<Result<Vec<_>, _>>()?;
+        let channels = if named.is_empty() {
+            (0..recording.channels.len()).collect()
+        } else {
+            named
+        };
         let lost = |fault| Failure::Input(format!("the scratch file cannot be used: {fault}"));
-        let nothing = || Failure::usage(format!("--span: no sample of {} lies there", recording.name));
-        let part = recording.part(span, &channels).map_err(lost)?.ok_or_else(nothing)?;
+        let nothing = || {
+            Failure::usage(format!(
+                "--span: no sample of {} lies there",
+                recording.name
+            ))
+        };
+        let part = recording
+            .part(span, &channels)
+            .map_err(lost)?
+            .ok_or_else(nothing)?;
         if !self.even {
             return Ok(Some(part));
         }
-        Ok(Some(part.into_recording().map_err(lost)?.into_even()?.into()))
+        Ok(Some(
+            part.into_recording().map_err(lost)?.into_even()?.into(),
+        ))
     }
 
     /// The list of channels, the list of findings, and a picture of each recording.
     fn write(&self, folder: &Path, contents: &FileSummary) -> Result<(), Failure> {
         let manifest = self.file.manifest("read")?;
-        let channels: Vec<(&RecordingSummary, &ChannelSummary)> =
-            contents.recordings.iter().flat_map(|recording| recording.channels.iter().map(move |channel| (recording, channel))).collect();
-        let text =
-            |of: &dyn Fn(&RecordingSummary, &ChannelSummary) -> String| channels.iter().map(|(r, c)| of(r, c)).collect::<Vec<String>>();
-        let number = |of: &dyn Fn(&RecordingSummary, &ChannelSummary) -> f64| channels.iter().map(|(r, c)| of(r, c)).collect::<Vec<f64>>();
+        let channels: Vec<(&RecordingSummary, &ChannelSummary)> = contents
+            .recordings
+            .iter()
+            .flat_map(|recording| {
+                recording
+                    .channels
+                    .iter()
+                    .map(move |channel| (recording, channel))
+            })
+            .collect();
+        let text = |of: &dyn Fn(&RecordingSummary, &ChannelSummary) -> String| {
+            channels
+                .iter()
+                .map(|(r, c)| of(r, c))
+                .collect::<Vec<String>>()
+        };
+        let number = |of: &dyn Fn(&RecordingSummary, &ChannelSummary) -> f64| {
+            channels.iter().map(|(r, c)| of(r, c)).collect::<Vec<f64>>()
+        };
         let table = Table::new(vec![
-            Column::new("recording", "", "name of the recording", text(&|r, _| r.name.clone())),
-            Column::new("channel", "", "name of the channel", text(&|_, c| c.name.clone())),
-            Column::new("unit", "", "unit of the next columns", text(&|_, c| c.unit.clone())),
-            Column::new("rms", "", "rms of the samples that are numbers", number(&|_, c| c.sizes.rms)),
+            Column::new(
+                "recording",
+                "",
+                "name of the recording",
+                text(&|r, _| r.name.clone()),
+            ),
+            Column::new(
+                "channel",
+                "",
+                "name of the channel",
+                text(&|_, c| c.name.clone()),
+            ),
+            Column::new(
+                "unit",
+                "",
+                "unit of the next columns",
+                text(&|_, c| c.unit.clone()),
+            ),
+            Column::new(
+                "rms",
+                "",
+                "rms of the samples that are numbers",
+                number(&|_, c| c.sizes.rms),
+            ),
             Column::new("peak", "", "largest size", number(&|_, c| c.sizes.peak)),
-            Column::new("mean", "", "mean of the samples that are numbers", number(&|_, c| c.sizes.mean)),
-            Column::new("rate", "", "samples per second, or per hertz", number(&|r, _| r.rate())),
+            Column::new(
+                "mean",
+                "",
+                "mean of the samples that are numbers",
+                number(&|_, c| c.sizes.mean),
+            ),
+            Column::new(
+                "rate",
+                "",
+                "samples per second, or per hertz",
+                number(&|r, _| r.rate()),
+            ),
         ])?;
         output::table(folder, "read", &table, &manifest)?;
-        let findings: Vec<&Issue> = contents.recordings.iter().flat_map(|r| &r.findings).chain(&contents.findings).collect();
-        let told = |of: &dyn Fn(&Issue) -> String| findings.iter().map(|finding| of(finding)).collect::<Vec<String>>();
-        let counts: Vec<u64> = findings.iter().map(|finding| finding.count as u64).collect();
+        let findings: Vec<&Issue> = contents
+            .recordings
+            .iter()
+            .flat_map(|r| &r.findings)
+            .chain(&contents.findings)
+            .collect();
+        let told = |of: &dyn Fn(&Issue) -> String| {
+            findings
+                .iter()
+                .map(|finding| of(finding))
+                .collect::<Vec<String>>()
+        };
+        let counts: Vec<u64> = findings
+            .iter()
+            .map(|finding| finding.count as u64)
+            .collect();
         let table = Table::new(vec![
-            Column::new("channel", "", "the channel; empty where it concerns all", told(&|f| f.channel.clone().unwrap_or_default())),
+            Column::new(
+                "channel",
+                "",
+                "the channel; empty where it concerns all",
+                told(&|f| f.channel.clone().unwrap_or_default()),
+            ),
             Column::new("count", "", "how many samples, stamps or lines", counts),
             Column::new("about", "", "what it is", told(&ToString::to_string)),
         ])?;
@@ -159,17 +263,33 @@ impl Read {
 
 /// The ends of a part of a recording.
 fn span_of(recording: &RecordingSummary, span: &str) -> Result<(f64, f64), Failure> {
-    let (quantity, unit) = if recording.over == Over::Time { (Unit::Time, "s") } else { (Unit::Frequency, "Hz") };
+    let (quantity, unit) = if recording.over == Over::Time {
+        (Unit::Time, "s")
+    } else {
+        (Unit::Frequency, "Hz")
+    };
     let (from, to) = ends("--span", span, quantity)?;
     let lost = |fault| Failure::Input(format!("the scratch file cannot be used: {fault}"));
     let last = |of: &dyn Fn(f64, f64) -> f64| {
         let mut found = f64::NAN;
-        recording.places.each(|place| found = of(found, place)).map(|()| found).map_err(lost)
+        recording
+            .places
+            .each(|place| found = of(found, place))
+            .map(|()| found)
+            .map_err(lost)
     };
     let [least, most] = [last(&f64::min)?, last(&f64::max)?];
-    let nothing =
-        || Failure::usage(format!("--span {span}: no sample lies there; {} goes from {least} {unit} to {most} {unit}", recording.name));
-    if from <= most && to >= least { Ok((from, to)) } else { Err(nothing()) }
+    let nothing = || {
+        Failure::usage(format!(
+            "--span {span}: no sample lies there; {} goes from {least} {unit} to {most} {unit}",
+            recording.name
+        ))
+    };
+    if from <= most && to >= least {
+        Ok((from, to))
+    } else {
+        Err(nothing())
+    }
 }
 
 /// The first channels over time, or their sizes over frequency.
@@ -179,25 +299,61 @@ fn figure(recording: &RecordingSummary) -> Result<Figure, Failure> {
         .map_err(|fault| Failure::Input(format!("the scratch file cannot be read: {fault}")))?;
     let shown = recording.channels.iter().zip(outline.channels);
     if recording.over == Over::Time {
-        let trace = |(channel, values): (&ChannelSummary, _)| Trace { quantity: channel.name.clone(), unit: channel.unit.clone(), values };
-        return Ok(time_histories(&recording.name, &outline.places, &shown.map(trace).collect::<Vec<_>>()));
+        let trace = |(channel, values): (&ChannelSummary, _)| Trace {
+            quantity: channel.name.clone(),
+            unit: channel.unit.clone(),
+            values,
+        };
+        return Ok(time_histories(
+            &recording.name,
+            &outline.places,
+            &shown.map(trace).collect::<Vec<_>>(),
+        ));
     }
     let panel = |(channel, size): (&ChannelSummary, _)| {
-        let axes = Panel::new(Axis::linear("Frequency", "Hz"), Axis::log(&channel.name, &channel.unit)).high(200.0);
+        let axes = Panel::new(
+            Axis::linear("Frequency", "Hz"),
+            Axis::log(&channel.name, &channel.unit),
+        )
+        .high(200.0);
         axes.with(Series::line(outline.places.clone(), size).style(Line::Thin))
     };
-    Ok(Figure { panels: shown.map(panel).collect(), ..Figure::new(&recording.name) })
+    Ok(Figure {
+        panels: shown.map(panel).collect(),
+        ..Figure::new(&recording.name)
+    })
 }
 
 fn print_recording(recording: &RecordingSummary) {
-    let (rate, over) = if recording.over == Over::Time { ("Hz", "over time") } else { ("lines per Hz", "over frequency") };
-    line(format!("{}: {} samples {over}, {:.6} {rate}", recording.name, recording.places.count(), recording.rate()));
+    let (rate, over) = if recording.over == Over::Time {
+        ("Hz", "over time")
+    } else {
+        ("lines per Hz", "over frequency")
+    };
+    line(format!(
+        "{}: {} samples {over}, {:.6} {rate}",
+        recording.name,
+        recording.places.count(),
+        recording.rate()
+    ));
     for (k, channel) in recording.channels.iter().enumerate() {
         let Sizes { rms, peak, mean } = channel.sizes;
-        let unit = if channel.unit.is_empty() { "(no unit)" } else { &channel.unit };
-        let kind = if channel.imaginary.is_some() { ", complex" } else { "" };
+        let unit = if channel.unit.is_empty() {
+            "(no unit)"
+        } else {
+            &channel.unit
+        };
+        let kind = if channel.imaginary.is_some() {
+            ", complex"
+        } else {
+            ""
+        };
         let place = format!("{} {}", channel.place, channel.direction);
-        let from = if channel.reference.is_empty() { String::new() } else { format!("  from {}", channel.reference) };
+        let from = if channel.reference.is_empty() {
+            String::new()
+        } else {
+            format!("  from {}", channel.reference)
+        };
         line(format!(
             "  {:>3}  {}  rms {rms:.5e}, peak {peak:.5e}, mean {mean:.5e} {unit}{kind}  {}{from}",
             k + 1,
@@ -205,7 +361,10 @@ fn print_recording(recording: &RecordingSummary) {
             place.trim()
         ));
     }
-    recording.findings.iter().for_each(|finding| line(format!("  ! {finding}")));
+    recording
+        .findings
+        .iter()
+        .for_each(|finding| line(format!("  ! {finding}")));
     line(format!("  {}", recording.verdict()));
 }
 

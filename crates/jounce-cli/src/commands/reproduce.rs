@@ -24,11 +24,18 @@ impl Reproduce {
         let control = Control::default();
         folders(&self.out)?;
         let simulated = jounce::reproduce::reproduce(&control, &|stage| eprintln!("{stage}"))?;
-        eprintln!("Table 2 measured and figures 10 to 13, from the virtual rig; the model updated to Table 2");
+        eprintln!(
+            "Table 2 measured and figures 10 to 13, from the virtual rig; the model updated to Table 2"
+        );
         let chapters = jounce_measure::experiment::chapters(&simulated, &control)?;
         let reproduction = chapters.into_iter().fold(simulated, Reproduction::with);
         let written = reproduction.write(&self.out)?;
-        let names = |paths: &[PathBuf]| paths.iter().map(|path| path.display().to_string()).collect::<Vec<_>>();
+        let names = |paths: &[PathBuf]| {
+            paths
+                .iter()
+                .map(|path| path.display().to_string())
+                .collect::<Vec<_>>()
+        };
         let claims: Vec<_> = (reproduction.claims.iter())
             .map(|claim| serde_json::json!({ "claim": claim.claim, "holds": claim.holds, "evidence": claim.evidence }))
             .collect();
@@ -42,7 +49,16 @@ impl Reproduce {
             return Ok(());
         }
         for claim in &reproduction.claims {
-            line(format!("{}  {}\n     {}", if claim.holds { "holds         " } else { "does not hold " }, claim.claim, claim.evidence));
+            line(format!(
+                "{}  {}\n     {}",
+                if claim.holds {
+                    "holds         "
+                } else {
+                    "does not hold "
+                },
+                claim.claim,
+                claim.evidence
+            ));
         }
         line(format!("report: {}", written.report.display()));
         Ok(())

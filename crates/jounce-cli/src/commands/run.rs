@@ -7,7 +7,10 @@ use clap::Args;
 use jounce::analysis::Model;
 use jounce::integrate::Kernel;
 use jounce::picture::{Scale, SpectrumLine, Trace, spectra, time_histories};
-use jounce::run::{ChargeResult, RunPlan, RunResult, StopResult, VoltagePeaks, Warning, charges, simulate, voltage_peaks};
+use jounce::run::{
+    ChargeResult, RunPlan, RunResult, StopResult, VoltagePeaks, Warning, charges, simulate,
+    voltage_peaks,
+};
 use jounce::signal::{Samples, Window};
 use jounce::table::{Column, Table};
 use std::path::{Path, PathBuf};
@@ -40,7 +43,8 @@ impl Run {
     pub fn run(&self) -> Result<(), Failure> {
         let mut file = self.spec.file()?;
         if let Some(tolerance) = self.tolerance {
-            file.set("run.tolerance", &format!("{tolerance:e}")).map_err(|fault| Failure::faults(&self.spec.spec, vec![fault]))?;
+            file.set("run.tolerance", &format!("{tolerance:e}"))
+                .map_err(|fault| Failure::faults(&self.spec.spec, vec![fault]))?;
         }
         let mut spec = self.spec.read(&file)?;
         let mut folder = self.spec.folder();
@@ -52,18 +56,31 @@ impl Run {
         let start = prepared.start(&folder)?;
         let kernel = prepared.from_state(&start)?;
         let run = &prepared.spec.run;
-        let plan = RunPlan::of(run, if self.output.out.is_some() { run.average_over_s } else { 0.0 });
-        let plan = plan.watching(&prepared.spec, &kernel.plant).balancing(&kernel.plant);
-        let answer = simulate(&kernel, &start, &plan).map_err(jounce::analysis::AnalysisError::from)?;
+        let plan = RunPlan::of(
+            run,
+            if self.output.out.is_some() {
+                run.average_over_s
+            } else {
+                0.0
+            },
+        );
+        let plan = plan
+            .watching(&prepared.spec, &kernel.plant)
+            .balancing(&kernel.plant);
+        let answer =
+            simulate(&kernel, &start, &plan).map_err(jounce::analysis::AnalysisError::from)?;
         if let Some(path) = &self.save_state {
-            let text = serde_json::to_string_pretty(&answer.end).map_err(|error| Failure::Input(error.to_string()))?;
+            let text = serde_json::to_string_pretty(&answer.end)
+                .map_err(|error| Failure::Input(error.to_string()))?;
             jounce::store::write(path, text.as_bytes())?;
         }
         if let Some(folder) = &self.output.out {
             self.write(folder, &prepared, &kernel, &answer, &plan)?;
         }
         let warnings = Warning::of(&prepared.spec, &kernel, &plan, &answer);
-        let untold = warnings.iter().filter(|warning| !matches!(warning, Warning::Recording { .. }));
+        let untold = warnings
+            .iter()
+            .filter(|warning| !matches!(warning, Warning::Recording { .. }));
         untold.for_each(|warning| eprintln!("warning: {warning}"));
         self.tell(&kernel, &answer, &plan, &warnings);
         Ok(())
@@ -77,19 +94,33 @@ impl Run {
     }
 
     /// Time histories, spectrum and table of the averaging window.
-    fn write(&self, folder: &Path, prepared: &Model, kernel: &Kernel, answer: &RunResult, plan: &RunPlan) -> Result<(), Failure> {
+    fn write(
+        &self,
+        folder: &Path,
+        prepared: &Model,
+        kernel: &Kernel,
+        answer: &RunResult,
+        plan: &RunPlan,
+    ) -> Result<(), Failure> {
         let rate_hz = SAMPLE_RATE_HZ.max(MIN_SAMPLES / plan.average_over_s);
         let count = ((plan.average_over_s * rate_hz).round() as usize).max(2);
         let begin = plan.duration_s - plan.average_over_s;
         let time_s: Vec<f64> = (0..count).map(|k| begin + k as f64 / rate_hz).collect();
         let plant = &kernel.plant;
         let instants = answer.trajectory.at(kernel, &time_s);
-        let states: Vec<Vec<f64>> = instants.iter().map(|at| plant.to_physical(&at.state, at.time_s)).collect();
+        let states: Vec<Vec<f64>> = instants
+            .iter()
+            .map(|at| plant.to_physical(&at.state, at.time_s))
+            .collect();
         let mut traces: Vec<Trace> = Vec::new();
         let voltages: Vec<Vec<f64>> = states.iter().map(|x| plant.patch_voltages_v(x)).collect();
         for (patch, name) in plant.system.modes.patch.keys().enumerate() {
             let values = voltages.iter().map(|v| v[patch]).collect();
-            traces.push(Trace { quantity: format!("Voltage of {name}"), unit: "V".into(), values });
+            traces.push(Trace {
+                quantity: format!("Voltage of {name}"),
+                unit: "V".into(),
+                values,
+            });
         }
         for stop in &plant.system.stops {
             let towards = |x: &Vec<f64>| stop.shape.iter().zip(x).map(|(s, q)| s * q).sum::<f64>();
@@ -100,8 +131,16 @@ impl Run {
             });
         }
         for (p, stop) in plant.system.stops.iter().enumerate() {
-            let quantity = if plant.system.stops.len() > 1 { format!("Contact force of {}", stop.name) } else { "Contact force".into() };
-            traces.push(Trace { quantity, unit: "N".into(), values: instants.iter().map(|at| at.forces_n[p]).collect() });
+            let quantity = if plant.system.stops.len() > 1 {
+                format!("Contact force of {}", stop.name)
+            } else {
+                "Contact force".into()
+            };
+            traces.push(Trace {
+                quantity,
+                unit: "N".into(),
+                values: instants.iter().map(|at| at.forces_n[p]).collect(),
+            });
         }
         let mut table = Table::new(vec![Column::new("time_s", "s", "time", time_s.clone())])?;
         for trace in &traces {
@@ -112,15 +151,37 @@ impl Run {
                 trace.values.clone(),
             ))?;
         }
-        output::table(folder, "run", &table, &self.spec.manifest(&prepared.spec, "run").with("tolerance", plan.tolerance))?;
+        output::table(
+            folder,
+            "run",
+            &table,
+            &self
+                .spec
+                .manifest(&prepared.spec, "run")
+                .with("tolerance", plan.tolerance),
+        )?;
         let shown = count.min(SAMPLE_RATE_HZ as usize);
-        let last: Vec<Trace> = traces.iter().map(|t| Trace { values: t.values[count - shown..].to_vec(), ..t.clone() }).collect();
-        output::figure(folder, "run-time", &time_histories("End of the run", &time_s[count - shown..], &last))?;
+        let last: Vec<Trace> = traces
+            .iter()
+            .map(|t| Trace {
+                values: t.values[count - shown..].to_vec(),
+                ..t.clone()
+            })
+            .collect();
+        output::figure(
+            folder,
+            "run-time",
+            &time_histories("End of the run", &time_s[count - shown..], &last),
+        )?;
         if let Some(voltage) = traces.first() {
             let spectrum = Samples::new(&voltage.values, rate_hz)?.spectrum(Window::Hann);
             let drive_hz = plant.system.drives.first().map(|drive| drive.frequency_hz);
             let highest = 12.0 * drive_hz.unwrap_or(rate_hz / 24.0);
-            let kept = spectrum.frequency_hz.iter().take_while(|f| **f <= highest).count();
+            let kept = spectrum
+                .frequency_hz
+                .iter()
+                .take_while(|f| **f <= highest)
+                .count();
             let shown = SpectrumLine {
                 label: voltage.quantity.clone(),
                 frequency_hz: spectrum.frequency_hz[..kept].to_vec(),
@@ -129,7 +190,14 @@ impl Run {
             output::figure(
                 folder,
                 "run-spectrum",
-                &spectra("Voltage spectrum, Hann window", &voltage.quantity, "V", Scale::Log, &[shown], drive_hz),
+                &spectra(
+                    "Voltage spectrum, Hann window",
+                    &voltage.quantity,
+                    "V",
+                    Scale::Log,
+                    &[shown],
+                    drive_hz,
+                ),
             )?;
         }
         Ok(())
@@ -141,15 +209,21 @@ fn print_json(kernel: &Kernel, answer: &RunResult, plan: &RunPlan, warnings: &[W
     let settlement = answer.settlement;
     let peaks = voltage_peaks(kernel, answer, plan);
     let names = kernel.plant.system.modes.patch.keys();
-    let patches = names.zip(&peaks.patches_v).map(|(name, peak_v)| serde_json::json!({ "name": name, "voltage_peak_v": finite(*peak_v) }));
-    let loads = answer.loads.iter().zip(&peaks.loads_v).map(|(load, peak_v)| {
-        serde_json::json!({
-            "name": load.name,
-            "mean_power_w": load.mean_power_w,
-            "voltage_rms_v": load.voltage_rms_v,
-            "voltage_peak_v": finite(*peak_v),
-        })
-    });
+    let patches = names.zip(&peaks.patches_v).map(
+        |(name, peak_v)| serde_json::json!({ "name": name, "voltage_peak_v": finite(*peak_v) }),
+    );
+    let loads = answer
+        .loads
+        .iter()
+        .zip(&peaks.loads_v)
+        .map(|(load, peak_v)| {
+            serde_json::json!({
+                "name": load.name,
+                "mean_power_w": load.mean_power_w,
+                "voltage_rms_v": load.voltage_rms_v,
+                "voltage_peak_v": finite(*peak_v),
+            })
+        });
     print(&serde_json::json!({
         "mean_power_w": answer.mean_power_w,
         "voltage_rms_v": answer.voltage_rms_v().and_then(finite),
@@ -190,42 +264,90 @@ fn print_json(kernel: &Kernel, answer: &RunResult, plan: &RunPlan, warnings: &[W
 fn print_lines(kernel: &Kernel, answer: &RunResult, plan: &RunPlan) {
     let residual = answer.energies.residual_relative();
     // A sum of nothing may be -0.
-    line(format!("mean power         {:.6e} W", answer.mean_power_w + 0.0));
+    line(format!(
+        "mean power         {:.6e} W",
+        answer.mean_power_w + 0.0
+    ));
     print_voltages(kernel, answer, &voltage_peaks(kernel, answer, plan));
     let charges = charges(kernel, answer, plan);
     for circuit in &answer.rectified {
         // Synchronous extraction hands over energy, no charge that diodes pass.
-        let current = if circuit.mean_current_a == 0.0 { String::new() } else { format!(", {:.4e} A", circuit.mean_current_a) };
-        line(format!("storage            {:.6} V{current}  (circuit {})", circuit.voltage_rms_v, circuit.name));
+        let current = if circuit.mean_current_a == 0.0 {
+            String::new()
+        } else {
+            format!(", {:.4e} A", circuit.mean_current_a)
+        };
+        line(format!(
+            "storage            {:.6} V{current}  (circuit {})",
+            circuit.voltage_rms_v, circuit.name
+        ));
         // What nothing was lost in is 0 but for roundoff of either sign.
-        let [diodes, switch, leakage] = [circuit.diode_loss_w, circuit.switch_loss_w, circuit.leakage_w].map(|loss_w| loss_w.max(0.0));
-        line(format!("  delivered        {:.4e} W, filling the storage {:.4e} W", circuit.mean_power_w, circuit.storage_w));
-        line(format!("  lost             diodes {diodes:.4e} W, switch {switch:.4e} W, leakage {leakage:.4e} W"));
-        charges.iter().filter(|charge| charge.name == circuit.name).for_each(print_charge);
+        let [diodes, switch, leakage] = [
+            circuit.diode_loss_w,
+            circuit.switch_loss_w,
+            circuit.leakage_w,
+        ]
+        .map(|loss_w| loss_w.max(0.0));
+        line(format!(
+            "  delivered        {:.4e} W, filling the storage {:.4e} W",
+            circuit.mean_power_w, circuit.storage_w
+        ));
+        line(format!(
+            "  lost             diodes {diodes:.4e} W, switch {switch:.4e} W, leakage {leakage:.4e} W"
+        ));
+        charges
+            .iter()
+            .filter(|charge| charge.name == circuit.name)
+            .for_each(print_charge);
     }
     for leak in &answer.leaks {
-        line(format!("leakage            {:.6e} W  (patch {})", leak.mean_power_w, leak.patch));
+        line(format!(
+            "leakage            {:.6e} W  (patch {})",
+            leak.mean_power_w, leak.patch
+        ));
     }
     if !answer.stops.is_empty() {
         // Shares of the time of several stops do not add up to one.
-        let share = if answer.stops.len() == 1 { format!(", {:.2} % of the time", 100.0 * answer.contact_duty) } else { String::new() };
-        line(format!("contacts           {} in {} s{share}", answer.contacts, plan.average_over_s));
-        line(format!("penetration, peak  {:.6e} m, force {:.4e} N", answer.max_penetration_m, answer.max_contact_force_n));
+        let share = if answer.stops.len() == 1 {
+            format!(", {:.2} % of the time", 100.0 * answer.contact_duty)
+        } else {
+            String::new()
+        };
+        line(format!(
+            "contacts           {} in {} s{share}",
+            answer.contacts, plan.average_over_s
+        ));
+        line(format!(
+            "penetration, peak  {:.6e} m, force {:.4e} N",
+            answer.max_penetration_m, answer.max_contact_force_n
+        ));
     }
     for stop in &answer.stops {
         print_stop(stop, answer.stops.len() > 1);
     }
     match answer.is_trivial() {
-        true => line("energy             nothing happened: no contact began, and no energy flowed or changed by more than roundoff"),
-        false => line(format!("energy residual    {residual:.1e} of the largest energy")),
+        true => line(
+            "energy             nothing happened: no contact began, and no energy flowed or changed by more than roundoff",
+        ),
+        false => line(format!(
+            "energy residual    {residual:.1e} of the largest energy"
+        )),
     }
     match answer.settlement {
-        None => line("no period          the drives do not repeat themselves, so there is nothing to settle to"),
+        None => line(
+            "no period          the drives do not repeat themselves, so there is nothing to settle to",
+        ),
         Some(found) if found.settled => {
-            line(format!("settled            period {} drive cycles, change {:.1e}", found.period_cycles, found.change));
+            line(format!(
+                "settled            period {} drive cycles, change {:.1e}",
+                found.period_cycles, found.change
+            ));
         }
         Some(found) => {
-            line(format!("NOT settled        change over a period {:.1e}; a longer run.duration may settle it", found.change));
+            line(format!(
+                "NOT settled        change over a period {:.1e}; a longer run.duration may settle it",
+                found.change
+            ));
         }
     }
     line(format!(
@@ -239,28 +361,48 @@ fn print_lines(kernel: &Kernel, answer: &RunResult, plan: &RunPlan) {
 /// Voltages of the loads, and the largest of each patch where no load tells it.
 fn print_voltages(kernel: &Kernel, answer: &RunResult, peaks: &VoltagePeaks) {
     for (load, peak_v) in answer.loads.iter().zip(&peaks.loads_v) {
-        line(format!("voltage, rms       {:.6} V  (load {})", load.voltage_rms_v, load.name));
+        line(format!(
+            "voltage, rms       {:.6} V  (load {})",
+            load.voltage_rms_v, load.name
+        ));
         if peak_v.is_finite() {
             line(format!("voltage, peak      {peak_v:.6} V"));
         }
     }
     let patches = kernel.plant.system.modes.patch.keys().zip(&peaks.patches_v);
-    for (name, peak_v) in patches.filter(|(_, peak_v)| peak_v.is_finite() && !peaks.loads_v.contains(peak_v)) {
+    for (name, peak_v) in
+        patches.filter(|(_, peak_v)| peak_v.is_finite() && !peaks.loads_v.contains(peak_v))
+    {
         line(format!("voltage, peak      {peak_v:.6} V  (patch {name})"));
     }
 }
 
 /// Where the charge of a circuit went, and whether that is all of it.
 fn print_charge(charge: &ChargeResult) {
-    let ChargeResult { passed_c, load_c, leakage_c, storage_c, residual_relative, .. } = charge;
-    line(format!("  charge           diodes {passed_c:.4e} C = load {load_c:.4e} + leakage {leakage_c:.4e} + storage {storage_c:.4e} C"));
-    line(format!("  charge residual  {residual_relative:.1e} of the largest charge"));
+    let ChargeResult {
+        passed_c,
+        load_c,
+        leakage_c,
+        storage_c,
+        residual_relative,
+        ..
+    } = charge;
+    line(format!(
+        "  charge           diodes {passed_c:.4e} C = load {load_c:.4e} + leakage {leakage_c:.4e} + storage {storage_c:.4e} C"
+    ));
+    line(format!(
+        "  charge residual  {residual_relative:.1e} of the largest charge"
+    ));
 }
 
 /// Contacts of one stop; `beside` others also what `print_lines` tells of all together.
 fn print_stop(stop: &StopResult, beside: bool) {
     if beside {
-        let (contacts, depth, force) = (stop.contacts, stop.max_penetration_m, stop.max_contact_force_n);
+        let (contacts, depth, force) = (
+            stop.contacts,
+            stop.max_penetration_m,
+            stop.max_contact_force_n,
+        );
         let share = 100.0 * stop.contact_duty;
         line(format!(
             "  stop {:<12}  {contacts} contacts, {share:.2} % of the time, penetration {depth:.6e} m, force {force:.4e} N",

@@ -7,7 +7,9 @@ use clap::Args;
 use jounce::integrate::Control;
 use jounce::signal::Samples;
 use jounce::table::{Column, Table};
-use jounce_measure::segmentation::{Candidate, RecordSegment, SegmentMatch, SegmentMatches, match_segments};
+use jounce_measure::segmentation::{
+    Candidate, RecordSegment, SegmentMatch, SegmentMatches, match_segments,
+};
 use jounce_measure::solution::{SolutionSearch, as_recorded, solutions};
 use std::path::PathBuf;
 
@@ -44,21 +46,39 @@ impl ModelArguments {
         resistance_ohm: Option<f64>,
         stretches: &[RecordSegment],
     ) -> Result<Vec<SegmentMatches>, Failure> {
-        let Some(path) = &self.model else { return Ok(Vec::new()) };
+        let Some(path) = &self.model else {
+            return Ok(Vec::new());
+        };
         if !(self.within > 0.0 && self.within <= 1.0) || self.starts == 0 {
-            return Err(Failure::usage("--within must lie above 0 and up to 1, --starts above 0".to_owned()));
+            return Err(Failure::usage(
+                "--within must lie above 0 and up to 1, --starts above 0".to_owned(),
+            ));
         }
-        let mut spec = SpecArguments { spec: path.clone(), set: self.set.clone() }.spec()?;
+        let mut spec = SpecArguments {
+            spec: path.clone(),
+            set: self.set.clone(),
+        }
+        .spec()?;
         as_recorded(&mut spec, drive_hz, resistance_ohm, self.load.as_deref());
-        let search = SolutionSearch { starts: self.starts, seed: self.seed, load: self.load.clone(), ..SolutionSearch::default() };
+        let search = SolutionSearch {
+            starts: self.starts,
+            seed: self.seed,
+            load: self.load.clone(),
+            ..SolutionSearch::default()
+        };
         let found = solutions(&spec, &search, &Control::default())?;
-        Ok(stretches.iter().map(|stretch| match_segments(samples, drive_hz, stretch, &found, self.within)).collect())
+        Ok(stretches
+            .iter()
+            .map(|stretch| match_segments(samples, drive_hz, stretch, &found, self.within))
+            .collect())
     }
 }
 
 /// Tells what a stretch shows.
 pub fn print_match(shown: &SegmentMatches) {
-    let Some(first) = shown.candidates.first() else { return };
+    let Some(first) = shown.candidates.first() else {
+        return;
+    };
     let words = match shown.fits {
         SegmentMatch::One => format!("solution {}", first.id),
         SegmentMatch::Several => "several solutions fit equally well".to_owned(),
@@ -66,7 +86,9 @@ pub fn print_match(shown: &SegmentMatches) {
     };
     line(format!("{:>29}{words}", ""));
     for candidate in &shown.candidates {
-        let number = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), |value| format!("{value:.3}"));
+        let number = |value: Option<f64>| {
+            value.map_or_else(|| "-".to_owned(), |value| format!("{value:.3}"))
+        };
         line(format!(
             "{:>31}{:<8} waveform {:>6}, spectrum {:>6} away, power of the record {:>6} times, {:.5e} W in the model{}",
             "",
@@ -75,7 +97,11 @@ pub fn print_match(shown: &SegmentMatches) {
             number(candidate.spectrum_distance),
             number(candidate.power_ratio),
             candidate.mean_power_w,
-            if candidate.inverted { ", polarity inverted" } else { "" }
+            if candidate.inverted {
+                ", polarity inverted"
+            } else {
+                ""
+            }
         ));
     }
 }
@@ -86,16 +112,39 @@ pub fn columns(table: &mut Table, shown: &[SegmentMatches]) -> Result<(), Failur
         return Ok(());
     }
     let first = |of: &dyn Fn(&Candidate) -> Option<f64>| {
-        shown.iter().map(|shown| shown.candidates.first().and_then(of).unwrap_or(f64::NAN)).collect::<Vec<f64>>()
+        shown
+            .iter()
+            .map(|shown| shown.candidates.first().and_then(of).unwrap_or(f64::NAN))
+            .collect::<Vec<f64>>()
     };
     let ids = shown.iter().map(|shown| match shown.fits {
         SegmentMatch::One => shown.id().unwrap_or_default().to_owned(),
         SegmentMatch::Several => "several".to_owned(),
         SegmentMatch::None => "none".to_owned(),
     });
-    table.push(Column::new("solution", "", "solution of the model that fits", ids.collect::<Vec<_>>()))?;
-    table.push(Column::new("waveform_distance", "", "distance of the nearest one's waveform", first(&|c| c.waveform_distance)))?;
-    table.push(Column::new("spectrum_distance", "", "distance of its spectrum", first(&|c| c.spectrum_distance)))?;
-    table.push(Column::new("model_power_w", "W", "its mean power", first(&|c| Some(c.mean_power_w))))?;
+    table.push(Column::new(
+        "solution",
+        "",
+        "solution of the model that fits",
+        ids.collect::<Vec<_>>(),
+    ))?;
+    table.push(Column::new(
+        "waveform_distance",
+        "",
+        "distance of the nearest one's waveform",
+        first(&|c| c.waveform_distance),
+    ))?;
+    table.push(Column::new(
+        "spectrum_distance",
+        "",
+        "distance of its spectrum",
+        first(&|c| c.spectrum_distance),
+    ))?;
+    table.push(Column::new(
+        "model_power_w",
+        "W",
+        "its mean power",
+        first(&|c| Some(c.mean_power_w)),
+    ))?;
     Ok(())
 }

@@ -10,7 +10,9 @@ use jounce::spec::Quantity as Unit;
 use jounce::table::{Column, Table};
 use jounce_measure::draw::{segments, stretch_section, stretch_spectra};
 use jounce_measure::recording::{Channel, Quantity};
-use jounce_measure::segmentation::{MAX_PERIOD_CYCLES, MergeReason, RecordSegment, SegmentMatches, Segmentation, regimes};
+use jounce_measure::segmentation::{
+    MAX_PERIOD_CYCLES, MergeReason, RecordSegment, SegmentMatches, Segmentation, regimes,
+};
 use jounce_measure::spectral::{MeanPower, mean_power_if_long};
 use std::path::Path;
 
@@ -36,26 +38,50 @@ impl Segments {
     /// Cuts and tells.
     pub fn run(&self) -> Result<(), Failure> {
         let drive_hz = positive("--drive", &self.drive, Unit::Frequency)?;
-        let resistance = self.resistance.as_ref().map(|text| positive("--resistance", text, Unit::Resistance)).transpose()?;
+        let resistance = self
+            .resistance
+            .as_ref()
+            .map(|text| positive("--resistance", text, Unit::Resistance))
+            .transpose()?;
         let mut survey = self.file.survey()?;
         let number = match &self.channel {
             // Any quantity can be cut; only a voltage has a power.
             Some(name) if resistance.is_none() => any_channel(&survey, name)?,
-            wanted => channel(&mut survey, wanted.as_deref(), Quantity::Voltage, "--channel")?,
+            wanted => channel(
+                &mut survey,
+                wanted.as_deref(),
+                Quantity::Voltage,
+                "--channel",
+            )?,
         };
         let record = loaded(survey, &[number])?;
         let channel = &record.channels[0];
         let found = regimes(&Samples::new(&channel.values, record.rate())?, drive_hz)?;
         let power = |stretch: &RecordSegment| -> Result<Option<MeanPower>, Failure> {
-            let Some(ohm) = resistance else { return Ok(None) };
+            let Some(ohm) = resistance else {
+                return Ok(None);
+            };
             let part = Samples::new(&channel.values[stretch.start..stretch.end], record.rate())?;
             Ok(mean_power_if_long(&part, ohm, false)?)
         };
-        let powers = found.stretches.iter().map(power).collect::<Result<Vec<_>, _>>()?;
+        let powers = found
+            .stretches
+            .iter()
+            .map(power)
+            .collect::<Result<Vec<_>, _>>()?;
         let samples = Samples::new(&channel.values, record.rate())?;
-        let shown = self.model.correspondences(&samples, drive_hz, resistance, &found.stretches)?;
+        let shown = self
+            .model
+            .correspondences(&samples, drive_hz, resistance, &found.stretches)?;
         if let Some(folder) = &self.file.output.out {
-            self.write(folder, (channel, &samples), &found, &powers, &shown, drive_hz)?;
+            self.write(
+                folder,
+                (channel, &samples),
+                &found,
+                &powers,
+                &shown,
+                drive_hz,
+            )?;
         }
         if self.file.output.json {
             print(&serde_json::json!({
@@ -67,7 +93,12 @@ impl Segments {
             }));
             return Ok(());
         }
-        print_segments(&found, &channel.unit, &self.powers_in_words(&powers), &shown);
+        print_segments(
+            &found,
+            &channel.unit,
+            &self.powers_in_words(&powers),
+            &shown,
+        );
         Ok(())
     }
 
@@ -75,7 +106,10 @@ impl Segments {
     fn powers_in_words(&self, powers: &[Option<MeanPower>]) -> Vec<String> {
         let words = |power: &Option<MeanPower>| match power {
             _ if self.resistance.is_none() => String::new(),
-            Some(power) => format!(", {}", with_uncertainty(power.mean_power_w, power.half_width_w, "W")),
+            Some(power) => format!(
+                ", {}",
+                with_uncertainty(power.mean_power_w, power.half_width_w, "W")
+            ),
             None => ", too short for a power with an interval".to_owned(),
         };
         powers.iter().map(words).collect()
@@ -90,29 +124,94 @@ impl Segments {
         shown: &[SegmentMatches],
         drive_hz: f64,
     ) -> Result<(), Failure> {
-        let numbers = |of: &dyn Fn(&RecordSegment) -> f64| found.stretches.iter().map(of).collect::<Vec<f64>>();
-        let cycles: Vec<u64> = found.stretches.iter().map(|s| s.period.cycles.map_or(0, |cycles| cycles as u64)).collect();
+        let numbers = |of: &dyn Fn(&RecordSegment) -> f64| {
+            found.stretches.iter().map(of).collect::<Vec<f64>>()
+        };
+        let cycles: Vec<u64> = found
+            .stretches
+            .iter()
+            .map(|s| s.period.cycles.map_or(0, |cycles| cycles as u64))
+            .collect();
         let mut table = Table::new(vec![
-            Column::new("start_s", "s", "begin of the stretch", numbers(&|s| s.start_s)),
+            Column::new(
+                "start_s",
+                "s",
+                "begin of the stretch",
+                numbers(&|s| s.start_s),
+            ),
             Column::new("end_s", "s", "end of the stretch", numbers(&|s| s.end_s)),
-            Column::new("rms", &channel.unit, "rms about the mean", numbers(&|s| s.rms)),
-            Column::new("period_cycles", "", "drive cycles of the period; 0 where it is longer than 12, or none", cycles),
-            Column::new("mismatch", "", "what the repetition misses, over the rms", numbers(&|s| s.period.mismatch)),
+            Column::new(
+                "rms",
+                &channel.unit,
+                "rms about the mean",
+                numbers(&|s| s.rms),
+            ),
+            Column::new(
+                "period_cycles",
+                "",
+                "drive cycles of the period; 0 where it is longer than 12, or none",
+                cycles,
+            ),
+            Column::new(
+                "mismatch",
+                "",
+                "what the repetition misses, over the rms",
+                numbers(&|s| s.period.mismatch),
+            ),
         ])?;
         if self.resistance.is_some() {
-            let numbers = |power: &Option<MeanPower>| power.map_or((f64::NAN, f64::NAN), |power| (power.mean_power_w, power.half_width_w));
+            let numbers = |power: &Option<MeanPower>| {
+                power.map_or((f64::NAN, f64::NAN), |power| {
+                    (power.mean_power_w, power.half_width_w)
+                })
+            };
             let (mean, half): (Vec<f64>, Vec<f64>) = powers.iter().map(numbers).unzip();
-            table.push(Column::new("mean_power_w", "W", "mean power; NaN where the stretch is too short for an interval", mean))?;
-            table.push(Column::new("half_width_w", "W", "half the width of its interval of 95 %", half))?;
+            table.push(Column::new(
+                "mean_power_w",
+                "W",
+                "mean power; NaN where the stretch is too short for an interval",
+                mean,
+            ))?;
+            table.push(Column::new(
+                "half_width_w",
+                "W",
+                "half the width of its interval of 95 %",
+                half,
+            ))?;
         }
         segment_model::columns(&mut table, shown)?;
-        output::table(folder, "regimes", &table, &self.file.manifest("regimes")?.with("drive_hz", drive_hz))?;
-        let figure = segments("Stretches of one solution each", &channel.name, &channel.unit, samples, found);
+        output::table(
+            folder,
+            "regimes",
+            &table,
+            &self.file.manifest("regimes")?.with("drive_hz", drive_hz),
+        )?;
+        let figure = segments(
+            "Stretches of one solution each",
+            &channel.name,
+            &channel.unit,
+            samples,
+            found,
+        );
         output::figure(folder, "regimes-time", &figure)?;
-        let figure = stretch_section("One value for each drive cycle", &channel.name, &channel.unit, samples, found, drive_hz);
+        let figure = stretch_section(
+            "One value for each drive cycle",
+            &channel.name,
+            &channel.unit,
+            samples,
+            found,
+            drive_hz,
+        );
         output::figure(folder, "regimes-section", &figure)?;
         let title = "Spectrum of each stretch, Hann window";
-        let figure = stretch_spectra(title, &channel.name, &channel.unit, samples, found, drive_hz)?;
+        let figure = stretch_spectra(
+            title,
+            &channel.name,
+            &channel.unit,
+            samples,
+            found,
+            drive_hz,
+        )?;
         output::figure(folder, "regimes-spectra", &figure)
     }
 }
@@ -121,20 +220,26 @@ impl Segments {
 fn print_segments(found: &Segmentation, unit: &str, powers: &[String], shown: &[SegmentMatches]) {
     let count = found.stretches.len();
     let stretches = if count == 1 { "stretch" } else { "stretches" };
-    line(format!("{count} {stretches}; a change lies within {:.3} s of its place", found.uncertainty_s));
+    line(format!(
+        "{count} {stretches}; a change lies within {:.3} s of its place",
+        found.uncertainty_s
+    ));
     for joint in &found.joints {
         let told = match joint.reason {
             MergeReason::NoiseChanged => "the noise changes",
             MergeReason::Drifts => "the amplitude drifts",
             MergeReason::Glitch => "a short disturbance",
         };
-        line(format!("{:>10.3} s: {told}, the solution stays", joint.at_s));
+        line(format!(
+            "{:>10.3} s: {told}, the solution stays",
+            joint.at_s
+        ));
     }
     for (k, (stretch, power)) in found.stretches.iter().zip(powers).enumerate() {
-        let period = stretch
-            .period
-            .cycles
-            .map_or_else(|| format!("period longer than {MAX_PERIOD_CYCLES} cycles, or none"), |cycles| format!("period {cycles} cycles"));
+        let period = stretch.period.cycles.map_or_else(
+            || format!("period longer than {MAX_PERIOD_CYCLES} cycles, or none"),
+            |cycles| format!("period {cycles} cycles"),
+        );
         let (start, end, rms) = (stretch.start_s, stretch.end_s, stretch.rms);
         line(format!(
             "{start:>10.3} s to {end:>10.3} s  rms {rms:.5e} {}, {period} (mismatch {:.3}){power}",

@@ -24,7 +24,10 @@ impl Show {
     pub fn run(&self) -> Result<(), Failure> {
         let spec = self.spec.spec()?;
         let stem = self.spec.spec.file_stem().unwrap_or_default();
-        let path = self.out.clone().unwrap_or_else(|| Path::new(stem).with_extension("svg"));
+        let path = self
+            .out
+            .clone()
+            .unwrap_or_else(|| Path::new(stem).with_extension("svg"));
         jounce::show::drawing(&self.title(), &spec).write(&path)?;
         match self.json {
             true => print(&serde_json::json!({ "drawing": path })),
@@ -38,6 +41,9 @@ impl Show {
         let path = &self.spec.spec;
         let folder = path.parent().and_then(Path::file_name);
         let stem = path.file_stem().unwrap_or_default().to_string_lossy();
-        folder.map_or_else(|| stem.to_string(), |folder| format!("{}, {stem}", folder.to_string_lossy()))
+        folder.map_or_else(
+            || stem.to_string(),
+            |folder| format!("{}, {stem}", folder.to_string_lossy()),
+        )
     }
 }

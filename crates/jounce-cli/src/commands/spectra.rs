@@ -9,7 +9,9 @@ use jounce::spec::Quantity as Unit;
 use jounce::table::{Column, Table};
 use jounce_measure::draw::{densities_of, spectrogram_of};
 use jounce_measure::recording::{Channel, Quantity};
-use jounce_measure::spectral::{Spectra as Found, SpectraSettings, density_unit, signal, spectra, spectrogram};
+use jounce_measure::spectral::{
+    Spectra as Found, SpectraSettings, density_unit, signal, spectra, spectrogram,
+};
 use std::path::Path;
 
 /// Peaks that are told, the highest first.
@@ -65,12 +67,21 @@ impl SpectraResult<'_> {
 impl Spectra {
     /// Transforms and tells.
     pub fn run(&self) -> Result<(), Failure> {
-        let drive_hz = self.drive.as_ref().map(|text| positive("--drive", text, Unit::Frequency)).transpose()?;
-        let segment_s = self.segment.as_ref().map(|text| positive("--segment", text, Unit::Time)).transpose()?;
+        let drive_hz = self
+            .drive
+            .as_ref()
+            .map(|text| positive("--drive", text, Unit::Frequency))
+            .transpose()?;
+        let segment_s = self
+            .segment
+            .as_ref()
+            .map(|text| positive("--segment", text, Unit::Time))
+            .transpose()?;
         let survey = self.file.survey()?;
         let number = match &self.channel {
             Some(name) => any_channel(&survey, name)?,
-            None => first_live(&survey, Quantity::Voltage).ok_or_else(|| Failure::Input(format!("{} has no channel", survey.name)))?,
+            None => first_live(&survey, Quantity::Voltage)
+                .ok_or_else(|| Failure::Input(format!("{} has no channel", survey.name)))?,
         };
         let record = loaded(survey, &[number])?;
         let channel = &record.channels[0];
@@ -80,8 +91,20 @@ impl Spectra {
             WindowName::FlatTop => Window::FlatTop,
             WindowName::Rectangular => Window::Rectangular,
         };
-        let found = spectra(&samples, &SpectraSettings { drive_hz, segment_s, overlap: self.overlap, window })?;
-        let answer = SpectraResult { channel, samples, found };
+        let found = spectra(
+            &samples,
+            &SpectraSettings {
+                drive_hz,
+                segment_s,
+                overlap: self.overlap,
+                window,
+            },
+        )?;
+        let answer = SpectraResult {
+            channel,
+            samples,
+            found,
+        };
         if let Some(folder) = &self.file.output.out {
             self.write(folder, &answer, drive_hz)?;
         }
@@ -95,8 +118,12 @@ impl Spectra {
 
     /// Window, overlap and amplitude in words.
     fn convention(&self, answer: &SpectraResult<'_>) -> String {
-        let Found { density, segments, .. } = &answer.found;
-        let window = format!("{:?}", self.window).to_lowercase().replace("flattop", "flat-top");
+        let Found {
+            density, segments, ..
+        } = &answer.found;
+        let window = format!("{:?}", self.window)
+            .to_lowercase()
+            .replace("flattop", "flat-top");
         format!(
             "{} segments of {:.4} s, {} window, overlap {}: lines {:.4} Hz apart; amplitudes are zero to peak, densities one-sided, per Hz",
             density.segments,
@@ -109,19 +136,38 @@ impl Spectra {
 
     fn tell(&self, answer: &SpectraResult<'_>) {
         let (unit, squared) = (&answer.channel.unit, density_unit(&answer.channel.unit));
-        line(format!("{}: {}", answer.channel.name, self.convention(answer)));
-        line(format!("mean {:.5e} {unit}, taken away from the density", answer.found.density.mean));
+        line(format!(
+            "{}: {}",
+            answer.channel.name,
+            self.convention(answer)
+        ));
+        line(format!(
+            "mean {:.5e} {unit}, taken away from the density",
+            answer.found.density.mean
+        ));
         for peak in answer.found.peaks(REPORTED_PEAKS) {
-            line(format!("peak at {:>10.4} Hz: {:.4e} {squared}", peak.frequency_hz, peak.density));
+            line(format!(
+                "peak at {:>10.4} Hz: {:.4e} {squared}",
+                peak.frequency_hz, peak.density
+            ));
         }
         for order in &answer.found.orders {
-            line(format!("order {:>6.4}, {:>10.4} Hz: {:.5e} {unit} peak", order.order, order.frequency_hz, order.amplitude_peak));
+            line(format!(
+                "order {:>6.4}, {:>10.4} Hz: {:.5e} {unit} peak",
+                order.order, order.frequency_hz, order.amplitude_peak
+            ));
         }
     }
 
-    fn listed(&self, answer: &SpectraResult<'_>, findings: &[jounce_measure::recording::Issue]) -> serde_json::Value {
+    fn listed(
+        &self,
+        answer: &SpectraResult<'_>,
+        findings: &[jounce_measure::recording::Issue],
+    ) -> serde_json::Value {
         let order = |order: &OrderLine| serde_json::json!({ "order": order.order, "frequency_hz": order.frequency_hz, "amplitude_peak": order.amplitude_peak });
-        let Found { density, segments, .. } = &answer.found;
+        let Found {
+            density, segments, ..
+        } = &answer.found;
         serde_json::json!({
             "channel": answer.channel.name,
             "unit": answer.channel.unit,
@@ -139,24 +185,82 @@ impl Spectra {
         })
     }
 
-    fn write(&self, folder: &Path, answer: &SpectraResult<'_>, drive_hz: Option<f64>) -> Result<(), Failure> {
+    fn write(
+        &self,
+        folder: &Path,
+        answer: &SpectraResult<'_>,
+        drive_hz: Option<f64>,
+    ) -> Result<(), Failure> {
         let (channel, density) = (answer.channel, &answer.found.density);
         let found = spectrogram(&answer.samples, &answer.found.segments)?;
-        let manifest = self.file.manifest("spectra")?.with("convention", self.convention(answer)).with("channel", channel.name.clone());
+        let manifest = self
+            .file
+            .manifest("spectra")?
+            .with("convention", self.convention(answer))
+            .with("channel", channel.name.clone());
         let squared = density_unit(&channel.unit);
         let table = Table::new(vec![
-            Column::new("frequency_hz", "Hz", "frequency of the line", density.frequency_hz.clone()),
-            Column::new("density", &squared, "one-sided power spectral density (Welch)", density.density.clone()),
+            Column::new(
+                "frequency_hz",
+                "Hz",
+                "frequency of the line",
+                density.frequency_hz.clone(),
+            ),
+            Column::new(
+                "density",
+                &squared,
+                "one-sided power spectral density (Welch)",
+                density.density.clone(),
+            ),
         ])?;
         output::table(folder, "spectra", &table, &manifest)?;
-        let cells = || found.time_s.iter().flat_map(|t| found.frequency_hz.iter().map(move |f| (*t, *f)));
+        let cells = || {
+            found
+                .time_s
+                .iter()
+                .flat_map(|t| found.frequency_hz.iter().map(move |f| (*t, *f)))
+        };
         let table = Table::new(vec![
-            Column::new("time_s", "s", "middle of the segment, from the first sample", cells().map(|cell| cell.0).collect::<Vec<_>>()),
-            Column::new("frequency_hz", "Hz", "frequency of the line", cells().map(|cell| cell.1).collect::<Vec<_>>()),
-            Column::new("amplitude_peak", &channel.unit, "peak amplitude", found.amplitude_peak.concat()),
+            Column::new(
+                "time_s",
+                "s",
+                "middle of the segment, from the first sample",
+                cells().map(|cell| cell.0).collect::<Vec<_>>(),
+            ),
+            Column::new(
+                "frequency_hz",
+                "Hz",
+                "frequency of the line",
+                cells().map(|cell| cell.1).collect::<Vec<_>>(),
+            ),
+            Column::new(
+                "amplitude_peak",
+                &channel.unit,
+                "peak amplitude",
+                found.amplitude_peak.concat(),
+            ),
         ])?;
         output::table(folder, "spectrogram", &table, &manifest)?;
-        output::figure(folder, "spectra", &densities_of("Power spectral density", &channel.name, &channel.unit, density))?;
-        output::figure(folder, "spectrogram", &spectrogram_of(&self.convention(answer), &channel.name, &channel.unit, &found, drive_hz))
+        output::figure(
+            folder,
+            "spectra",
+            &densities_of(
+                "Power spectral density",
+                &channel.name,
+                &channel.unit,
+                density,
+            ),
+        )?;
+        output::figure(
+            folder,
+            "spectrogram",
+            &spectrogram_of(
+                &self.convention(answer),
+                &channel.name,
+                &channel.unit,
+                &found,
+                drive_hz,
+            ),
+        )
     }
 }

@@ -93,12 +93,21 @@ impl Run {
         let folder = Folder::of(&self.out, &study)?;
         let control = Control::default();
         interruption::install(&control);
-        let own = (0..study.parts()).filter(|part| self.shard.takes(*part)).map(|part| study.points(part).len()).sum();
+        let own = (0..study.parts())
+            .filter(|part| self.shard.takes(*part))
+            .map(|part| study.points(part).len())
+            .sum();
         let bar = progress::bar(own);
-        self.threads.run(|| folder.run(&study, self.shard, &control, &|points| bar.inc(points as u64)))??;
+        self.threads.run(|| {
+            folder.run(&study, self.shard, &control, &|points| {
+                bar.inc(points as u64)
+            })
+        })??;
         bar.finish_and_clear();
         if control.is_stopped() {
-            return Err(Failure::Interrupted("stopped; finished parts are kept, the same command goes on from there".to_owned()));
+            return Err(Failure::Interrupted(
+                "stopped; finished parts are kept, the same command goes on from there".to_owned(),
+            ));
         }
         let status = folder.status();
         if status.finished == status.parts {
@@ -114,10 +123,22 @@ fn print_status(status: &Status, json: bool) {
         print(&serde_json::json!(status));
         return;
     }
-    line(format!("parts      {} of {} finished", status.finished, status.parts));
-    line(format!("points     {}, {} of the finished without an answer", status.points, status.failed_points));
-    status.damaged.iter().for_each(|path| line(format!("damaged    {}", path.display())));
-    line(format!("merged     {}", if status.merged { "yes" } else { "no" }));
+    line(format!(
+        "parts      {} of {} finished",
+        status.finished, status.parts
+    ));
+    line(format!(
+        "points     {}, {} of the finished without an answer",
+        status.points, status.failed_points
+    ));
+    status
+        .damaged
+        .iter()
+        .for_each(|path| line(format!("damaged    {}", path.display())));
+    line(format!(
+        "merged     {}",
+        if status.merged { "yes" } else { "no" }
+    ));
 }
 
 impl From<StudyError> for Failure {

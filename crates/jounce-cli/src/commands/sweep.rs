@@ -58,7 +58,8 @@ impl Sweep {
     pub fn run(&self) -> Result<(), Failure> {
         let mut file = self.spec.file()?;
         if let Some(tolerance) = self.tolerance {
-            file.set("run.tolerance", &format!("{tolerance:e}")).map_err(|fault| Failure::faults(&self.spec.spec, vec![fault]))?;
+            file.set("run.tolerance", &format!("{tolerance:e}"))
+                .map_err(|fault| Failure::faults(&self.spec.spec, vec![fault]))?;
         }
         let spec = self.spec.read(&file)?;
         let range = self.spec.checked(file.range(&self.over))?;
@@ -68,7 +69,13 @@ impl Sweep {
             Order::Both => SweepOrder::Both,
             Order::Independent => SweepOrder::Independent,
         };
-        let study = Study { spec: &spec, range: &range, direction, fixed_duration: self.fixed_duration, folder: self.spec.folder() };
+        let study = Study {
+            spec: &spec,
+            range: &range,
+            direction,
+            fixed_duration: self.fixed_duration,
+            folder: self.spec.folder(),
+        };
         let options = format!("{} {:?} {}", self.over, self.direction, self.fixed_duration);
         let journal = Journal::open(&cache::folder(), &cache::key(&spec.hash_hex(), &options))?;
         let bar = progress::bar(study.len());
@@ -78,10 +85,16 @@ impl Sweep {
         }
         let control = Control::default();
         interruption::install(&control);
-        let points = self.threads.run(|| study.run(Some(&journal), &control, &|_| bar.inc(1)))??;
+        let points = self
+            .threads
+            .run(|| study.run(Some(&journal), &control, &|_| bar.inc(1)))??;
         bar.finish_and_clear();
         if points.len() < study.len() {
-            let text = format!("stopped after {} of {} points; the same command goes on from there", points.len(), study.len());
+            let text = format!(
+                "stopped after {} of {} points; the same command goes on from there",
+                points.len(),
+                study.len()
+            );
             return Err(Failure::Interrupted(text));
         }
         self.tell(&spec, &range, &points)?;
@@ -90,23 +103,47 @@ impl Sweep {
     }
 
     fn tell(&self, spec: &Spec, range: &KeyRange, points: &[SweepPoint]) -> Result<(), Failure> {
-        let repeats = spec.drive.values().all(|drive| drive.frequency_hz().is_some());
-        let unsettled = points.iter().filter(|point| repeats && !point.settled).count();
+        let repeats = spec
+            .drive
+            .values()
+            .all(|drive| drive.frequency_hz().is_some());
+        let unsettled = points
+            .iter()
+            .filter(|point| repeats && !point.settled)
+            .count();
         if unsettled > 0 {
-            eprintln!("{unsettled} of {} points had not settled when they were averaged; they are marked settled = false", points.len());
+            eprintln!(
+                "{unsettled} of {} points had not settled when they were averaged; they are marked settled = false",
+                points.len()
+            );
         }
-        let passed: Vec<&[ExceededLimit]> = points.iter().map(|point| point.exceeded.as_slice()).collect();
+        let passed: Vec<&[ExceededLimit]> = points
+            .iter()
+            .map(|point| point.exceeded.as_slice())
+            .collect();
         let key = range.key();
-        limit_warnings::warn(&passed, "points", |place| format!("{} = {:.6} {}", key.path(), points[place].parameter, key.unit()));
+        limit_warnings::warn(&passed, "points", |place| {
+            format!(
+                "{} = {:.6} {}",
+                key.path(),
+                points[place].parameter,
+                key.unit()
+            )
+        });
         if let Some(folder) = &self.output.out {
             self.write(folder, spec, range, points)?;
         }
         if self.output.json {
             let listed: Vec<_> = points.iter().map(to_json).collect();
-            print(&serde_json::json!({ "over": range.key().path(), "unit": range.key().unit(), "points": listed }));
+            print(
+                &serde_json::json!({ "over": range.key().path(), "unit": range.key().unit(), "points": listed }),
+            );
             return Ok(());
         }
-        line(format!("{:>14}  direction    mean_power_w   voltage_rms_v  settled", format!("parameter [{}]", range.key().unit())));
+        line(format!(
+            "{:>14}  direction    mean_power_w   voltage_rms_v  settled",
+            format!("parameter [{}]", range.key().unit())
+        ));
         for p in points {
             line(format!(
                 "{:>14.6}  {:<11}  {:.6e}  {:>13.6}  {}",
@@ -120,10 +157,21 @@ impl Sweep {
         Ok(())
     }
 
-    fn write(&self, folder: &std::path::Path, spec: &Spec, range: &KeyRange, points: &[SweepPoint]) -> Result<(), Failure> {
+    fn write(
+        &self,
+        folder: &std::path::Path,
+        spec: &Spec,
+        range: &KeyRange,
+        points: &[SweepPoint],
+    ) -> Result<(), Failure> {
         let unit = range.key().unit();
         let column = |name: &str, unit: &str, about: &str, value: fn(&SweepPoint) -> f64| {
-            Column::new(name, unit, about, points.iter().map(value).collect::<Vec<f64>>())
+            Column::new(
+                name,
+                unit,
+                about,
+                points.iter().map(value).collect::<Vec<f64>>(),
+            )
         };
         let table = Table::new(vec![
             column("parameter", &unit, range.key().path(), |p| p.parameter),
@@ -131,28 +179,78 @@ impl Sweep {
                 "direction",
                 "",
                 "how the point was reached",
-                points.iter().map(|p| p.direction.name().to_owned()).collect::<Vec<_>>(),
+                points
+                    .iter()
+                    .map(|p| p.direction.name().to_owned())
+                    .collect::<Vec<_>>(),
             ),
-            column("mean_power_w", "W", "mean power of all loads", |p| p.mean_power_w),
-            column("voltage_rms_v", "V", "voltage of the first load, else of what the first rectifier feeds, rms", |p| p.voltage_rms_v),
-            column("max_penetration_m", "m", "largest penetration of the stop", |p| p.max_penetration_m),
-            column("contact_rate_hz", "1/s", "contacts per second", |p| p.contact_rate_hz),
-            Column::new("settled", "", "settled when it was averaged", points.iter().map(|p| p.settled).collect::<Vec<_>>()),
+            column("mean_power_w", "W", "mean power of all loads", |p| {
+                p.mean_power_w
+            }),
+            column(
+                "voltage_rms_v",
+                "V",
+                "voltage of the first load, else of what the first rectifier feeds, rms",
+                |p| p.voltage_rms_v,
+            ),
+            column(
+                "max_penetration_m",
+                "m",
+                "largest penetration of the stop",
+                |p| p.max_penetration_m,
+            ),
+            column("contact_rate_hz", "1/s", "contacts per second", |p| {
+                p.contact_rate_hz
+            }),
+            Column::new(
+                "settled",
+                "",
+                "settled when it was averaged",
+                points.iter().map(|p| p.settled).collect::<Vec<_>>(),
+            ),
             Column::new(
                 "period_cycles",
                 "",
                 "period in drive cycles",
-                points.iter().map(|p| u64::from(p.period_cycles)).collect::<Vec<_>>(),
+                points
+                    .iter()
+                    .map(|p| u64::from(p.period_cycles))
+                    .collect::<Vec<_>>(),
             ),
-            column("energy_residual_relative", "", "energy residual of the march", |p| p.energy_residual_relative),
+            column(
+                "energy_residual_relative",
+                "",
+                "energy residual of the march",
+                |p| p.energy_residual_relative,
+            ),
         ])?;
-        output::table(folder, "sweep", &table, &self.spec.manifest(spec, "sweep").with("over", &self.over))?;
-        let lines: Vec<SweepLine> = [SweepDirection::Up, SweepDirection::Down, SweepDirection::Independent]
-            .into_iter()
-            .filter_map(|way| sweep_line(points, way))
-            .collect();
-        let look = SweepLook { parameter: Axis::linear(range.key().path(), &unit), value: Axis::log("Mean power", "W") };
-        output::figure(folder, "sweep", &picture::sweep(&format!("Mean power over {}", range.key().path()), &look, &lines))
+        output::table(
+            folder,
+            "sweep",
+            &table,
+            &self.spec.manifest(spec, "sweep").with("over", &self.over),
+        )?;
+        let lines: Vec<SweepLine> = [
+            SweepDirection::Up,
+            SweepDirection::Down,
+            SweepDirection::Independent,
+        ]
+        .into_iter()
+        .filter_map(|way| sweep_line(points, way))
+        .collect();
+        let look = SweepLook {
+            parameter: Axis::linear(range.key().path(), &unit),
+            value: Axis::log("Mean power", "W"),
+        };
+        output::figure(
+            folder,
+            "sweep",
+            &picture::sweep(
+                &format!("Mean power over {}", range.key().path()),
+                &look,
+                &lines,
+            ),
+        )
     }
 }
 
@@ -173,7 +271,10 @@ fn to_json(point: &SweepPoint) -> serde_json::Value {
 }
 
 fn sweep_line(points: &[SweepPoint], way: SweepDirection) -> Option<SweepLine> {
-    let mut own: Vec<&SweepPoint> = points.iter().filter(|point| point.direction == way).collect();
+    let mut own: Vec<&SweepPoint> = points
+        .iter()
+        .filter(|point| point.direction == way)
+        .collect();
     own.sort_by(|a, b| a.parameter.total_cmp(&b.parameter));
     let direction = match way {
         SweepDirection::Up => picture::LineDirection::Up,

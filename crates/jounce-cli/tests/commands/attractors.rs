@@ -5,38 +5,98 @@ use crate::{PLANT, has, jounce};
 #[test]
 fn basins_answer_with_every_key_and_shares_that_add_up() {
     let at = "drive.shaker.frequency=\"14 Hz\"";
-    let (code, json, _) = jounce(&["basins", PLANT, "--starts", "12", "--seed", "3", "--set", at, "--json"]);
+    let (code, json, _) = jounce(&[
+        "basins", PLANT, "--starts", "12", "--seed", "3", "--set", at, "--json",
+    ]);
     assert_eq!(code, 0);
     has(&json, &["attractors", "expected_power_w"]);
     let attractors = json["attractors"].as_array().unwrap();
-    attractors
+    attractors.iter().for_each(|a| {
+        has(
+            a,
+            &[
+                "id",
+                "period_cycles",
+                "chaotic",
+                "mean_power_w",
+                "fraction",
+                "fraction_low",
+                "fraction_high",
+            ],
+        )
+    });
+    let sum: f64 = attractors
         .iter()
-        .for_each(|a| has(a, &["id", "period_cycles", "chaotic", "mean_power_w", "fraction", "fraction_low", "fraction_high"]));
-    let sum: f64 = attractors.iter().map(|a| a["fraction"].as_f64().unwrap()).sum();
+        .map(|a| a["fraction"].as_f64().unwrap())
+        .sum();
     assert!((sum - 1.0).abs() < 1e-12, "{json}");
 }
 
 #[test]
 fn a_diagram_has_its_points_and_its_attractors() {
     let folder = tempfile::tempdir().unwrap();
-    let arguments = ["diagram", PLANT, "--over", "drive.shaker.frequency=13.4Hz:13.6Hz:0.1Hz", "--json", "--no-branches"];
-    let starts = [&arguments[..], &["--direction", "starts", "--starts", "6", "--out", folder.path().to_str().unwrap()]].concat();
+    let arguments = [
+        "diagram",
+        PLANT,
+        "--over",
+        "drive.shaker.frequency=13.4Hz:13.6Hz:0.1Hz",
+        "--json",
+        "--no-branches",
+    ];
+    let starts = [
+        &arguments[..],
+        &[
+            "--direction",
+            "starts",
+            "--starts",
+            "6",
+            "--out",
+            folder.path().to_str().unwrap(),
+        ],
+    ]
+    .concat();
     let (code, json, _) = jounce(&starts);
     assert_eq!((code, json["points"].as_array().unwrap().len()), (0, 18));
-    for key in ["parameter", "direction", "start", "attractor", "motion", "period_cycles", "contacts_per_period", "mean_power_w", "section"]
-    {
+    for key in [
+        "parameter",
+        "direction",
+        "start",
+        "attractor",
+        "motion",
+        "period_cycles",
+        "contacts_per_period",
+        "mean_power_w",
+        "section",
+    ] {
         assert!(!json["points"][0][key].is_null(), "{key} is missing");
     }
-    assert!(json["attractors"].as_array().unwrap().iter().any(|attractor| attractor["id"] == "1a"));
-    for seen in json["attractors"].as_array().unwrap().iter().flat_map(|attractor| attractor["seen"].as_array().unwrap()) {
-        let [share, low, high] = ["fraction", "fraction_low", "fraction_high"].map(|key| seen[key].as_f64().unwrap());
+    assert!(
+        json["attractors"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .any(|attractor| attractor["id"] == "1a")
+    );
+    for seen in json["attractors"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .flat_map(|attractor| attractor["seen"].as_array().unwrap())
+    {
+        let [share, low, high] =
+            ["fraction", "fraction_low", "fraction_high"].map(|key| seen[key].as_f64().unwrap());
         // Ends of Wilson's interval solve its equation, for 6 starts.
         for end in [low, high] {
             let left = (share - end).powi(2) - 1.959_964_f64.powi(2) * end * (1.0 - end) / 6.0;
             assert!(left.abs() < 1e-6 && low <= share && share <= high, "{seen}");
         }
     }
-    for name in ["diagram.csv", "attractors.csv", "diagram.svg", "diagram.png"] {
+    for name in [
+        "diagram.csv",
+        "attractors.csv",
+        "diagram.svg",
+        "diagram.png",
+    ] {
         assert!(folder.path().join(name).exists(), "{name}");
     }
     let stepped = jounce(&arguments).1;
@@ -47,12 +107,38 @@ fn a_diagram_has_its_points_and_its_attractors() {
 #[test]
 fn basins_start_from_a_plane() {
     let folder = tempfile::tempdir().unwrap();
-    let grid = ["--grid", "displacement=-5mm:5mm:4x", "--grid", "velocity=-0.5m/s:0.5m/s:3x", "--out", folder.path().to_str().unwrap()];
-    let (code, json, _) = jounce(&[&["basins", PLANT, "--json", "--set", "drive.shaker.frequency=14 Hz"][..], &grid].concat());
+    let grid = [
+        "--grid",
+        "displacement=-5mm:5mm:4x",
+        "--grid",
+        "velocity=-0.5m/s:0.5m/s:3x",
+        "--out",
+        folder.path().to_str().unwrap(),
+    ];
+    let (code, json, _) = jounce(
+        &[
+            &[
+                "basins",
+                PLANT,
+                "--json",
+                "--set",
+                "drive.shaker.frequency=14 Hz",
+            ][..],
+            &grid,
+        ]
+        .concat(),
+    );
     assert_eq!((code, json["starts"].as_u64()), (0, Some(12)));
     assert!(folder.path().join("starts.csv").exists() && folder.path().join("basins.png").exists());
-    for (wrong, told) in [("speed=1:2:3x", "no side"), ("velocity=1m:2m:3x", "no velocity"), ("displacement=1mm:2mm:1x", "2x or more")] {
+    for (wrong, told) in [
+        ("speed=1:2:3x", "no side"),
+        ("velocity=1m:2m:3x", "no velocity"),
+        ("displacement=1mm:2mm:1x", "2x or more"),
+    ] {
         let (code, json, _) = jounce(&["basins", PLANT, "--json", "--grid", wrong]);
-        assert!(code == 2 && json["error"].as_str().unwrap().contains(told), "{json}");
+        assert!(
+            code == 2 && json["error"].as_str().unwrap().contains(told),
+            "{json}"
+        );
     }
 }

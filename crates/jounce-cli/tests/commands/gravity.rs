@@ -12,22 +12,42 @@ fn the_ball_on_a_table_is_followed_by_shooting() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("table.toml");
     std::fs::write(&path, TABLE).unwrap();
-    let branch = ["branch", path.to_str().unwrap(), "--over", "drive.b.amplitude=0.85g:0.9g", "--seeds", "0", "--json"];
+    let branch = [
+        "branch",
+        path.to_str().unwrap(),
+        "--over",
+        "drive.b.amplitude=0.85g:0.9g",
+        "--seeds",
+        "0",
+        "--json",
+    ];
     let (code, json, text) = jounce(&branch);
     assert_eq!(code, 0, "{text}");
     let points = json["branches"][0]["points"].as_array().unwrap();
     // A complex pair of determinant `e^2` has the modulus `e`.
     let modulus = |point: &serde_json::Value| point["floquet_max_abs"].as_f64().unwrap();
-    assert!(points.iter().all(|point| point["contacts_per_period"] == 1 && (modulus(point) - 0.8).abs() < 1e-9), "{json}");
+    assert!(
+        points
+            .iter()
+            .all(|point| point["contacts_per_period"] == 1 && (modulus(point) - 0.8).abs() < 1e-9),
+        "{json}"
+    );
     // A ball without a patch delivers no power of which there could be a half.
     assert!(json["half_power_bandwidth"].is_null(), "{json}");
     let (code, _, text) = jounce(&[&branch[..], &["--method", "harmonic-balance"]].concat());
     assert!(code == 4 && text.contains("rigid"), "{code} {text}");
     let soft = std::fs::read_to_string(&path).unwrap();
-    std::fs::write(&path, soft.replace("law = \"rigid\"", "law = \"spring\"").replace("restitution = 0.8", "stiffness = \"1 kN/m\""))
-        .unwrap();
+    std::fs::write(
+        &path,
+        soft.replace("law = \"rigid\"", "law = \"spring\"")
+            .replace("restitution = 0.8", "stiffness = \"1 kN/m\""),
+    )
+    .unwrap();
     let (code, _, text) = jounce(&[&branch[..], &["--method", "harmonic-balance"]].concat());
-    assert!(code == 4 && text.contains("no stiffness") && text.contains("use the method shooting"), "{code} {text}");
+    assert!(
+        code == 4 && text.contains("no stiffness") && text.contains("use the method shooting"),
+        "{code} {text}"
+    );
 }
 
 /// Without power the branch tells how far the ball flies: of a period one with one impact that leaves at `v`, `T = 2 v / g`, it rises by
@@ -37,14 +57,24 @@ fn a_branch_without_power_tells_the_displacement() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("table.toml");
     std::fs::write(&path, TABLE).unwrap();
-    let branch = ["branch", path.to_str().unwrap(), "--over", "drive.b.amplitude=0.85g:0.9g", "--seeds", "0"];
+    let branch = [
+        "branch",
+        path.to_str().unwrap(),
+        "--over",
+        "drive.b.amplitude=0.85g:0.9g",
+        "--seeds",
+        "0",
+    ];
     let (code, json, text) = jounce(&[&branch[..], &["--json"]].concat());
     assert_eq!(code, 0, "{text}");
     let points = json["branches"][0]["points"].as_array().unwrap();
     let rise_m = 9.80665 * 0.1_f64.powi(2) / 8.0;
     for point in points {
         let swing_m = 2.0 * point["displacement_peak_m"].as_f64().unwrap();
-        assert!((swing_m / rise_m - 1.0).abs() < 0.35, "{swing_m} m of {rise_m} m");
+        assert!(
+            (swing_m / rise_m - 1.0).abs() < 0.35,
+            "{swing_m} m of {rise_m} m"
+        );
         assert!(!point["mean_power_w"].as_f64().unwrap().is_sign_negative());
     }
     let (_, _, text) = jounce(&branch);
@@ -54,5 +84,8 @@ fn a_branch_without_power_tells_the_displacement() {
         [drive.b]\nkind = \"base-acceleration\"\namplitude = \"0.9 g\"\nfrequency = \"10 Hz\"\n";
     std::fs::write(&path, bare).unwrap();
     let (code, _, text) = jounce(&branch);
-    assert!(code == 4 && text.contains("neither a stop nor a circuit"), "{code} {text}");
+    assert!(
+        code == 4 && text.contains("neither a stop nor a circuit"),
+        "{code} {text}"
+    );
 }

@@ -8,7 +8,17 @@ fn hard_cases_end_with_an_answer_or_a_clear_error() {
     let over = |range: &str| format!("drive.shaker.frequency={range}");
     let branch = |range: &str, set: &str| {
         let over = over(range);
-        let mut arguments = vec!["branch", PLANT, "--over", &over, "--seeds", "0", "--longest-period", "1", "--json"];
+        let mut arguments = vec![
+            "branch",
+            PLANT,
+            "--over",
+            &over,
+            "--seeds",
+            "0",
+            "--longest-period",
+            "1",
+            "--json",
+        ];
         arguments.extend(["--set", set].iter().filter(|_| !set.is_empty()));
         jounce(&arguments)
     };
@@ -21,37 +31,87 @@ fn hard_cases_end_with_an_answer_or_a_clear_error() {
         ("13.2Hz:13.5Hz", "stop.tip.stiffness=1e10 N/m^1.5"),
     ] {
         let (code, json, told) = branch(range, set);
-        assert!(code == 0 && !json["branches"][0]["points"].as_array().unwrap().is_empty(), "{set}: {told}");
-        let contacts = json["branches"][0]["points"][0]["contacts_per_period"].as_u64().unwrap();
+        assert!(
+            code == 0 && !json["branches"][0]["points"].as_array().unwrap().is_empty(),
+            "{set}: {told}"
+        );
+        let contacts = json["branches"][0]["points"][0]["contacts_per_period"]
+            .as_u64()
+            .unwrap();
         if set.contains("gap") {
             assert_eq!(contacts > 0, !set.contains("500"), "{set}: {contacts}");
         }
     }
     // Beyond what a key allows, and a tolerance out of reach: refused with the limit.
     let (code, json, _) = branch("0Hz:10Hz", "");
-    assert!(code == 4 && json["error"].as_str().unwrap().contains("1 uHz"), "{json}");
-    let too_fine = ["branch", PLANT, "--over", "drive.shaker.frequency=13Hz:13.2Hz", "--tolerance", "1e-17", "--json"];
+    assert!(
+        code == 4 && json["error"].as_str().unwrap().contains("1 uHz"),
+        "{json}"
+    );
+    let too_fine = [
+        "branch",
+        PLANT,
+        "--over",
+        "drive.shaker.frequency=13Hz:13.2Hz",
+        "--tolerance",
+        "1e-17",
+        "--json",
+    ];
     let (code, json, _) = jounce(&too_fine);
-    assert!(code == 2 && json["error"].as_str().unwrap().contains("1e-14"), "{json}");
+    assert!(
+        code == 2 && json["error"].as_str().unwrap().contains("1e-14"),
+        "{json}"
+    );
     // No orbit that a march settles on.
     let (code, json, _) = branch("12Hz:12.1Hz", "stop.tip.stiffness=1e7 N/m^1.5");
     let error = json["error"].as_str().unwrap();
-    assert!(code == 3 && error.starts_with("no periodic orbit was found") && error.contains("try more --seeds"), "{error}");
+    assert!(
+        code == 3
+            && error.starts_with("no periodic orbit was found")
+            && error.contains("try more --seeds"),
+        "{error}"
+    );
     // A drive that does not move attracts to nothing but rest.
-    for command in [&["basins", PLANT][..], &["diagram", PLANT, "--over", "drive.shaker.frequency=13Hz:14Hz:1Hz"]] {
-        let (code, json, _) = jounce(&[command, &["--json", "--set", "drive.shaker.amplitude=0 N"]].concat());
-        assert!(code == 4 && json["error"].as_str().unwrap().contains("amplitude"), "{json}");
+    for command in [
+        &["basins", PLANT][..],
+        &[
+            "diagram",
+            PLANT,
+            "--over",
+            "drive.shaker.frequency=13Hz:14Hz:1Hz",
+        ],
+    ] {
+        let (code, json, _) =
+            jounce(&[command, &["--json", "--set", "drive.shaker.amplitude=0 N"]].concat());
+        assert!(
+            code == 4 && json["error"].as_str().unwrap().contains("amplitude"),
+            "{json}"
+        );
     }
 }
 
 /// A negative number is refused by the option that it was given to.
 #[test]
 fn negative_numbers_are_refused_by_name() {
-    for (option, command) in
-        [("spread", &["basins", PLANT][..]), ("seeds", &["branch", PLANT, "--over", "drive.shaker.frequency=12Hz:13Hz"])]
-    {
+    for (option, command) in [
+        ("spread", &["basins", PLANT][..]),
+        (
+            "seeds",
+            &[
+                "branch",
+                PLANT,
+                "--over",
+                "drive.shaker.frequency=12Hz:13Hz",
+            ],
+        ),
+    ] {
         let (code, _, told) = jounce(&[command, &[&format!("--{option}"), "-1"]].concat());
-        assert!(code == 2 && told.contains(&format!("--{option}")) && !told.contains("unexpected argument"), "{code} {told}");
+        assert!(
+            code == 2
+                && told.contains(&format!("--{option}"))
+                && !told.contains("unexpected argument"),
+            "{code} {told}"
+        );
     }
 }
 
@@ -61,10 +121,22 @@ fn keys_without_orbits_are_refused_with_their_reason() {
     for key in ["run.tolerance=1e-9:1e-7", "run.average_over=1s:5s"] {
         let (code, json, _) = jounce(&["branch", PLANT, "--over", key, "--json"]);
         let error = json["error"].as_str().unwrap();
-        assert!(code == 4 && error.starts_with(key.split_once('=').unwrap().0) && error.contains("stop.NAME.gap"), "{error}");
+        assert!(
+            code == 4
+                && error.starts_with(key.split_once('=').unwrap().0)
+                && error.contains("stop.NAME.gap"),
+            "{error}"
+        );
         let against = ["--over", "stop.tip.gap=1mm:2mm", "--against", key, "--json"];
         let (code, json, _) = jounce(&[&["jumps", PLANT][..], &against].concat());
-        assert!(code == 4 && json["error"].as_str().unwrap().contains("do not depend on it"), "{json}");
+        assert!(
+            code == 4
+                && json["error"]
+                    .as_str()
+                    .unwrap()
+                    .contains("do not depend on it"),
+            "{json}"
+        );
     }
     let folder = tempfile::tempdir().unwrap();
     let spec = folder.path().join("two-drives.toml");
@@ -72,19 +144,45 @@ fn keys_without_orbits_are_refused_with_their_reason() {
     std::fs::write(&spec, std::fs::read_to_string(PLANT).unwrap() + second).unwrap();
     let over = ["--over", "drive.shaker.frequency=10Hz:13Hz", "--json"];
     let (code, json, _) = jounce(&[&["branch", spec.to_str().unwrap()][..], &over].concat());
-    assert!(code == 4 && json["error"].as_str().unwrap().contains("repeat themselves together"), "{json}");
+    assert!(
+        code == 4
+            && json["error"]
+                .as_str()
+                .unwrap()
+                .contains("repeat themselves together"),
+        "{json}"
+    );
 }
 
 /// A branch that ends where it cannot be followed is told with its points, and where no branch is whole the command has not succeeded.
 #[test]
 fn a_command_without_a_whole_branch_ends_with_3() {
     let over = "drive.shaker.frequency=13.2Hz:13.5Hz";
-    let rock =
-        ["branch", PLANT, "--over", over, "--seeds", "0", "--longest-period", "1", "--json", "--set", "stop.tip.stiffness=1e12 N/m^1.5"];
+    let rock = [
+        "branch",
+        PLANT,
+        "--over",
+        over,
+        "--seeds",
+        "0",
+        "--longest-period",
+        "1",
+        "--json",
+        "--set",
+        "stop.tip.stiffness=1e12 N/m^1.5",
+    ];
     let (code, json, told) = jounce(&rock);
     let branch = &json["branches"][0];
-    assert!(code == 3 && told.contains("no branch is whole") && told.contains("give a shorter range"), "{code} {told}");
-    assert!(branch["endings"][0]["how"] == "points" && branch["points"].as_array().unwrap().len() == 4000, "{}", branch["endings"]);
+    assert!(
+        code == 3 && told.contains("no branch is whole") && told.contains("give a shorter range"),
+        "{code} {told}"
+    );
+    assert!(
+        branch["endings"][0]["how"] == "points"
+            && branch["points"].as_array().unwrap().len() == 4000,
+        "{}",
+        branch["endings"]
+    );
 }
 
 /// One mode without damping, driven at its own frequency.
@@ -117,11 +215,21 @@ average_over = "1 s"
     std::fs::write(&path, text).unwrap();
     let spec = path.to_str().unwrap();
     let over = "drive.shaker.frequency=10Hz:11Hz";
-    for command in
-        [&["branch", spec, "--over", over][..], &["basins", spec], &["diagram", spec, "--over", "drive.shaker.frequency=10Hz:11Hz:1Hz"]]
-    {
+    for command in [
+        &["branch", spec, "--over", over][..],
+        &["basins", spec],
+        &[
+            "diagram",
+            spec,
+            "--over",
+            "drive.shaker.frequency=10Hz:11Hz:1Hz",
+        ],
+    ] {
         let (code, json, _) = jounce(&[command, &["--json"]].concat());
         let error = json["error"].as_str().unwrap();
-        assert!(code == 4 && error.contains("undamped mode at 10 Hz") && error.contains("damping"), "{error}");
+        assert!(
+            code == 4 && error.contains("undamped mode at 10 Hz") && error.contains("damping"),
+            "{error}"
+        );
     }
 }

@@ -12,17 +12,30 @@ mod warnings;
 use assert_cmd::Command;
 use serde_json::Value;
 
-const SPEC: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/impact-harvester-2019/harvester.toml");
+const SPEC: &str = concat!(
+    env!("CARGO_MANIFEST_DIR"),
+    "/../../examples/impact-harvester-2019/harvester.toml"
+);
 const PLANT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../bench/plant.toml");
 
 fn jounce(arguments: &[&str]) -> (i32, Value, String) {
     let cache = tempfile::tempdir().unwrap();
-    let output = Command::cargo_bin("jounce").unwrap().args(arguments).env("JOUNCE_CACHE", cache.path()).output().unwrap();
+    let output = Command::cargo_bin("jounce")
+        .unwrap()
+        .args(arguments)
+        .env("JOUNCE_CACHE", cache.path())
+        .output()
+        .unwrap();
     let text = String::from_utf8(output.stdout).unwrap();
     let json = serde_json::from_str(&text).unwrap_or(Value::Null);
-    (output.status.code().unwrap(), json, String::from_utf8(output.stderr).unwrap())
+    (
+        output.status.code().unwrap(),
+        json,
+        String::from_utf8(output.stderr).unwrap(),
+    )
 }
 
 fn has(value: &Value, keys: &[&str]) {
-    keys.iter().for_each(|key| assert!(!value[*key].is_null(), "{key} is missing in {value}"));
+    keys.iter()
+        .for_each(|key| assert!(!value[*key].is_null(), "{key} is missing in {value}"));
 }

@@ -7,7 +7,9 @@ use serde_json::Value;
 fn branch_answers_with_every_key_by_both_methods() {
     for method in ["shooting", "harmonic-balance"] {
         let over = "drive.shaker.frequency=11Hz:13Hz";
-        let (code, json, _) = jounce(&["branch", PLANT, "--over", over, "--method", method, "--seeds", "0", "--json"]);
+        let (code, json, _) = jounce(&[
+            "branch", PLANT, "--over", over, "--method", method, "--seeds", "0", "--json",
+        ]);
         assert_eq!(code, 0);
         let branch = &json["branches"][0];
         has(branch, &["period_cycles", "points", "bifurcations"]);
@@ -22,51 +24,123 @@ fn branch_answers_with_every_key_by_both_methods() {
             "error_estimate",
         ];
         has(&branch["points"][0], &keys);
-        let all: Vec<&Value> = json["branches"].as_array().unwrap().iter().flat_map(|b| b["bifurcations"].as_array().unwrap()).collect();
+        let all: Vec<&Value> = json["branches"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .flat_map(|b| b["bifurcations"].as_array().unwrap())
+            .collect();
         let fold = all.iter().find(|found| found["kind"] == "fold").unwrap();
         has(fold, &["kind", "parameter", "mean_power_w"]);
-        assert!((fold["parameter"].as_f64().unwrap() - 12.3218).abs() < 1e-3, "{method}: {fold}");
+        assert!(
+            (fold["parameter"].as_f64().unwrap() - 12.3218).abs() < 1e-3,
+            "{method}: {fold}"
+        );
     }
 }
 
 /// A level is labelled with its own text, in JSON and in words; a wrong one and a wrong step are one clear error.
 #[test]
 fn branch_labels_levels_and_refuses_wrong_ones() {
-    let call = ["branch", PLANT, "--over", "drive.shaker.frequency=12Hz:13Hz", "--seeds", "0"];
+    let call = [
+        "branch",
+        PLANT,
+        "--over",
+        "drive.shaker.frequency=12Hz:13Hz",
+        "--seeds",
+        "0",
+    ];
     let level = "mean_power=1 mW";
     let (code, json, _) = jounce(&[&call[..], &["--json", "--level", level]].concat());
     assert_eq!(code, 0);
     let branches = json["branches"].as_array().unwrap();
-    assert!(branches.iter().all(|branch| branch["not_proved"].as_array().is_some_and(Vec::is_empty)), "{json}");
-    let all: Vec<&Value> = branches.iter().flat_map(|branch| branch["bifurcations"].as_array().unwrap()).collect();
-    let labels: Vec<&&Value> = all.iter().filter(|found| found["kind"] == "level").collect();
+    assert!(
+        branches
+            .iter()
+            .all(|branch| branch["not_proved"].as_array().is_some_and(Vec::is_empty)),
+        "{json}"
+    );
+    let all: Vec<&Value> = branches
+        .iter()
+        .flat_map(|branch| branch["bifurcations"].as_array().unwrap())
+        .collect();
+    let labels: Vec<&&Value> = all
+        .iter()
+        .filter(|found| found["kind"] == "level")
+        .collect();
     let power = |found: &Value| found["mean_power_w"].as_f64().unwrap();
-    assert!(!labels.is_empty() && labels.iter().all(|found| found["level"] == level && (power(found) / 1e-3 - 1.0).abs() < 1e-6), "{json}");
-    for wrong in [["--level", "power=50 uW"], ["--level", "mean_power=50 V"], ["--level", "strain.mfc=1 mm"], ["--largest-step", "2"]] {
+    assert!(
+        !labels.is_empty()
+            && labels
+                .iter()
+                .all(|found| found["level"] == level && (power(found) / 1e-3 - 1.0).abs() < 1e-6),
+        "{json}"
+    );
+    for wrong in [
+        ["--level", "power=50 uW"],
+        ["--level", "mean_power=50 V"],
+        ["--level", "strain.mfc=1 mm"],
+        ["--largest-step", "2"],
+    ] {
         let (code, _, text) = jounce(&[&call[..], &wrong].concat());
-        assert!(code == 2 && text.contains(wrong[0]) && text.trim().lines().count() == 1, "{wrong:?}: {code} {text}");
+        assert!(
+            code == 2 && text.contains(wrong[0]) && text.trim().lines().count() == 1,
+            "{wrong:?}: {code} {text}"
+        );
     }
     let (_, _, text) = jounce(&[&call[..], &["--level", "power=50 uW"]].concat());
-    assert!(text.contains("mean_power") && text.contains("contact_force.tip"), "{text}");
+    assert!(
+        text.contains("mean_power") && text.contains("contact_force.tip"),
+        "{text}"
+    );
 }
 
 #[test]
 fn jumps_answers_with_every_key() {
-    let (over, against) = ("drive.shaker.frequency=11Hz:13Hz", "stop.tip.gap=0.9mm:1.1mm");
-    let (code, json, _) = jounce(&["jumps", PLANT, "--over", over, "--against", against, "--seeds", "0", "--json"]);
+    let (over, against) = (
+        "drive.shaker.frequency=11Hz:13Hz",
+        "stop.tip.gap=0.9mm:1.1mm",
+    );
+    let (code, json, _) = jounce(&[
+        "jumps",
+        PLANT,
+        "--over",
+        over,
+        "--against",
+        against,
+        "--seeds",
+        "0",
+        "--json",
+    ]);
     assert_eq!(code, 0);
-    let folds = json["curves"].as_array().unwrap().iter().filter(|curve| curve["kind"] == "fold");
-    let points: Vec<&Value> = folds.flat_map(|fold| fold["points"].as_array().unwrap()).collect();
+    let folds = json["curves"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .filter(|curve| curve["kind"] == "fold");
+    let points: Vec<&Value> = folds
+        .flat_map(|fold| fold["points"].as_array().unwrap())
+        .collect();
     has(points[0], &["parameter", "parameter_2", "mean_power_w"]);
-    let own = points.iter().filter(|point| (point["parameter_2"].as_f64().unwrap() - 1e-3).abs() < 1e-12);
-    assert!(own.clone().any(|point| (point["parameter"].as_f64().unwrap() - 12.3218).abs() < 1e-3), "{json}");
+    let own = points
+        .iter()
+        .filter(|point| (point["parameter_2"].as_f64().unwrap() - 1e-3).abs() < 1e-12);
+    assert!(
+        own.clone()
+            .any(|point| (point["parameter"].as_f64().unwrap() - 12.3218).abs() < 1e-3),
+        "{json}"
+    );
 }
 
 /// The plant between its stop and another behind it.
 fn between_stops(folder: &tempfile::TempDir) -> String {
     let behind = "[stop.behind]\nat = \"harvester.tip\"\nframe = \"ground\"\nside = \"negative\"\nlaw = \"hertz\"\ngap = \"1.5 mm\"\nstiffness = \"2000 N/m^1.5\"\n";
     let path = folder.path().join("between.toml");
-    std::fs::write(&path, format!("{}\n{behind}", std::fs::read_to_string(PLANT).unwrap())).unwrap();
+    std::fs::write(
+        &path,
+        format!("{}\n{behind}", std::fs::read_to_string(PLANT).unwrap()),
+    )
+    .unwrap();
     path.to_str().unwrap().to_owned()
 }
 
@@ -74,25 +148,80 @@ fn between_stops(folder: &tempfile::TempDir) -> String {
 fn two_stops_are_marched_followed_and_told_apart() {
     let folder = tempfile::tempdir().unwrap();
     let spec = between_stops(&folder);
-    let (code, json, text) = jounce(&["run", &spec, "--json", "--set", "run.duration=4 s", "--set", "run.average_over=2 s"]);
+    let (code, json, text) = jounce(&[
+        "run",
+        &spec,
+        "--json",
+        "--set",
+        "run.duration=4 s",
+        "--set",
+        "run.average_over=2 s",
+    ]);
     assert_eq!(code, 0, "{text}");
     let stops = json["stops"].as_array().unwrap();
-    stops.iter().for_each(|stop| has(stop, &["name", "contacts", "contact_duty", "max_penetration_m", "max_contact_force_n"]));
-    assert_eq!((&stops[0]["name"], &stops[1]["name"]), (&Value::from("behind"), &Value::from("tip")));
+    stops.iter().for_each(|stop| {
+        has(
+            stop,
+            &[
+                "name",
+                "contacts",
+                "contact_duty",
+                "max_penetration_m",
+                "max_contact_force_n",
+            ],
+        )
+    });
+    assert_eq!(
+        (&stops[0]["name"], &stops[1]["name"]),
+        (&Value::from("behind"), &Value::from("tip"))
+    );
     let count = |value: &Value| value["contacts"].as_u64().unwrap();
-    assert!(count(&stops[0]) > 0 && count(&stops[1]) > 0 && count(&stops[0]) + count(&stops[1]) == count(&json), "{json}");
-    assert!(json["energy_residual_relative"].as_f64().unwrap().abs() < 1e-6, "{json}");
-    let branch = ["branch", &spec, "--over", "drive.shaker.frequency=11Hz:12Hz", "--seeds", "0", "--json"];
+    assert!(
+        count(&stops[0]) > 0
+            && count(&stops[1]) > 0
+            && count(&stops[0]) + count(&stops[1]) == count(&json),
+        "{json}"
+    );
+    assert!(
+        json["energy_residual_relative"].as_f64().unwrap().abs() < 1e-6,
+        "{json}"
+    );
+    let branch = [
+        "branch",
+        &spec,
+        "--over",
+        "drive.shaker.frequency=11Hz:12Hz",
+        "--seeds",
+        "0",
+        "--json",
+    ];
     let (code, json, text) = jounce(&branch);
     assert_eq!(code, 0, "{text}");
     let points = json["branches"][0]["points"].as_array().unwrap();
-    assert!(points.iter().any(|point| point["contacts_per_period"].as_u64().unwrap() >= 2), "{json}");
+    assert!(
+        points
+            .iter()
+            .any(|point| point["contacts_per_period"].as_u64().unwrap() >= 2),
+        "{json}"
+    );
     let (code, other, text) = jounce(&[&branch[..], &["--method", "harmonic-balance"]].concat());
     assert_eq!(code, 0, "{text}");
-    let power = |json: &Value| json["branches"][0]["points"][0]["mean_power_w"].as_f64().unwrap();
-    assert!((power(&other) / power(&json) - 1.0).abs() < 1e-5, "{} {}", power(&other), power(&json));
+    let power = |json: &Value| {
+        json["branches"][0]["points"][0]["mean_power_w"]
+            .as_f64()
+            .unwrap()
+    };
+    assert!(
+        (power(&other) / power(&json) - 1.0).abs() < 1e-5,
+        "{} {}",
+        power(&other),
+        power(&json)
+    );
     let (code, json, text) = jounce(&["basins", &spec, "--starts", "6", "--seed", "3", "--json"]);
-    assert!(code == 0 && !json["attractors"].as_array().unwrap().is_empty(), "{text}");
+    assert!(
+        code == 0 && !json["attractors"].as_array().unwrap().is_empty(),
+        "{text}"
+    );
 }
 
 /// A drive that comes down to nothing: the branch begins there at rest, without a word of failure.
@@ -100,29 +229,69 @@ fn two_stops_are_marched_followed_and_told_apart() {
 fn a_branch_follows_its_drive_down_to_nothing() {
     for method in ["shooting", "harmonic-balance"] {
         let over = "drive.shaker.amplitude=0N:20N";
-        let spec = ["--set", "stop.tip.gap=100 mm", "--seeds", "0", "--longest-period", "1", "--json", "--method", method];
+        let spec = [
+            "--set",
+            "stop.tip.gap=100 mm",
+            "--seeds",
+            "0",
+            "--longest-period",
+            "1",
+            "--json",
+            "--method",
+            method,
+        ];
         let (code, json, text) = jounce(&[&["branch", PLANT, "--over", over][..], &spec].concat());
         assert!(code == 0 && text.is_empty(), "{method}: {code} {text}");
         let branch = &json["branches"][0];
         let points = branch["points"].as_array().unwrap();
         let value = |point: &Value, key: &str| point[key].as_f64().unwrap();
-        let by_drive = |a: &Value, b: &Value| value(a, "parameter").total_cmp(&value(b, "parameter"));
-        let (rest, moving): (Vec<&Value>, Vec<&Value>) = points.iter().partition(|point| value(point, "parameter") == 0.0);
-        assert!(rest.len() == 1 && value(rest[0], "mean_power_w") == 0.0 && points.len() < 150, "{method}: {rest:?}, {}", points.len());
-        let least = moving.iter().copied().min_by(|a, b| by_drive(a, b)).unwrap();
-        let most = moving.iter().copied().max_by(|a, b| by_drive(a, b)).unwrap();
+        let by_drive =
+            |a: &Value, b: &Value| value(a, "parameter").total_cmp(&value(b, "parameter"));
+        let (rest, moving): (Vec<&Value>, Vec<&Value>) = points
+            .iter()
+            .partition(|point| value(point, "parameter") == 0.0);
+        assert!(
+            rest.len() == 1 && value(rest[0], "mean_power_w") == 0.0 && points.len() < 150,
+            "{method}: {rest:?}, {}",
+            points.len()
+        );
+        let least = moving
+            .iter()
+            .copied()
+            .min_by(|a, b| by_drive(a, b))
+            .unwrap();
+        let most = moving
+            .iter()
+            .copied()
+            .max_by(|a, b| by_drive(a, b))
+            .unwrap();
         assert!(value(least, "parameter") < 0.05, "{method}: {least}");
         // Without contact power goes with the square of the drive.
         let rate = |point: &Value| value(point, "mean_power_w") / value(point, "parameter").powi(2);
-        assert!((rate(least) / rate(most) - 1.0).abs() < 1e-6, "{method}: {least} {most}");
+        assert!(
+            (rate(least) / rate(most) - 1.0).abs() < 1e-6,
+            "{method}: {least} {most}"
+        );
         assert_eq!(branch["endings"][0]["how"], "range");
     }
 }
 
 #[test]
 fn orbits_of_a_rigid_stop_by_harmonic_balance_are_refused() {
-    let rigid = ["--set", "stop.tip.law=rigid", "--set", "stop.tip.restitution=0.8"];
-    let arguments = ["branch", PLANT, "--over", "drive.shaker.frequency=12Hz:13Hz", "--method", "harmonic-balance"];
+    let rigid = [
+        "--set",
+        "stop.tip.law=rigid",
+        "--set",
+        "stop.tip.restitution=0.8",
+    ];
+    let arguments = [
+        "branch",
+        PLANT,
+        "--over",
+        "drive.shaker.frequency=12Hz:13Hz",
+        "--method",
+        "harmonic-balance",
+    ];
     let (code, _, text) = jounce(&[&arguments[..], &rigid].concat());
     assert!(code == 4 && !text.is_empty(), "{code}: {text}");
 }
@@ -130,8 +299,20 @@ fn orbits_of_a_rigid_stop_by_harmonic_balance_are_refused() {
 /// What would be ignored is refused by its name, with what to do.
 #[test]
 fn options_that_would_be_ignored_are_refused() {
-    let branch = ["branch", PLANT, "--over", "drive.shaker.frequency=12Hz:13Hz", "--json"];
-    let diagram = ["diagram", PLANT, "--over", "drive.shaker.frequency=12Hz:13Hz:1Hz", "--json"];
+    let branch = [
+        "branch",
+        PLANT,
+        "--over",
+        "drive.shaker.frequency=12Hz:13Hz",
+        "--json",
+    ];
+    let diagram = [
+        "diagram",
+        PLANT,
+        "--over",
+        "drive.shaker.frequency=12Hz:13Hz:1Hz",
+        "--json",
+    ];
     let cases: [(&[&str], [&str; 2], &str); 4] = [
         (&branch, ["--harmonics", "64"], "--method harmonic-balance"),
         (&diagram, ["--starts", "6"], "--direction starts"),
@@ -141,28 +322,62 @@ fn options_that_would_be_ignored_are_refused() {
     for (command, option, remedy) in cases {
         let (code, json, _) = jounce(&[command, &option].concat());
         let error = json["error"].as_str().unwrap();
-        assert!(code == 2 && error.starts_with(option[0]) && error.contains(remedy), "{error}");
+        assert!(
+            code == 2 && error.starts_with(option[0]) && error.contains(remedy),
+            "{error}"
+        );
     }
 }
 
 #[test]
 fn a_branch_says_what_its_seeds_may_have_missed() {
     let over = "drive.shaker.frequency=14Hz:14.2Hz";
-    let (code, json, _) = jounce(&["branch", PLANT, "--over", over, "--seeds", "0", "--longest-period", "1", "--json"]);
+    let (code, json, _) = jounce(&[
+        "branch",
+        PLANT,
+        "--over",
+        over,
+        "--seeds",
+        "0",
+        "--longest-period",
+        "1",
+        "--json",
+    ]);
     let note = json["note"].as_str().unwrap();
-    assert!(code == 0 && ["--seeds", "--longest-period"].iter().all(|option| note.contains(option)), "{note}");
+    assert!(
+        code == 0
+            && ["--seeds", "--longest-period"]
+                .iter()
+                .all(|option| note.contains(option)),
+        "{note}"
+    );
 }
 
 #[test]
 fn a_branch_tells_its_peak_and_its_bandwidth() {
     let folder = tempfile::tempdir().unwrap();
     let over = "drive.shaker.frequency=11.5Hz:12.5Hz";
-    let arguments = ["branch", PLANT, "--over", over, "--seeds", "0", "--longest-period", "1", "--json", "--threads"];
+    let arguments = [
+        "branch",
+        PLANT,
+        "--over",
+        over,
+        "--seeds",
+        "0",
+        "--longest-period",
+        "1",
+        "--json",
+        "--threads",
+    ];
     let out = folder.path().to_str().unwrap();
     let (code, one, _) = jounce(&[&arguments[..], &["1", "--out", out]].concat());
     assert_eq!(code, 0);
     let branch = &one["branches"][0];
-    assert!((branch["peak"]["parameter"].as_f64().unwrap() - 12.3119).abs() < 1e-3, "{}", branch["peak"]);
+    assert!(
+        (branch["peak"]["parameter"].as_f64().unwrap() - 12.3119).abs() < 1e-3,
+        "{}",
+        branch["peak"]
+    );
     let width = &branch["half_power_bandwidth"];
     for key in ["width", "width_error", "intervals"] {
         assert!(!width[key].is_null(), "{key} is missing in {width}");
@@ -175,13 +390,47 @@ fn a_branch_tells_its_peak_and_its_bandwidth() {
 
 #[test]
 fn jumps_give_the_curve_of_peaks() {
-    let keys = ["--over", "drive.shaker.frequency=11.9Hz:12.5Hz", "--against", "drive.shaker.amplitude=48N:50N"];
-    let (code, json, _) = jounce(&[&["jumps", PLANT, "--seeds", "0", "--longest-period", "1", "--json"][..], &keys].concat());
+    let keys = [
+        "--over",
+        "drive.shaker.frequency=11.9Hz:12.5Hz",
+        "--against",
+        "drive.shaker.amplitude=48N:50N",
+    ];
+    let (code, json, _) = jounce(
+        &[
+            &[
+                "jumps",
+                PLANT,
+                "--seeds",
+                "0",
+                "--longest-period",
+                "1",
+                "--json",
+            ][..],
+            &keys,
+        ]
+        .concat(),
+    );
     assert_eq!(code, 0);
     let curves = json["curves"].as_array().unwrap();
     let of = |kind: &str| curves.iter().filter(|curve| curve["kind"] == kind).count();
-    assert!(of("peak") >= 1 && of("fold") >= 1, "{:?}", curves.iter().map(|curve| &curve["kind"]).collect::<Vec<_>>());
+    assert!(
+        of("peak") >= 1 && of("fold") >= 1,
+        "{:?}",
+        curves
+            .iter()
+            .map(|curve| &curve["kind"])
+            .collect::<Vec<_>>()
+    );
     let peak = curves.iter().find(|curve| curve["kind"] == "peak").unwrap();
-    let at_50 = peak["points"].as_array().unwrap().iter().find(|point| point["parameter_2"] == 50.0).unwrap();
-    assert!((at_50["parameter"].as_f64().unwrap() - 12.311_867).abs() < 1e-5 && at_50["stable"] == true, "{at_50}");
+    let at_50 = peak["points"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .find(|point| point["parameter_2"] == 50.0)
+        .unwrap();
+    assert!(
+        (at_50["parameter"].as_f64().unwrap() - 12.311_867).abs() < 1e-5 && at_50["stable"] == true,
+        "{at_50}"
+    );
 }

@@ -4,7 +4,15 @@ use crate::{SPEC, jounce};
 
 #[test]
 fn run_answers_with_every_key() {
-    let (code, json, _) = jounce(&["run", SPEC, "--json", "--set", "run.duration=\"2 s\"", "--set", "run.average_over=\"1 s\""]);
+    let (code, json, _) = jounce(&[
+        "run",
+        SPEC,
+        "--json",
+        "--set",
+        "run.duration=\"2 s\"",
+        "--set",
+        "run.average_over=\"1 s\"",
+    ]);
     assert_eq!(code, 0);
     for key in [
         "mean_power_w",
@@ -18,20 +26,46 @@ fn run_answers_with_every_key() {
     ] {
         assert!(!json[key].is_null(), "{key} is missing in {json}");
     }
-    assert!(json["energy_residual_relative"].as_f64().unwrap().abs() < 1e-6, "{json}");
+    assert!(
+        json["energy_residual_relative"].as_f64().unwrap().abs() < 1e-6,
+        "{json}"
+    );
 }
 
 #[test]
 fn a_run_in_two_parts_is_the_run_in_one() {
     let folder = tempfile::tempdir().unwrap();
     let state = folder.path().join("half.json");
-    let whole = ["run", SPEC, "--json", "--tolerance", "1e-10", "--set", "run.duration=2 s", "--set", "run.average_over=1 s"];
-    let half = ["run", SPEC, "--json", "--tolerance", "1e-10", "--set", "run.duration=1 s", "--set", "run.average_over=1 s"];
+    let whole = [
+        "run",
+        SPEC,
+        "--json",
+        "--tolerance",
+        "1e-10",
+        "--set",
+        "run.duration=2 s",
+        "--set",
+        "run.average_over=1 s",
+    ];
+    let half = [
+        "run",
+        SPEC,
+        "--json",
+        "--tolerance",
+        "1e-10",
+        "--set",
+        "run.duration=1 s",
+        "--set",
+        "run.average_over=1 s",
+    ];
     let (_, one, _) = jounce(&whole);
     let path = state.to_str().unwrap();
     jounce(&[&half[..], &["--save-state", path]].concat());
     let (_, two, _) = jounce(&[&half[..], &["--start", path]].concat());
-    let (one, two) = (one["mean_power_w"].as_f64().unwrap(), two["mean_power_w"].as_f64().unwrap());
+    let (one, two) = (
+        one["mean_power_w"].as_f64().unwrap(),
+        two["mean_power_w"].as_f64().unwrap(),
+    );
     assert!((one / two - 1.0).abs() < 1e-9, "{one} {two}");
 }
 
@@ -39,12 +73,41 @@ fn a_run_in_two_parts_is_the_run_in_one() {
 fn sweep_gives_the_same_bits_for_any_number_of_threads() {
     let sweep = |threads: &str| {
         let over = "drive.shaker.frequency=10Hz:12Hz:0.5Hz";
-        let arguments = ["sweep", SPEC, "--over", over, "--direction", "independent", "--fixed-duration", "--json", "--threads", threads];
-        jounce(&[&arguments[..], &["--set", "run.duration=1 s", "--set", "run.average_over=0.5 s"]].concat()).1
+        let arguments = [
+            "sweep",
+            SPEC,
+            "--over",
+            over,
+            "--direction",
+            "independent",
+            "--fixed-duration",
+            "--json",
+            "--threads",
+            threads,
+        ];
+        jounce(
+            &[
+                &arguments[..],
+                &[
+                    "--set",
+                    "run.duration=1 s",
+                    "--set",
+                    "run.average_over=0.5 s",
+                ],
+            ]
+            .concat(),
+        )
+        .1
     };
     let one = sweep("1");
     assert_eq!(one["points"].as_array().unwrap().len(), 5);
-    for key in ["parameter", "direction", "mean_power_w", "voltage_rms_v", "settled"] {
+    for key in [
+        "parameter",
+        "direction",
+        "mean_power_w",
+        "voltage_rms_v",
+        "settled",
+    ] {
         assert!(!one["points"][0][key].is_null(), "{key} is missing");
     }
     assert_eq!(one, sweep("3"));
@@ -55,11 +118,26 @@ fn modes_and_frequency_responses_answer_with_every_key() {
     let (code, json, _) = jounce(&["modes", SPEC, "--fixed-table", "--json"]);
     assert_eq!((code, json["modes"].as_array().unwrap().len()), (0, 7));
     assert!((json["modes"][0]["frequency_hz"].as_f64().unwrap() - 8.66343).abs() < 1e-5);
-    let arguments = ["frf", SPEC, "--from", "1Hz", "--to", "1000Hz", "--fixed-table", "--open-circuit", "--input", "beam.hammer", "--json"];
+    let arguments = [
+        "frf",
+        SPEC,
+        "--from",
+        "1Hz",
+        "--to",
+        "1000Hz",
+        "--fixed-table",
+        "--open-circuit",
+        "--input",
+        "beam.hammer",
+        "--json",
+    ];
     let (code, json, _) = jounce(&arguments);
     assert_eq!(code, 0);
     let voltage = &json["responses"]["mfc.voltage"];
-    assert_eq!(voltage["re"].as_array().unwrap().len(), json["frequency_hz"].as_array().unwrap().len());
+    assert_eq!(
+        voltage["re"].as_array().unwrap().len(),
+        json["frequency_hz"].as_array().unwrap().len()
+    );
     assert_eq!(voltage["unit"], "V/N");
 }
 
@@ -70,20 +148,48 @@ fn bad_input_ends_with_its_code_and_one_clear_sentence() {
     for (arguments, code, words) in [
         (vec!["check", "missing.toml"], 4, "missing.toml"),
         (vec!["check", here], 4, here),
-        (vec!["run", SPEC, "--set", "stop.tip.gpa=\"1 mm\""], 4, "gap"),
-        (vec!["run", SPEC, "--set", "stop.tip.stiffness=-1"], 4, "stiffness"),
-        (vec!["run", SPEC, "--set", "circuit.load.resistance=0 ohm"], 4, "resistance"),
-        (vec!["run", SPEC, "--out", "/proc/nowhere"], 4, "/proc/nowhere"),
+        (
+            vec!["run", SPEC, "--set", "stop.tip.gpa=\"1 mm\""],
+            4,
+            "gap",
+        ),
+        (
+            vec!["run", SPEC, "--set", "stop.tip.stiffness=-1"],
+            4,
+            "stiffness",
+        ),
+        (
+            vec!["run", SPEC, "--set", "circuit.load.resistance=0 ohm"],
+            4,
+            "resistance",
+        ),
+        (
+            vec!["run", SPEC, "--out", "/proc/nowhere"],
+            4,
+            "/proc/nowhere",
+        ),
         (vec!["run"], 2, "SPEC"),
         (vec!["frf", SPEC, "--from", "3 mm"], 2, "--from"),
     ] {
         let (found, _, stderr) = jounce(&arguments);
         assert_eq!(found, code, "{arguments:?}: {stderr}");
-        assert!(stderr.contains(words) && !stderr.contains("panicked"), "{arguments:?}: {stderr}");
+        assert!(
+            stderr.contains(words) && !stderr.contains("panicked"),
+            "{arguments:?}: {stderr}"
+        );
     }
-    let (code, json, _) = jounce(&["check", SPEC, "--json", "--set", "stop.tip.stiffness=\"-1 N/m^1.5\""]);
+    let (code, json, _) = jounce(&[
+        "check",
+        SPEC,
+        "--json",
+        "--set",
+        "stop.tip.stiffness=\"-1 N/m^1.5\"",
+    ]);
     assert!(
-        code == 4 && json["valid"] == false && json["faults"][0]["line"].is_number() && json["faults"][0]["message"].is_string(),
+        code == 4
+            && json["valid"] == false
+            && json["faults"][0]["line"].is_number()
+            && json["faults"][0]["message"].is_string(),
         "{json}"
     );
 }

@@ -15,12 +15,27 @@ fn a_study_that_is_killed_goes_on() {
     let file = folder.path().join("study.toml");
     std::fs::write(&file, text).unwrap();
     let out = |name: &str| folder.path().join(name);
-    let arguments = |name: &str| ["study".into(), "run".into(), file.clone(), "--out".into(), out(name)];
-    Command::cargo_bin("jounce").unwrap().args(arguments("whole")).assert().success();
+    let arguments = |name: &str| {
+        [
+            "study".into(),
+            "run".into(),
+            file.clone(),
+            "--out".into(),
+            out(name),
+        ]
+    };
+    Command::cargo_bin("jounce")
+        .unwrap()
+        .args(arguments("whole"))
+        .assert()
+        .success();
     let parts = || std::fs::read_dir(out("killed").join("parts")).map_or(0, |found| found.count());
     for _ in 0..5 {
         let before = parts();
-        let mut child = std::process::Command::new(env!("CARGO_BIN_EXE_jounce")).args(arguments("killed")).spawn().unwrap();
+        let mut child = std::process::Command::new(env!("CARGO_BIN_EXE_jounce"))
+            .args(arguments("killed"))
+            .spawn()
+            .unwrap();
         // At work: there is more than before, if only the begin of a file.
         while parts() == before && child.try_wait().unwrap().is_none() {
             std::thread::sleep(std::time::Duration::from_millis(1));
@@ -28,39 +43,113 @@ fn a_study_that_is_killed_goes_on() {
         child.kill().unwrap();
         child.wait().unwrap();
     }
-    let (code, json, errors) = jounce(&["study", "run", file.to_str().unwrap(), "--out", out("killed").to_str().unwrap(), "--json"]);
-    assert_eq!((code, &json["finished"], &json["merged"]), (0, &serde_json::json!(100), &serde_json::json!(true)), "{errors}");
+    let (code, json, errors) = jounce(&[
+        "study",
+        "run",
+        file.to_str().unwrap(),
+        "--out",
+        out("killed").to_str().unwrap(),
+        "--json",
+    ]);
+    assert_eq!(
+        (code, &json["finished"], &json["merged"]),
+        (0, &serde_json::json!(100), &serde_json::json!(true)),
+        "{errors}"
+    );
     let read = |name: &str| std::fs::read(out(name).join("study.parquet")).unwrap();
     assert!(read("whole") == read("killed"));
     let (code, json, _) = jounce(&["study", "status", folder.path().to_str().unwrap(), "--json"]);
-    assert!(code == 4 && json["error"].as_str().unwrap().contains("holds no study"), "{json}");
+    assert!(
+        code == 4 && json["error"].as_str().unwrap().contains("holds no study"),
+        "{json}"
+    );
 }
 
 #[test]
 fn noise_and_ensembles_answer_with_every_key() {
-    const SHAKER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/random-base/shaker.toml");
+    const SHAKER: &str = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../../examples/random-base/shaker.toml"
+    );
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().to_str().unwrap();
     let (code, json, stderr) = jounce(&["noise", SHAKER, "--json", "--out", out]);
     assert_eq!(code, 0, "{stderr}");
-    has(&json, &["mean_power_w", "loads", "patches", "points", "stops", "left_out"]);
-    has(&json["loads"][0], &["spectral_power_w", "difference_relative", "noise_bandwidth_hz", "statistical_bandwidth_hz"]);
-    has(&json["stops"][0], &["reached_hz", "share_beyond", "displacement_rms_m"]);
-    assert!(["noise.csv", "noise.parquet", "noise.svg", "noise.png"].iter().all(|name| folder.path().join(name).exists()));
-    let short = ["--set", "run.duration=0.6 s", "--set", "run.average_over=0.5 s"];
-    let members = ["ensemble", SHAKER, "--members", "2", "--spectrum", "--json", "--out", out];
+    has(
+        &json,
+        &[
+            "mean_power_w",
+            "loads",
+            "patches",
+            "points",
+            "stops",
+            "left_out",
+        ],
+    );
+    has(
+        &json["loads"][0],
+        &[
+            "spectral_power_w",
+            "difference_relative",
+            "noise_bandwidth_hz",
+            "statistical_bandwidth_hz",
+        ],
+    );
+    has(
+        &json["stops"][0],
+        &["reached_hz", "share_beyond", "displacement_rms_m"],
+    );
+    assert!(
+        ["noise.csv", "noise.parquet", "noise.svg", "noise.png"]
+            .iter()
+            .all(|name| folder.path().join(name).exists())
+    );
+    let short = [
+        "--set",
+        "run.duration=0.6 s",
+        "--set",
+        "run.average_over=0.5 s",
+    ];
+    let members = [
+        "ensemble",
+        SHAKER,
+        "--members",
+        "2",
+        "--spectrum",
+        "--json",
+        "--out",
+        out,
+    ];
     let (code, json, stderr) = jounce(&[&members[..], &short].concat());
     assert_eq!(code, 0, "{stderr}");
-    has(&json["stops"][0], &["contact_rate_hz", "mean_impact_velocity_m_s", "max_contact_duration_s", "contact_duty"]);
+    has(
+        &json["stops"][0],
+        &[
+            "contact_rate_hz",
+            "mean_impact_velocity_m_s",
+            "max_contact_duration_s",
+            "contact_duty",
+        ],
+    );
     has(&json["bandwidths_hz"]["mfc"], &["mean", "interval"]);
-    assert!(["ensemble-spectrum.csv", "ensemble-spectrum.svg"].iter().all(|name| folder.path().join(name).exists()));
+    assert!(
+        ["ensemble-spectrum.csv", "ensemble-spectrum.svg"]
+            .iter()
+            .all(|name| folder.path().join(name).exists())
+    );
     for (arguments, words) in [
         (vec!["noise", SPEC], "no drive has signal"),
-        (vec!["ensemble", SHAKER, "--members", "1", "--spectrum"], "two --members"),
+        (
+            vec!["ensemble", SHAKER, "--members", "1", "--spectrum"],
+            "two --members",
+        ),
         (vec!["noise", SHAKER, "--from", "40Hz"], "--from below --to"),
     ] {
         let (code, _, stderr) = jounce(&arguments);
-        assert!(code != 0 && stderr.contains(words), "{arguments:?}: {stderr}");
+        assert!(
+            code != 0 && stderr.contains(words),
+            "{arguments:?}: {stderr}"
+        );
     }
 }
 
@@ -68,23 +157,50 @@ fn noise_and_ensembles_answer_with_every_key() {
 #[cfg(unix)]
 #[test]
 fn what_is_interrupted_tells_what_is_finished_and_ends_with_130() {
-    const SHAKER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/random-base/shaker.toml");
-    let short = ["--set", "run.duration=0.6 s", "--set", "run.average_over=0.5 s"];
-    let ensemble = [&["ensemble", SHAKER, "--members", "1000000", "--json"][..], &short].concat();
+    const SHAKER: &str = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../../examples/random-base/shaker.toml"
+    );
+    let short = [
+        "--set",
+        "run.duration=0.6 s",
+        "--set",
+        "run.average_over=0.5 s",
+    ];
+    let ensemble = [
+        &["ensemble", SHAKER, "--members", "1000000", "--json"][..],
+        &short,
+    ]
+    .concat();
     let basins = vec!["basins", PLANT, "--starts", "1000000", "--json"];
-    for (arguments, list, words) in
-        [(ensemble, "members", "members that were finished"), (basins, "attractors", "starts that were finished")]
-    {
+    for (arguments, list, words) in [
+        (ensemble, "members", "members that were finished"),
+        (basins, "attractors", "starts that were finished"),
+    ] {
         let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_jounce"));
         let piped = || std::process::Stdio::piped();
-        let child = command.args(&arguments).stdout(piped()).stderr(piped()).spawn().unwrap();
+        let child = command
+            .args(&arguments)
+            .stdout(piped())
+            .stderr(piped())
+            .spawn()
+            .unwrap();
         std::thread::sleep(std::time::Duration::from_secs(3));
-        std::process::Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
+        std::process::Command::new("kill")
+            .args(["-INT", &child.id().to_string()])
+            .status()
+            .unwrap();
         let output = child.wait_with_output().unwrap();
-        let (json, errors) = (serde_json::from_slice::<serde_json::Value>(&output.stdout), String::from_utf8_lossy(&output.stderr));
+        let (json, errors) = (
+            serde_json::from_slice::<serde_json::Value>(&output.stdout),
+            String::from_utf8_lossy(&output.stderr),
+        );
         assert_eq!(output.status.code(), Some(130), "{errors}");
         let json = json.unwrap();
-        assert!(!json[list].as_array().unwrap().is_empty() && errors.contains(words), "{json} {errors}");
+        assert!(
+            !json[list].as_array().unwrap().is_empty() && errors.contains(words),
+            "{json} {errors}"
+        );
     }
 }
 
@@ -109,13 +225,31 @@ fn a_named_base_answers_as_the_ground_does() {
     let struck = folder.path().join("struck.parquet");
     for words in [
         &["frf", "--base", "--from", "10Hz", "--to", "200Hz"][..],
-        &["frf", "--input", "arm.end", "--from", "10Hz", "--to", "200Hz"],
+        &[
+            "frf", "--input", "arm.end", "--from", "10Hz", "--to", "200Hz",
+        ],
         &["modes"],
         &["noise"],
-        &["rig", "--hammer", "arm.end", "--hits", "1", "--rate", "4096 Hz", "--block", "1 s", "--to", struck.to_str().unwrap()],
+        &[
+            "rig",
+            "--hammer",
+            "arm.end",
+            "--hits",
+            "1",
+            "--rate",
+            "4096 Hz",
+            "--block",
+            "1 s",
+            "--to",
+            struck.to_str().unwrap(),
+        ],
     ] {
         let answer = |file: &str| {
-            let arguments: Vec<&str> = [words[0], file].into_iter().chain(words[1..].iter().copied()).chain(["--json"]).collect();
+            let arguments: Vec<&str> = [words[0], file]
+                .into_iter()
+                .chain(words[1..].iter().copied())
+                .chain(["--json"])
+                .collect();
             let (code, mut json, errors) = jounce(&arguments);
             assert_eq!(code, 0, "{words:?} {file}: {errors}");
             json.as_object_mut().unwrap().remove("manifest");

@@ -8,7 +8,8 @@ const STRIP: &str = "[beam.s]\nmaterial = \"steel\"\nlength = \"120 mm\"\nwidth 
     [patch.m]\non = \"s\"\nmaterial = \"MFC-P2\"\nstart = \"0 mm\"\nlength = \"85 mm\"\nwidth = \"28 mm\"\nthickness = \"0.3 mm\"\n\
     [circuit.m]\npatch = \"m\"\nresistance = \"100 kohm\"\n[damping]\nbeyond = 0.02\n[reduction]\nmodes = 1\n\
     [run]\nstart = \"linear\"\nduration = \"1 s\"\naverage_over = \"0.5 s\"\n";
-const SINE: &str = "[drive.b]\nkind = \"base-acceleration\"\namplitude = \"20 g\"\nfrequency = \"33 Hz\"\n";
+const SINE: &str =
+    "[drive.b]\nkind = \"base-acceleration\"\namplitude = \"20 g\"\nfrequency = \"33 Hz\"\n";
 const NOISE: &str = "[drive.b]\nkind = \"base-acceleration\"\nsignal = \"noise\"\npsd = \"20 g^2/Hz\"\nhigh = \"60 Hz\"\n";
 
 fn written(folder: &tempfile::TempDir, text: &str) -> String {
@@ -18,7 +19,11 @@ fn written(folder: &tempfile::TempDir, text: &str) -> String {
 }
 
 fn strains(answer: &Value) -> bool {
-    answer["warnings"].as_array().unwrap().iter().any(|warning| warning["quantity"] == "strain" && warning["patch"] == "m")
+    answer["warnings"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .any(|warning| warning["quantity"] == "strain" && warning["patch"] == "m")
 }
 
 #[test]
@@ -26,35 +31,80 @@ fn limits_warn_in_every_command_that_marches() {
     let folder = tempfile::tempdir().unwrap();
     let spec = written(&folder, &format!("{STRIP}{SINE}"));
     let (code, run, text) = jounce(&["run", &spec, "--json"]);
-    assert!(code == 0 && strains(&run) && run["warnings"][0]["warning"] == "limit", "{text} {run}");
-    let (code, sweep, text) = jounce(&["sweep", &spec, "--over", "drive.b.amplitude=0.01g,20g", "--json"]);
+    assert!(
+        code == 0 && strains(&run) && run["warnings"][0]["warning"] == "limit",
+        "{text} {run}"
+    );
+    let (code, sweep, text) = jounce(&[
+        "sweep",
+        &spec,
+        "--over",
+        "drive.b.amplitude=0.01g,20g",
+        "--json",
+    ]);
     assert_eq!(code, 0, "{text}");
     let points = sweep["points"].as_array().unwrap();
     assert!(!strains(&points[0]) && strains(&points[1]), "{sweep}");
     let message = "600 ppm are recommended; 1 of 2 points pass the limit, worst at drive.b.amplitude = 196.133000 m/s^2";
-    assert!(text.contains("warning: patch m: its strain reaches") && text.contains(message), "{text}");
-    let (code, branch, text) = jounce(&["branch", &spec, "--over", "drive.b.amplitude=0.01g:20g", "--seeds", "0", "--json"]);
+    assert!(
+        text.contains("warning: patch m: its strain reaches") && text.contains(message),
+        "{text}"
+    );
+    let (code, branch, text) = jounce(&[
+        "branch",
+        &spec,
+        "--over",
+        "drive.b.amplitude=0.01g:20g",
+        "--seeds",
+        "0",
+        "--json",
+    ]);
     assert_eq!(code, 0, "{text}");
     let points = branch["branches"][0]["points"].as_array().unwrap();
-    assert!(!strains(&points[0]) && strains(points.last().unwrap()), "{branch}");
+    assert!(
+        !strains(&points[0]) && strains(points.last().unwrap()),
+        "{branch}"
+    );
     // The same orbit by march and by shooting.
     let reached = |answer: &Value| answer["warnings"][0]["reached"].as_f64().unwrap().abs();
     assert!((reached(points.last().unwrap()) / reached(&run) - 1.0).abs() < 1e-3);
-    assert!(text.contains("points pass the limit, worst at drive.b.amplitude = 196.133000 m/s^2"), "{text}");
+    assert!(
+        text.contains("points pass the limit, worst at drive.b.amplitude = 196.133000 m/s^2"),
+        "{text}"
+    );
     let (code, basins, text) = jounce(&["basins", &spec, "--starts", "2", "--json"]);
-    assert!(code == 0 && strains(&basins["attractors"][0]), "{text} {basins}");
-    assert!(text.contains("1 of 1 attractors pass the limit, worst at attractor 1a"), "{text}");
+    assert!(
+        code == 0 && strains(&basins["attractors"][0]),
+        "{text} {basins}"
+    );
+    assert!(
+        text.contains("1 of 1 attractors pass the limit, worst at attractor 1a"),
+        "{text}"
+    );
 }
 
 #[test]
 fn limits_warn_under_noise_too() {
     let folder = tempfile::tempdir().unwrap();
-    let spec = written(&folder, &format!("{STRIP}{NOISE}").replace("start = \"linear\"\n", ""));
+    let spec = written(
+        &folder,
+        &format!("{STRIP}{NOISE}").replace("start = \"linear\"\n", ""),
+    );
     let (code, ensemble, text) = jounce(&["ensemble", &spec, "--members", "2", "--json"]);
     assert_eq!(code, 0, "{text}");
     let members = ensemble["members"].as_array().unwrap();
-    let passed = |member: &Value| member["exceeded"].as_array().unwrap().iter().any(|own| own["quantity"] == "strain");
-    assert!(members.iter().all(passed) && text.contains("2 of 2 members pass the limit, worst at member"), "{text} {ensemble}");
+    let passed = |member: &Value| {
+        member["exceeded"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .any(|own| own["quantity"] == "strain")
+    };
+    assert!(
+        members.iter().all(passed)
+            && text.contains("2 of 2 members pass the limit, worst at member"),
+        "{text} {ensemble}"
+    );
     let (code, run, text) = jounce(&["run", &spec, "--json"]);
     assert!(code == 0 && strains(&run), "{text} {run}");
 }
@@ -62,14 +112,32 @@ fn limits_warn_under_noise_too() {
 #[test]
 fn a_recording_that_ends_before_the_run_is_told() {
     let folder = tempfile::tempdir().unwrap();
-    std::fs::write(folder.path().join("road.csv"), "time (s),a (g)\n0,0\n0.5,1\n1,-2\n").unwrap();
+    std::fs::write(
+        folder.path().join("road.csv"),
+        "time (s),a (g)\n0,0\n0.5,1\n1,-2\n",
+    )
+    .unwrap();
     let text = "[mass.m]\nmass = \"1 kg\"\nfrequency = \"3 Hz\"\ndamping_ratio = 0.1\n[drive.road]\nkind = \"base-acceleration\"\nsignal = \"recording\"\n\
         file = \"road.csv\"\nmean = \"kept\"\n[run]\nduration = \"3 s\"\naverage_over = \"1 s\"\n";
     let spec = written(&folder, text);
     let (code, run, text) = jounce(&["run", &spec, "--json"]);
     let warning = &run["warnings"][0];
-    assert!(code == 0 && warning["warning"] == "recording-ends" && warning["ends_s"] == 1.0 && warning["from_s"] == 2.0, "{run}");
-    assert!(text.contains("drive road: its recording ends at 1 s, but the averaging window goes from 2 s to 3 s"), "{text}");
+    assert!(
+        code == 0
+            && warning["warning"] == "recording-ends"
+            && warning["ends_s"] == 1.0
+            && warning["from_s"] == 2.0,
+        "{run}"
+    );
+    assert!(
+        text.contains(
+            "drive road: its recording ends at 1 s, but the averaging window goes from 2 s to 3 s"
+        ),
+        "{text}"
+    );
     let (_, run, text) = jounce(&["run", &spec, "--json", "--set", "run.duration=1 s"]);
-    assert!(run["warnings"].as_array().unwrap().is_empty() && !text.contains("warning"), "{run} {text}");
+    assert!(
+        run["warnings"].as_array().unwrap().is_empty() && !text.contains("warning"),
+        "{run} {text}"
+    );
 }

@@ -14,7 +14,17 @@ pub struct Block {
 }
 
 /// What a block may say that it is.
-const KNOWN: [&str; 9] = ["console", "python", "sh", "rust", "rust,no_run", "text", "toml spec", "toml part", "toml study"];
+const KNOWN: [&str; 9] = [
+    "console",
+    "python",
+    "sh",
+    "rust",
+    "rust,no_run",
+    "text",
+    "toml spec",
+    "toml part",
+    "toml study",
+];
 
 impl Block {
     /// `document:line`.
@@ -25,7 +35,14 @@ impl Block {
     /// Why the block is none of the kinds that are checked.
     pub fn fault(&self) -> Option<String> {
         let known = KNOWN.contains(&self.info.as_str());
-        (!known).then(|| format!("{}: a block is marked `{}`; allowed are {}", self.place(), self.info, KNOWN.join(", ")))
+        (!known).then(|| {
+            format!(
+                "{}: a block is marked `{}`; allowed are {}",
+                self.place(),
+                self.info,
+                KNOWN.join(", ")
+            )
+        })
     }
 
     /// True for commands.
@@ -55,15 +72,24 @@ pub fn blocks(document: &str, markdown: &str) -> Vec<Block> {
                 let fence = fence(bare);
                 if !fence.is_empty() {
                     let info = bare[fence.len()..].trim().to_owned();
-                    let block = Block { document: document.to_owned(), line: index + 1, info, text: String::new() };
+                    let block = Block {
+                        document: document.to_owned(),
+                        line: index + 1,
+                        info,
+                        text: String::new(),
+                    };
                     open = Some((fence, line.len() - bare.len(), block));
                 }
             }
             Some((fence, indent, block)) => {
-                if bare.trim_end().starts_with(fence.as_str()) && bare.trim_end().chars().all(|c| fence.starts_with(c)) {
+                if bare.trim_end().starts_with(fence.as_str())
+                    && bare.trim_end().chars().all(|c| fence.starts_with(c))
+                {
                     found.extend(open.take().map(|(_, _, block)| block));
                 } else {
-                    block.text.push_str(&line[(*indent).min(line.len() - bare.len())..]);
+                    block
+                        .text
+                        .push_str(&line[(*indent).min(line.len() - bare.len())..]);
                     block.text.push('\n');
                 }
             }
@@ -77,7 +103,11 @@ pub fn blocks(document: &str, markdown: &str) -> Vec<Block> {
 fn fence(line: &str) -> String {
     let mark = line.chars().next().unwrap_or(' ');
     let fence: String = line.chars().take_while(|c| *c == mark).collect();
-    if matches!(mark, '`' | '~') && fence.len() >= 3 { fence } else { String::new() }
+    if matches!(mark, '`' | '~') && fence.len() >= 3 {
+        fence
+    } else {
+        String::new()
+    }
 }
 
 #[cfg(test)]
@@ -88,7 +118,10 @@ mod tests {
     fn finds_blocks_with_their_place_indented_and_nested_ones_too() {
         let markdown = "a\n```sh\njounce --help\n```\n\n1. b\n   ````text\n   ```\n     c\n   ````\n~~~toml spec\n[run]\n~~~\n`x`\n";
         let found = blocks("a.md", markdown);
-        let seen: Vec<_> = found.iter().map(|block| (block.place(), block.info.as_str(), block.text.as_str())).collect();
+        let seen: Vec<_> = found
+            .iter()
+            .map(|block| (block.place(), block.info.as_str(), block.text.as_str()))
+            .collect();
         assert_eq!(
             seen,
             [

@@ -31,7 +31,11 @@ pub fn asked(block: &Block) -> Vec<Asked> {
         "console" => line.strip_prefix("$ ").map(str::to_owned),
         _ => Some(line.to_owned()).filter(|line| !line.is_empty() && !line.starts_with('#')),
     };
-    text.lines().map(str::trim_end).filter_map(command).map(kind).collect()
+    text.lines()
+        .map(str::trim_end)
+        .filter_map(command)
+        .map(kind)
+        .collect()
 }
 
 fn kind(line: String) -> Asked {
@@ -48,9 +52,14 @@ pub fn faults(block: &Block, folder: &Path) -> Vec<String> {
     let told = |why: String| format!("{}: {why}", block.place());
     let fault = |asked| match asked {
         Asked::Jounce(arguments) => run(&arguments, folder).err().map(told),
-        Asked::Test => (!root().join("test").is_file()).then(|| told("there is no script `test`".to_owned())),
-        Asked::Install => (!root().join("pyproject.toml").is_file()).then(|| told("there is no Python package to install".to_owned())),
-        Asked::Other(line) => Some(told(format!("`{line}` cannot be run here; mark the block `text`"))),
+        Asked::Test => {
+            (!root().join("test").is_file()).then(|| told("there is no script `test`".to_owned()))
+        }
+        Asked::Install => (!root().join("pyproject.toml").is_file())
+            .then(|| told("there is no Python package to install".to_owned())),
+        Asked::Other(line) => Some(told(format!(
+            "`{line}` cannot be run here; mark the block `text`"
+        ))),
     };
     asked(block).into_iter().filter_map(fault).collect()
 }
@@ -59,15 +68,29 @@ pub fn faults(block: &Block, folder: &Path) -> Vec<String> {
 fn serve(arguments: &str, folder: &Path) -> Result<(), String> {
     let line = format!("exec \"$JOUNCE\" {arguments} --no-browser");
     let mut command = Command::new("sh");
-    command.args(["-c", &line]).env("JOUNCE", env!("CARGO_BIN_EXE_jounce")).env("XDG_STATE_HOME", folder);
+    command
+        .args(["-c", &line])
+        .env("JOUNCE", env!("CARGO_BIN_EXE_jounce"))
+        .env("XDG_STATE_HOME", folder);
     command.current_dir(folder).stdout(Stdio::piped());
-    let mut child = command.spawn().map_err(|error| format!("the shell does not start: {error}"))?;
+    let mut child = command
+        .spawn()
+        .map_err(|error| format!("the shell does not start: {error}"))?;
     let mut told = String::new();
-    let read = child.stdout.take().map(|out| BufReader::new(out).read_line(&mut told));
+    let read = child
+        .stdout
+        .take()
+        .map(|out| BufReader::new(out).read_line(&mut told));
     let _ = child.kill();
     let _ = child.wait();
     let served = matches!(read, Some(Ok(_))) && told.starts_with("http://");
-    if served { Ok(()) } else { Err(format!("`jounce {arguments}` told no address, but {told:?}")) }
+    if served {
+        Ok(())
+    } else {
+        Err(format!(
+            "`jounce {arguments}` told no address, but {told:?}"
+        ))
+    }
 }
 
 /// Runs the program through the shell, so that quotes, pipes and redirections mean what the reader expects.
@@ -76,12 +99,20 @@ fn run(arguments: &str, folder: &Path) -> Result<(), String> {
         return serve(arguments, folder);
     }
     let line = format!("\"$JOUNCE\" {arguments}");
-    let done = Command::new("sh").args(["-c", &line]).env("JOUNCE", env!("CARGO_BIN_EXE_jounce")).current_dir(folder).output();
+    let done = Command::new("sh")
+        .args(["-c", &line])
+        .env("JOUNCE", env!("CARGO_BIN_EXE_jounce"))
+        .current_dir(folder)
+        .output();
     let done = done.map_err(|error| format!("the shell does not start: {error}"))?;
     if done.status.success() {
         return Ok(());
     }
-    Err(format!("`jounce {arguments}` ended with {}\n{}", done.status, String::from_utf8_lossy(&done.stderr)))
+    Err(format!(
+        "`jounce {arguments}` ended with {}\n{}",
+        done.status,
+        String::from_utf8_lossy(&done.stderr)
+    ))
 }
 
 /// Copies a folder with all that is in it.
@@ -112,8 +143,15 @@ mod tests {
     fn reads_commands_and_leaves_output_and_comments() {
         let jounce = |arguments: &str| Asked::Jounce(arguments.to_owned());
         assert_eq!(
-            commands("```sh\n# look\ncargo run --release -- run a.toml \\\n    --json\n\n./test\npip install \".[all]\"\nmake it\n```\n"),
-            [jounce("run a.toml --json"), Asked::Test, Asked::Install, Asked::Other("make it".to_owned())]
+            commands(
+                "```sh\n# look\ncargo run --release -- run a.toml \\\n    --json\n\n./test\npip install \".[all]\"\nmake it\n```\n"
+            ),
+            [
+                jounce("run a.toml --json"),
+                Asked::Test,
+                Asked::Install,
+                Asked::Other("make it".to_owned())
+            ]
         );
         assert_eq!(
             commands("```console\n$ jounce check \\\n  a.toml\nvalid\n$ jounce --version\n```\n"),
@@ -126,6 +164,10 @@ mod tests {
         let markdown = "```sh\njounce no-such-command\nmake it\n```\n";
         let found = faults(&blocks("a.md", markdown)[0], &empty_folder("failing"));
         assert_eq!(found.len(), 2, "{found:?}");
-        assert!(found[0].starts_with("a.md:1: `jounce no-such-command` ended with") && found[1].contains("make it"), "{found:?}");
+        assert!(
+            found[0].starts_with("a.md:1: `jounce no-such-command` ended with")
+                && found[1].contains("make it"),
+            "{found:?}"
+        );
     }
 }

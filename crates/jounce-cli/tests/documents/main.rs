@@ -24,7 +24,9 @@ fn root() -> PathBuf {
 
 /// An empty folder of that name for this test run.
 fn empty_folder(name: &str) -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("documents").join(name);
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR"))
+        .join("documents")
+        .join(name);
     if folder.exists() {
         std::fs::remove_dir_all(&folder).expect("the folder of an earlier run can be removed");
     }
@@ -52,8 +54,14 @@ fn documents() -> Vec<String> {
 
 /// The blocks of every document with a property.
 fn all_blocks(wanted: impl Fn(&Block) -> bool) -> Vec<Block> {
-    let read = |document: &String| std::fs::read_to_string(root().join(document)).expect("documents are UTF-8");
-    documents().iter().flat_map(|document| blocks(document, &read(document))).filter(wanted).collect()
+    let read = |document: &String| {
+        std::fs::read_to_string(root().join(document)).expect("documents are UTF-8")
+    };
+    documents()
+        .iter()
+        .flat_map(|document| blocks(document, &read(document)))
+        .filter(wanted)
+        .collect()
 }
 
 fn assert_none(faults: Vec<String>) {
@@ -62,20 +70,35 @@ fn assert_none(faults: Vec<String>) {
 
 #[test]
 fn every_block_says_what_it_is() {
-    assert_none(all_blocks(|_| true).iter().filter_map(Block::fault).collect());
+    assert_none(
+        all_blocks(|_| true)
+            .iter()
+            .filter_map(Block::fault)
+            .collect(),
+    );
 }
 
 #[test]
 fn every_command_works() {
     let found = all_blocks(Block::is_shell);
-    assert!(found.iter().any(|block| block.document == "README.md"), "README shows no command");
+    assert!(
+        found.iter().any(|block| block.document == "README.md"),
+        "README shows no command"
+    );
     let mut faults = Vec::new();
     for document in documents() {
-        let blocks: Vec<&Block> = found.iter().filter(|block| block.document == document).collect();
+        let blocks: Vec<&Block> = found
+            .iter()
+            .filter(|block| block.document == document)
+            .collect();
         if !blocks.is_empty() {
             let folder = empty_folder(&document.replace('/', "-"));
             commands::copy(&root().join("examples"), &folder.join("examples"));
-            faults.extend(blocks.into_iter().flat_map(|block| commands::faults(block, &folder)));
+            faults.extend(
+                blocks
+                    .into_iter()
+                    .flat_map(|block| commands::faults(block, &folder)),
+            );
         }
     }
     assert_none(faults);
@@ -88,7 +111,12 @@ fn every_spec_is_valid() {
     let folder = empty_folder("specs");
     let base = root().join("examples/impact-harvester-2019/harvester.toml");
     let base = std::fs::read_to_string(base).expect("the paper's spec is there");
-    assert_none(found.iter().filter_map(|block| specs::fault(block, &base, &folder)).collect());
+    assert_none(
+        found
+            .iter()
+            .filter_map(|block| specs::fault(block, &base, &folder))
+            .collect(),
+    );
 }
 
 #[test]
@@ -105,12 +133,21 @@ fn every_study_is_valid() {
 
 #[test]
 fn every_document_with_rust_is_a_doctest() {
-    let library = std::fs::read_to_string(root().join("crates/jounce/src/lib.rs")).expect("the library is there");
-    let included = |document: &str| library.contains(&format!("include_str!(\"../../../{document}\")"));
-    let mut missing: Vec<String> = all_blocks(Block::is_rust).into_iter().map(|block| block.document).collect();
+    let library = std::fs::read_to_string(root().join("crates/jounce/src/lib.rs"))
+        .expect("the library is there");
+    let included =
+        |document: &str| library.contains(&format!("include_str!(\"../../../{document}\")"));
+    let mut missing: Vec<String> = all_blocks(Block::is_rust)
+        .into_iter()
+        .map(|block| block.document)
+        .collect();
     missing.dedup();
     missing.retain(|document| !included(document));
-    assert!(missing.is_empty(), "documents with Rust that lib.rs does not include: {}", missing.join(", "));
+    assert!(
+        missing.is_empty(),
+        "documents with Rust that lib.rs does not include: {}",
+        missing.join(", ")
+    );
 }
 
 /// A picture of the harvester that is out of date would show another one than the text.
@@ -118,8 +155,21 @@ fn every_document_with_rust_is_a_doctest() {
 fn the_drawing_in_the_book_is_the_one_that_show_makes() {
     let folder = empty_folder("drawing");
     commands::copy(&root().join("examples"), &folder.join("examples"));
-    let arguments = ["show", "examples/impact-harvester-2019/harvester.toml", "--out", "harvester.svg"];
-    assert_cmd::Command::cargo_bin("jounce").expect("the program is built").args(arguments).current_dir(&folder).assert().success();
+    let arguments = [
+        "show",
+        "examples/impact-harvester-2019/harvester.toml",
+        "--out",
+        "harvester.svg",
+    ];
+    assert_cmd::Command::cargo_bin("jounce")
+        .expect("the program is built")
+        .args(arguments)
+        .current_dir(&folder)
+        .assert()
+        .success();
     let read = |path: PathBuf| std::fs::read_to_string(path).expect("the picture is there");
-    assert!(read(folder.join("harvester.svg")) == read(root().join("book/src/pictures/harvester.svg")), "draw the picture again");
+    assert!(
+        read(folder.join("harvester.svg")) == read(root().join("book/src/pictures/harvester.svg")),
+        "draw the picture again"
+    );
 }

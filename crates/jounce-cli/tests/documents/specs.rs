@@ -6,11 +6,29 @@ use std::process::Command;
 
 /// Why `jounce check` refuses the spec of a block.
 pub fn fault(block: &Block, base: &str, folder: &Path) -> Option<String> {
-    let text = if block.info == "toml part" { grafted(base, &block.text) } else { block.text.clone() };
-    let path = folder.join(format!("{}-{}.toml", block.document.replace('/', "-"), block.line));
+    let text = if block.info == "toml part" {
+        grafted(base, &block.text)
+    } else {
+        block.text.clone()
+    };
+    let path = folder.join(format!(
+        "{}-{}.toml",
+        block.document.replace('/', "-"),
+        block.line
+    ));
     std::fs::write(&path, text).expect("a file can be written in the target folder");
-    let done = Command::new(env!("CARGO_BIN_EXE_jounce")).arg("check").arg(&path).output().expect("jounce starts");
-    let told = || format!("{}: this spec is refused\n{}", block.place(), String::from_utf8_lossy(&done.stderr));
+    let done = Command::new(env!("CARGO_BIN_EXE_jounce"))
+        .arg("check")
+        .arg(&path)
+        .output()
+        .expect("jounce starts");
+    let told = || {
+        format!(
+            "{}: this spec is refused\n{}",
+            block.place(),
+            String::from_utf8_lossy(&done.stderr)
+        )
+    };
     (!done.status.success()).then(told)
 }
 
@@ -45,7 +63,8 @@ mod tests {
 
     #[test]
     fn a_part_takes_the_place_of_its_table() {
-        let base = "# all\n[run]\nstart = \"rest\" # so\n[stop.tip] # it\ngap = 1\n[stop.top]\ngap = 2\n";
+        let base =
+            "# all\n[run]\nstart = \"rest\" # so\n[stop.tip] # it\ngap = 1\n[stop.top]\ngap = 2\n";
         assert_eq!(
             grafted(base, "[stop.tip]\ngap = 3\n"),
             "# all\n[run]\nstart = \"rest\" # so\n[stop.top]\ngap = 2\n[stop.tip]\ngap = 3\n"

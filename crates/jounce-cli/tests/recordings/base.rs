@@ -6,41 +6,97 @@ use std::f64::consts::TAU;
 use std::path::Path;
 
 fn printed(folder: &Path, arguments: &[&str]) -> (i32, String, String) {
-    let output = Command::cargo_bin("jounce").unwrap().args(arguments).current_dir(folder).output().unwrap();
+    let output = Command::cargo_bin("jounce")
+        .unwrap()
+        .args(arguments)
+        .current_dir(folder)
+        .output()
+        .unwrap();
     let text = |bytes| String::from_utf8(bytes).unwrap();
-    (output.status.code().unwrap(), text(output.stdout), text(output.stderr))
+    (
+        output.status.code().unwrap(),
+        text(output.stdout),
+        text(output.stderr),
+    )
 }
 
 /// A base and a voltage of 2 V per m/s^2, both in units of their own, beside a dead channel.
 fn shaken(folder: &Path) {
     let base = |k: u32| (f64::from(k) * 0.7).sin() + (f64::from(k).powi(2) * 1e-4).sin();
-    let row = |k: u32| vec![f64::from(k) / 1000.0, 0.0, base(k) / 9.80665, 2000.0 * base(k)];
-    csv(&folder.join("shaken.csv"), "time [s],dead [V],base [g],piezo [mV]", (0..8_000).map(row));
+    let row = |k: u32| {
+        vec![
+            f64::from(k) / 1000.0,
+            0.0,
+            base(k) / 9.80665,
+            2000.0 * base(k),
+        ]
+    };
+    csv(
+        &folder.join("shaken.csv"),
+        "time [s],dead [V],base [g],piezo [mV]",
+        (0..8_000).map(row),
+    );
 }
 
 #[test]
 fn a_base_is_an_input_in_its_own_unit() {
     let folder = tempfile::tempdir().unwrap();
     shaken(folder.path());
-    let measured = ["frf", "--measured", "shaken.csv", "--input", "base", "--response", "piezo"];
+    let measured = [
+        "frf",
+        "--measured",
+        "shaken.csv",
+        "--input",
+        "base",
+        "--response",
+        "piezo",
+    ];
     let (code, json, stderr) = jounce(folder.path(), &[&measured[..], &["--json"]].concat());
     assert_eq!(code, 0, "{stderr}");
     let piezo = &json["responses"]["piezo"];
     assert_eq!(
-        (piezo["unit"].as_str(), piezo["per_g"]["unit"].as_str(), json["input"].as_str()),
+        (
+            piezo["unit"].as_str(),
+            piezo["per_g"]["unit"].as_str(),
+            json["input"].as_str()
+        ),
         (Some("V/(m/s^2)"), Some("V/g"), Some("base"))
     );
-    assert!((piezo["re"][112].as_f64().unwrap() - 2.0).abs() < 1e-9, "{}", piezo["re"][112]);
+    assert!(
+        (piezo["re"][112].as_f64().unwrap() - 2.0).abs() < 1e-9,
+        "{}",
+        piezo["re"][112]
+    );
     let (code, text, stderr) = printed(folder.path(), &measured);
-    assert!(code == 0 && text.contains("V/(m/s^2) (1.96133e1 V/g)"), "{text} {stderr}");
+    assert!(
+        code == 0 && text.contains("V/(m/s^2) (1.96133e1 V/g)"),
+        "{text} {stderr}"
+    );
     // The dead channel is not in use: nothing is said of it. A conversion is a note.
-    assert!(!stderr.contains("dead") && stderr.contains("note: base: values in g"), "{stderr}");
+    assert!(
+        !stderr.contains("dead") && stderr.contains("note: base: values in g"),
+        "{stderr}"
+    );
     let (code, _, stderr) = printed(folder.path(), &["frf", "--measured", "shaken.csv"]);
     assert!(code == 4 && stderr.contains("--input"), "{code} {stderr}");
-    let (code, _, stderr) = printed(folder.path(), &["frf", "--measured", "shaken.csv", "--input", "base", "--force", "base"]);
+    let (code, _, stderr) = printed(
+        folder.path(),
+        &[
+            "frf",
+            "--measured",
+            "shaken.csv",
+            "--input",
+            "base",
+            "--force",
+            "base",
+        ],
+    );
     assert!(code == 2, "{code} {stderr}");
     let (code, _, stderr) = printed(folder.path(), &["modes", "spec.toml", "--input", "base"]);
-    assert!(code == 2 && stderr.contains("--measured"), "{code} {stderr}");
+    assert!(
+        code == 2 && stderr.contains("--measured"),
+        "{code} {stderr}"
+    );
 }
 
 /// The same file twice: each sentence once, with the number of recordings.
@@ -48,26 +104,67 @@ fn a_base_is_an_input_in_its_own_unit() {
 fn findings_are_told_once() {
     let folder = tempfile::tempdir().unwrap();
     shaken(folder.path());
-    let (code, _, stderr) =
-        printed(folder.path(), &["frf", "--measured", "shaken.csv", "shaken.csv", "--input", "base", "--response", "piezo"]);
+    let (code, _, stderr) = printed(
+        folder.path(),
+        &[
+            "frf",
+            "--measured",
+            "shaken.csv",
+            "shaken.csv",
+            "--input",
+            "base",
+            "--response",
+            "piezo",
+        ],
+    );
     assert_eq!(code, 0, "{stderr}");
     let times = |text: &str| stderr.matches(text).count();
-    assert_eq!((times("base: values in g"), times("piezo: values in mV"), times("(in 2 recordings)")), (1, 1, 2), "{stderr}");
-    let (code, _, stderr) = printed(folder.path(), &["spectra", "shaken.csv", "--channel", "piezo"]);
-    assert!(code == 0 && stderr.matches("piezo: values in mV").count() == 1 && !stderr.contains("base"), "{stderr}");
+    assert_eq!(
+        (
+            times("base: values in g"),
+            times("piezo: values in mV"),
+            times("(in 2 recordings)")
+        ),
+        (1, 1, 2),
+        "{stderr}"
+    );
+    let (code, _, stderr) = printed(
+        folder.path(),
+        &["spectra", "shaken.csv", "--channel", "piezo"],
+    );
+    assert!(
+        code == 0 && stderr.matches("piezo: values in mV").count() == 1 && !stderr.contains("base"),
+        "{stderr}"
+    );
 }
 
 #[test]
 fn a_warning_of_a_contact_is_a_sentence() {
     let folder = tempfile::tempdir().unwrap();
-    let pulse = |x: f64, from: f64, peak: f64| if (from..from + 1e-3).contains(&x) { peak * (TAU * 500.0 * (x - from)).sin() } else { 0.0 };
+    let pulse = |x: f64, from: f64, peak: f64| {
+        if (from..from + 1e-3).contains(&x) {
+            peak * (TAU * 500.0 * (x - from)).sin()
+        } else {
+            0.0
+        }
+    };
     let row = |k: u32| {
         let t = f64::from(k) / 50_000.0;
-        vec![t, pulse(t, 0.02, 40.0) + pulse(t, 0.024, 12.0) + 1e-3 * (f64::from(k) * 1.7).sin()]
+        vec![
+            t,
+            pulse(t, 0.02, 40.0) + pulse(t, 0.024, 12.0) + 1e-3 * (f64::from(k) * 1.7).sin(),
+        ]
     };
-    csv(&folder.path().join("double.csv"), "time [s],hammer [N]", (0..10_000).map(row));
+    csv(
+        &folder.path().join("double.csv"),
+        "time [s],hammer [N]",
+        (0..10_000).map(row),
+    );
     let (code, text, stderr) = printed(folder.path(), &["contact", "double.csv"]);
-    assert!(code == 0 && text.contains("warning: the hit is double: 1") && !text.contains("Double {"), "{text} {stderr}");
+    assert!(
+        code == 0 && text.contains("warning: the hit is double: 1") && !text.contains("Double {"),
+        "{text} {stderr}"
+    );
 }
 
 #[test]
@@ -75,12 +172,32 @@ fn spectra_take_a_live_channel_and_list_peaks_by_height() {
     let folder = tempfile::tempdir().unwrap();
     let row = |k: u32| {
         let t = f64::from(k) / 1000.0;
-        vec![t, 0.0, (TAU * 30.0 * t).sin() + 3.0 * (TAU * 90.3 * t).sin()]
+        vec![
+            t,
+            0.0,
+            (TAU * 30.0 * t).sin() + 3.0 * (TAU * 90.3 * t).sin(),
+        ]
     };
-    csv(&folder.path().join("tones.csv"), "time [s],dead [V],piezo [V]", (0..32_000).map(row));
-    let (code, json, stderr) = jounce(folder.path(), &["spectra", "tones.csv", "--segment", "1s", "--json"]);
-    assert_eq!((code, json["channel"].as_str()), (0, Some("piezo")), "{stderr}");
-    let peaks: Vec<f64> = json["peaks"].as_array().unwrap().iter().map(|peak| peak["frequency_hz"].as_f64().unwrap()).collect();
+    csv(
+        &folder.path().join("tones.csv"),
+        "time [s],dead [V],piezo [V]",
+        (0..32_000).map(row),
+    );
+    let (code, json, stderr) = jounce(
+        folder.path(),
+        &["spectra", "tones.csv", "--segment", "1s", "--json"],
+    );
+    assert_eq!(
+        (code, json["channel"].as_str()),
+        (0, Some("piezo")),
+        "{stderr}"
+    );
+    let peaks: Vec<f64> = json["peaks"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|peak| peak["frequency_hz"].as_f64().unwrap())
+        .collect();
     assert_eq!(peaks, [90.0, 30.0]);
 }
 
@@ -89,21 +206,58 @@ fn spectra_take_a_live_channel_and_list_peaks_by_height() {
 fn a_stretch_too_short_for_an_interval_does_not_fail_the_others() {
     let folder = tempfile::tempdir().unwrap();
     switching(folder.path());
-    let (code, text, stderr) = printed(folder.path(), &["regimes", "switch.csv", "--drive", "8Hz", "--resistance", "1kohm"]);
+    let (code, text, stderr) = printed(
+        folder.path(),
+        &[
+            "regimes",
+            "switch.csv",
+            "--drive",
+            "8Hz",
+            "--resistance",
+            "1kohm",
+        ],
+    );
     assert!(code == 0 && text.contains(" +- "), "{text} {stderr}");
     // 26 cycles at 3 samples to a cycle: fewer samples than a mean with an interval needs lie in a stretch.
     let row = |k: u32| {
         let t = f64::from(k) / 40.0;
-        vec![t, if t < 3.3 { 1.0 } else { 4.0 } * (TAU * 8.0 * t).sin() + 1e-3 * (f64::from(k) * 1.7).cos()]
+        vec![
+            t,
+            if t < 3.3 { 1.0 } else { 4.0 } * (TAU * 8.0 * t).sin()
+                + 1e-3 * (f64::from(k) * 1.7).cos(),
+        ]
     };
-    csv(&folder.path().join("short.csv"), "time [s],piezo [V]", (0..400).map(row));
-    let (code, json, stderr) =
-        jounce(folder.path(), &["regimes", "short.csv", "--drive", "8Hz", "--resistance", "1kohm", "--json", "--out", "out"]);
+    csv(
+        &folder.path().join("short.csv"),
+        "time [s],piezo [V]",
+        (0..400).map(row),
+    );
+    let (code, json, stderr) = jounce(
+        folder.path(),
+        &[
+            "regimes",
+            "short.csv",
+            "--drive",
+            "8Hz",
+            "--resistance",
+            "1kohm",
+            "--json",
+            "--out",
+            "out",
+        ],
+    );
     assert_eq!(code, 0, "{stderr}");
-    eprintln!("{} stretches, powers {}", json["regimes"]["stretches"], json["powers"]);
+    eprintln!(
+        "{} stretches, powers {}",
+        json["regimes"]["stretches"], json["powers"]
+    );
     let stretches = json["regimes"]["stretches"].as_array().unwrap().len();
     assert_eq!(json["powers"].as_array().unwrap().len(), stretches);
-    assert!(std::fs::read_to_string(folder.path().join("out/regimes.csv")).unwrap().contains("mean_power_w"));
+    assert!(
+        std::fs::read_to_string(folder.path().join("out/regimes.csv"))
+            .unwrap()
+            .contains("mean_power_w")
+    );
 }
 
 /// Columns of numbers alone: frequency, size and phase in degrees, one line of them missing.
@@ -116,22 +270,49 @@ fn response_functions_without_a_header_are_read_and_their_gaps_bridged() {
         let (re, im) = (w1 * w1 - w * w, 2.0 * 0.02 * w1 * w);
         let size = 1.0 / re.hypot(im);
         let phase = -im.atan2(re).to_degrees();
-        if k == 40 { format!("{hz},nan,nan") } else { format!("{hz},{size:e},{phase}") }
+        if k == 40 {
+            format!("{hz},nan,nan")
+        } else {
+            format!("{hz},{size:e},{phase}")
+        }
     };
     let text: Vec<String> = (0..400).map(row).collect();
     std::fs::write(folder.path().join("bare.csv"), text.join("\n") + "\n").unwrap();
-    std::fs::write(folder.path().join("bare.csv.channels.toml"), "over = \"frequency\"\ntime = \"1\"\n[channel.\"2\"]\nunit = \"m/N\"\n")
-        .unwrap();
-    let modes = ["modes", "--measured", "bare.csv", "--functions", "size-degrees", "--between", "6Hz:40Hz", "--order", "8", "--json"];
+    std::fs::write(
+        folder.path().join("bare.csv.channels.toml"),
+        "over = \"frequency\"\ntime = \"1\"\n[channel.\"2\"]\nunit = \"m/N\"\n",
+    )
+    .unwrap();
+    let modes = [
+        "modes",
+        "--measured",
+        "bare.csv",
+        "--functions",
+        "size-degrees",
+        "--between",
+        "6Hz:40Hz",
+        "--order",
+        "8",
+        "--json",
+    ];
     let (code, _, stderr) = jounce(folder.path(), &modes);
     assert!(code == 4 && stderr.contains("--bridge"), "{code} {stderr}");
     let (code, json, stderr) = jounce(folder.path(), &[&modes[..], &["--bridge"]].concat());
     assert_eq!(code, 0, "{stderr}");
     assert!(stderr.contains("bridged"), "{stderr}");
     let mode = &json["modes"][0];
-    let off = [mode["frequency_hz"].as_f64().unwrap() / 20.0 - 1.0, mode["damping_ratio"].as_f64().unwrap() / 0.02 - 1.0];
+    let off = [
+        mode["frequency_hz"].as_f64().unwrap() / 20.0 - 1.0,
+        mode["damping_ratio"].as_f64().unwrap() / 0.02 - 1.0,
+    ];
     eprintln!("{:.1e} {:.1e} off", off[0], off[1]);
     assert!(off[0].abs() < 1e-4 && off[1].abs() < 1e-2, "{off:?}");
-    let (code, _, stderr) = jounce(folder.path(), &["modes", "--measured", "bare.csv", "--json"]);
-    assert!(code == 4 && stderr.contains("--functions"), "{code} {stderr}");
+    let (code, _, stderr) = jounce(
+        folder.path(),
+        &["modes", "--measured", "bare.csv", "--json"],
+    );
+    assert!(
+        code == 4 && stderr.contains("--functions"),
+        "{code} {stderr}"
+    );
 }

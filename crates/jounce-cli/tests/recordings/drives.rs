@@ -5,14 +5,18 @@ use serde_json::Value;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
-const SPEC: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/impact-harvester-2019/harvester.toml");
+const SPEC: &str = concat!(
+    env!("CARGO_MANIFEST_DIR"),
+    "/../../examples/impact-harvester-2019/harvester.toml"
+);
 
 /// Steps of a walker as a logger writes them: stamps in whole milliseconds, three axes in g, one of them dead, gravity on the last, a lost sample.
 fn steps(folder: &Path) -> PathBuf {
     let mut text = "time (ms),ax (g),ay (g),az (g)\n".to_owned();
     for k in (0..2000).filter(|k| *k != 777) {
         let phase = std::f64::consts::TAU * 1.87e-2 * f64::from(k);
-        let push = 0.12 * phase.sin() + 0.09 * (3.0 * phase + 0.4).sin() + 0.05 * (6.0 * phase).cos();
+        let push =
+            0.12 * phase.sin() + 0.09 * (3.0 * phase + 0.4).sin() + 0.05 * (6.0 * phase).cos();
         writeln!(text, "{},0.0,{:.5},{:.5}", 10 * k, 0.02 * push, 1.0 + push).unwrap();
     }
     let path = folder.join("steps.csv");
@@ -24,7 +28,9 @@ fn steps(folder: &Path) -> PathBuf {
 fn driven(folder: &Path, file: &str, keys: &str, duration_s: f64) -> PathBuf {
     let spec = std::fs::read_to_string(SPEC).unwrap();
     let shaker = "[drive.shaker]\nat = \"table\"\nkind = \"force\"\namplitude = \"200 N\"\nfrequency = \"13 Hz\"\n";
-    let floor = format!("[drive]\nfloor = {{ kind = \"base-acceleration\", signal = \"recording\", file = \"{file}\"{keys} }}\n");
+    let floor = format!(
+        "[drive]\nfloor = {{ kind = \"base-acceleration\", signal = \"recording\", file = \"{file}\"{keys} }}\n"
+    );
     let times = "duration = \"20 s\"\naverage_over = \"10 s\"";
     assert!(spec.contains(shaker) && spec.contains(times));
     let lasting = format!("duration = \"{duration_s} s\"\naverage_over = \"{duration_s} s\"");
@@ -41,15 +47,31 @@ fn answer(folder: &Path, arguments: &[&str]) -> Value {
 }
 
 fn number(value: &Value) -> f64 {
-    value.as_f64().unwrap_or_else(|| panic!("{value} is no number"))
+    value
+        .as_f64()
+        .unwrap_or_else(|| panic!("{value} is no number"))
 }
 
 /// Mean power of the load that `rig --base` and `power` give, for a gap.
 fn by_rig(folder: &Path, recording: &str, options: &[&str], gap: &str) -> f64 {
     let set = format!("stop.tip.gap={gap}");
-    let rig = ["rig", SPEC, "--base", recording, "--rate", "2048Hz", "--to", "rig.parquet", "--set", &set];
+    let rig = [
+        "rig",
+        SPEC,
+        "--base",
+        recording,
+        "--rate",
+        "2048Hz",
+        "--to",
+        "rig.parquet",
+        "--set",
+        &set,
+    ];
     answer(folder, &[&rig[..], options].concat());
-    let found = answer(folder, &["power", "rig.parquet", "--resistance", "1Mohm", "--json"]);
+    let found = answer(
+        folder,
+        &["power", "rig.parquet", "--resistance", "1Mohm", "--json"],
+    );
     number(&found["records"][0]["power"]["mean_power_w"])
 }
 
@@ -59,25 +81,56 @@ fn a_recording_by_one_line_gives_the_powers_of_the_rig() {
     steps(folder.path());
     driven(folder.path(), "steps.csv", ", channel = \"az\"", 19.99);
     let json = |arguments: &[&str]| answer(folder.path(), arguments);
-    let due: Vec<f64> = ["0.5 mm", "2 mm"].map(|gap| by_rig(folder.path(), "steps.csv", &["--base-channel", "az"], gap)).to_vec();
-    let run = json(&["run", "driven.toml", "--set", "stop.tip.gap=0.5 mm", "--json"]);
+    let due: Vec<f64> = ["0.5 mm", "2 mm"]
+        .map(|gap| by_rig(folder.path(), "steps.csv", &["--base-channel", "az"], gap))
+        .to_vec();
+    let run = json(&[
+        "run",
+        "driven.toml",
+        "--set",
+        "stop.tip.gap=0.5 mm",
+        "--json",
+    ]);
     let ratio = number(&run["mean_power_w"]) / due[0];
     eprintln!("run over rig {ratio:.6}");
     assert!((ratio - 1.0).abs() < 1e-3, "{ratio}");
-    let sweep = json(&["sweep", "driven.toml", "--over", "stop.tip.gap=0.5mm,2mm", "--direction", "independent", "--json"]);
+    let sweep = json(&[
+        "sweep",
+        "driven.toml",
+        "--over",
+        "stop.tip.gap=0.5mm,2mm",
+        "--direction",
+        "independent",
+        "--json",
+    ]);
     for (point, due) in sweep["points"].as_array().unwrap().iter().zip(&due) {
         let ratio = number(&point["mean_power_w"]) / due;
         assert!((ratio - 1.0).abs() < 1e-3, "{point}: {ratio}");
     }
     let study = "spec = \"driven.toml\"\n\n[vary]\n\"stop.tip.gap\" = \"0.5mm,2mm\"\n\n[quantity]\ncommand = \"run\"\n";
     std::fs::write(folder.path().join("gaps.toml"), study).unwrap();
-    answer(folder.path(), &["study", "run", "gaps.toml", "--out", "gaps"]);
+    answer(
+        folder.path(),
+        &["study", "run", "gaps.toml", "--out", "gaps"],
+    );
     let (table, _) = jounce::table::Table::read(&folder.path().join("gaps/study.parquet")).unwrap();
     for (power_w, due) in table.floats("mean_power_w").unwrap().iter().zip(&due) {
         assert!((power_w / due - 1.0).abs() < 1e-3, "{power_w} {due}");
     }
     let check = json(&["check", "driven.toml", "--json"]);
-    let kinds: Vec<&str> = check["findings"].as_array().unwrap().iter().filter_map(|one| one["finding"]["kind"].as_str()).collect();
-    assert!(kinds.contains(&"bridged") && kinds.contains(&"mean-removed"), "{check}");
-    assert!(run["warnings"].to_string().contains("its mean of"), "{}", run["warnings"]);
+    let kinds: Vec<&str> = check["findings"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .filter_map(|one| one["finding"]["kind"].as_str())
+        .collect();
+    assert!(
+        kinds.contains(&"bridged") && kinds.contains(&"mean-removed"),
+        "{check}"
+    );
+    assert!(
+        run["warnings"].to_string().contains("its mean of"),
+        "{}",
+        run["warnings"]
+    );
 }

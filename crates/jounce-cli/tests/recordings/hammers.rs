@@ -9,22 +9,43 @@ use std::path::Path;
 /// recursion has the poles of the structure exactly.
 fn hammer_test(folder: &Path, name: &str, change: impl Fn(usize, f64) -> f64) {
     const RATE: f64 = 500.0;
-    let pulse = |k: usize| if k % 2000 >= 40 && k % 2000 < 44 { 50.0 * (PI * ((k % 2000 - 40) as f64 + 0.5) / 4.0).sin() } else { 0.0 };
+    let pulse = |k: usize| {
+        if k % 2000 >= 40 && k % 2000 < 44 {
+            50.0 * (PI * ((k % 2000 - 40) as f64 + 0.5) / 4.0).sin()
+        } else {
+            0.0
+        }
+    };
     let force: Vec<f64> = (0..6000).map(|k| change(k, pulse(k))).collect();
     let mode = |frequency_hz: f64, damping_ratio: f64| {
         let w = TAU * frequency_hz;
-        let (size, turn) = ((-damping_ratio * w / RATE).exp(), w * (1.0 - damping_ratio * damping_ratio).sqrt() / RATE);
+        let (size, turn) = (
+            (-damping_ratio * w / RATE).exp(),
+            w * (1.0 - damping_ratio * damping_ratio).sqrt() / RATE,
+        );
         let (mut one, mut two, mut before) = (0.0, 0.0, 0.0);
         let step = |f: &f64| {
-            let now = 2.0 * size * turn.cos() * one - size * size * two + size * turn.sin() / (w * RATE) * before;
+            let now = 2.0 * size * turn.cos() * one - size * size * two
+                + size * turn.sin() / (w * RATE) * before;
             (two, one, before) = (one, now, *f);
             now
         };
         force.iter().map(step).collect::<Vec<f64>>()
     };
     let (first, second) = (mode(20.0, 0.02), mode(57.0, 0.01));
-    let row = |k: usize| vec![k as f64 / RATE, force[k], first[k] + second[k], 0.6 * first[k] - 0.8 * second[k]];
-    csv(&folder.join(name), "time [s],hammer [N],tip [m],middle [m]", (0..6000).map(row));
+    let row = |k: usize| {
+        vec![
+            k as f64 / RATE,
+            force[k],
+            first[k] + second[k],
+            0.6 * first[k] - 0.8 * second[k],
+        ]
+    };
+    csv(
+        &folder.join(name),
+        "time [s],hammer [N],tip [m],middle [m]",
+        (0..6000).map(row),
+    );
 }
 
 /// Measured: frequencies within 5.4e-6, damping ratios within 1.7e-4 relative.
@@ -32,41 +53,142 @@ fn hammer_test(folder: &Path, name: &str, change: impl Fn(usize, f64) -> f64) {
 fn frf_and_modes_of_a_hammer_test_are_those_of_the_structure() {
     let folder = tempfile::tempdir().unwrap();
     hammer_test(folder.path(), "hits.csv", |_, force| force);
-    let (code, json, stderr) = jounce(folder.path(), &["frf", "--measured", "hits.csv", "--force-window", "--json", "--out", "frf"]);
+    let (code, json, stderr) = jounce(
+        folder.path(),
+        &[
+            "frf",
+            "--measured",
+            "hits.csv",
+            "--force-window",
+            "--json",
+            "--out",
+            "frf",
+        ],
+    );
     assert_eq!(code, 0, "{stderr}");
-    has(&json, &["frequency_hz", "responses", "hits", "block_s", "window_decay_per_s", "findings"]);
-    has(&json["responses"]["tip"], &["re", "im", "unit", "coherence"]);
-    assert_eq!((json["hits"].as_array().unwrap().len(), &json["responses"]["tip"]["unit"]), (3, &Value::from("m/N")));
+    has(
+        &json,
+        &[
+            "frequency_hz",
+            "responses",
+            "hits",
+            "block_s",
+            "window_decay_per_s",
+            "findings",
+        ],
+    );
+    has(
+        &json["responses"]["tip"],
+        &["re", "im", "unit", "coherence"],
+    );
+    assert_eq!(
+        (
+            json["hits"].as_array().unwrap().len(),
+            &json["responses"]["tip"]["unit"]
+        ),
+        (3, &Value::from("m/N"))
+    );
     written(&folder.path().join("frf"), &["frf"], &["frf"]);
-    let arguments = ["modes", "--measured", "hits.csv", "--between", "5Hz:120Hz", "--order", "20", "--json", "--out", "modes"];
+    let arguments = [
+        "modes",
+        "--measured",
+        "hits.csv",
+        "--between",
+        "5Hz:120Hz",
+        "--order",
+        "20",
+        "--json",
+        "--out",
+        "modes",
+    ];
     let (code, json, stderr) = jounce(folder.path(), &arguments);
     assert_eq!(code, 0, "{stderr}");
-    has(&json, &["modes", "responses", "mac", "misfit", "stabilisation", "hits", "block_s", "window_decay_per_s", "findings"]);
+    has(
+        &json,
+        &[
+            "modes",
+            "responses",
+            "mac",
+            "misfit",
+            "stabilisation",
+            "hits",
+            "block_s",
+            "window_decay_per_s",
+            "findings",
+        ],
+    );
     let modes = json["modes"].as_array().unwrap();
     assert_eq!(modes.len(), 2, "{json}");
-    for (mode, (frequency_hz, damping_ratio, ratio)) in modes.iter().zip([(20.0, 0.02, 0.6), (57.0, 0.01, -0.8)]) {
-        has(mode, &["frequency_hz", "frequency_deviation_hz", "damping_ratio", "damping_deviation", "shape"]);
+    for (mode, (frequency_hz, damping_ratio, ratio)) in
+        modes.iter().zip([(20.0, 0.02, 0.6), (57.0, 0.01, -0.8)])
+    {
+        has(
+            mode,
+            &[
+                "frequency_hz",
+                "frequency_deviation_hz",
+                "damping_ratio",
+                "damping_deviation",
+                "shape",
+            ],
+        );
         let number = |key: &str| mode[key].as_f64().unwrap();
-        eprintln!("{:.1e} {:.1e} off", number("frequency_hz") / frequency_hz - 1.0, number("damping_ratio") / damping_ratio - 1.0);
-        assert!((number("frequency_hz") / frequency_hz - 1.0).abs() < 1e-4, "{mode}");
-        assert!((number("damping_ratio") / damping_ratio - 1.0).abs() < 5e-3, "{mode}");
-        assert!((mode["shape"]["re"][1].as_f64().unwrap() - ratio).abs() < 1e-3, "{mode}");
+        eprintln!(
+            "{:.1e} {:.1e} off",
+            number("frequency_hz") / frequency_hz - 1.0,
+            number("damping_ratio") / damping_ratio - 1.0
+        );
+        assert!(
+            (number("frequency_hz") / frequency_hz - 1.0).abs() < 1e-4,
+            "{mode}"
+        );
+        assert!(
+            (number("damping_ratio") / damping_ratio - 1.0).abs() < 5e-3,
+            "{mode}"
+        );
+        assert!(
+            (mode["shape"]["re"][1].as_f64().unwrap() - ratio).abs() < 1e-3,
+            "{mode}"
+        );
     }
     // |1 - 0.48|^2 / ((1 + 0.36) (1 + 0.64))
-    assert!((json["mac"][0][1].as_f64().unwrap() - 0.121_234).abs() < 1e-3 && (json["mac"][1][1].as_f64().unwrap() - 1.0).abs() < 1e-12);
-    written(&folder.path().join("modes"), &["modes", "modes-stabilisation"], &["modes-stabilisation", "modes-fit"]);
+    assert!(
+        (json["mac"][0][1].as_f64().unwrap() - 0.121_234).abs() < 1e-3
+            && (json["mac"][1][1].as_f64().unwrap() - 1.0).abs() < 1e-12
+    );
+    written(
+        &folder.path().join("modes"),
+        &["modes", "modes-stabilisation"],
+        &["modes-stabilisation", "modes-fit"],
+    );
 }
 
 #[test]
 fn bad_hits_are_told() {
     let folder = tempfile::tempdir().unwrap();
-    hammer_test(folder.path(), "double.csv", |k, force| if k == 2050 { 20.0 } else { force });
-    let (code, json, _) = jounce(folder.path(), &["frf", "--measured", "double.csv", "--json"]);
+    hammer_test(folder.path(), "double.csv", |k, force| {
+        if k == 2050 { 20.0 } else { force }
+    });
+    let (code, json, _) = jounce(
+        folder.path(),
+        &["frf", "--measured", "double.csv", "--json"],
+    );
     let warnings = |hit: usize| json["hits"][hit]["warnings"].to_string();
-    assert!(code == 0 && warnings(1).contains("double") && warnings(0) == "[]", "{}", json["hits"]);
+    assert!(
+        code == 0 && warnings(1).contains("double") && warnings(0) == "[]",
+        "{}",
+        json["hits"]
+    );
     hammer_test(folder.path(), "clipped.csv", |_, force| force.min(15.0));
-    let (code, json, _) = jounce(folder.path(), &["frf", "--measured", "clipped.csv", "--json"]);
-    assert!(code == 0 && json["hits"][0]["warnings"].to_string().contains("clipped"), "{}", json["hits"]);
+    let (code, json, _) = jounce(
+        folder.path(),
+        &["frf", "--measured", "clipped.csv", "--json"],
+    );
+    assert!(
+        code == 0 && json["hits"][0]["warnings"].to_string().contains("clipped"),
+        "{}",
+        json["hits"]
+    );
 }
 
 /// A random force of both signs is a shaker's, without being told so: 15 blocks, and the response 2 of a scale.
@@ -82,9 +204,22 @@ fn a_force_that_goes_on_is_a_shaker() {
     );
     let (code, json, told) = jounce(here, &["frf", "--measured", "shaken.csv", "--json"]);
     assert_eq!(code, 0, "{told}");
-    assert_eq!((json["block_s"].as_f64(), json["hits"].as_array().map(Vec::len)), (Some(1.0), Some(0)));
-    assert!((json["responses"]["a"]["re"][112].as_f64().unwrap() - 2.0).abs() < 1e-9, "{}", json["responses"]["a"]["re"][112]);
-    let (code, _, told) = jounce(here, &["frf", "--measured", "shaken.csv", "--end-ratio", "0.01"]);
+    assert_eq!(
+        (
+            json["block_s"].as_f64(),
+            json["hits"].as_array().map(Vec::len)
+        ),
+        (Some(1.0), Some(0))
+    );
+    assert!(
+        (json["responses"]["a"]["re"][112].as_f64().unwrap() - 2.0).abs() < 1e-9,
+        "{}",
+        json["responses"]["a"]["re"][112]
+    );
+    let (code, _, told) = jounce(
+        here,
+        &["frf", "--measured", "shaken.csv", "--end-ratio", "0.01"],
+    );
     assert!(code != 0 && told.contains("goes on"), "{told}");
 }
 
@@ -93,38 +228,109 @@ fn a_force_that_goes_on_is_a_shaker() {
 #[test]
 fn hits_at_two_places_give_a_matrix_and_modes_of_both() {
     let folder = tempfile::tempdir().unwrap();
-    let spec = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/impact-harvester-2019/harvester.toml");
+    let spec = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../../examples/impact-harvester-2019/harvester.toml"
+    );
     for (point, to) in [("beam.hammer", "one.csv"), ("beam.tip", "two.csv")] {
-        let test = ["--hammer", point, "--at", "beam.tip", "--at", "beam.hammer", "--fixed-table", "--hits", "1", "--block", "8s"];
-        let more = ["--rate", "1024Hz", "--contact", "4ms", "--set", "circuit.load.resistance=1Mohm", "--noise", "0.0001", "--to", to];
+        let test = [
+            "--hammer",
+            point,
+            "--at",
+            "beam.tip",
+            "--at",
+            "beam.hammer",
+            "--fixed-table",
+            "--hits",
+            "1",
+            "--block",
+            "8s",
+        ];
+        let more = [
+            "--rate",
+            "1024Hz",
+            "--contact",
+            "4ms",
+            "--set",
+            "circuit.load.resistance=1Mohm",
+            "--noise",
+            "0.0001",
+            "--to",
+            to,
+        ];
         let (code, _, stderr) = jounce(folder.path(), &[&["rig", spec], &test[..], &more].concat());
         assert_eq!(code, 0, "{stderr}");
     }
-    let measured = ["--measured", "one.csv", "two.csv", "--end-ratio", "0.01", "--json", "--out", "out"];
+    let measured = [
+        "--measured",
+        "one.csv",
+        "two.csv",
+        "--end-ratio",
+        "0.01",
+        "--json",
+        "--out",
+        "out",
+    ];
     let (code, json, stderr) = jounce(folder.path(), &[&["frf"], &measured[..]].concat());
     assert_eq!(code, 0, "{stderr}");
-    assert_eq!(json["references"], serde_json::json!(["beam.hammer", "beam.tip"]));
-    assert_eq!((json["responses"].as_object().unwrap().len(), json["outputs"].as_array().unwrap().len()), (4, 2));
+    assert_eq!(
+        json["references"],
+        serde_json::json!(["beam.hammer", "beam.tip"])
+    );
+    assert_eq!(
+        (
+            json["responses"].as_object().unwrap().len(),
+            json["outputs"].as_array().unwrap().len()
+        ),
+        (4, 2)
+    );
     // Reciprocity: the tip under a hit at the other point answers as that point under a hit at the tip.
-    let of = |name: &str| (json["responses"][name]["re"].as_array().unwrap().clone(), json["responses"][name]["reference"].clone());
+    let of = |name: &str| {
+        (
+            json["responses"][name]["re"].as_array().unwrap().clone(),
+            json["responses"][name]["reference"].clone(),
+        )
+    };
     let (there, from) = of("beam.tip.acceleration from beam.hammer");
     let (back, _) = of("beam.hammer.acceleration from beam.tip");
     assert_eq!(from, "beam.hammer");
     let number = |value: &Value| value.as_f64().unwrap();
     let largest = there.iter().map(|x| number(x).abs()).fold(0.0, f64::max);
-    let off = there[1..800].iter().zip(&back[1..800]).map(|(a, b)| (number(a) - number(b)).abs() / largest).fold(0.0, f64::max);
+    let off = there[1..800]
+        .iter()
+        .zip(&back[1..800])
+        .map(|(a, b)| (number(a) - number(b)).abs() / largest)
+        .fold(0.0, f64::max);
     eprintln!("off by {off:.1e} of the largest");
     assert!(off < 0.02, "{off}");
-    let (code, json, stderr) = jounce(folder.path(), &[&["modes"], &measured[..], &["--between", "20Hz:200Hz", "--order", "14"]].concat());
+    let (code, json, stderr) = jounce(
+        folder.path(),
+        &[
+            &["modes"],
+            &measured[..],
+            &["--between", "20Hz:200Hz", "--order", "14"],
+        ]
+        .concat(),
+    );
     assert_eq!(code, 0, "{stderr}");
-    assert_eq!(json["references"], serde_json::json!(["beam.hammer", "beam.tip"]));
+    assert_eq!(
+        json["references"],
+        serde_json::json!(["beam.hammer", "beam.tip"])
+    );
     for mode in json["modes"].as_array().unwrap() {
         let (shape, moved) = (&mode["shape"]["re"], &mode["participation"]["re"]);
         eprintln!("{} Hz: {shape} {moved}", mode["frequency_hz"]);
         // Sensors stand at tip and hammer, hits at hammer and tip.
-        let off = (number(&shape[0]) * number(&moved[0]) - number(&shape[1]) * number(&moved[1])).abs();
+        let off =
+            (number(&shape[0]) * number(&moved[0]) - number(&shape[1]) * number(&moved[1])).abs();
         assert!(off < 0.02, "{mode}");
     }
     let head = std::fs::read_to_string(folder.path().join("out/modes.csv")).unwrap();
-    assert!(head.lines().next().unwrap().contains("beam.hammer.participation.re"), "{head}");
+    assert!(
+        head.lines()
+            .next()
+            .unwrap()
+            .contains("beam.hammer.participation.re"),
+        "{head}"
+    );
 }

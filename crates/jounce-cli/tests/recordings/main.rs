@@ -16,40 +16,79 @@ use std::f64::consts::{PI, TAU};
 use std::path::Path;
 
 fn jounce(folder: &Path, arguments: &[&str]) -> (i32, Value, String) {
-    let output = Command::cargo_bin("jounce").unwrap().args(arguments).current_dir(folder).output().unwrap();
+    let output = Command::cargo_bin("jounce")
+        .unwrap()
+        .args(arguments)
+        .current_dir(folder)
+        .output()
+        .unwrap();
     let text = String::from_utf8(output.stdout).unwrap();
     let json = serde_json::from_str(&text).unwrap_or(Value::Null);
-    (output.status.code().unwrap(), json, String::from_utf8(output.stderr).unwrap())
+    (
+        output.status.code().unwrap(),
+        json,
+        String::from_utf8(output.stderr).unwrap(),
+    )
 }
 
 fn has(value: &Value, keys: &[&str]) {
-    keys.iter().for_each(|key| assert!(value.get(*key).is_some(), "{key} is missing in {value}"));
+    keys.iter()
+        .for_each(|key| assert!(value.get(*key).is_some(), "{key} is missing in {value}"));
 }
 
 /// Every table and picture of these names.
 fn written(folder: &Path, tables: &[&str], pictures: &[&str]) {
-    let there = |name: &str, ending: &str| assert!(folder.join(format!("{name}.{ending}")).is_file(), "{name}.{ending} is missing");
-    tables.iter().for_each(|name| ["csv", "manifest.json", "parquet", "json"].iter().for_each(|ending| there(name, ending)));
-    pictures.iter().for_each(|name| ["svg", "png"].iter().for_each(|ending| there(name, ending)));
+    let there = |name: &str, ending: &str| {
+        assert!(
+            folder.join(format!("{name}.{ending}")).is_file(),
+            "{name}.{ending} is missing"
+        )
+    };
+    tables.iter().for_each(|name| {
+        ["csv", "manifest.json", "parquet", "json"]
+            .iter()
+            .for_each(|ending| there(name, ending))
+    });
+    pictures
+        .iter()
+        .for_each(|name| ["svg", "png"].iter().for_each(|ending| there(name, ending)));
     for table in tables {
-        let manifest = std::fs::read_to_string(folder.join(format!("{table}.manifest.json"))).unwrap();
+        let manifest =
+            std::fs::read_to_string(folder.join(format!("{table}.manifest.json"))).unwrap();
         assert!(manifest.contains("recording_sha256"), "{manifest}");
     }
 }
 
 fn csv(path: &Path, head: &str, rows: impl Iterator<Item = Vec<f64>>) {
-    let row = |row: Vec<f64>| row.iter().map(|x| format!("{x:?}")).collect::<Vec<_>>().join(",");
-    std::fs::write(path, format!("{head}\n{}\n", rows.map(row).collect::<Vec<_>>().join("\n"))).unwrap();
+    let row = |row: Vec<f64>| {
+        row.iter()
+            .map(|x| format!("{x:?}"))
+            .collect::<Vec<_>>()
+            .join(",")
+    };
+    std::fs::write(
+        path,
+        format!("{head}\n{}\n", rows.map(row).collect::<Vec<_>>().join("\n")),
+    )
+    .unwrap();
 }
 
 /// 20 s at 512 Hz under 8 Hz: 1 V peak, from the middle on 3 V with a subharmonic of 1 V; the base moves with 2 m/s^2 peak.
 fn switching(folder: &Path) {
     let value = |k: u32| {
         let t = f64::from(k) / 512.0;
-        let voltage = if k < 5120 { (TAU * 8.0 * t).sin() } else { 3.0 * (TAU * 8.0 * t).sin() + (TAU * 4.0 * t).cos() };
+        let voltage = if k < 5120 {
+            (TAU * 8.0 * t).sin()
+        } else {
+            3.0 * (TAU * 8.0 * t).sin() + (TAU * 4.0 * t).cos()
+        };
         vec![t, voltage, 2.0 * (TAU * 8.0 * t).sin()]
     };
-    csv(&folder.join("switch.csv"), "time [s],piezo [V],base [m/s^2]", (0..10_240).map(value));
+    csv(
+        &folder.join("switch.csv"),
+        "time [s],piezo [V],base [m/s^2]",
+        (0..10_240).map(value),
+    );
 }
 
 /// Two half sines of 1 ms, 40 N and 30 N, at 50 kHz: a hammer on a linear spring.
@@ -57,17 +96,34 @@ fn struck(folder: &Path) {
     let force = |k: u32| {
         let pulse = |from: u32, peak: f64| {
             let x = f64::from(k.wrapping_sub(from)) / 50.0;
-            if k >= from && x < 1.0 { peak * (PI * x).sin() } else { 0.0 }
+            if k >= from && x < 1.0 {
+                peak * (PI * x).sin()
+            } else {
+                0.0
+            }
         };
         let noise = 1e-3 * (f64::from(k) * 1.7).sin();
-        vec![f64::from(k) / 50_000.0, pulse(1000, 40.0) + pulse(11_000, 30.0) + noise]
+        vec![
+            f64::from(k) / 50_000.0,
+            pulse(1000, 40.0) + pulse(11_000, 30.0) + noise,
+        ]
     };
-    csv(&folder.join("hammer.csv"), "time [s],hammer [N]", (0..20_000).map(force));
+    csv(
+        &folder.join("hammer.csv"),
+        "time [s],hammer [N]",
+        (0..20_000).map(force),
+    );
     let answered = |k: u32| {
-        let [time_s, force_n] = force(k)[..] else { unreachable!("a time and a force") };
+        let [time_s, force_n] = force(k)[..] else {
+            unreachable!("a time and a force")
+        };
         vec![time_s, force_n, 2.0 * force_n]
     };
-    csv(&folder.join("answered.csv"), "time [s],hammer [N],answer [m/s^2]", (0..20_000).map(answered));
+    csv(
+        &folder.join("answered.csv"),
+        "time [s],hammer [N],answer [m/s^2]",
+        (0..20_000).map(answered),
+    );
 }
 
 /// 1 V peak for one half, 3 V and 1 V peak for the other, over 1 kohm: (0.5 + 5) / 2 mW. The base's mean square is 2.
@@ -75,41 +131,117 @@ fn struck(folder: &Path) {
 fn power_is_told_for_each_load() {
     let folder = tempfile::tempdir().unwrap();
     switching(folder.path());
-    let loads = ["--resistance", "1kohm", "--resistance", "4kohm", "--base", "base", "--drive", "8Hz"];
-    let arguments = [&["power", "switch.csv", "switch.csv", "--json", "--out", "out"], &loads[..]].concat();
+    let loads = [
+        "--resistance",
+        "1kohm",
+        "--resistance",
+        "4kohm",
+        "--base",
+        "base",
+        "--drive",
+        "8Hz",
+    ];
+    let arguments = [
+        &[
+            "power",
+            "switch.csv",
+            "switch.csv",
+            "--json",
+            "--out",
+            "out",
+        ],
+        &loads[..],
+    ]
+    .concat();
     let (code, json, stderr) = jounce(folder.path(), &arguments);
     assert_eq!(code, 0, "{stderr}");
     let records = json["records"].as_array().unwrap();
-    let keys = ["recording", "channel", "resistance_ohm", "power", "mean_square_base_acceleration_m2_s4", "orders", "findings"];
+    let keys = [
+        "recording",
+        "channel",
+        "resistance_ohm",
+        "power",
+        "mean_square_base_acceleration_m2_s4",
+        "orders",
+        "findings",
+    ];
     has(&records[0], &keys);
-    has(&records[0]["power"], &["mean_power_w", "half_width_w", "batches", "batch_correlation", "correlated", "mean_voltage_v"]);
-    has(&records[0]["orders"][0], &["order", "frequency_hz", "amplitude_peak_v"]);
+    has(
+        &records[0]["power"],
+        &[
+            "mean_power_w",
+            "half_width_w",
+            "batches",
+            "batch_correlation",
+            "correlated",
+            "mean_voltage_v",
+        ],
+    );
+    has(
+        &records[0]["orders"][0],
+        &["order", "frequency_hz", "amplitude_peak_v"],
+    );
     for (record, expected) in records.iter().zip([2.75e-3, 2.75e-3 / 4.0]) {
         let power = record["power"]["mean_power_w"].as_f64().unwrap();
-        let per = record["mean_power_per_mean_square_base_acceleration"].as_f64().unwrap();
-        assert!((power / expected - 1.0).abs() < 1e-9 && (per / expected * 2.0 - 1.0).abs() < 1e-9, "{power} {per}");
+        let per = record["mean_power_per_mean_square_base_acceleration"]
+            .as_f64()
+            .unwrap();
+        assert!(
+            (power / expected - 1.0).abs() < 1e-9 && (per / expected * 2.0 - 1.0).abs() < 1e-9,
+            "{power} {per}"
+        );
     }
     // Half of the record has another power: that the interval is too narrow must be said.
     assert_eq!(records[0]["power"]["correlated"], true);
-    written(&folder.path().join("out"), &["power"], &["power-load", "power-spectrum"]);
+    written(
+        &folder.path().join("out"),
+        &["power"],
+        &["power-load", "power-spectrum"],
+    );
 }
 
 #[test]
 fn regimes_find_the_switch_and_its_subharmonic() {
     let folder = tempfile::tempdir().unwrap();
     switching(folder.path());
-    let arguments = ["regimes", "switch.csv", "--drive", "8Hz", "--resistance", "1kohm", "--json", "--out", "out"];
+    let arguments = [
+        "regimes",
+        "switch.csv",
+        "--drive",
+        "8Hz",
+        "--resistance",
+        "1kohm",
+        "--json",
+        "--out",
+        "out",
+    ];
     let (code, json, stderr) = jounce(folder.path(), &arguments);
     assert_eq!(code, 0, "{stderr}");
     has(&json, &["channel", "regimes", "powers", "findings"]);
     has(&json["regimes"], &["stretches", "uncertainty_s"]);
     let stretches = json["regimes"]["stretches"].as_array().unwrap();
     assert_eq!(stretches.len(), 2, "{json}");
-    has(&stretches[0], &["start_s", "end_s", "start", "end", "rms", "period"]);
+    has(
+        &stretches[0],
+        &["start_s", "end_s", "start", "end", "rms", "period"],
+    );
     assert!((stretches[1]["start_s"].as_f64().unwrap() - 10.0).abs() < 0.75);
-    assert_eq!((&stretches[0]["period"]["cycles"], &stretches[1]["period"]["cycles"]), (&Value::from(1), &Value::from(2)));
-    assert!((json["powers"][1]["mean_power_w"].as_f64().unwrap() / 5e-3 - 1.0).abs() < 0.1, "{json}");
-    written(&folder.path().join("out"), &["regimes"], &["regimes-time", "regimes-spectra"]);
+    assert_eq!(
+        (
+            &stretches[0]["period"]["cycles"],
+            &stretches[1]["period"]["cycles"]
+        ),
+        (&Value::from(1), &Value::from(2))
+    );
+    assert!(
+        (json["powers"][1]["mean_power_w"].as_f64().unwrap() / 5e-3 - 1.0).abs() < 0.1,
+        "{json}"
+    );
+    written(
+        &folder.path().join("out"),
+        &["regimes"],
+        &["regimes-time", "regimes-spectra"],
+    );
 }
 
 /// A half sine is what a hammer of mass m shows on a spring of m (pi / 1 ms)^2, coming with peak * 1 ms / (pi m).
@@ -117,23 +249,72 @@ fn regimes_find_the_switch_and_its_subharmonic() {
 fn contact_gives_the_spring_that_made_the_pulses() {
     let folder = tempfile::tempdir().unwrap();
     struck(folder.path());
-    let (code, json, stderr) = jounce(folder.path(), &["contact", "hammer.csv", "--mass", "100g", "--json", "--out", "out"]);
+    let (code, json, stderr) = jounce(
+        folder.path(),
+        &[
+            "contact",
+            "hammer.csv",
+            "--mass",
+            "100g",
+            "--json",
+            "--out",
+            "out",
+        ],
+    );
     assert_eq!(code, 0, "{stderr}");
     has(&json, &["channel", "hits", "findings"]);
     let hits = json["hits"].as_array().unwrap();
     assert_eq!(hits.len(), 2);
-    has(&hits[0]["hit"], &["start", "peak", "end", "peak_force_n", "contact_time_s", "impulse_n_s", "warnings"]);
-    let keys =
-        ["contact_time_s", "exponent", "exponent_deviation", "restitution", "restitution_deviation", "stiffness", "speed_m_s", "told"];
+    has(
+        &hits[0]["hit"],
+        &[
+            "start",
+            "peak",
+            "end",
+            "peak_force_n",
+            "contact_time_s",
+            "impulse_n_s",
+            "warnings",
+        ],
+    );
+    let keys = [
+        "contact_time_s",
+        "exponent",
+        "exponent_deviation",
+        "restitution",
+        "restitution_deviation",
+        "stiffness",
+        "speed_m_s",
+        "told",
+    ];
     for (hit, peak) in hits.iter().zip([40.0, 30.0]) {
         let law = &hit["law"];
         has(law, &keys);
         let number = |key: &str| law[key].as_f64().unwrap();
-        assert!((number("exponent") - 1.0).abs() < 5e-3 && (number("restitution") - 1.0).abs() < 5e-3, "{law}");
-        assert!((number("stiffness") / (0.1 * (PI / 1e-3).powi(2)) - 1.0).abs() < 0.05, "{law}");
-        assert!((number("speed_m_s") / (peak * 1e-3 / (PI * 0.1)) - 1.0).abs() < 5e-3, "{law}");
+        assert!(
+            (number("exponent") - 1.0).abs() < 5e-3 && (number("restitution") - 1.0).abs() < 5e-3,
+            "{law}"
+        );
+        assert!(
+            (number("stiffness") / (0.1 * (PI / 1e-3).powi(2)) - 1.0).abs() < 0.05,
+            "{law}"
+        );
+        assert!(
+            (number("speed_m_s") / (peak * 1e-3 / (PI * 0.1)) - 1.0).abs() < 5e-3,
+            "{law}"
+        );
         let spring = &law["linear"];
-        has(spring, &["exponent", "restitution", "stiffness", "stiffness_95", "speed_m_s", "relative_error"]);
+        has(
+            spring,
+            &[
+                "exponent",
+                "restitution",
+                "stiffness",
+                "stiffness_95",
+                "speed_m_s",
+                "relative_error",
+            ],
+        );
         let [low, high] = [0, 1].map(|end| spring["stiffness_95"][end].as_f64().unwrap());
         let truth = 0.1 * (PI / 1e-3).powi(2);
         assert!(
@@ -145,5 +326,9 @@ fn contact_gives_the_spring_that_made_the_pulses() {
     for column in ["stiffness_low", "linear_stiffness_high", "hertz_stiffness"] {
         assert!(table.lines().next().unwrap().contains(column), "{table}");
     }
-    written(&folder.path().join("out"), &["contact"], &["contact-pulses"]);
+    written(
+        &folder.path().join("out"),
+        &["contact"],
+        &["contact-pulses"],
+    );
 }

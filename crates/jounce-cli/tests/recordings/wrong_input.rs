@@ -7,14 +7,42 @@ use std::path::Path;
 fn odd_files(here: &Path) {
     switching(here);
     struck(here);
-    std::fs::write(here.join("cut.npy"), &b"\x93NUMPY\x01\x00v\x00{'descr': '<f8'"[..]).unwrap();
+    std::fs::write(
+        here.join("cut.npy"),
+        &b"\x93NUMPY\x01\x00v\x00{'descr': '<f8'"[..],
+    )
+    .unwrap();
     let whole: String = (0..20).map(|k| format!("{k},{}\n", k % 3)).collect();
-    std::fs::write(here.join("ragged.csv"), format!("time [s],piezo [V]\n{whole}20\n21,3,4\n")).unwrap();
-    std::fs::write(here.join("timeless.csv"), "piezo [V],other\n5,1\n3,2\n4,3\n").unwrap();
-    csv(&here.join("still.csv"), "time [s],piezo [V],force [N]", (0..4000).map(|k| vec![f64::from(k) * 1e-2, 3.0, 0.0]));
-    csv(&here.join("dead.csv"), "time [s],piezo [V],base [g]", (0..400).map(|k| vec![f64::from(k) * 1e-2, f64::from(k % 3), 0.0]));
-    csv(&here.join("odd.csv"), "time [s],piezo [furlong]", (0..400).map(|k| vec![f64::from(k) * 1e-2, f64::from(k % 3)]));
-    csv(&here.join("short.csv"), "time [s],piezo [V]", (0..12).map(|k| vec![f64::from(k) * 1e-2, f64::from(k % 3)]));
+    std::fs::write(
+        here.join("ragged.csv"),
+        format!("time [s],piezo [V]\n{whole}20\n21,3,4\n"),
+    )
+    .unwrap();
+    std::fs::write(
+        here.join("timeless.csv"),
+        "piezo [V],other\n5,1\n3,2\n4,3\n",
+    )
+    .unwrap();
+    csv(
+        &here.join("still.csv"),
+        "time [s],piezo [V],force [N]",
+        (0..4000).map(|k| vec![f64::from(k) * 1e-2, 3.0, 0.0]),
+    );
+    csv(
+        &here.join("dead.csv"),
+        "time [s],piezo [V],base [g]",
+        (0..400).map(|k| vec![f64::from(k) * 1e-2, f64::from(k % 3), 0.0]),
+    );
+    csv(
+        &here.join("odd.csv"),
+        "time [s],piezo [furlong]",
+        (0..400).map(|k| vec![f64::from(k) * 1e-2, f64::from(k % 3)]),
+    );
+    csv(
+        &here.join("short.csv"),
+        "time [s],piezo [V]",
+        (0..12).map(|k| vec![f64::from(k) * 1e-2, f64::from(k % 3)]),
+    );
 }
 
 #[test]
@@ -26,50 +54,221 @@ fn wrong_input_ends_with_its_code_and_one_clear_sentence() {
         (vec!["read", "missing.csv"], 4, "missing.csv"),
         (vec!["read", "."], 4, "no file"),
         (vec!["read", "cut.npy"], 4, "NPY"),
-        (vec!["read", "timeless.csv"], 4, "nothing tells when the samples were taken"),
+        (
+            vec!["read", "timeless.csv"],
+            4,
+            "nothing tells when the samples were taken",
+        ),
         (vec!["read", "switch.csv", "--to", "a.xlsx"], 4, ".parquet"),
-        (vec!["read", "switch.csv", "--out", "/proc/nowhere"], 4, "/proc/nowhere"),
+        (
+            vec!["read", "switch.csv", "--out", "/proc/nowhere"],
+            4,
+            "/proc/nowhere",
+        ),
         (vec!["power", "switch.csv"], 2, "--resistance"),
-        (vec!["power", "switch.csv", "--resistance", "3 mm"], 2, "--resistance"),
-        (vec!["power", "switch.csv", "--resistance", "0ohm"], 2, "above 0"),
-        (vec!["power", "switch.csv", "--resistance", "1ohm", "--resistance", "2ohm"], 2, "one for each"),
-        (vec!["power", "switch.csv", "--resistance", "1kohm", "--voltage", "pieso"], 4, "piezo"),
-        (vec!["power", "switch.csv", "--resistance", "1kohm", "--voltage", "base"], 4, "m/s^2"),
-        (vec!["power", "switch.csv", "--resistance", "1kohm", "--base", "piezo"], 4, "is in V"),
-        (vec!["power", "short.csv", "--resistance", "1kohm"], 4, "too few"),
-        (vec!["power", "still.csv", "--resistance", "1kohm"], 4, "no signal"),
-        (vec!["power", "dead.csv", "--resistance", "1kohm", "--base", "base"], 4, "samples of base are 0"),
-        (vec!["power", "odd.csv", "--resistance", "1kohm", "--voltage", "piezo"], 4, "is in furlong"),
-        (vec!["spectra", "still.csv"], 4, "all 4000 samples of piezo are 3"),
-        (vec!["modes", "--measured", "still.csv", "--free-decay"], 4, "no signal"),
+        (
+            vec!["power", "switch.csv", "--resistance", "3 mm"],
+            2,
+            "--resistance",
+        ),
+        (
+            vec!["power", "switch.csv", "--resistance", "0ohm"],
+            2,
+            "above 0",
+        ),
+        (
+            vec![
+                "power",
+                "switch.csv",
+                "--resistance",
+                "1ohm",
+                "--resistance",
+                "2ohm",
+            ],
+            2,
+            "one for each",
+        ),
+        (
+            vec![
+                "power",
+                "switch.csv",
+                "--resistance",
+                "1kohm",
+                "--voltage",
+                "pieso",
+            ],
+            4,
+            "piezo",
+        ),
+        (
+            vec![
+                "power",
+                "switch.csv",
+                "--resistance",
+                "1kohm",
+                "--voltage",
+                "base",
+            ],
+            4,
+            "m/s^2",
+        ),
+        (
+            vec![
+                "power",
+                "switch.csv",
+                "--resistance",
+                "1kohm",
+                "--base",
+                "piezo",
+            ],
+            4,
+            "is in V",
+        ),
+        (
+            vec!["power", "short.csv", "--resistance", "1kohm"],
+            4,
+            "too few",
+        ),
+        (
+            vec!["power", "still.csv", "--resistance", "1kohm"],
+            4,
+            "no signal",
+        ),
+        (
+            vec![
+                "power",
+                "dead.csv",
+                "--resistance",
+                "1kohm",
+                "--base",
+                "base",
+            ],
+            4,
+            "samples of base are 0",
+        ),
+        (
+            vec![
+                "power",
+                "odd.csv",
+                "--resistance",
+                "1kohm",
+                "--voltage",
+                "piezo",
+            ],
+            4,
+            "is in furlong",
+        ),
+        (
+            vec!["spectra", "still.csv"],
+            4,
+            "all 4000 samples of piezo are 3",
+        ),
+        (
+            vec!["modes", "--measured", "still.csv", "--free-decay"],
+            4,
+            "no signal",
+        ),
         (vec!["regimes", "switch.csv"], 2, "--drive"),
-        (vec!["regimes", "switch.csv", "--drive", "400Hz"], 4, "quarter"),
-        (vec!["regimes", "switch.csv", "--drive", "0.1Hz"], 4, "drive cycles"),
-        (vec!["regimes", "still.csv", "--drive", "5Hz"], 4, "no signal"),
+        (
+            vec!["regimes", "switch.csv", "--drive", "400Hz"],
+            4,
+            "quarter",
+        ),
+        (
+            vec!["regimes", "switch.csv", "--drive", "0.1Hz"],
+            4,
+            "drive cycles",
+        ),
+        (
+            vec!["regimes", "still.csv", "--drive", "5Hz"],
+            4,
+            "no signal",
+        ),
         (vec!["contact", "still.csv"], 4, "no hit"),
         (vec!["contact", "switch.csv"], 2, "--force"),
         (vec!["contact", "hammer.csv", "--mass", "0kg"], 2, "--mass"),
         (vec!["frf"], 2, "SPEC"),
         (vec!["modes"], 2, "SPEC"),
-        (vec!["frf", "--measured", "hammer.csv"], 4, "no channel beside"),
+        (
+            vec!["frf", "--measured", "hammer.csv"],
+            4,
+            "no channel beside",
+        ),
         (vec!["frf", "--measured", "switch.csv"], 4, "newtons"),
-        (vec!["frf", "--measured", "switch.csv", "--force", "base"], 4, "not in newtons"),
-        (vec!["frf", "--measured", "hammer.csv", "--response", "hamer"], 4, "hammer"),
-        (vec!["frf", "--measured", "hammer.csv", "--response", "hammer"], 4, "cannot respond to itself"),
-        (vec!["frf", "--measured", "answered.csv", "--block", "3s"], 4, "segments"),
-        (vec!["frf", "--measured", "hammer.csv", "--end-ratio", "2"], 2, "--end-ratio"),
-        (vec!["modes", "--measured", "answered.csv", "--between", "9Hz:3Hz"], 2, "--between"),
-        (vec!["modes", "--measured", "answered.csv", "--between", "1Hz:20Hz"], 4, "widen the band"),
+        (
+            vec!["frf", "--measured", "switch.csv", "--force", "base"],
+            4,
+            "not in newtons",
+        ),
+        (
+            vec!["frf", "--measured", "hammer.csv", "--response", "hamer"],
+            4,
+            "hammer",
+        ),
+        (
+            vec!["frf", "--measured", "hammer.csv", "--response", "hammer"],
+            4,
+            "cannot respond to itself",
+        ),
+        (
+            vec!["frf", "--measured", "answered.csv", "--block", "3s"],
+            4,
+            "segments",
+        ),
+        (
+            vec!["frf", "--measured", "hammer.csv", "--end-ratio", "2"],
+            2,
+            "--end-ratio",
+        ),
+        (
+            vec![
+                "modes",
+                "--measured",
+                "answered.csv",
+                "--between",
+                "9Hz:3Hz",
+            ],
+            2,
+            "--between",
+        ),
+        (
+            vec![
+                "modes",
+                "--measured",
+                "answered.csv",
+                "--between",
+                "1Hz:20Hz",
+            ],
+            4,
+            "widen the band",
+        ),
     ] {
         let (found, _, stderr) = jounce(here, &arguments);
         assert_eq!(found, code, "{arguments:?}: {stderr}");
-        assert!(stderr.contains(words) && !stderr.contains("panicked"), "{arguments:?}: {stderr}");
+        assert!(
+            stderr.contains(words) && !stderr.contains("panicked"),
+            "{arguments:?}: {stderr}"
+        );
     }
     let (code, json, _) = jounce(here, &["read", "ragged.csv", "--json"]);
-    let kinds: Vec<&str> = json["recordings"][0]["findings"].as_array().unwrap().iter().filter_map(|f| f["kind"].as_str()).collect();
-    assert!(code == 0 && kinds.contains(&"ragged") && kinds.contains(&"not-a-number"), "{json}");
-    let (code, json, _) = jounce(here, &["power", "timeless.csv", "--resistance", "1ohm", "--json"]);
-    assert!(code == 4 && json["error"].is_string() && json["exit_code"] == 4, "{json}");
+    let kinds: Vec<&str> = json["recordings"][0]["findings"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .filter_map(|f| f["kind"].as_str())
+        .collect();
+    assert!(
+        code == 0 && kinds.contains(&"ragged") && kinds.contains(&"not-a-number"),
+        "{json}"
+    );
+    let (code, json, _) = jounce(
+        here,
+        &["power", "timeless.csv", "--resistance", "1ohm", "--json"],
+    );
+    assert!(
+        code == 4 && json["error"].is_string() && json["exit_code"] == 4,
+        "{json}"
+    );
 }
 
 /// A mode shape is no recording: `--to` refuses it instead of writing nothing. Of two recordings the one left out is told.
@@ -81,19 +280,30 @@ fn what_is_not_written_is_told() {
         let line = |text: &str| format!("{text:<80}\n");
         let mut set = line("    -1") + &line("    58") + &"NONE\n".repeat(5);
         set += "    1         0    0         0 NONE               1   3 NONE               0   0\n";
-        set += &format!("         4{points:>10}         1  0.00000e+00  1.00000e-03  0.00000e+00\n");
+        set +=
+            &format!("         4{points:>10}         1  0.00000e+00  1.00000e-03  0.00000e+00\n");
         set += "        17    0    0    0 Time                 s\n        12    0    0    0 a                    m/s^2\n";
         set += &"         0    0    0    0 NONE                 NONE\n".repeat(2);
-        set += &(0..points).map(|k| format!("{:>20.11e}\n", f64::from(k).sin())).collect::<String>();
+        set += &(0..points)
+            .map(|k| format!("{:>20.11e}\n", f64::from(k).sin()))
+            .collect::<String>();
         set + &line("    -1")
     };
     std::fs::write(here.join("two.uff"), function(20) + &function(30)).unwrap();
     let (code, _, told) = jounce(here, &["read", "two.uff", "--to", "one.csv"]);
-    assert!(code == 0 && here.join("one.csv").is_file() && told.contains("left out"), "{code} {told}");
-    for command in
-        [vec!["power", "two.uff", "--resistance", "1ohm"], vec!["spectra", "two.uff"], vec!["regimes", "two.uff", "--drive", "1Hz"]]
-    {
+    assert!(
+        code == 0 && here.join("one.csv").is_file() && told.contains("left out"),
+        "{code} {told}"
+    );
+    for command in [
+        vec!["power", "two.uff", "--resistance", "1ohm"],
+        vec!["spectra", "two.uff"],
+        vec!["regimes", "two.uff", "--drive", "1Hz"],
+    ] {
         let (_, _, told) = jounce(here, &command);
-        assert!(told.contains("is taken") && told.contains("left out: two 2"), "{command:?}: {told}");
+        assert!(
+            told.contains("is taken") && told.contains("left out: two 2"),
+            "{command:?}: {told}"
+        );
     }
 }

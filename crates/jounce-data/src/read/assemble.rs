@@ -10,32 +10,67 @@ use super::summary::{ChannelSummary, RecordingSummary, SamplePlaces};
 use super::time::{self, MissingUnit, is_counter, is_time_column, time_column};
 use super::{ChannelNotes, Notes, ReadError};
 use crate::recording::{
-    Grid, Issue, IssueKind, Over, Quantity, Series, Sizes, Stamped, Unit, inspected, may_be_counts, sizes_with, usual_step,
+    Grid, Issue, IssueKind, Over, Quantity, Series, Sizes, Stamped, Unit, inspected, may_be_counts,
+    sizes_with, usual_step,
 };
 
 /// The recording of a data set.
-pub(super) fn recording(path: &Path, name: String, mut raw: Raw, notes: &Notes) -> Result<RecordingSummary, ReadError> {
+pub(super) fn recording(
+    path: &Path,
+    name: String,
+    mut raw: Raw,
+    notes: &Notes,
+) -> Result<RecordingSummary, ReadError> {
     raw.columns = paired(raw.columns);
-    let columns: Vec<String> = raw.columns.iter().map(|column| column.name.clone()).collect();
-    let said: Vec<ChannelNotes> = columns.iter().enumerate().map(|(k, name)| notes.of(name, k + 1)).collect();
+    let columns: Vec<String> = raw
+        .columns
+        .iter()
+        .map(|column| column.name.clone())
+        .collect();
+    let said: Vec<ChannelNotes> = columns
+        .iter()
+        .enumerate()
+        .map(|(k, name)| notes.of(name, k + 1))
+        .collect();
     check_notes(path, notes, &columns)?;
-    let lost = |reason| ReadError::Scratch { path: path.to_owned(), reason };
+    let lost = |reason| ReadError::Scratch {
+        path: path.to_owned(),
+        reason,
+    };
     let mut findings = std::mem::take(&mut raw.findings);
     // What the notes tell of a channel is assumed no more.
-    let is_told =
-        |name: &String| columns.iter().zip(&said).any(|(column, said)| column == name && (said.unit.is_some() || said.name.is_some()));
-    findings.retain(|finding| finding.kind != IssueKind::Assumed || !finding.channel.as_ref().is_some_and(is_told));
+    let is_told = |name: &String| {
+        columns
+            .iter()
+            .zip(&said)
+            .any(|(column, said)| column == name && (said.unit.is_some() || said.name.is_some()))
+    };
+    findings.retain(|finding| {
+        finding.kind != IssueKind::Assumed || !finding.channel.as_ref().is_some_and(is_told)
+    });
     if notes.over_frequency {
         raw.over = Over::Frequency;
     }
     let by_column = match &raw.stamps {
-        TimeStamps::Column | TimeStamps::Named | TimeStamps::Rate(_) | TimeStamps::Of { .. } => true,
+        TimeStamps::Column | TimeStamps::Named | TimeStamps::Rate(_) | TimeStamps::Of { .. } => {
+            true
+        }
         TimeStamps::Header(header) => header.stamps.is_none(),
         TimeStamps::Even { .. } | TimeStamps::Given(_) => false,
     };
-    let time = if by_column { time_column(&mut raw, &said, notes).map_err(lost)? } else { None };
+    let time = if by_column {
+        time_column(&mut raw, &said, notes).map_err(lost)?
+    } else {
+        None
+    };
     let time_said = time.and_then(|k| said.get(k)).cloned().unwrap_or_default();
-    let places = places(path, &mut raw, time.map(|k| (k, &time_said)), notes, &mut findings)?;
+    let places = places(
+        path,
+        &mut raw,
+        time.map(|k| (k, &time_said)),
+        notes,
+        &mut findings,
+    )?;
     let left_out = said.iter().any(|said| said.left_out);
     let mut channels = Vec::new();
     for (k, (column, said)) in raw.columns.into_iter().zip(said).enumerate() {
@@ -45,23 +80,45 @@ pub(super) fn recording(path: &Path, name: String, mut raw: Raw, notes: &Notes) 
         match no_channel(&column, &said, by_column).map_err(lost)? {
             None => channels.push(settled(column, said, &mut findings)),
             Some(why) if why.is_empty() => {}
-            Some(why) => {
-                findings.push(Issue::new(IssueKind::Skipped, 1, None, format!("{why}; the column is no channel")).of(&column.name))
-            }
+            Some(why) => findings.push(
+                Issue::new(
+                    IssueKind::Skipped,
+                    1,
+                    None,
+                    format!("{why}; the column is no channel"),
+                )
+                .of(&column.name),
+            ),
         }
     }
     if channels.is_empty() && !left_out {
-        return Err(ReadError::NoChannel { path: path.to_owned(), findings });
+        return Err(ReadError::NoChannel {
+            path: path.to_owned(),
+            findings,
+        });
     }
     for channel in &mut channels {
         let counts = may_be_counts(channel.quantity, channel.imaginary.is_some());
         let (found, sizes) = inspected(&channel.values, counts).map_err(lost)?;
         findings.extend(found.into_iter().map(|finding| finding.of(&channel.name)));
-        let equal = if sizes.peak > 0.0 { time::equals(&channel.values, &places).map_err(lost)? } else { None };
-        findings.extend(equal.map(|about| Issue::new(IssueKind::EqualsTime, channel.values.count(), None, about).of(&channel.name)));
-        channel.sizes = sizes_with(sizes, &channel.values, channel.imaginary.as_ref()).map_err(lost)?;
+        let equal = if sizes.peak > 0.0 {
+            time::equals(&channel.values, &places).map_err(lost)?
+        } else {
+            None
+        };
+        findings.extend(equal.map(|about| {
+            Issue::new(IssueKind::EqualsTime, channel.values.count(), None, about).of(&channel.name)
+        }));
+        channel.sizes =
+            sizes_with(sizes, &channel.values, channel.imaginary.as_ref()).map_err(lost)?;
     }
-    Ok(RecordingSummary { name, over: raw.over, places, channels, findings })
+    Ok(RecordingSummary {
+        name,
+        over: raw.over,
+        places,
+        channels,
+        findings,
+    })
 }
 
 /// A column `NAME.im` behind `NAME.re` in the same unit holds its imaginary parts: so are complex channels written.
@@ -69,8 +126,14 @@ fn paired(columns: Vec<RawColumn>) -> Vec<RawColumn> {
     let mut paired: Vec<RawColumn> = Vec::new();
     for column in columns {
         let is_real = |before: &&mut RawColumn| {
-            let stems = before.name.strip_suffix(".re").zip(column.name.strip_suffix(".im"));
-            stems.is_some_and(|(re, im)| re == im) && before.unit == column.unit && before.imaginary.is_none() && column.imaginary.is_none()
+            let stems = before
+                .name
+                .strip_suffix(".re")
+                .zip(column.name.strip_suffix(".im"));
+            stems.is_some_and(|(re, im)| re == im)
+                && before.unit == column.unit
+                && before.imaginary.is_none()
+                && column.imaginary.is_none()
         };
         match paired.last_mut().filter(is_real) {
             Some(real) => {
@@ -85,15 +148,42 @@ fn paired(columns: Vec<RawColumn>) -> Vec<RawColumn> {
 
 /// Notes that name a column that is not there say so.
 fn check_notes(path: &Path, notes: &Notes, columns: &[String]) -> Result<(), ReadError> {
-    let there = |key: &String| columns.contains(key) || key.parse::<usize>().is_ok_and(|number| (1..=columns.len()).contains(&number));
-    let named = notes.channels.keys().chain(&notes.time).filter(|key| !there(key));
-    let faults: Vec<String> = named.map(|key| format!("there is no column {key:?}; the columns are {}", columns.join(", "))).collect();
-    if faults.is_empty() { Ok(()) } else { Err(ReadError::Notes { path: Notes::path_of(path), faults }) }
+    let there = |key: &String| {
+        columns.contains(key)
+            || key
+                .parse::<usize>()
+                .is_ok_and(|number| (1..=columns.len()).contains(&number))
+    };
+    let named = notes
+        .channels
+        .keys()
+        .chain(&notes.time)
+        .filter(|key| !there(key));
+    let faults: Vec<String> = named
+        .map(|key| {
+            format!(
+                "there is no column {key:?}; the columns are {}",
+                columns.join(", ")
+            )
+        })
+        .collect();
+    if faults.is_empty() {
+        Ok(())
+    } else {
+        Err(ReadError::Notes {
+            path: Notes::path_of(path),
+            faults,
+        })
+    }
 }
 
 /// Why a column beside the time is no channel: nobody would take it for one, it counts the samples, or it is a time that is not used. What the notes
 /// speak of is one.
-fn no_channel(column: &RawColumn, said: &ChannelNotes, by_column: bool) -> io::Result<Option<String>> {
+fn no_channel(
+    column: &RawColumn,
+    said: &ChannelNotes,
+    by_column: bool,
+) -> io::Result<Option<String>> {
     if column.left_out.is_some() || *said != ChannelNotes::default() || !by_column {
         return Ok(column.left_out.clone());
     }
@@ -101,7 +191,8 @@ fn no_channel(column: &RawColumn, said: &ChannelNotes, by_column: bool) -> io::R
         return Ok(Some("it counts the samples".to_owned()));
     }
     let rises = is_time_column(column) && time::ascends(&column.values)?;
-    Ok(rises.then(|| "it is a time that is not used, since the time comes from elsewhere".to_owned()))
+    Ok(rises
+        .then(|| "it is a time that is not used, since the time comes from elsewhere".to_owned()))
 }
 
 /// Where the samples lie: by stamps, or by the first of the rates that the notes and the file give.
@@ -112,15 +203,25 @@ fn places(
     notes: &Notes,
     findings: &mut Vec<Issue>,
 ) -> Result<SamplePlaces, ReadError> {
-    let lost = |reason| ReadError::Scratch { path: path.to_owned(), reason };
-    let count = raw.columns.first().map_or(0, |column| column.values.count());
+    let lost = |reason| ReadError::Scratch {
+        path: path.to_owned(),
+        reason,
+    };
+    let count = raw
+        .columns
+        .first()
+        .map_or(0, |column| column.values.count());
     let (rate, start, given) = match std::mem::replace(&mut raw.stamps, TimeStamps::Column) {
         TimeStamps::Even { start, step } => return even(path, start, step, count),
         TimeStamps::Given(stamps) => (None, 0.0, Some(stamps)),
         TimeStamps::Column | TimeStamps::Named => (None, 0.0, None),
         TimeStamps::Rate(rate) => (Some(rate), 0.0, None),
         TimeStamps::Of { rate, .. } => (rate, 0.0, None),
-        TimeStamps::Header(Header { rate, start, stamps }) => (Some(rate), start, stamps),
+        TimeStamps::Header(Header {
+            rate,
+            start,
+            stamps,
+        }) => (Some(rate), start, stamps),
     };
     let stamps = match (given, time) {
         (Some(stamps), _) => stamps,
@@ -137,9 +238,19 @@ fn places(
         }
         (None, None) => {
             let Some((step, about)) = told_step(rate.as_ref(), start, notes) else {
-                let columns = raw.columns.iter().filter(|column| column.left_out.is_none()).map(|column| column.name.clone()).collect();
+                let columns = raw
+                    .columns
+                    .iter()
+                    .filter(|column| column.left_out.is_none())
+                    .map(|column| column.name.clone())
+                    .collect();
                 let about = time::told(&raw.columns).map_err(lost)?;
-                return Err(ReadError::NoTime { path: path.to_owned(), columns, about, notes: Notes::path_of(path) });
+                return Err(ReadError::NoTime {
+                    path: path.to_owned(),
+                    columns,
+                    about,
+                    notes: Notes::path_of(path),
+                });
             };
             findings.extend(about);
             return even(path, start, step, count);
@@ -149,25 +260,41 @@ fn places(
 }
 
 fn even(path: &Path, start: f64, step: f64, count: usize) -> Result<SamplePlaces, ReadError> {
-    let fault = |fault| ReadError::Grid { path: path.to_owned(), fault };
-    Grid::even(start, step, count).map(|_| SamplePlaces::Even { start, step, count }).map_err(fault)
+    let fault = |fault| ReadError::Grid {
+        path: path.to_owned(),
+        fault,
+    };
+    Grid::even(start, step, count)
+        .map(|_| SamplePlaces::Even { start, step, count })
+        .map_err(fault)
 }
 
 /// How a rate of the file that differs from another one is told.
 fn differs(rate: Option<&Rate>, rate_hz: f64, what: &str, used: &str) -> Option<Issue> {
     let rate = rate.filter(|rate| rate.differs_from(rate_hz))?;
-    let about = format!("{} in the file is {} Hz, {what} {rate_hz:.6} Hz; {used} used", rate.told, rate.rate_hz);
+    let about = format!(
+        "{} in the file is {} Hz, {what} {rate_hz:.6} Hz; {used} used",
+        rate.told, rate.rate_hz
+    );
     Some(Issue::new(IssueKind::HeaderDisagrees, 1, None, about))
 }
 
 /// The step that the notes or else the file give where no column is a time, and what is said of it.
 fn told_step(rate: Option<&Rate>, start: f64, notes: &Notes) -> Option<(f64, Option<Issue>)> {
     if let Some(rate_hz) = notes.rate_hz {
-        return Some((1.0 / rate_hz, differs(rate, rate_hz, "the notes say", "the notes are")));
+        return Some((
+            1.0 / rate_hz,
+            differs(rate, rate_hz, "the notes say", "the notes are"),
+        ));
     }
     let Rate { told, rate_hz } = rate?;
-    let about = format!("no column is a time; the samples are taken at {rate_hz} Hz from {start} s on, by {told} in the file");
-    Some((1.0 / rate_hz, Some(Issue::new(IssueKind::Assumed, 1, None, about))))
+    let about = format!(
+        "no column is a time; the samples are taken at {rate_hz} Hz from {start} s on, by {told} in the file"
+    );
+    Some((
+        1.0 / rate_hz,
+        Some(Issue::new(IssueKind::Assumed, 1, None, about)),
+    ))
 }
 
 /// The places of stamps, in s or Hz, beside a rate of the file and the notes.
@@ -178,12 +305,28 @@ fn by_stamps(
     (rate, notes): (Option<&Rate>, &Notes),
     findings: &mut Vec<Issue>,
 ) -> Result<SamplePlaces, ReadError> {
-    let lost = |reason| ReadError::Scratch { path: path.to_owned(), reason };
-    let fault = |fault| ReadError::Grid { path: path.to_owned(), fault };
+    let lost = |reason| ReadError::Scratch {
+        path: path.to_owned(),
+        reason,
+    };
+    let fault = |fault| ReadError::Grid {
+        path: path.to_owned(),
+        fault,
+    };
     let unit = if over == Over::Time { "s" } else { "Hz" };
-    let told = notes.rate_hz.or(rate.map(|rate| rate.rate_hz)).map(|rate_hz| 1.0 / rate_hz);
-    let (found, places) = match Stamped::of(&stamps, told, unit).map_err(lost)?.map_err(fault)? {
-        Stamped::Even { start, step, noticed } => {
+    let told = notes
+        .rate_hz
+        .or(rate.map(|rate| rate.rate_hz))
+        .map(|rate_hz| 1.0 / rate_hz);
+    let (found, places) = match Stamped::of(&stamps, told, unit)
+        .map_err(lost)?
+        .map_err(fault)?
+    {
+        Stamped::Even {
+            start,
+            step,
+            noticed,
+        } => {
             findings.extend(noticed);
             (1.0 / step, even(path, start, step, stamps.count())?)
         }
@@ -194,15 +337,23 @@ fn by_stamps(
         }
     };
     findings.extend(differs(rate, found, "the stamps say", "the stamps are"));
-    if let Some(rate_hz) = notes.rate_hz.filter(|rate_hz| (rate_hz / found - 1.0).abs() > SAME_RATE) {
-        let about = format!("the notes say {rate_hz} Hz, the stamps {found:.6} Hz; the stamps are used");
+    if let Some(rate_hz) = notes
+        .rate_hz
+        .filter(|rate_hz| (rate_hz / found - 1.0).abs() > SAME_RATE)
+    {
+        let about =
+            format!("the notes say {rate_hz} Hz, the stamps {found:.6} Hz; the stamps are used");
         findings.push(Issue::new(IssueKind::HeaderDisagrees, 1, None, about));
     }
     Ok(places)
 }
 
 /// A column in SI, its samples not looked at yet.
-pub(super) fn settled(mut column: RawColumn, said: ChannelNotes, findings: &mut Vec<Issue>) -> ChannelSummary {
+pub(super) fn settled(
+    mut column: RawColumn,
+    said: ChannelNotes,
+    findings: &mut Vec<Issue>,
+) -> ChannelSummary {
     if let Some(levels) = Decibels::read(&column.unit) {
         findings.push(column.made_linear(levels));
     }
@@ -211,7 +362,11 @@ pub(super) fn settled(mut column: RawColumn, said: ChannelNotes, findings: &mut 
     let scale = said.scale.unwrap_or(1.0);
     let noticed = |kind, count, about: String| Issue::new(kind, count, None, about).of(&name);
     if !told.is_ascii() {
-        findings.push(noticed(IssueKind::NonAsciiUnit, 1, format!("the unit {told:?} holds characters outside ASCII")));
+        findings.push(noticed(
+            IssueKind::NonAsciiUnit,
+            1,
+            format!("the unit {told:?} holds characters outside ASCII"),
+        ));
     }
     let unit = Unit::read(&told);
     let factor = scale * unit.as_ref().map_or(1.0, |unit| unit.factor);
@@ -220,14 +375,43 @@ pub(super) fn settled(mut column: RawColumn, said: ChannelNotes, findings: &mut 
         findings.push(noticed(IssueKind::Converted, column.values.count(), about));
     }
     if unit.is_none() && !told.trim().is_empty() && told.trim() != "NONE" {
-        findings.push(noticed(IssueKind::UnknownUnit, 1, format!("the unit {told:?} is not known; values are as in the file")));
+        findings.push(noticed(
+            IssueKind::UnknownUnit,
+            1,
+            format!("the unit {told:?} is not known; values are as in the file"),
+        ));
     }
-    let (quantity, unit) = unit.map_or((Quantity::Unknown, told.clone()), |unit| (unit.quantity, unit.si.into_owned()));
-    let RawColumn { mut values, mut imaginary, .. } = column;
+    let (quantity, unit) = unit.map_or((Quantity::Unknown, told.clone()), |unit| {
+        (unit.quantity, unit.si.into_owned())
+    });
+    let RawColumn {
+        mut values,
+        mut imaginary,
+        ..
+    } = column;
     values.scale(factor);
-    imaginary.iter_mut().for_each(|numbers| numbers.scale(factor));
-    let (place, direction) = (said.place.unwrap_or(column.place), said.direction.unwrap_or(column.direction));
+    imaginary
+        .iter_mut()
+        .for_each(|numbers| numbers.scale(factor));
+    let (place, direction) = (
+        said.place.unwrap_or(column.place),
+        said.direction.unwrap_or(column.direction),
+    );
     let reference = said.reference.unwrap_or(column.reference);
-    let sizes = Sizes { rms: f64::NAN, peak: f64::NAN, mean: f64::NAN };
-    ChannelSummary { name, quantity, unit, place, direction, reference, sizes, values, imaginary }
+    let sizes = Sizes {
+        rms: f64::NAN,
+        peak: f64::NAN,
+        mean: f64::NAN,
+    };
+    ChannelSummary {
+        name,
+        quantity,
+        unit,
+        place,
+        direction,
+        reference,
+        sizes,
+        values,
+        imaginary,
+    }
 }

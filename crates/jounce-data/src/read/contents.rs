@@ -6,7 +6,10 @@ use std::path::Path;
 use super::error::Damage;
 use super::raw::Raw;
 use super::samples::SampleStore;
-use super::{FileSummary, Notes, ReadError, RecordingSummary, assemble, hdf5, lvm, magic, mat, npy, npz, parquet, tdms, text, uff, wav};
+use super::{
+    FileSummary, Notes, ReadError, RecordingSummary, assemble, hdf5, lvm, magic, mat, npy, npz,
+    parquet, tdms, text, uff, wav,
+};
 use crate::recording::{Issue, IssueKind, Over, Recording};
 
 /// What a file holds.
@@ -44,7 +47,11 @@ pub(super) struct FormatContents {
 
 impl From<Raw> for FormatContents {
     fn from(set: Raw) -> Self {
-        Self { sets: vec![set], shapes: Vec::new(), findings: Vec::new() }
+        Self {
+            sets: vec![set],
+            shapes: Vec::new(),
+            findings: Vec::new(),
+        }
     }
 }
 
@@ -77,17 +84,30 @@ pub fn survey_noted(path: &Path, notes: &Notes) -> Result<FileSummary, ReadError
 
 fn read(path: &Path, store: &SampleStore, notes: &Notes) -> Result<FileSummary, ReadError> {
     let (format, reader) = format_of(path)?;
-    let found = reader(path, store).map_err(|Damage { place, why }| ReadError::Damaged { path: path.to_owned(), format, place, why })?;
-    let stem = path.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
+    let found = reader(path, store).map_err(|Damage { place, why }| ReadError::Damaged {
+        path: path.to_owned(),
+        format,
+        place,
+        why,
+    })?;
+    let stem = path
+        .file_stem()
+        .map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
     let several = found.sets.len() > 1;
-    let mut survey = FileSummary { recordings: Vec::new(), shapes: found.shapes, findings: found.findings };
+    let mut survey = FileSummary {
+        recordings: Vec::new(),
+        shapes: found.shapes,
+        findings: found.findings,
+    };
     for (k, set) in found.sets.into_iter().enumerate() {
         let name = match (several, set.title.is_empty()) {
             (false, _) => stem.clone(),
             (true, true) => format!("{stem} {}", k + 1),
             (true, false) => format!("{stem} {}: {}", k + 1, set.title),
         };
-        survey.recordings.push(assemble::recording(path, name, set, notes)?);
+        survey
+            .recordings
+            .push(assemble::recording(path, name, set, notes)?);
     }
     Ok(survey)
 }
@@ -97,8 +117,16 @@ fn read(path: &Path, store: &SampleStore, notes: &Notes) -> Result<FileSummary, 
 /// # Errors
 /// As [`file()`], and a file without one.
 pub fn record(path: &Path) -> Result<Recording, ReadError> {
-    let lost = |reason| ReadError::Scratch { path: path.to_owned(), reason };
-    first_over_time(path, read(path, &SampleStore::Memory, &Notes::beside(path)?)?)?.into_recording().map_err(lost)
+    let lost = |reason| ReadError::Scratch {
+        path: path.to_owned(),
+        reason,
+    };
+    first_over_time(
+        path,
+        read(path, &SampleStore::Memory, &Notes::beside(path)?)?,
+    )?
+    .into_recording()
+    .map_err(lost)
 }
 
 /// The same with its numbers in a scratch file, so that only the channels that are needed come to memory.
@@ -120,39 +148,71 @@ pub fn survey_record_noted(path: &Path, notes: &Notes) -> Result<RecordingSummar
 /// The first recording over time; it tells which others were left out.
 fn first_over_time(path: &Path, survey: FileSummary) -> Result<RecordingSummary, ReadError> {
     let mut others = survey.recordings;
-    let first = others.iter().position(|recording| recording.over == Over::Time);
-    let mut taken = others.remove(first.ok_or_else(|| ReadError::NoRecord { path: path.to_owned() })?);
+    let first = others
+        .iter()
+        .position(|recording| recording.over == Over::Time);
+    let mut taken = others.remove(first.ok_or_else(|| ReadError::NoRecord {
+        path: path.to_owned(),
+    })?);
     if !others.is_empty() {
-        let names: Vec<&str> = others.iter().map(|recording| recording.name.as_str()).collect();
-        let about = format!("{} is taken, the first recording over time of its file; left out: {}", taken.name, names.join(", "));
-        taken.findings.push(Issue::new(IssueKind::Skipped, others.len(), None, about));
+        let names: Vec<&str> = others
+            .iter()
+            .map(|recording| recording.name.as_str())
+            .collect();
+        let about = format!(
+            "{} is taken, the first recording over time of its file; left out: {}",
+            taken.name,
+            names.join(", ")
+        );
+        taken
+            .findings
+            .push(Issue::new(IssueKind::Skipped, others.len(), None, about));
     }
     Ok(taken)
 }
 
 /// The format, by what the file begins with.
 fn format_of(path: &Path) -> Result<(&'static str, Reader), ReadError> {
-    let open = |reason| ReadError::Open { path: path.to_owned(), reason };
+    let open = |reason| ReadError::Open {
+        path: path.to_owned(),
+        reason,
+    };
     let mut head = Vec::new();
     let file = std::fs::File::open(path).map_err(open)?;
     if !file.metadata().map_err(open)?.is_file() {
-        return Err(ReadError::Format { path: path.to_owned(), why: "it is no file".to_owned() });
+        return Err(ReadError::Format {
+            path: path.to_owned(),
+            why: "it is no file".to_owned(),
+        });
     }
     file.take(4096).read_to_end(&mut head).map_err(open)?;
-    let refused = |why: &str| Err(ReadError::Format { path: path.to_owned(), why: why.to_owned() });
-    let first_line = head.split(|b| *b == b'\n').map(<[u8]>::trim_ascii).find(|line| !line.is_empty()).unwrap_or_default();
+    let refused = |why: &str| {
+        Err(ReadError::Format {
+            path: path.to_owned(),
+            why: why.to_owned(),
+        })
+    };
+    let first_line = head
+        .split(|b| *b == b'\n')
+        .map(<[u8]>::trim_ascii)
+        .find(|line| !line.is_empty())
+        .unwrap_or_default();
     match () {
         () if head.trim_ascii().is_empty() => refused("it is empty"),
         () if head.starts_with(b"PAR1") => Ok(("Parquet", parquet::read as Reader)),
         () if head.starts_with(npy::BEGIN) => Ok(("NPY", npy::read)),
-        () if head.starts_with(b"PK\x03\x04") || head.starts_with(b"PK\x05\x06") => Ok(("NPZ", npz::read)),
+        () if head.starts_with(b"PK\x03\x04") || head.starts_with(b"PK\x05\x06") => {
+            Ok(("NPZ", npz::read))
+        }
         () if hdf5::begins(&head) => Ok(("HDF5", hdf5::read)),
         () if head.starts_with(b"MATLAB 5.0") => Ok(("MAT v5", mat::read)),
         () if head.starts_with(tdms::BEGIN) => Ok(("TDMS", tdms::read)),
         () if wav::begins(&head) => Ok(("WAV", wav::read)),
         () if first_line == b"-1" => Ok(("UFF", uff::read)),
         () if head.starts_with(b"LabVIEW Measurement") => Ok(("LVM", lvm::read)),
-        () if head.starts_with(b"\xff\xfe") || head.starts_with(b"\xfe\xff") => refused("it is UTF-16 text: save it as UTF-8"),
+        () if head.starts_with(b"\xff\xfe") || head.starts_with(b"\xfe\xff") => {
+            refused("it is UTF-16 text: save it as UTF-8")
+        }
         () if head.contains(&0) => match magic::named(path, &head) {
             Some(what) => refused(&format!("it is {what}")),
             None => refused("it is binary and begins like no known format"),

@@ -19,32 +19,62 @@ pub(super) struct Decibels {
 impl Decibels {
     /// True for a unit that begins as decibels do, understood or not.
     pub(super) fn begin(unit: &str) -> bool {
-        unbracketed(unit).get(..2).is_some_and(|start| start.eq_ignore_ascii_case("dB"))
+        unbracketed(unit)
+            .get(..2)
+            .is_some_and(|start| start.eq_ignore_ascii_case("dB"))
     }
 
     /// `dB [re | rel | ref] [number] [unit]`; none for anything else, as `dBm`, which is no level of metres, and where the unit is not known.
     pub(super) fn read(unit: &str) -> Option<Self> {
         let rest = unbracketed(unit).get(2..).filter(|_| Self::begin(unit))?;
-        let apart = rest.is_empty() || rest.starts_with(|c: char| c.is_whitespace() || matches!(c, '(' | '['));
+        let apart = rest.is_empty()
+            || rest.starts_with(|c: char| c.is_whitespace() || matches!(c, '(' | '['));
         let told = unbracketed(rest);
-        let behind = |word: &&str| told.get(..word.len()).filter(|start| start.eq_ignore_ascii_case(word)).map(|_| &told[word.len()..]);
-        let reference = WORDS.iter().find_map(behind).filter(|rest| !rest.starts_with(char::is_alphabetic));
+        let behind = |word: &&str| {
+            told.get(..word.len())
+                .filter(|start| start.eq_ignore_ascii_case(word))
+                .map(|_| &told[word.len()..])
+        };
+        let reference = WORDS
+            .iter()
+            .find_map(behind)
+            .filter(|rest| !rest.starts_with(char::is_alphabetic));
         let (reference, unit) = leading_number(reference.or(apart.then_some(told))?.trim());
-        Self::of(reference, unit).filter(|levels| levels.reference > 0.0 && levels.reference.is_finite())
+        Self::of(reference, unit)
+            .filter(|levels| levels.reference > 0.0 && levels.reference.is_finite())
     }
 
     /// Levels of a column that is known to hold some, whether its unit says so or tells what they refer to.
     pub(super) fn meant(unit: &str) -> Option<Self> {
-        if Self::begin(unit) { Self::read(unit) } else { Some(Self { reference: 1.0, unit: unbracketed(unit).to_owned(), decade: 20.0 }) }
+        if Self::begin(unit) {
+            Self::read(unit)
+        } else {
+            Some(Self {
+                reference: 1.0,
+                unit: unbracketed(unit).to_owned(),
+                decade: 20.0,
+            })
+        }
     }
 
     fn of(reference: f64, unit: &str) -> Option<Self> {
         let unit = unbracketed(unit).to_owned();
         if unit.is_empty() {
-            return Some(Self { reference, unit, decade: 20.0 });
+            return Some(Self {
+                reference,
+                unit,
+                decade: 20.0,
+            });
         }
-        let power = matches!(Unit::read(&unit)?.quantity, Quantity::AccelerationPsd | Quantity::ForcePsd);
-        Some(Self { reference, unit, decade: if power { 10.0 } else { 20.0 } })
+        let power = matches!(
+            Unit::read(&unit)?.quantity,
+            Quantity::AccelerationPsd | Quantity::ForcePsd
+        );
+        Some(Self {
+            reference,
+            unit,
+            decade: if power { 10.0 } else { 20.0 },
+        })
     }
 }
 
@@ -52,7 +82,9 @@ impl Decibels {
 fn leading_number(text: &str) -> (f64, &str) {
     let number = |c: char| c.is_ascii_digit() || matches!(c, '.' | 'e' | 'E' | '-' | '+');
     let most = text.find(|c| !number(c)).unwrap_or(text.len());
-    let longest = (1..=most).rev().find_map(|end| Some((text[..end].parse::<f64>().ok()?, &text[end..])));
+    let longest = (1..=most)
+        .rev()
+        .find_map(|end| Some((text[..end].parse::<f64>().ok()?, &text[end..])));
     let (base, behind) = longest.unwrap_or((1.0, text));
     let (base, behind) = match behind.strip_prefix('^') {
         Some(power) => {
@@ -87,12 +119,34 @@ mod tests {
         ];
         for (text, reference, unit, decade) in cases {
             let found = Decibels::read(text).unwrap_or_else(|| panic!("{text} is not understood"));
-            assert_eq!((found.unit.as_str(), found.decade), (unit, decade), "{text}");
-            assert!((found.reference / reference - 1.0).abs() < 1e-14, "{text}: {}", found.reference);
+            assert_eq!(
+                (found.unit.as_str(), found.decade),
+                (unit, decade),
+                "{text}"
+            );
+            assert!(
+                (found.reference / reference - 1.0).abs() < 1e-14,
+                "{text}: {}",
+                found.reference
+            );
         }
-        for text in ["dBm", "dBV", "dB(A)", "dB re 1 furlong", "dB relative", "dB re 0 g", "dB re -1 g", "m", "d", "dB/m"] {
+        for text in [
+            "dBm",
+            "dBV",
+            "dB(A)",
+            "dB re 1 furlong",
+            "dB relative",
+            "dB re 0 g",
+            "dB re -1 g",
+            "m",
+            "d",
+            "dB/m",
+        ] {
             assert_eq!(Decibels::read(text), None, "{text}");
-            assert!(!Decibels::begin(text) || Unit::read(text).is_none(), "{text}");
+            assert!(
+                !Decibels::begin(text) || Unit::read(text).is_none(),
+                "{text}"
+            );
         }
     }
 }

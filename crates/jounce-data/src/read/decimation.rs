@@ -22,7 +22,11 @@ impl RecordingSummary {
     /// The scratch file cannot be read.
     pub fn outline(&self, channels: usize, most: usize) -> io::Result<DecimatedRecording> {
         let count = self.places.count();
-        let stretch = if count <= most { 1 } else { count.div_ceil((most / 2).max(1)) };
+        let stretch = if count <= most {
+            1
+        } else {
+            count.div_ceil((most / 2).max(1))
+        };
         let (mut places, mut number) = (Vec::new(), 0);
         self.places.each(|place| {
             let inside = number % stretch;
@@ -33,21 +37,39 @@ impl RecordingSummary {
         })?;
         let mut drawn = Vec::new();
         for channel in self.channels.iter().take(channels) {
-            let mut points = DecimatedPoints { stretch, inside: 0, lowest: (f64::NAN, 0), highest: (f64::NAN, 0), found: Vec::new() };
+            let mut points = DecimatedPoints {
+                stretch,
+                inside: 0,
+                lowest: (f64::NAN, 0),
+                highest: (f64::NAN, 0),
+                found: Vec::new(),
+            };
             for index in 0..count.div_ceil(PIECE) {
                 let real = channel.values.piece(index)?;
-                let imaginary = channel.imaginary.as_ref().filter(|_| self.over == Over::Frequency);
-                let imaginary = imaginary.map(|imaginary| imaginary.piece(index)).transpose()?;
+                let imaginary = channel
+                    .imaginary
+                    .as_ref()
+                    .filter(|_| self.over == Over::Frequency);
+                let imaginary = imaginary
+                    .map(|imaginary| imaginary.piece(index))
+                    .transpose()?;
                 for (k, x) in real.iter().enumerate() {
                     let beside = imaginary.as_ref().and_then(|imaginary| imaginary.get(k));
-                    points.take(if self.over == Over::Time { *x } else { x.hypot(beside.copied().unwrap_or(0.0)) });
+                    points.take(if self.over == Over::Time {
+                        *x
+                    } else {
+                        x.hypot(beside.copied().unwrap_or(0.0))
+                    });
                 }
             }
             points.close();
             points.found.truncate(places.len());
             drawn.push(points.found);
         }
-        Ok(DecimatedRecording { places, channels: drawn })
+        Ok(DecimatedRecording {
+            places,
+            channels: drawn,
+        })
     }
 }
 
@@ -99,7 +121,13 @@ mod tests {
     fn outline(values: Vec<f64>, most: usize) -> DecimatedRecording {
         let grid = Grid::even(0.0, 1.0, values.len()).unwrap();
         let channels = vec![Channel::new("a", Quantity::Voltage, "V", values)];
-        let recording = Recording { name: "r".into(), over: Over::Time, grid, channels, findings: Vec::new() };
+        let recording = Recording {
+            name: "r".into(),
+            over: Over::Time,
+            grid,
+            channels,
+            findings: Vec::new(),
+        };
         RecordingSummary::from(recording).outline(8, most).unwrap()
     }
 
@@ -108,11 +136,20 @@ mod tests {
         let values: Vec<f64> = (0..10_007).map(|k| f64::from(k * 7919 % 10_007)).collect();
         assert_eq!(outline(values.clone(), 20_000).channels[0], values);
         let thin = outline(values.clone(), 1000);
-        assert!(thin.places.len() <= 1000 && thin.places.len() == thin.channels[0].len(), "{}", thin.places.len());
+        assert!(
+            thin.places.len() <= 1000 && thin.places.len() == thin.channels[0].len(),
+            "{}",
+            thin.places.len()
+        );
         for (k, stretch) in values.chunks(21).take(400).enumerate() {
             let pair = &thin.channels[0][2 * k..2 * k + 2];
-            let extreme = |pick: fn(f64, f64) -> f64| stretch.iter().copied().fold(stretch[0], pick);
-            assert_eq!((pair[0].min(pair[1]), pair[0].max(pair[1])), (extreme(f64::min), extreme(f64::max)), "{k}");
+            let extreme =
+                |pick: fn(f64, f64) -> f64| stretch.iter().copied().fold(stretch[0], pick);
+            assert_eq!(
+                (pair[0].min(pair[1]), pair[0].max(pair[1])),
+                (extreme(f64::min), extreme(f64::max)),
+                "{k}"
+            );
             assert_eq!(thin.places[2 * k], 21.0 * k as f64);
         }
     }

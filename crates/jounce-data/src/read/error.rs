@@ -108,12 +108,23 @@ pub enum ReadError {
 }
 
 fn noted(about: &[String]) -> String {
-    if about.is_empty() { String::new() } else { format!("; {}", about.join(", ")) }
+    if about.is_empty() {
+        String::new()
+    } else {
+        format!("; {}", about.join(", "))
+    }
 }
 
 fn noticed(findings: &[Issue]) -> String {
     let told: Vec<String> = findings.iter().map(ToString::to_string).collect();
-    if told.is_empty() { String::new() } else { format!(" ({}); save channels and time equally long", told.join("; ")) }
+    if told.is_empty() {
+        String::new()
+    } else {
+        format!(
+            " ({}); save channels and time equally long",
+            told.join("; ")
+        )
+    }
 }
 
 fn at(place: Option<IssuePlace>) -> String {
@@ -122,7 +133,10 @@ fn at(place: Option<IssuePlace>) -> String {
 
 fn kept(reason: &std::io::Error) -> String {
     let folder = super::samples::folder();
-    format!("its numbers cannot be kept in {}: {reason}; set TMPDIR to a folder with room for 8 bytes per number", folder.display())
+    format!(
+        "its numbers cannot be kept in {}: {reason}; set TMPDIR to a folder with room for 8 bytes per number",
+        folder.display()
+    )
 }
 
 /// What is wrong inside a file, before its name is known.
@@ -140,22 +154,34 @@ impl From<std::io::Error> for Damage {
 
 impl Damage {
     pub(super) fn new(why: impl Into<String>) -> Self {
-        Self { place: None, why: why.into() }
+        Self {
+            place: None,
+            why: why.into(),
+        }
     }
 
     /// A source that cannot be read to its end.
     pub(super) fn cut(reason: std::io::Error) -> Self {
-        let why = if reason.kind() == std::io::ErrorKind::UnexpectedEof { "it ends too early".to_owned() } else { reason.to_string() };
+        let why = if reason.kind() == std::io::ErrorKind::UnexpectedEof {
+            "it ends too early".to_owned()
+        } else {
+            reason.to_string()
+        };
         Self::new(format!("{why}; was the file cut?"))
     }
 
     /// The same at a byte, where it has no place yet.
     pub(super) fn at_byte(self, byte: u64) -> Self {
-        let place = self.place.or(Some(IssuePlace::Byte(usize::try_from(byte).unwrap_or(usize::MAX))));
+        let place = self.place.or(Some(IssuePlace::Byte(
+            usize::try_from(byte).unwrap_or(usize::MAX),
+        )));
         Self { place, ..self }
     }
 
     pub(super) fn at(place: IssuePlace, why: impl Into<String>) -> Self {
-        Self { place: Some(place), why: why.into() }
+        Self {
+            place: Some(place),
+            why: why.into(),
+        }
     }
 }

@@ -18,7 +18,9 @@ pub enum ArraysError {
         reason: String,
     },
     /// Channels of unequal length.
-    #[error("channel {channel} has {samples} samples for {places} places; every channel needs one sample for each")]
+    #[error(
+        "channel {channel} has {samples} samples for {places} places; every channel needs one sample for each"
+    )]
     Length {
         /// The channel.
         channel: String,
@@ -33,26 +35,53 @@ pub enum ArraysError {
 ///
 /// # Errors
 /// No channel, or one of another length than the grid.
-pub fn given(name: &str, over: Over, grid: Grid, channels: Vec<RawChannel>) -> Result<Recording, ArraysError> {
+pub fn given(
+    name: &str,
+    over: Over,
+    grid: Grid,
+    channels: Vec<RawChannel>,
+) -> Result<Recording, ArraysError> {
     if channels.is_empty() {
         return Err(ArraysError::NoChannel);
     }
     let places = grid.len();
-    let lengths = |channel: &RawChannel| [channel.values.len(), channel.imaginary.as_ref().map_or(places, Vec::len)];
+    let lengths = |channel: &RawChannel| {
+        [
+            channel.values.len(),
+            channel.imaginary.as_ref().map_or(places, Vec::len),
+        ]
+    };
     for channel in &channels {
-        if let Some(samples) = lengths(channel).into_iter().find(|samples| *samples != places) {
-            return Err(ArraysError::Length { channel: channel.name.clone(), samples, places });
+        if let Some(samples) = lengths(channel)
+            .into_iter()
+            .find(|samples| *samples != places)
+        {
+            return Err(ArraysError::Length {
+                channel: channel.name.clone(),
+                samples,
+                places,
+            });
         }
     }
     let mut findings = Vec::new();
-    let settled = |channel: RawChannel| assemble::settled(channel.into(), Default::default(), &mut findings).into_channel();
+    let settled = |channel: RawChannel| {
+        assemble::settled(channel.into(), Default::default(), &mut findings).into_channel()
+    };
     let channels = channels
         .into_iter()
         .map(settled)
         .collect::<std::io::Result<Vec<_>>>()
-        .map_err(|fault| ArraysError::Kept { reason: fault.to_string() })?;
+        .map_err(|fault| ArraysError::Kept {
+            reason: fault.to_string(),
+        })?;
     findings.extend(channels.iter().flat_map(inspect));
-    Ok(Recording { name: name.to_owned(), over, grid, channels, findings })
+    Ok(Recording {
+        name: name.to_owned(),
+        over,
+        grid,
+        channels,
+        findings,
+    })
 }
 
 #[cfg(test)]
@@ -68,12 +97,31 @@ mod tests {
     #[test]
     fn samples_become_si_and_are_looked_at() {
         let grid = Grid::even(0.0, 0.5, 3).unwrap();
-        let made = given("x", Over::Time, grid.clone(), one("g", vec![1.0, f64::NAN, -2.0])).unwrap();
-        assert_eq!((made.channels[0].quantity, made.channels[0].values[0]), (Quantity::Acceleration, 9.806_65));
+        let made = given(
+            "x",
+            Over::Time,
+            grid.clone(),
+            one("g", vec![1.0, f64::NAN, -2.0]),
+        )
+        .unwrap();
+        assert_eq!(
+            (made.channels[0].quantity, made.channels[0].values[0]),
+            (Quantity::Acceleration, 9.806_65)
+        );
         let kinds: Vec<IssueKind> = made.findings.iter().map(|finding| finding.kind).collect();
         assert_eq!(kinds, [IssueKind::Converted, IssueKind::NotANumber]);
-        assert_eq!(given("x", Over::Time, grid.clone(), Vec::new()), Err(ArraysError::NoChannel));
-        let wrong = ArraysError::Length { channel: "a".into(), samples: 2, places: 3 };
-        assert_eq!(given("x", Over::Time, grid, one("g", vec![1.0, 2.0])), Err(wrong));
+        assert_eq!(
+            given("x", Over::Time, grid.clone(), Vec::new()),
+            Err(ArraysError::NoChannel)
+        );
+        let wrong = ArraysError::Length {
+            channel: "a".into(),
+            samples: 2,
+            places: 3,
+        };
+        assert_eq!(
+            given("x", Over::Time, grid, one("g", vec![1.0, 2.0])),
+            Err(wrong)
+        );
     }
 }

@@ -42,21 +42,36 @@ impl WrittenNotes {
 
     /// The notes beside a text of columns; none where there are none, or where they tell of other columns.
     pub(super) fn beside(path: &Path, columns: &[RawColumn]) -> Option<Self> {
-        let found = Self::from_json(&std::fs::read_to_string(path.with_extension("manifest.json")).ok()?)?;
-        let of_these = found.columns.iter().map(|noted| name::split(&noted.name).0).eq(columns.iter().map(|column| column.name.clone()));
+        let found =
+            Self::from_json(&std::fs::read_to_string(path.with_extension("manifest.json")).ok()?)?;
+        let of_these = found
+            .columns
+            .iter()
+            .map(|noted| name::split(&noted.name).0)
+            .eq(columns.iter().map(|column| column.name.clone()));
         of_these.then_some(found)
     }
 
     /// The unit of a column.
     pub(super) fn unit(&self, head: &str) -> Option<String> {
-        self.columns.iter().find(|column| column.name == head).map(|column| column.unit.clone())
+        self.columns
+            .iter()
+            .find(|column| column.name == head)
+            .map(|column| column.unit.clone())
     }
 
     /// Tells a column where it was measured, which way, and against what.
     pub(super) fn tell(&self, column: &mut RawColumn) {
         // Both parts of a complex channel have one place.
         let name = column.name.strip_suffix(".re").unwrap_or(&column.name);
-        let told = |key: &str| self.manifest.options.get(&format!("{key}{name}")).cloned().unwrap_or_default();
-        (column.place, column.direction, column.reference) = (told(PLACE), told(DIRECTION), told(REFERENCE));
+        let told = |key: &str| {
+            self.manifest
+                .options
+                .get(&format!("{key}{name}"))
+                .cloned()
+                .unwrap_or_default()
+        };
+        (column.place, column.direction, column.reference) =
+            (told(PLACE), told(DIRECTION), told(REFERENCE));
     }
 }

@@ -15,7 +15,9 @@ use super::error::Damage;
 use super::numbers::ColumnNumbers;
 use super::raw::{Header as HeaderTime, Rate, Raw, RawColumn, TimeStamps};
 use super::samples::SampleStore;
-use super::text::{ColumnHead, Delimiter, Preamble, Rows, TextLayout, columns, decoded, line_end, whole_lines};
+use super::text::{
+    ColumnHead, Delimiter, Preamble, Rows, TextLayout, columns, decoded, line_end, whole_lines,
+};
 use crate::recording::{Issue, IssueKind, IssuePlace, Over, Series};
 
 const HEAD_BYTES: u64 = 1 << 18;
@@ -28,15 +30,28 @@ const SAME_STEP: f64 = 1e-3;
 pub(super) fn read(path: &Path, store: &SampleStore) -> Result<FormatContents, Damage> {
     let told = |fault: std::io::Error| Damage::new(fault.to_string());
     let mut head = Vec::new();
-    File::open(path).map_err(told)?.take(HEAD_BYTES).read_to_end(&mut head).map_err(told)?;
+    File::open(path)
+        .map_err(told)?
+        .take(HEAD_BYTES)
+        .read_to_end(&mut head)
+        .map_err(told)?;
     let end = line_end(&head);
     let (head, _) = decoded(&head);
     let header = Header::read(&head, end)?;
     let file = File::open(path).map_err(told)?;
     let size = file.metadata().map_err(told)?.len();
-    let Rows { columns, findings } = columns(BufReader::with_capacity(1 << 20, file), size, &header.layout, store)?;
+    let Rows { columns, findings } = columns(
+        BufReader::with_capacity(1 << 20, file),
+        size,
+        &header.layout,
+        store,
+    )?;
     let (sets, findings) = header.sets(columns, findings, store)?;
-    Ok(FormatContents { sets, shapes: Vec::new(), findings })
+    Ok(FormatContents {
+        sets,
+        shapes: Vec::new(),
+        findings,
+    })
 }
 
 /// Channels with the numbers of their columns.
@@ -54,24 +69,48 @@ impl Header {
     fn read(head: &str, end: u8) -> Result<Self, Damage> {
         let lines = whole_lines(head, end, true);
         let heads = lines.iter().position(|line| line.starts_with(X_VALUE));
-        let heads = heads
-            .ok_or_else(|| Damage::at(IssuePlace::Line(lines.len()), "no line of column heads (X_Value ...) follows; was the file cut?"))?;
-        let separator = if value(&lines[..heads], "Separator") == Some("Comma") { ',' } else { '\t' };
+        let heads = heads.ok_or_else(|| {
+            Damage::at(
+                IssuePlace::Line(lines.len()),
+                "no line of column heads (X_Value ...) follows; was the file cut?",
+            )
+        })?;
+        let separator = if value(&lines[..heads], "Separator") == Some("Comma") {
+            ','
+        } else {
+            '\t'
+        };
         let decimal_comma = value(&lines[..heads], "Decimal_Separator") == Some(",");
-        let parts = |line: &str| -> Vec<String> { line.split(separator).map(|field| field.trim().to_owned()).collect() };
+        let parts = |line: &str| -> Vec<String> {
+            line.split(separator)
+                .map(|field| field.trim().to_owned())
+                .collect()
+        };
         let mut names = parts(lines[heads]);
         while names.len() > 1 && names.last().is_some_and(String::is_empty) {
             names.pop();
         }
-        let least = names.iter().rposition(|name| name != COMMENT && !name.is_empty()).map_or(1, |last| last + 1);
-        let head = |name: String| ColumnHead { blank: name == COMMENT || name.is_empty(), name, ..ColumnHead::default() };
-        let segment = lines[..heads].iter().rposition(|line| line.split(separator).next() == Some("Channels")).unwrap_or(0);
+        let least = names
+            .iter()
+            .rposition(|name| name != COMMENT && !name.is_empty())
+            .map_or(1, |last| last + 1);
+        let head = |name: String| ColumnHead {
+            blank: name == COMMENT || name.is_empty(),
+            name,
+            ..ColumnHead::default()
+        };
+        let segment = lines[..heads]
+            .iter()
+            .rposition(|line| line.split(separator).next() == Some("Channels"))
+            .unwrap_or(0);
         let field = |line: &&str| {
             let fields = parts(line);
             (fields.first().cloned().unwrap_or_default(), fields)
         };
         Ok(Self {
-            x_columns: value(&lines[..heads], "X_Columns").unwrap_or("One").to_owned(),
+            x_columns: value(&lines[..heads], "X_Columns")
+                .unwrap_or("One")
+                .to_owned(),
             fields: lines[segment..heads].iter().map(field).collect(),
             layout: TextLayout {
                 delimiter: Delimiter::Byte(separator as u8),
@@ -89,24 +128,54 @@ impl Header {
     /// The value of a key for a column. It stands in that column; some programs leave no room for the columns of times and write one value behind the other.
     fn value(&self, key: &str, column: usize) -> Option<&str> {
         let (_, fields) = self.fields.iter().rev().find(|(name, _)| name == key)?;
-        let names = || self.layout.heads.iter().map(|head| head.name.as_str()).enumerate();
-        let packed = names().any(|(k, name)| k > 0 && name == X_VALUE && fields.get(k).is_some_and(|field| !field.is_empty()));
-        let channel = names().take(column).filter(|(_, name)| *name != X_VALUE).count() + 1;
-        fields.get(if packed { channel } else { column }).map(String::as_str).filter(|text| !text.is_empty())
+        let names = || {
+            self.layout
+                .heads
+                .iter()
+                .map(|head| head.name.as_str())
+                .enumerate()
+        };
+        let packed = names().any(|(k, name)| {
+            k > 0 && name == X_VALUE && fields.get(k).is_some_and(|field| !field.is_empty())
+        });
+        let channel = names()
+            .take(column)
+            .filter(|(_, name)| *name != X_VALUE)
+            .count()
+            + 1;
+        fields
+            .get(if packed { channel } else { column })
+            .map(String::as_str)
+            .filter(|text| !text.is_empty())
     }
 
     fn number(&self, key: &str, column: usize) -> Option<f64> {
         // Where all channels share a value it may stand once.
         let text = self.value(key, column).or_else(|| self.value(key, 1))?;
-        text.replace(',', ".").parse::<f64>().ok().filter(|number| number.is_finite())
+        text.replace(',', ".")
+            .parse::<f64>()
+            .ok()
+            .filter(|number| number.is_finite())
     }
 
     /// The channels by their times: one set for all that share them.
-    fn sets(&self, columns: Vec<RawColumn>, findings: Vec<Issue>, store: &SampleStore) -> Result<(Vec<Raw>, Vec<Issue>), Damage> {
+    fn sets(
+        &self,
+        columns: Vec<RawColumn>,
+        findings: Vec<Issue>,
+        store: &SampleStore,
+    ) -> Result<(Vec<Raw>, Vec<Issue>), Damage> {
         let rows = columns.first().map_or(0, |column| column.values.count());
-        let channels = columns.iter().filter(|column| column.name != X_VALUE && column.name != COMMENT && !column.name.is_empty()).count();
+        let channels = columns
+            .iter()
+            .filter(|column| {
+                column.name != X_VALUE && column.name != COMMENT && !column.name.is_empty()
+            })
+            .count();
         if channels == 0 || rows < 2 {
-            let why = format!("{rows} rows of {channels} channels follow; at least two rows of one are due");
+            let why = format!(
+                "{rows} rows of {channels} channels follow; at least two rows of one are due"
+            );
             return Err(Damage::at(IssuePlace::Line(self.layout.skip), why));
         }
         let mut groups: Vec<(Option<ColumnNumbers>, Members)> = vec![(None, Vec::new())];
@@ -123,7 +192,10 @@ impl Header {
             }
         }
         let mut sets: Vec<(Option<ColumnNumbers>, Members)> = Vec::new();
-        for (x, members) in groups.into_iter().filter(|(_, members)| !members.is_empty()) {
+        for (x, members) in groups
+            .into_iter()
+            .filter(|(_, members)| !members.is_empty())
+        {
             let mut same = None;
             for (at, (other, _)) in sets.iter().enumerate() {
                 let equal = match (&x, other) {
@@ -140,25 +212,51 @@ impl Header {
         let (one, mut findings) = (sets.len() == 1, findings);
         let mut found = Vec::new();
         for (x, members) in sets {
-            let about = if one { std::mem::take(&mut findings) } else { Vec::new() };
+            let about = if one {
+                std::mem::take(&mut findings)
+            } else {
+                Vec::new()
+            };
             found.push(self.set(x, members, about, store)?);
         }
         Ok((found, findings))
     }
 
     /// Channels over one column of times.
-    fn set(&self, x: Option<ColumnNumbers>, members: Members, mut findings: Vec<Issue>, store: &SampleStore) -> Result<Raw, Damage> {
+    fn set(
+        &self,
+        x: Option<ColumnNumbers>,
+        members: Members,
+        mut findings: Vec<Issue>,
+        store: &SampleStore,
+    ) -> Result<Raw, Damage> {
         let first = members.first().map_or(1, |(k, _)| *k);
         let (x, members) = ended(x, members, store)?;
-        let rows = members.first().map_or(0, |(_, column)| column.values.count());
+        let rows = members
+            .first()
+            .map_or(0, |(_, column)| column.values.count());
         let mut columns: Vec<RawColumn> = members.into_iter().map(|(_, column)| column).collect();
         if rows < 2 {
-            let name = columns.first().map_or(String::new(), |column| column.name.clone());
-            return Err(Damage::at(IssuePlace::Line(self.layout.skip), format!("{rows} rows of {name} follow; at least two are due")));
+            let name = columns
+                .first()
+                .map_or(String::new(), |column| column.name.clone());
+            return Err(Damage::at(
+                IssuePlace::Line(self.layout.skip),
+                format!("{rows} rows of {name} follow; at least two are due"),
+            ));
         }
-        if let Some(samples) = self.value("Samples", first).and_then(|text| text.parse::<usize>().ok()).filter(|samples| *samples != rows) {
+        if let Some(samples) = self
+            .value("Samples", first)
+            .and_then(|text| text.parse::<usize>().ok())
+            .filter(|samples| *samples != rows)
+        {
             let about = format!("the header says {samples} samples, {rows} follow");
-            findings.push(Issue::new(IssueKind::HeaderDisagrees, samples.abs_diff(rows), None, about));
+            findings.push(Issue::new(
+                IssueKind::HeaderDisagrees,
+                samples.abs_diff(rows),
+                None,
+                about,
+            ));
         }
         let step = self.number("Delta_X", first).filter(|step| *step > 0.0);
         let start = self.number("X0", first).unwrap_or(0.0);
@@ -167,22 +265,46 @@ impl Header {
             (Some(x), Some(step)) => {
                 findings.extend(self.rescaled(step, x.count(), x.ends()?));
                 // Of two steps that explain the stamps the header's is the one that was set.
-                let rate = Rate { told: format!("Delta_X = {step}"), rate_hz: 1.0 / step };
-                if findings.iter().any(|finding| finding.kind == IssueKind::RescaledStamps) {
+                let rate = Rate {
+                    told: format!("Delta_X = {step}"),
+                    rate_hz: 1.0 / step,
+                };
+                if findings
+                    .iter()
+                    .any(|finding| finding.kind == IssueKind::RescaledStamps)
+                {
                     TimeStamps::Given(x)
                 } else {
-                    TimeStamps::Header(HeaderTime { rate, start, stamps: Some(x) })
+                    TimeStamps::Header(HeaderTime {
+                        rate,
+                        start,
+                        stamps: Some(x),
+                    })
                 }
             }
             (Some(x), None) => TimeStamps::Given(x),
             (None, Some(step)) => TimeStamps::Even { start, step },
-            (None, None) => return Err(Damage::new("neither a column X_Value nor a Delta_X tells when the samples were taken")),
+            (None, None) => {
+                return Err(Damage::new(
+                    "neither a column X_Value nor a Delta_X tells when the samples were taken",
+                ));
+            }
         };
-        let over = if columns.iter().all(|column| column.name.contains("FFT")) { Over::Frequency } else { Over::Time };
+        let over = if columns.iter().all(|column| column.name.contains("FFT")) {
+            Over::Frequency
+        } else {
+            Over::Time
+        };
         if over == Over::Frequency {
             findings.extend(linear(&mut columns)?);
         }
-        Ok(Raw { title: String::new(), over, stamps, columns, findings })
+        Ok(Raw {
+            title: String::new(),
+            over,
+            stamps,
+            columns,
+            findings,
+        })
     }
 
     /// A step of the header that is not that of the stamps.
@@ -194,14 +316,24 @@ impl Header {
             "the header says Delta_X = {told:.6e}, the stamps are {step:.6e} apart ({:.4} times as much); the stamps are used",
             step / told
         );
-        Some(Issue::new(IssueKind::RescaledStamps, count, Some(IssuePlace::Line(self.layout.skip + 1)), about))
+        Some(Issue::new(
+            IssueKind::RescaledStamps,
+            count,
+            Some(IssuePlace::Line(self.layout.skip + 1)),
+            about,
+        ))
     }
 }
 
 /// What spectra in levels become, and that they are spectra.
 fn linear(columns: &mut [RawColumn]) -> Result<Vec<Issue>, Damage> {
     let about = "the channels are spectra by their names; the first column is taken as frequency in Hz, whatever X_Dimension says";
-    let mut findings = vec![Issue::new(IssueKind::HeaderDisagrees, 1, None, about.to_owned())];
+    let mut findings = vec![Issue::new(
+        IssueKind::HeaderDisagrees,
+        1,
+        None,
+        about.to_owned(),
+    )];
     // An amplitude is never negative: such a spectrum holds levels.
     for column in columns {
         let mut negative = false;
@@ -219,8 +351,14 @@ fn is_whole(x: &ColumnNumbers) -> Result<bool, Damage> {
 }
 
 /// Channels up to the row where their column of times ends: a channel may be shorter than those beside it.
-fn ended(x: Option<ColumnNumbers>, members: Members, store: &SampleStore) -> Result<(Option<ColumnNumbers>, Members), Damage> {
-    let Some(times) = x else { return Ok((None, members)) };
+fn ended(
+    x: Option<ColumnNumbers>,
+    members: Members,
+    store: &SampleStore,
+) -> Result<(Option<ColumnNumbers>, Members), Damage> {
+    let Some(times) = x else {
+        return Ok((None, members));
+    };
     let (mut number, mut last) = (0, 0);
     times.each(|t| {
         number += 1;
@@ -243,13 +381,28 @@ fn ended(x: Option<ColumnNumbers>, members: Members, store: &SampleStore) -> Res
     };
     let short = |(k, column): (usize, RawColumn)| {
         let imaginary = column.imaginary.map(cut).transpose()?;
-        Ok((k, RawColumn { values: cut(column.values)?, imaginary, ..RawColumn::new(&column.name, &column.unit, Vec::new().into()) }))
+        Ok((
+            k,
+            RawColumn {
+                values: cut(column.values)?,
+                imaginary,
+                ..RawColumn::new(&column.name, &column.unit, Vec::new().into())
+            },
+        ))
     };
-    Ok((Some(cut(times)?), members.into_iter().map(short).collect::<Result<_, Damage>>()?))
+    Ok((
+        Some(cut(times)?),
+        members
+            .into_iter()
+            .map(short)
+            .collect::<Result<_, Damage>>()?,
+    ))
 }
 
 /// The first value of a key of the header.
 fn value<'a>(lines: &[&'a str], key: &str) -> Option<&'a str> {
-    let line = lines.iter().find(|line| line.starts_with(key) && line[key.len()..].starts_with(['\t', ',']))?;
+    let line = lines
+        .iter()
+        .find(|line| line.starts_with(key) && line[key.len()..].starts_with(['\t', ',']))?;
     line[key.len() + 1..].split('\t').next().map(str::trim)
 }

@@ -45,7 +45,9 @@ mod uff;
 mod verdict;
 mod wav;
 
-pub use contents::{Contents, ModeShape, file, record, summary, survey_noted, survey_record, survey_record_noted};
+pub use contents::{
+    Contents, ModeShape, file, record, summary, survey_noted, survey_record, survey_record_noted,
+};
 pub use decimation::DecimatedRecording;
 pub use error::ReadError;
 pub use from_arrays::{ArraysError, given};

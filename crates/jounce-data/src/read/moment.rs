@@ -36,7 +36,11 @@ pub(super) struct Clock {
 impl Clock {
     /// Starts with a first moment.
     pub(super) fn from(first: Moment) -> Self {
-        Self { first: first.nanoseconds, before: first.nanoseconds, days: 0 }
+        Self {
+            first: first.nanoseconds,
+            before: first.nanoseconds,
+            days: 0,
+        }
     }
 
     /// Seconds since the first moment. A time of day that falls back by more than half a day is one of the next day.
@@ -45,7 +49,10 @@ impl Clock {
             self.days += 1;
         }
         self.before = moment.nanoseconds;
-        let passed = moment.nanoseconds.saturating_sub(self.first).saturating_add(self.days.saturating_mul(DAY));
+        let passed = moment
+            .nanoseconds
+            .saturating_sub(self.first)
+            .saturating_add(self.days.saturating_mul(DAY));
         // Whole seconds and the rest apart, so that long records keep their digits.
         (passed / SECOND) as f64 + (passed % SECOND) as f64 / SECOND as f64
     }
@@ -61,12 +68,21 @@ impl Moment {
         // The date ends at the last blank or `T` before the first colon.
         let split = clock_at.and_then(|at| text[..at].rfind(['T', ' ', '_']));
         match (clock_at, split) {
-            (None, _) => date(text)?.map(|days| Self { nanoseconds: days, dated: true }),
-            (Some(_), None) => Some(Self { nanoseconds: time(text)?, dated: false }),
+            (None, _) => date(text)?.map(|days| Self {
+                nanoseconds: days,
+                dated: true,
+            }),
+            (Some(_), None) => Some(Self {
+                nanoseconds: time(text)?,
+                dated: false,
+            }),
             (Some(_), Some(at)) => {
                 let (day, inside) = (date(text[..at].trim())?, time(text[at + 1..].trim())?);
                 let nanoseconds = day.map_or(Some(inside), |day| day.checked_add(inside))?;
-                Some(Self { nanoseconds, dated: day.is_some() })
+                Some(Self {
+                    nanoseconds,
+                    dated: day.is_some(),
+                })
             }
         }
     }
@@ -74,16 +90,32 @@ impl Moment {
 
 impl std::fmt::Display for Moment {
     fn fmt(&self, to: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let (day, inside) = (self.nanoseconds.div_euclid(DAY), self.nanoseconds.rem_euclid(DAY));
-        let date = self.dated.then(|| NaiveDate::default().checked_add_signed(chrono::TimeDelta::days(day))).flatten();
+        let (day, inside) = (
+            self.nanoseconds.div_euclid(DAY),
+            self.nanoseconds.rem_euclid(DAY),
+        );
+        let date = self
+            .dated
+            .then(|| NaiveDate::default().checked_add_signed(chrono::TimeDelta::days(day)))
+            .flatten();
         if let Some(date) = date {
             write!(to, "{date} ")?;
         }
         let (seconds, rest) = (inside / SECOND, inside % SECOND);
-        write!(to, "{:02}:{:02}:{:02}", seconds / 3600, seconds / 60 % 60, seconds % 60)?;
+        write!(
+            to,
+            "{:02}:{:02}:{:02}",
+            seconds / 3600,
+            seconds / 60 % 60,
+            seconds % 60
+        )?;
         let fraction = format!("{rest:09}");
         let fraction = fraction.trim_end_matches('0');
-        if fraction.is_empty() { Ok(()) } else { write!(to, ".{fraction}") }
+        if fraction.is_empty() {
+            Ok(())
+        } else {
+            write!(to, ".{fraction}")
+        }
     }
 }
 
@@ -106,27 +138,41 @@ fn date(text: &str) -> Option<Option<i64>> {
         }
         _ => return None,
     };
-    let days = NaiveDate::from_ymd_opt(i32::try_from(year).ok()?, month, day)?.signed_duration_since(NaiveDate::default()).num_days();
+    let days = NaiveDate::from_ymd_opt(i32::try_from(year).ok()?, month, day)?
+        .signed_duration_since(NaiveDate::default())
+        .num_days();
     days.checked_mul(DAY).map(Some)
 }
 
 /// Time of day since midnight in its own zone taken to Greenwich where it tells one, ns.
 fn time(text: &str) -> Option<i64> {
-    let (text, noon) = match text.len().checked_sub(2).map(|at| (&text[..at], text[at..].to_ascii_uppercase())) {
+    let (text, noon) = match text
+        .len()
+        .checked_sub(2)
+        .map(|at| (&text[..at], text[at..].to_ascii_uppercase()))
+    {
         Some((clock, half)) if half == "PM" => (clock.trim_end(), Some(12)),
         Some((clock, half)) if half == "AM" => (clock.trim_end(), Some(0)),
         _ => (text, None),
     };
     let (text, offset) = zone(text)?;
     let parts: Vec<&str> = text.split(':').collect();
-    let whole = |part: &str| part.parse::<i64>().ok().filter(|_| (1..=4).contains(&part.len()) && part.bytes().all(|b| b.is_ascii_digit()));
+    let whole = |part: &str| {
+        part.parse::<i64>()
+            .ok()
+            .filter(|_| (1..=4).contains(&part.len()) && part.bytes().all(|b| b.is_ascii_digit()))
+    };
     let (hours, minutes, seconds) = match parts[..] {
         [hours, minutes, seconds] => (whole(hours)?, whole(minutes)?, fraction(seconds)?),
-        [hours, minutes, seconds, thousandths] if thousandths.len() == 3 => {
-            (whole(hours)?, whole(minutes)?, fraction(&format!("{seconds}.{thousandths}"))?)
-        }
+        [hours, minutes, seconds, thousandths] if thousandths.len() == 3 => (
+            whole(hours)?,
+            whole(minutes)?,
+            fraction(&format!("{seconds}.{thousandths}"))?,
+        ),
         // Without a fraction `14:07` may be hours and minutes.
-        [minutes, seconds] if seconds.contains(['.', ',']) => (0, whole(minutes)?, fraction(seconds)?),
+        [minutes, seconds] if seconds.contains(['.', ',']) => {
+            (0, whole(minutes)?, fraction(seconds)?)
+        }
         _ => return None,
     };
     let hours = noon.map_or(hours, |noon| hours % 12 + noon);
@@ -138,12 +184,22 @@ fn zone(text: &str) -> Option<(&str, i64)> {
     if let Some(bare) = text.strip_suffix(['Z', 'z']) {
         return Some((bare, 0));
     }
-    let Some(at) = text.find(['+', '-']) else { return Some((text, 0)) };
+    let Some(at) = text.find(['+', '-']) else {
+        return Some((text, 0));
+    };
     let digits: String = text[at + 1..].chars().filter(|c| *c != ':').collect();
     let all = digits.len() == 4 && digits.bytes().all(|b| b.is_ascii_digit());
-    let [hours, minutes] = [digits.get(..2)?, digits.get(2..)?].map(|part| part.parse::<i64>().ok());
+    let [hours, minutes] =
+        [digits.get(..2)?, digits.get(2..)?].map(|part| part.parse::<i64>().ok());
     let offset = (hours.filter(|_| all)? * 3600 + minutes? * 60) * SECOND;
-    Some((text[..at].trim_end(), if text[at..].starts_with('-') { -offset } else { offset }))
+    Some((
+        text[..at].trim_end(),
+        if text[at..].starts_with('-') {
+            -offset
+        } else {
+            offset
+        },
+    ))
 }
 
 /// Seconds below 61 with a fraction of any length, ns.
@@ -181,11 +237,25 @@ mod tests {
         for text in dated {
             assert_eq!(Moment::read(text), at(true, day + clock), "{text}");
         }
-        for text in ["14:07:01.25", "03/05/2024 2:07:01.25 PM", "05-Mar-2024 14:07:01.25", "14:07:01:250", "03/05/24 14:07:01.25"] {
+        for text in [
+            "14:07:01.25",
+            "03/05/2024 2:07:01.25 PM",
+            "05-Mar-2024 14:07:01.25",
+            "14:07:01:250",
+            "03/05/24 14:07:01.25",
+        ] {
             assert_eq!(Moment::read(text), at(false, clock), "{text}");
         }
-        assert_eq!(Moment::read("2024-03-05T15:07:01.25+01:00").unwrap().to_string(), "2024-03-05 14:07:01.25");
-        assert_eq!(Moment::read("07:01.25"), at(false, 421 * SECOND + 250_000_000));
+        assert_eq!(
+            Moment::read("2024-03-05T15:07:01.25+01:00")
+                .unwrap()
+                .to_string(),
+            "2024-03-05 14:07:01.25"
+        );
+        assert_eq!(
+            Moment::read("07:01.25"),
+            at(false, 421 * SECOND + 250_000_000)
+        );
         assert_eq!(Moment::read("12:00:00 AM"), at(false, 0));
         assert_eq!(Moment::read("2024-03-05"), at(true, day));
         for text in [
@@ -212,7 +282,11 @@ mod tests {
         let read = |text: &str| Moment::read(text).unwrap();
         let mut clock = Clock::from(read("23:59:59.999"));
         assert_eq!(
-            [clock.seconds(read("23:59:59.999")), clock.seconds(read("00:00:00.000")), clock.seconds(read("00:00:00.001"))],
+            [
+                clock.seconds(read("23:59:59.999")),
+                clock.seconds(read("00:00:00.000")),
+                clock.seconds(read("00:00:00.001"))
+            ],
             [0.0, 0.001, 0.002]
         );
         let mut clock = Clock::from(read("2023-12-31T23:59:59.9"));

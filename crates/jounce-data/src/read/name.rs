@@ -96,20 +96,39 @@ const REMARKS: [&str; 62] = [
 
 /// What is labelled by a letter: `sensor (A)`, `channel 2 (B)`; in small letters.
 const LABELLED: [&str; 22] = [
-    "sensor", "channel", "chan", "ch", "probe", "point", "position", "pos", "place", "location", "node", "input", "output", "signal",
-    "gauge", "side", "line", "port", "module", "station", "site", "dof",
+    "sensor", "channel", "chan", "ch", "probe", "point", "position", "pos", "place", "location",
+    "node", "input", "output", "signal", "gauge", "side", "line", "port", "module", "station",
+    "site", "dof",
 ];
 
 /// What takes an argument in round brackets, in small letters.
-const FUNCTIONS: [&str; 14] =
-    ["re", "im", "real", "imag", "abs", "mag", "magnitude", "phase", "angle", "arg", "log", "log10", "sqrt", "diff"];
+const FUNCTIONS: [&str; 14] = [
+    "re",
+    "im",
+    "real",
+    "imag",
+    "abs",
+    "mag",
+    "magnitude",
+    "phase",
+    "angle",
+    "arg",
+    "log",
+    "log10",
+    "sqrt",
+    "diff",
+];
 
 /// Single letters that are units of other things than recordings hold.
-const LETTERS: [char; 11] = ['A', 'C', 'F', 'H', 'J', 'K', 'S', 'T', 'W', '\u{3a9}', '\u{2126}'];
+const LETTERS: [char; 11] = [
+    'A', 'C', 'F', 'H', 'J', 'K', 'S', 'T', 'W', '\u{3a9}', '\u{2126}',
+];
 
 /// Units of other things than recordings hold, whose quotients are no name and unit.
-const ABOVE: [&str; 19] =
-    ["pC", "nC", "C", "A", "mA", "uA", "count", "counts", "LSB", "rad", "deg", "rpm", "kg", "W", "mW", "J", "ohm", "strain", "ue"];
+const ABOVE: [&str; 19] = [
+    "pC", "nC", "C", "A", "mA", "uA", "count", "counts", "LSB", "rad", "deg", "rpm", "kg", "W",
+    "mW", "J", "ohm", "strain", "ue",
+];
 
 /// Name and unit of a head: `a [m/s^2]`, `a (g)`, `a, m/s2`, `a/g`, `a_m_s2`. The unit is empty where none is told, and may be one that is not
 /// known where brackets hold it.
@@ -119,7 +138,15 @@ pub(super) fn split(head: &str) -> (String, String) {
         if let Some((name, unit)) = bracketed(head, open, close) {
             // In `a/(m/s^2)` a line stands between name and unit; brackets with something else inside belong to the name.
             let name = name.trim_end_matches('/').trim_end();
-            if name.eq_ignore_ascii_case("v") && !matches!(Unit::read(unit), Some(Unit { quantity: Quantity::Voltage, .. })) {
+            if name.eq_ignore_ascii_case("v")
+                && !matches!(
+                    Unit::read(unit),
+                    Some(Unit {
+                        quantity: Quantity::Voltage,
+                        ..
+                    })
+                )
+            {
                 // The voltage of a node, `V(in)`.
                 break;
             }
@@ -134,21 +161,30 @@ pub(super) fn split(head: &str) -> (String, String) {
     if let Some((name, unit)) = head.rsplit_once(", ").filter(|(_, unit)| is_known(unit)) {
         return (name.to_owned(), unit.to_owned());
     }
-    if let Some((name, unit)) = format!(" {head}").rsplit_once(" in ").filter(|(_, unit)| is_known(unit)) {
+    if let Some((name, unit)) = format!(" {head}")
+        .rsplit_once(" in ")
+        .filter(|(_, unit)| is_known(unit))
+    {
         return (name.trim().to_owned(), unit.to_owned());
     }
     if let Some((name, unit)) = divided(head) {
         return (name.to_owned(), unit.to_owned());
     }
     // `CH1V` of Rigol.
-    let numbered =
-        head.strip_suffix('V').filter(|name| name.starts_with("CH") && name.len() > 2 && name[2..].bytes().all(|b| b.is_ascii_digit()));
+    let numbered = head.strip_suffix('V').filter(|name| {
+        name.starts_with("CH") && name.len() > 2 && name[2..].bytes().all(|b| b.is_ascii_digit())
+    });
     if let Some(name) = numbered {
         return (name.to_owned(), "V".to_owned());
     }
     let small = head.to_ascii_lowercase();
-    let ending = ENDINGS.iter().find(|(ending, _)| small.ends_with(ending) && small.len() > ending.len());
-    (head.to_owned(), ending.map_or(String::new(), |(_, unit)| (*unit).to_owned()))
+    let ending = ENDINGS
+        .iter()
+        .find(|(ending, _)| small.ends_with(ending) && small.len() > ending.len());
+    (
+        head.to_owned(),
+        ending.map_or(String::new(), |(_, unit)| (*unit).to_owned()),
+    )
 }
 
 /// True for units that are known, and for all decibels.
@@ -159,13 +195,24 @@ pub(super) fn is_known(unit: &str) -> bool {
 /// True where round brackets behind a name hold a unit, if not one that is known: a formula of units, or one word that is no place, no direction,
 /// no channel and no argument. Numbers and what ends in one, as `ch1`, words with blanks, and single letters that no unit has, are names.
 fn may_be_unit(name: &str, inside: &str) -> bool {
-    let function = name.rsplit(|c: char| !c.is_alphanumeric()).next().unwrap_or_default().to_lowercase();
+    let function = name
+        .rsplit(|c: char| !c.is_alphanumeric())
+        .next()
+        .unwrap_or_default()
+        .to_lowercase();
     let is_remark = |word: &str| REMARKS.contains(&word.to_lowercase().as_str());
-    let is_number = inside.chars().all(|c| c.is_ascii_digit() || c.is_whitespace() || "+-.,:/*".contains(c));
-    if is_number || FUNCTIONS.contains(&function.as_str()) || inside.split(|c: char| !c.is_alphanumeric()).any(is_remark) {
+    let is_number = inside
+        .chars()
+        .all(|c| c.is_ascii_digit() || c.is_whitespace() || "+-.,:/*".contains(c));
+    if is_number
+        || FUNCTIONS.contains(&function.as_str())
+        || inside.split(|c: char| !c.is_alphanumeric()).any(is_remark)
+    {
         return false;
     }
-    if inside.contains(['/', '^', '%', '\u{b0}', '\u{b7}', '\u{22c5}', '\u{207b}', '\u{b2}', '\u{b3}']) {
+    if inside.contains([
+        '/', '^', '%', '\u{b0}', '\u{b7}', '\u{22c5}', '\u{207b}', '\u{b2}', '\u{b3}',
+    ]) {
         return true;
     }
     let single = inside.chars().count() == 1;
@@ -174,13 +221,15 @@ fn may_be_unit(name: &str, inside: &str) -> bool {
 }
 
 fn is_labelled(name: &str) -> bool {
-    name.split(|c: char| !c.is_alphabetic()).any(|word| LABELLED.contains(&word.to_lowercase().as_str()))
+    name.split(|c: char| !c.is_alphabetic())
+        .any(|word| LABELLED.contains(&word.to_lowercase().as_str()))
 }
 
 /// How one letter in round brackets was read that may be a unit and a label: `sensor (V)`, `channel (A)`; none in a head without such.
 pub(super) fn doubt(head: &str) -> Option<Issue> {
     let head = head.trim().trim_matches('"').trim();
-    let (_, letter) = bracketed(head, '(', ')').filter(|(name, letter)| letter.chars().count() == 1 && is_labelled(name))?;
+    let (_, letter) = bracketed(head, '(', ')')
+        .filter(|(name, letter)| letter.chars().count() == 1 && is_labelled(name))?;
     let about = match Unit::read(letter) {
         Some(_) => {
             format!(
@@ -188,7 +237,9 @@ pub(super) fn doubt(head: &str) -> Option<Issue> {
             )
         }
         None if letter.contains(LETTERS) => {
-            format!("({letter}) in {head:?} is read as a label, not as a unit; where it is one, say its name in the notes beside the file")
+            format!(
+                "({letter}) in {head:?} is read as a label, not as a unit; where it is one, say its name in the notes beside the file"
+            )
         }
         None => return None,
     };
@@ -199,7 +250,9 @@ pub(super) fn doubt(head: &str) -> Option<Issue> {
 fn divided(head: &str) -> Option<(&str, &str)> {
     let (name, unit) = head.split_once('/').filter(|_| !is_known(head))?;
     let (name, unit) = (name.trim(), unit.trim());
-    let is_name = name.starts_with(char::is_alphabetic) && !ABOVE.contains(&name) && !unit.eq_ignore_ascii_case("in");
+    let is_name = name.starts_with(char::is_alphabetic)
+        && !ABOVE.contains(&name)
+        && !unit.eq_ignore_ascii_case("in");
     let fits = match Unit::read(unit)?.quantity {
         Quantity::Time => is_time(name),
         Quantity::Frequency => is_frequency(name),
@@ -223,10 +276,24 @@ fn bracketed(head: &str, open: char, close: char) -> Option<(&str, &str)> {
 /// True for names of a time.
 pub(super) fn is_time(name: &str) -> bool {
     let small = name.trim().to_lowercase();
-    let whole = ["t", "time", "zeit", "x_value", "timestamp", "uhrzeit", "temps", "elapsed", "datetime", "date time", "date/time"];
+    let whole = [
+        "t",
+        "time",
+        "zeit",
+        "x_value",
+        "timestamp",
+        "uhrzeit",
+        "temps",
+        "elapsed",
+        "datetime",
+        "date time",
+        "date/time",
+    ];
     time_unit(name).is_some()
         || whole.contains(&small.as_str())
-        || ["time", "timestamp", "t_", "t ["].iter().any(|start| small.starts_with(start))
+        || ["time", "timestamp", "t_", "t ["]
+            .iter()
+            .any(|start| small.starts_with(start))
 }
 
 /// The unit of names that are one: `seconds`, `millis`.
@@ -243,7 +310,11 @@ pub(super) fn time_unit(name: &str) -> Option<&'static str> {
 /// True for names of a frequency.
 pub(super) fn is_frequency(name: &str) -> bool {
     let small = name.trim().to_lowercase();
-    small == "f" || small == "hz" || small.starts_with("freq") || small.starts_with("f_hz") || small.starts_with("f [")
+    small == "f"
+        || small == "hz"
+        || small.starts_with("freq")
+        || small.starts_with("f_hz")
+        || small.starts_with("f [")
 }
 
 #[cfg(test)]
@@ -303,15 +374,34 @@ mod tests {
         for (head, name, unit) in cases {
             assert_eq!(split(head), (name.to_owned(), unit.to_owned()), "{head}");
         }
-        for (head, name, unit) in [("sensor (A)", "sensor (A)", ""), ("Channel 2 (K)", "Channel 2 (K)", ""), ("sensor (V)", "sensor", "V")]
-        {
+        for (head, name, unit) in [
+            ("sensor (A)", "sensor (A)", ""),
+            ("Channel 2 (K)", "Channel 2 (K)", ""),
+            ("sensor (V)", "sensor", "V"),
+        ] {
             assert_eq!(split(head), (name.to_owned(), unit.to_owned()), "{head}");
-            assert_eq!(doubt(head).and_then(|told| told.channel).as_deref(), Some(name), "{head}");
+            assert_eq!(
+                doubt(head).and_then(|told| told.channel).as_deref(),
+                Some(name),
+                "{head}"
+            );
         }
-        for (head, name, unit) in [("I (A)", "I", "A"), ("T (K)", "T", "K"), ("U (V)", "U", "V"), ("sensor (mV)", "sensor", "mV")] {
-            assert_eq!((split(head), doubt(head)), ((name.to_owned(), unit.to_owned()), None), "{head}");
+        for (head, name, unit) in [
+            ("I (A)", "I", "A"),
+            ("T (K)", "T", "K"),
+            ("U (V)", "U", "V"),
+            ("sensor (mV)", "sensor", "mV"),
+        ] {
+            assert_eq!(
+                (split(head), doubt(head)),
+                ((name.to_owned(), unit.to_owned()), None),
+                "{head}"
+            );
         }
-        assert_eq!((split("channel (B)").0.as_str(), doubt("channel (B)")), ("channel (B)", None));
+        assert_eq!(
+            (split("channel (B)").0.as_str(), doubt("channel (B)")),
+            ("channel (B)", None)
+        );
         assert!(is_time("Time") && is_time("timestamp_ms") && is_time("t") && !is_time("tip"));
         assert!(is_frequency("Frequency [Hz]") && !is_frequency("force"));
     }

@@ -59,7 +59,15 @@ pub struct ChannelNotes {
 }
 
 const KEYS: [&str; 4] = ["rate", "time", "over", "channel"];
-const CHANNEL_KEYS: [&str; 7] = ["name", "unit", "scale", "place", "direction", "reference", "use"];
+const CHANNEL_KEYS: [&str; 7] = [
+    "name",
+    "unit",
+    "scale",
+    "place",
+    "direction",
+    "reference",
+    "use",
+];
 
 impl Notes {
     /// Where the notes of a file lie.
@@ -87,7 +95,9 @@ impl Notes {
     /// # Errors
     /// One sentence for each fault.
     pub fn from_toml(text: &str) -> Result<Self, Vec<String>> {
-        let document = text.parse::<DocumentMut>().map_err(|fault| vec![fault.to_string().trim_end().to_owned()])?;
+        let document = text
+            .parse::<DocumentMut>()
+            .map_err(|fault| vec![fault.to_string().trim_end().to_owned()])?;
         let (mut notes, mut faults) = (Self::default(), unknown(document.as_table(), &KEYS, ""));
         if let Some(rate) = text_of(document.as_table(), "rate", "", &mut faults) {
             match Spec::Frequency.read(&rate) {
@@ -100,26 +110,42 @@ impl Notes {
         match text_of(document.as_table(), "over", "", &mut faults).as_deref() {
             None | Some("time") => {}
             Some("frequency") => notes.over_frequency = true,
-            Some(other) => faults.push(format!("over = {other:?} must be \"time\" or \"frequency\"")),
+            Some(other) => faults.push(format!(
+                "over = {other:?} must be \"time\" or \"frequency\""
+            )),
         }
         match document.get("channel") {
             None => {}
             Some(Item::Table(channels)) => {
                 for (key, item) in channels {
                     match item.as_table() {
-                        Some(table) => drop(notes.channels.insert(key.to_owned(), channel(key, table, &mut faults))),
-                        None => faults.push(format!("channel.{key} must be a table: [channel.{key}]")),
+                        Some(table) => drop(
+                            notes
+                                .channels
+                                .insert(key.to_owned(), channel(key, table, &mut faults)),
+                        ),
+                        None => {
+                            faults.push(format!("channel.{key} must be a table: [channel.{key}]"))
+                        }
                     }
                 }
             }
             Some(_) => faults.push("channel must be tables: [channel.NAME]".to_owned()),
         }
-        if faults.is_empty() { Ok(notes) } else { Err(faults) }
+        if faults.is_empty() {
+            Ok(notes)
+        } else {
+            Err(faults)
+        }
     }
 
     /// What is said of a channel by its name or its number from 1.
     pub(super) fn of(&self, name: &str, number: usize) -> ChannelNotes {
-        self.channels.get(name).or_else(|| self.channels.get(&number.to_string())).cloned().unwrap_or_default()
+        self.channels
+            .get(name)
+            .or_else(|| self.channels.get(&number.to_string()))
+            .cloned()
+            .unwrap_or_default()
     }
 }
 
@@ -130,8 +156,12 @@ fn channel(name: &str, table: &Table, faults: &mut Vec<String>) -> ChannelNotes 
     if let Some(unit) = unit.as_ref().filter(|unit| Unit::read(unit).is_none()) {
         faults.push(format!("{place}unit = {unit:?} is no known unit; m/s^2, g, N, lbf, V, m, Pa, s, Hz and more will do"));
     }
-    let scale = table.get("scale").and_then(|item| item.as_float().or_else(|| item.as_integer().map(|whole| whole as f64)));
-    if table.contains_key("scale") && !scale.is_some_and(|scale| scale.is_finite() && scale != 0.0) {
+    let scale = table.get("scale").and_then(|item| {
+        item.as_float()
+            .or_else(|| item.as_integer().map(|whole| whole as f64))
+    });
+    if table.contains_key("scale") && !scale.is_some_and(|scale| scale.is_finite() && scale != 0.0)
+    {
         faults.push(format!("{place}scale must be a number other than 0"));
     }
     let left_out = match table.get("use").map(Item::as_bool) {
@@ -162,8 +192,18 @@ fn text_of(table: &Table, key: &str, place: &str, faults: &mut Vec<String>) -> O
 }
 
 fn unknown(table: &Table, keys: &[&str], place: &str) -> Vec<String> {
-    let strange = table.iter().map(|(key, _)| key).filter(|key| !keys.contains(key));
-    strange.map(|key| format!("{place}{key} is no key of notes; there are {}", keys.join(", "))).collect()
+    let strange = table
+        .iter()
+        .map(|(key, _)| key)
+        .filter(|key| !keys.contains(key));
+    strange
+        .map(|key| {
+            format!(
+                "{place}{key} is no key of notes; there are {}",
+                keys.join(", ")
+            )
+        })
+        .collect()
 }
 
 #[cfg(test)]
@@ -173,7 +213,10 @@ mod tests {
 
     #[test]
     fn notes_are_read_and_all_faults_told_at_once() {
-        let notes = Notes::from_toml("rate = \"25.6 kHz\"\n[channel.2]\nunit = \"N\"\nscale = 2\n[channel.b]\nuse = false\n").unwrap();
+        let notes = Notes::from_toml(
+            "rate = \"25.6 kHz\"\n[channel.2]\nunit = \"N\"\nscale = 2\n[channel.b]\nuse = false\n",
+        )
+        .unwrap();
         assert_eq!(notes.rate_hz, Some(25_600.0));
         assert_eq!(notes.of("x", 2).scale, Some(2.0));
         assert!(notes.of("b", 3).left_out);

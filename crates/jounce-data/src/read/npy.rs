@@ -43,7 +43,12 @@ pub(super) fn read(path: &Path, store: &SampleStore) -> Result<FormatContents, D
     let (rows, columns) = match header.shape[..] {
         [count] => (1, count),
         [rows, columns] => (rows, columns),
-        _ => return Err(Damage::new(format!("the array has {} dimensions; one or two are due", header.shape.len()))),
+        _ => {
+            return Err(Damage::new(format!(
+                "the array has {} dimensions; one or two are due",
+                header.shape.len()
+            )));
+        }
     };
     let (_, complex) = header.scalar()?;
     if complex {
@@ -56,8 +61,14 @@ pub(super) fn read(path: &Path, store: &SampleStore) -> Result<FormatContents, D
     }
     let array = header.numbers(&mut source, bytes, store)?;
     let name = |k: usize| format!("channel {}", k + 1);
-    let series = array.series.into_iter().enumerate().map(|(k, values)| RawColumn::new(&name(k), "", values)).collect();
-    let about = format!("an array of {rows} x {columns} without names: its longer side is taken as time");
+    let series = array
+        .series
+        .into_iter()
+        .enumerate()
+        .map(|(k, values)| RawColumn::new(&name(k), "", values))
+        .collect();
+    let about =
+        format!("an array of {rows} x {columns} without names: its longer side is taken as time");
     Ok(Raw::columns(series, vec![Issue::new(IssueKind::Assumed, 1, None, about)]).into())
 }
 
@@ -68,46 +79,78 @@ impl Header {
         source.read_exact(&mut begin).map_err(Damage::cut)?;
         let version = begin[BEGIN.len()];
         if !begin.starts_with(BEGIN) || !(1..=3).contains(&version) {
-            return Err(Damage::new(format!("version {version} of the format is not known; 1 to 3 are")));
+            return Err(Damage::new(format!(
+                "version {version} of the format is not known; 1 to 3 are"
+            )));
         }
         let mut length = [0; 4];
-        source.read_exact(&mut length[..if version == 1 { 2 } else { 4 }]).map_err(Damage::cut)?;
+        source
+            .read_exact(&mut length[..if version == 1 { 2 } else { 4 }])
+            .map_err(Damage::cut)?;
         let length = u32::from_le_bytes(length) as usize;
         if length > MAX_HEADER_BYTES {
-            return Err(Damage::new(format!("its header is {length} bytes long; at most {MAX_HEADER_BYTES} are due")));
+            return Err(Damage::new(format!(
+                "its header is {length} bytes long; at most {MAX_HEADER_BYTES} are due"
+            )));
         }
         let mut text = vec![0; length];
         source.read_exact(&mut text).map_err(Damage::cut)?;
         let text: String = text.iter().map(|b| char::from(*b)).collect();
-        Self::parse(&text).ok_or_else(|| Damage::new(format!("its header tells no type, order and shape: {:?}", text.trim())))
+        Self::parse(&text).ok_or_else(|| {
+            Damage::new(format!(
+                "its header tells no type, order and shape: {:?}",
+                text.trim()
+            ))
+        })
     }
 
     fn parse(text: &str) -> Option<Self> {
         let value = |key: &str| {
-            let behind = text.split_once(&format!("'{key}'")).or_else(|| text.split_once(&format!("\"{key}\"")))?.1;
+            let behind = text
+                .split_once(&format!("'{key}'"))
+                .or_else(|| text.split_once(&format!("\"{key}\"")))?
+                .1;
             Some(behind.trim_start().strip_prefix(':')?.trim_start())
         };
         let descr = value("descr")?;
         let dtype = match descr.chars().next()? {
             quote @ ('\'' | '"') => descr[1..].split(quote).next()?.to_owned(),
-            _ => descr.split("'fortran_order'").next()?.trim_end_matches([' ', ',']).to_owned(),
+            _ => descr
+                .split("'fortran_order'")
+                .next()?
+                .trim_end_matches([' ', ','])
+                .to_owned(),
         };
         let order = value("fortran_order")?;
         let fortran = order.starts_with("True");
         let inside = value("shape")?.strip_prefix('(')?.split(')').next()?;
-        let sizes = inside.split(',').map(str::trim).filter(|size| !size.is_empty());
-        let shape = sizes.map(|size| size.trim_end_matches('L').parse().ok()).collect::<Option<Vec<u64>>>()?;
-        (fortran || order.starts_with("False")).then_some(Self { dtype, fortran, shape })
+        let sizes = inside
+            .split(',')
+            .map(str::trim)
+            .filter(|size| !size.is_empty());
+        let shape = sizes
+            .map(|size| size.trim_end_matches('L').parse().ok())
+            .collect::<Option<Vec<u64>>>()?;
+        (fortran || order.starts_with("False")).then_some(Self {
+            dtype,
+            fortran,
+            shape,
+        })
     }
 
     /// How the numbers are stored, and whether each is a pair of real and imaginary part.
     pub fn scalar(&self) -> Result<(Scalar, bool), Damage> {
         let dtype = self.dtype.as_str();
         if dtype.starts_with('[') || dtype.contains('V') {
-            return Err(Damage::new(format!("its numbers are records ({dtype}); save each as an array of its own")));
+            return Err(Damage::new(format!(
+                "its numbers are records ({dtype}); save each as an array of its own"
+            )));
         }
-        let other =
-            || Damage::new(format!("its numbers are of type {dtype}; real numbers are due, of 2, 4 or 8 bytes, or whole ones of 1 to 8"));
+        let other = || {
+            Damage::new(format!(
+                "its numbers are of type {dtype}; real numbers are due, of 2, 4 or 8 bytes, or whole ones of 1 to 8"
+            ))
+        };
         let little_endian = match dtype.chars().next() {
             Some('<' | '|') => true,
             Some('>') => false,
@@ -115,7 +158,11 @@ impl Header {
             _ => return Err(other()),
         };
         let kind = dtype.get(1..2).unwrap_or_default();
-        let size: usize = dtype.get(2..).unwrap_or_default().parse().map_err(|_| other())?;
+        let size: usize = dtype
+            .get(2..)
+            .unwrap_or_default()
+            .parse()
+            .map_err(|_| other())?;
         let (kind, size, complex) = match kind {
             "f" => (Kind::Float, size, false),
             "c" => (Kind::Float, size / 2, true),
@@ -123,30 +170,64 @@ impl Header {
             "u" | "b" => (Kind::Unsigned, size, false),
             _ => return Err(other()),
         };
-        Ok((Scalar::new(kind, size, little_endian).ok_or_else(other)?, complex))
+        Ok((
+            Scalar::new(kind, size, little_endian).ok_or_else(other)?,
+            complex,
+        ))
     }
 
     /// The numbers behind the header, of which at most so many bytes can follow.
-    pub fn numbers(&self, source: &mut dyn Read, bytes: u64, store: &SampleStore) -> Result<SeriesOf, Damage> {
+    pub fn numbers(
+        &self,
+        source: &mut dyn Read,
+        bytes: u64,
+        store: &SampleStore,
+    ) -> Result<SeriesOf, Damage> {
         let (scalar, complex) = self.scalar()?;
-        let sizes = self.shape.iter().map(u64::to_string).collect::<Vec<_>>().join(" x ");
+        let sizes = self
+            .shape
+            .iter()
+            .map(u64::to_string)
+            .collect::<Vec<_>>()
+            .join(" x ");
         let layout = ArrayLayout::new(&self.shape, !self.fortran);
-        let layout = layout.ok_or_else(|| Damage::new(format!("an array of {sizes} numbers is no series of numbers")))?;
+        let layout = layout.ok_or_else(|| {
+            Damage::new(format!(
+                "an array of {sizes} numbers is no series of numbers"
+            ))
+        })?;
         let parts = if complex { 2 } else { 1 };
         let total = layout.total() * parts;
-        if total.checked_mul(scalar.size as u64).is_none_or(|due| due > bytes) {
-            return Err(Damage::new(format!("an array of {sizes} numbers is more than the {bytes} bytes of the file hold; was it cut?")));
+        if total
+            .checked_mul(scalar.size as u64)
+            .is_none_or(|due| due > bytes)
+        {
+            return Err(Damage::new(format!(
+                "an array of {sizes} numbers is more than the {bytes} bytes of the file hold; was it cut?"
+            )));
         }
         let mut series = layout.series(store)?;
-        let mut imaginary = if complex { Some(layout.series(store)?) } else { None };
+        let mut imaginary = if complex {
+            Some(layout.series(store)?)
+        } else {
+            None
+        };
         let mut number = 0;
         scalar.each(source, total, |x| {
             let place = number / parts;
-            let part = if number % parts == 0 { Some(&mut series) } else { imaginary.as_mut() };
+            let part = if number % parts == 0 {
+                Some(&mut series)
+            } else {
+                imaginary.as_mut()
+            };
             number += 1;
             part.map_or(Ok(()), |part| layout.push(part, place, x))
         })?;
-        Ok(SeriesOf { series, imaginary, labels: layout.labels() })
+        Ok(SeriesOf {
+            series,
+            imaginary,
+            labels: layout.labels(),
+        })
     }
 }
 
@@ -158,12 +239,30 @@ mod tests {
     #[test]
     fn headers_are_read_in_every_form() {
         let header = |text| Header::parse(text);
-        let found = header("{'descr': '<f8', 'fortran_order': False, 'shape': (3, 2), }   \n").unwrap();
-        assert_eq!((found.dtype.as_str(), found.fortran, &found.shape[..]), ("<f8", false, &[3, 2][..]));
-        let found = header("{'descr': [('a', '<f8'), ('b', '<i4')], 'fortran_order': True, 'shape': (7L,), }").unwrap();
-        assert_eq!((found.dtype.as_str(), found.fortran, &found.shape[..]), ("[('a', '<f8'), ('b', '<i4')]", true, &[7][..]));
+        let found =
+            header("{'descr': '<f8', 'fortran_order': False, 'shape': (3, 2), }   \n").unwrap();
+        assert_eq!(
+            (found.dtype.as_str(), found.fortran, &found.shape[..]),
+            ("<f8", false, &[3, 2][..])
+        );
+        let found = header(
+            "{'descr': [('a', '<f8'), ('b', '<i4')], 'fortran_order': True, 'shape': (7L,), }",
+        )
+        .unwrap();
+        assert_eq!(
+            (found.dtype.as_str(), found.fortran, &found.shape[..]),
+            ("[('a', '<f8'), ('b', '<i4')]", true, &[7][..])
+        );
         assert!(found.scalar().is_err());
-        assert_eq!(header("{'shape': (), 'fortran_order': False, 'descr': '|b1'}").unwrap().scalar().unwrap().0.size, 1);
+        assert_eq!(
+            header("{'shape': (), 'fortran_order': False, 'descr': '|b1'}")
+                .unwrap()
+                .scalar()
+                .unwrap()
+                .0
+                .size,
+            1
+        );
         for wrong in [
             "",
             "{'descr': '<f8'}",
@@ -172,10 +271,33 @@ mod tests {
         ] {
             assert_eq!(header(wrong), None, "{wrong}");
         }
-        let complex = Header { dtype: ">c16".into(), fortran: false, shape: vec![2] };
-        assert_eq!(complex.scalar().unwrap(), (Scalar { kind: Kind::Float, size: 8, little_endian: false }, true));
+        let complex = Header {
+            dtype: ">c16".into(),
+            fortran: false,
+            shape: vec![2],
+        };
+        assert_eq!(
+            complex.scalar().unwrap(),
+            (
+                Scalar {
+                    kind: Kind::Float,
+                    size: 8,
+                    little_endian: false
+                },
+                true
+            )
+        );
         for dtype in ["<f3", "<U3", "|O", "<M8", "f8", "<f", "\u{e9}f8"] {
-            assert!(Header { dtype: dtype.into(), fortran: false, shape: vec![2] }.scalar().is_err(), "{dtype}");
+            assert!(
+                Header {
+                    dtype: dtype.into(),
+                    fortran: false,
+                    shape: vec![2]
+                }
+                .scalar()
+                .is_err(),
+                "{dtype}"
+            );
         }
     }
 }

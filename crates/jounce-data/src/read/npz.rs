@@ -28,27 +28,50 @@ pub(super) fn read(path: &FilePath, store: &SampleStore) -> Result<FormatContent
     while let Some(entry) = entries.next_entry().map_err(|fault| wrong(&fault))? {
         let file_name = String::from_utf8_lossy(entry.file_path().as_ref()).into_owned();
         let Some(name) = file_name.strip_suffix(".npy") else {
-            tree.skip(format!("{file_name} in the archive is no array and was left out"));
+            tree.skip(format!(
+                "{file_name} in the archive is no array and was left out"
+            ));
             continue;
         };
         found += 1;
         if found > MAX_ARRAYS {
-            return Err(Damage::new(format!("it holds more than {MAX_ARRAYS} arrays")));
+            return Err(Damage::new(format!(
+                "it holds more than {MAX_ARRAYS} arrays"
+            )));
         }
-        let of_array = |damage: Damage| Damage { why: format!("{name}: {}", damage.why), ..damage };
+        let of_array = |damage: Damage| Damage {
+            why: format!("{name}: {}", damage.why),
+            ..damage
+        };
         let method = entry.compression_method();
-        let bytes = entry.uncompressed_size_hint().min(entry.compressed_size_hint().saturating_mul(MAX_RATIO));
-        let place = archive.get_entry(entry.wayfinder()).map_err(|fault| wrong(&fault))?;
+        let bytes = entry
+            .uncompressed_size_hint()
+            .min(entry.compressed_size_hint().saturating_mul(MAX_RATIO));
+        let place = archive
+            .get_entry(entry.wayfinder())
+            .map_err(|fault| wrong(&fault))?;
         let stored = place.reader();
         let content: Box<dyn Read + '_> = match method {
             CompressionMethod::STORE => Box::new(stored),
             CompressionMethod::DEFLATE => Box::new(DeflateDecoder::new(stored)),
-            other => return Err(of_array(Damage::new(format!("it is compressed by {other:?}; save it by numpy.savez_compressed")))),
+            other => {
+                return Err(of_array(Damage::new(format!(
+                    "it is compressed by {other:?}; save it by numpy.savez_compressed"
+                ))));
+            }
         };
         let mut checked = place.verifying_reader(content);
-        array(&mut checked, &Path::default().to(name), bytes, store, &mut tree).map_err(of_array)?;
+        array(
+            &mut checked,
+            &Path::default().to(name),
+            bytes,
+            store,
+            &mut tree,
+        )
+        .map_err(of_array)?;
         // The check sum is looked at behind the last byte.
-        io::copy(&mut checked.take(bytes), &mut io::sink()).map_err(|fault| of_array(Damage::cut(fault)))?;
+        io::copy(&mut checked.take(bytes), &mut io::sink())
+            .map_err(|fault| of_array(Damage::cut(fault)))?;
     }
     if found == 0 {
         return Err(Damage::new(
@@ -62,9 +85,19 @@ fn wrong(fault: &rawzip::Error) -> Damage {
     Damage::new(format!("{fault}; was the file cut?"))
 }
 
-fn array(source: &mut dyn Read, path: &Path, bytes: u64, store: &SampleStore, tree: &mut Tree) -> Result<(), Damage> {
+fn array(
+    source: &mut dyn Read,
+    path: &Path,
+    bytes: u64,
+    store: &SampleStore,
+    tree: &mut Tree,
+) -> Result<(), Damage> {
     let header = Header::read(source)?;
-    if let Some(length) = header.dtype.strip_prefix("<U").and_then(|length| length.parse().ok()) {
+    if let Some(length) = header
+        .dtype
+        .strip_prefix("<U")
+        .and_then(|length| length.parse().ok())
+    {
         tree.text(path, texts(source, &header, length)?);
         return Ok(());
     }
@@ -86,15 +119,33 @@ fn array(source: &mut dyn Read, path: &Path, bytes: u64, store: &SampleStore, tr
 
 /// Texts of so many characters of four bytes each, filled up with zeros.
 fn texts(source: &mut dyn Read, header: &Header, length: u64) -> Result<Vec<String>, Damage> {
-    let count = header.shape.iter().try_fold(1_u64, |product, size| product.checked_mul(*size));
-    let fits = count.filter(|count| count.checked_mul(length).is_some_and(|characters| characters <= MAX_CHARACTERS));
-    let Some(count) = fits.filter(|_| length > 0) else { return Ok(Vec::new()) };
+    let count = header
+        .shape
+        .iter()
+        .try_fold(1_u64, |product, size| product.checked_mul(*size));
+    let fits = count.filter(|count| {
+        count
+            .checked_mul(length)
+            .is_some_and(|characters| characters <= MAX_CHARACTERS)
+    });
+    let Some(count) = fits.filter(|_| length > 0) else {
+        return Ok(Vec::new());
+    };
     let mut found = Vec::new();
     let mut bytes = vec![0; 4 * length as usize];
     for _ in 0..count {
         source.read_exact(&mut bytes).map_err(Damage::cut)?;
-        let characters = bytes.as_chunks().0.iter().map(|four| u32::from_le_bytes(*four)).take_while(|c| *c > 0);
-        found.push(characters.map(|c| char::from_u32(c).unwrap_or('\u{fffd}')).collect());
+        let characters = bytes
+            .as_chunks()
+            .0
+            .iter()
+            .map(|four| u32::from_le_bytes(*four))
+            .take_while(|c| *c > 0);
+        found.push(
+            characters
+                .map(|c| char::from_u32(c).unwrap_or('\u{fffd}'))
+                .collect(),
+        );
     }
     Ok(found)
 }

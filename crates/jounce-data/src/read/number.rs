@@ -18,7 +18,19 @@ pub(super) enum TextField {
 }
 
 /// Words for a sample that is missing, in small letters.
-const MISSING: [&str; 11] = ["", "nan", "na", "n/a", "null", "none", "-", "--", "\u{221e}", "-\u{221e}", "+\u{221e}"];
+const MISSING: [&str; 11] = [
+    "",
+    "nan",
+    "na",
+    "n/a",
+    "null",
+    "none",
+    "-",
+    "--",
+    "\u{221e}",
+    "-\u{221e}",
+    "+\u{221e}",
+];
 
 impl TextField {
     /// Reads a field; Fortran's `D` is an exponent too, and a comma is the decimal mark where asked for.
@@ -26,12 +38,17 @@ impl TextField {
         let text = text.trim().trim_matches('"').trim();
         if let Ok(value) = text.parse::<f64>() {
             // `inf` and `nan` are words that parse as numbers.
-            return if value.is_finite() { Self::Real(value) } else { Self::Missing };
+            return if value.is_finite() {
+                Self::Real(value)
+            } else {
+                Self::Missing
+            };
         }
         if MISSING.contains(&text.to_ascii_lowercase().as_str()) {
             return Self::Missing;
         }
-        let begins = text.starts_with(|c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '.' | ',' | '('));
+        let begins = text
+            .starts_with(|c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '.' | ',' | '('));
         if !begins {
             return Self::Text;
         }
@@ -60,13 +77,20 @@ impl TextField {
 
 /// `0x1f`, as instruments write eight digital lines.
 fn hexadecimal(text: &str) -> Option<f64> {
-    let digits = text.strip_prefix("0x").or_else(|| text.strip_prefix("0X")).filter(|digits| !digits.starts_with('+'))?;
+    let digits = text
+        .strip_prefix("0x")
+        .or_else(|| text.strip_prefix("0X"))
+        .filter(|digits| !digits.starts_with('+'))?;
     u32::from_str_radix(digits, 16).ok().map(f64::from)
 }
 
 fn fortran(text: &str) -> Option<f64> {
     let marked = text.bytes().filter(|b| matches!(b, b'D' | b'd')).count() == 1;
-    if marked { text.replace(['D', 'd'], "E").parse().ok() } else { None }
+    if marked {
+        text.replace(['D', 'd'], "E").parse().ok()
+    } else {
+        None
+    }
 }
 
 /// `(re+imj)` as Python writes it, with or without brackets, `i` or `j`.
@@ -74,9 +98,13 @@ fn complex(text: &str) -> Option<(f64, f64)> {
     let bare = text.trim_start_matches('(').trim_end_matches(')');
     let bare = bare.strip_suffix(['j', 'i'])?;
     let bytes = bare.as_bytes();
-    let sign = |k: &usize| matches!(bytes[*k], b'+' | b'-') && !matches!(bytes[*k - 1], b'e' | b'E');
+    let sign =
+        |k: &usize| matches!(bytes[*k], b'+' | b'-') && !matches!(bytes[*k - 1], b'e' | b'E');
     let split = (1..bytes.len()).rev().find(sign)?;
-    Some((bare.get(..split)?.parse().ok()?, bare.get(split..)?.parse().ok()?))
+    Some((
+        bare.get(..split)?.parse().ok()?,
+        bare.get(split..)?.parse().ok()?,
+    ))
 }
 
 #[cfg(test)]
@@ -85,19 +113,41 @@ mod tests {
 
     #[test]
     fn numbers_of_every_spelling_are_read() {
-        for (text, value) in [("1.5", 1.5), (" -2e-3 ", -2e-3), ("1.25D+01", 12.5), ("\"7\"", 7.0), (".5", 0.5), ("+3", 3.0)] {
-            assert_eq!(TextField::read(text, false), TextField::Real(value), "{text}");
+        for (text, value) in [
+            ("1.5", 1.5),
+            (" -2e-3 ", -2e-3),
+            ("1.25D+01", 12.5),
+            ("\"7\"", 7.0),
+            (".5", 0.5),
+            ("+3", 3.0),
+        ] {
+            assert_eq!(
+                TextField::read(text, false),
+                TextField::Real(value),
+                "{text}"
+            );
         }
         assert_eq!(TextField::read("0,25", true), TextField::Real(0.25));
         assert_eq!(TextField::read("0,25", false), TextField::Text);
-        assert_eq!(TextField::read("(-0.5+2.5e-08j)", false), TextField::Complex(-0.5, 2.5e-8));
-        assert_eq!(TextField::read("1-2i", false), TextField::Complex(1.0, -2.0));
+        assert_eq!(
+            TextField::read("(-0.5+2.5e-08j)", false),
+            TextField::Complex(-0.5, 2.5e-8)
+        );
+        assert_eq!(
+            TextField::read("1-2i", false),
+            TextField::Complex(1.0, -2.0)
+        );
         for text in ["", "NaN", "N/A", "inf", "null", "-\u{221e}"] {
             assert_eq!(TextField::read(text, false), TextField::Missing, "{text}");
         }
         assert_eq!(TextField::read("0x1F", false), TextField::Real(31.0));
-        assert!(matches!(TextField::read("12:00:01,5", true), TextField::Moment(_)));
-        for text in ["x", "1.2.3", "12:00", "0x", "0x+1", "(", "()", "1 2", "\u{b5}"] {
+        assert!(matches!(
+            TextField::read("12:00:01,5", true),
+            TextField::Moment(_)
+        ));
+        for text in [
+            "x", "1.2.3", "12:00", "0x", "0x+1", "(", "()", "1 2", "\u{b5}",
+        ] {
             assert_eq!(TextField::read(text, true), TextField::Text, "{text}");
         }
     }

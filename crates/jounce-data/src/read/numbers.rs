@@ -21,23 +21,39 @@ pub struct ColumnNumbers {
 #[derive(Debug)]
 enum NumberStore {
     Memory(Vec<f64>),
-    Shelf { scratch: Rc<RefCell<Scratch>>, pieces: Vec<StoredPiece>, last: Vec<f64> },
+    Shelf {
+        scratch: Rc<RefCell<Scratch>>,
+        pieces: Vec<StoredPiece>,
+        last: Vec<f64>,
+    },
 }
 
 impl ColumnNumbers {
     pub(super) fn on(store: &SampleStore) -> Self {
         let kept = match store {
             SampleStore::Memory => NumberStore::Memory(Vec::new()),
-            SampleStore::Scratch(scratch) => NumberStore::Shelf { scratch: Rc::clone(scratch), pieces: Vec::new(), last: Vec::new() },
+            SampleStore::Scratch(scratch) => NumberStore::Shelf {
+                scratch: Rc::clone(scratch),
+                pieces: Vec::new(),
+                last: Vec::new(),
+            },
         };
-        Self { kept, levels: None, factor: 1.0 }
+        Self {
+            kept,
+            levels: None,
+            factor: 1.0,
+        }
     }
 
     /// Puts a number behind the others; it may fail where the scratch file cannot be written.
     pub(super) fn push(&mut self, x: f64) -> io::Result<()> {
         match &mut self.kept {
             NumberStore::Memory(numbers) => numbers.push(x),
-            NumberStore::Shelf { scratch, pieces, last } => {
+            NumberStore::Shelf {
+                scratch,
+                pieces,
+                last,
+            } => {
                 last.push(x);
                 if last.len() == PIECE {
                     pieces.push(scratch.borrow_mut().put(last)?);
@@ -58,7 +74,9 @@ impl ColumnNumbers {
     /// From now on numbers are asked for that are so many times as large.
     pub(super) fn scale(&mut self, factor: f64) {
         match &mut self.kept {
-            NumberStore::Memory(numbers) if factor != 1.0 => numbers.iter_mut().for_each(|x| *x *= factor),
+            NumberStore::Memory(numbers) if factor != 1.0 => {
+                numbers.iter_mut().for_each(|x| *x *= factor)
+            }
             NumberStore::Memory(_) => {}
             NumberStore::Shelf { .. } => self.factor *= factor,
         }
@@ -67,14 +85,18 @@ impl ColumnNumbers {
     /// From now on sizes `10^(L/decade)` are asked for of the levels `L` that were put in.
     pub(super) fn made_linear(&mut self, decade: f64) {
         match &mut self.kept {
-            NumberStore::Memory(numbers) => numbers.iter_mut().for_each(|level| *level = size(*level, decade)),
+            NumberStore::Memory(numbers) => numbers
+                .iter_mut()
+                .for_each(|level| *level = size(*level, decade)),
             NumberStore::Shelf { .. } => self.levels = Some(decade),
         }
     }
 
     /// The first and the last number.
     pub(super) fn ends(&self) -> io::Result<Option<(f64, f64)>> {
-        let Some(last) = self.count().checked_sub(1) else { return Ok(None) };
+        let Some(last) = self.count().checked_sub(1) else {
+            return Ok(None);
+        };
         let (head, tail) = (self.piece(0)?, self.piece(last / PIECE)?);
         Ok(head.first().copied().zip(tail.last().copied()))
     }
@@ -105,7 +127,11 @@ impl ColumnNumbers {
 
 impl From<Vec<f64>> for ColumnNumbers {
     fn from(numbers: Vec<f64>) -> Self {
-        Self { kept: NumberStore::Memory(numbers), levels: None, factor: 1.0 }
+        Self {
+            kept: NumberStore::Memory(numbers),
+            levels: None,
+            factor: 1.0,
+        }
     }
 }
 
@@ -123,9 +149,15 @@ impl Series for ColumnNumbers {
         let (scratch, pieces, last) = match &self.kept {
             NumberStore::Memory(numbers) => {
                 let from = (index * PIECE).min(numbers.len());
-                return Ok(Cow::Borrowed(&numbers[from..(from + PIECE).min(numbers.len())]));
+                return Ok(Cow::Borrowed(
+                    &numbers[from..(from + PIECE).min(numbers.len())],
+                ));
             }
-            NumberStore::Shelf { scratch, pieces, last } => (scratch, pieces, last),
+            NumberStore::Shelf {
+                scratch,
+                pieces,
+                last,
+            } => (scratch, pieces, last),
         };
         let mut numbers = match pieces.get(index) {
             Some(StoredPiece::Memory(numbers)) => Cow::Borrowed(numbers.as_slice()),
@@ -133,7 +165,10 @@ impl Series for ColumnNumbers {
             None => Cow::Borrowed(last.as_slice()),
         };
         if let Some(decade) = self.levels {
-            numbers.to_mut().iter_mut().for_each(|level| *level = size(*level, decade));
+            numbers
+                .to_mut()
+                .iter_mut()
+                .for_each(|level| *level = size(*level, decade));
         }
         if self.factor != 1.0 {
             numbers.to_mut().iter_mut().for_each(|x| *x *= self.factor);
@@ -162,7 +197,10 @@ mod tests {
             b.push(-f64::from(k)).unwrap();
         }
         b.scale(0.5);
-        assert_eq!((a.count(), a.ends().unwrap()), (count as usize, Some((0.0, f64::from(count - 1)))));
+        assert_eq!(
+            (a.count(), a.ends().unwrap()),
+            (count as usize, Some((0.0, f64::from(count - 1))))
+        );
         let (mut next, mut wrong) = (0.0, 0);
         b.each(|x| {
             wrong += usize::from(x != next);
@@ -171,6 +209,12 @@ mod tests {
         .unwrap();
         assert_eq!(wrong, 0);
         assert!(!a.same(&b).unwrap());
-        assert!(a.into_vec().unwrap().iter().enumerate().all(|(k, x)| *x == k as f64));
+        assert!(
+            a.into_vec()
+                .unwrap()
+                .iter()
+                .enumerate()
+                .all(|(k, x)| *x == k as f64)
+        );
     }
 }

@@ -37,10 +37,15 @@ pub(super) fn read(path: &Path, store: &SampleStore) -> Result<FormatContents, D
     let schema = reader.metadata().file_metadata().schema_descr_ptr();
     for (index, column) in schema.columns().iter().enumerate() {
         let head = column.path().string();
-        match values(&reader, index, column, store).map_err(|why| Damage::new(format!("column {head}: {why}")))? {
+        match values(&reader, index, column, store)
+            .map_err(|why| Damage::new(format!("column {head}: {why}")))?
+        {
             Some(values) => {
                 // The notes of jounce tell the unit, and the head is the name, whatever brackets it ends in.
-                let noted = notes.as_ref().and_then(|notes| notes.unit(&head)).map(|unit| (head.clone(), unit));
+                let noted = notes
+                    .as_ref()
+                    .and_then(|notes| notes.unit(&head))
+                    .map(|unit| (head.clone(), unit));
                 let (name, unit) = noted.unwrap_or_else(|| {
                     findings.extend(name::doubt(&head));
                     name::split(&head)
@@ -49,34 +54,70 @@ pub(super) fn read(path: &Path, store: &SampleStore) -> Result<FormatContents, D
                 notes.iter().for_each(|notes| notes.tell(&mut column));
                 columns.push(column);
             }
-            None => findings.push(Issue::new(IssueKind::Skipped, 1, None, format!("column {head} holds no numbers"))),
+            None => findings.push(Issue::new(
+                IssueKind::Skipped,
+                1,
+                None,
+                format!("column {head} holds no numbers"),
+            )),
         }
     }
     if columns.is_empty() {
         return Err(Damage::new("it holds no column of numbers"));
     }
-    Ok(Raw { stamps: TimeStamps::Named, ..Raw::columns(columns, findings) }.into())
+    Ok(Raw {
+        stamps: TimeStamps::Named,
+        ..Raw::columns(columns, findings)
+    }
+    .into())
 }
 
 /// Refuses columns outside the file and negative counts, at which the library would panic.
 fn check_places(reader: &SerializedFileReader<File>, size: u64) -> Result<(), Damage> {
     let metadata = reader.metadata();
-    let rows = metadata.row_groups().iter().try_fold(0_i64, |rows, group| rows.checked_add(group.num_rows()));
+    let rows = metadata
+        .row_groups()
+        .iter()
+        .try_fold(0_i64, |rows, group| rows.checked_add(group.num_rows()));
     if rows != Some(metadata.file_metadata().num_rows()) {
-        return Err(Damage::new("its groups have another number of rows than the file: was the file cut?"));
+        return Err(Damage::new(
+            "its groups have another number of rows than the file: was the file cut?",
+        ));
     }
     for group in metadata.row_groups() {
         for column in group.columns() {
-            let start = column.dictionary_page_offset().unwrap_or_else(|| column.data_page_offset());
-            let numbers = [start, column.data_page_offset(), column.compressed_size(), column.uncompressed_size(), column.num_values()];
-            let end = numbers[0].checked_add(column.compressed_size()).and_then(|end| u64::try_from(end).ok());
+            let start = column
+                .dictionary_page_offset()
+                .unwrap_or_else(|| column.data_page_offset());
+            let numbers = [
+                start,
+                column.data_page_offset(),
+                column.compressed_size(),
+                column.uncompressed_size(),
+                column.num_values(),
+            ];
+            let end = numbers[0]
+                .checked_add(column.compressed_size())
+                .and_then(|end| u64::try_from(end).ok());
             let is_list = column.column_descr().max_rep_level() > 0;
             if !is_list && column.num_values() != group.num_rows() {
-                let (path, values, rows) = (column.column_path().string(), column.num_values(), group.num_rows());
-                return Err(Damage::new(format!("column {path} has {values} values for {rows} rows: was the file cut?")));
+                let (path, values, rows) = (
+                    column.column_path().string(),
+                    column.num_values(),
+                    group.num_rows(),
+                );
+                return Err(Damage::new(format!(
+                    "column {path} has {values} values for {rows} rows: was the file cut?"
+                )));
             }
-            if group.num_rows() < 0 || numbers.iter().any(|number| *number < 0) || end.is_none_or(|end| end > size) {
-                let why = format!("column {} lies at bytes {start} and on, outside the file of {size}", column.column_path().string());
+            if group.num_rows() < 0
+                || numbers.iter().any(|number| *number < 0)
+                || end.is_none_or(|end| end > size)
+            {
+                let why = format!(
+                    "column {} lies at bytes {start} and on, outside the file of {size}",
+                    column.column_path().string()
+                );
                 return Err(Damage::new(format!("{why}; was the file cut?")));
             }
         }
@@ -87,7 +128,13 @@ fn check_places(reader: &SerializedFileReader<File>, size: u64) -> Result<(), Da
 /// What jounce noted; none in a file of another program.
 fn notes(reader: &SerializedFileReader<File>) -> Option<WrittenNotes> {
     let noted = reader.metadata().file_metadata().key_value_metadata()?;
-    WrittenNotes::from_json(noted.iter().find(|pair| pair.key == NOTES)?.value.as_deref()?)
+    WrittenNotes::from_json(
+        noted
+            .iter()
+            .find(|pair| pair.key == NOTES)?
+            .value
+            .as_deref()?,
+    )
 }
 
 /// The numbers of a column, NaN where one is absent; none where it holds something else.
@@ -97,30 +144,49 @@ fn values(
     column: &ColumnDescPtr,
     store: &SampleStore,
 ) -> Result<Option<ColumnNumbers>, String> {
-    let is_number = matches!(column.physical_type(), Type::DOUBLE | Type::FLOAT | Type::INT32 | Type::INT64);
+    let is_number = matches!(
+        column.physical_type(),
+        Type::DOUBLE | Type::FLOAT | Type::INT32 | Type::INT64
+    );
     if !is_number || column.max_rep_level() > 0 {
         return Ok(None);
     }
     let optional = column.max_def_level();
     let mut values = store.column();
-    let rows = usize::try_from(reader.metadata().file_metadata().num_rows()).map_err(|fault| fault.to_string())?;
+    let rows = usize::try_from(reader.metadata().file_metadata().num_rows())
+        .map_err(|fault| fault.to_string())?;
     if !values.expect(rows) {
         return Err(format!("{rows} rows do not fit into memory"));
     }
     for group in 0..reader.num_row_groups() {
-        let rows = reader.get_row_group(group).map_err(|fault| fault.to_string())?;
-        let count = usize::try_from(rows.metadata().num_rows()).map_err(|fault| fault.to_string())?;
+        let rows = reader
+            .get_row_group(group)
+            .map_err(|fault| fault.to_string())?;
+        let count =
+            usize::try_from(rows.metadata().num_rows()).map_err(|fault| fault.to_string())?;
         let target = values.count() + count;
-        let pages = rows.get_column_page_reader(index).map_err(|fault| fault.to_string())?;
+        let pages = rows
+            .get_column_page_reader(index)
+            .map_err(|fault| fault.to_string())?;
         match get_column_reader(column.clone(), Box::new(CheckedPages::new(pages, optional))) {
             ColumnReader::DoubleColumnReader(r) => typed(r, count, optional, |x| x, &mut values)?,
-            ColumnReader::FloatColumnReader(r) => typed(r, count, optional, f64::from, &mut values)?,
-            ColumnReader::Int32ColumnReader(r) => typed(r, count, optional, f64::from, &mut values)?,
-            ColumnReader::Int64ColumnReader(r) => typed(r, count, optional, |x| x as f64, &mut values)?,
+            ColumnReader::FloatColumnReader(r) => {
+                typed(r, count, optional, f64::from, &mut values)?
+            }
+            ColumnReader::Int32ColumnReader(r) => {
+                typed(r, count, optional, f64::from, &mut values)?
+            }
+            ColumnReader::Int64ColumnReader(r) => {
+                typed(r, count, optional, |x| x as f64, &mut values)?
+            }
             _ => return Ok(None),
         }
         if values.count() != target {
-            return Err(format!("row group {} holds {} of {count} values", group + 1, values.count() + count - target));
+            return Err(format!(
+                "row group {} holds {} of {count} values",
+                group + 1,
+                values.count() + count - target
+            ));
         }
     }
     Ok(Some(values))
@@ -139,7 +205,9 @@ fn typed<T: DataType>(
         levels.clear();
         let definition = (optional > 0).then_some(&mut levels);
         let most = (count - read).min(BATCH);
-        let (records, ..) = reader.read_records(most, definition, None, &mut present).map_err(|fault| fault.to_string())?;
+        let (records, ..) = reader
+            .read_records(most, definition, None, &mut present)
+            .map_err(|fault| fault.to_string())?;
         if records == 0 {
             break;
         }
@@ -148,7 +216,13 @@ fn typed<T: DataType>(
         if optional == 0 {
             numbers.try_for_each(|x| values.push(x))
         } else {
-            let mut of = |level: &i16| if *level == optional { numbers.next().unwrap_or(f64::NAN) } else { f64::NAN };
+            let mut of = |level: &i16| {
+                if *level == optional {
+                    numbers.next().unwrap_or(f64::NAN)
+                } else {
+                    f64::NAN
+                }
+            };
             levels.iter().try_for_each(|level| values.push(of(level)))
         }
         .map_err(|fault| Damage::from(fault).why)?;

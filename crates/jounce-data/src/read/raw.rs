@@ -100,13 +100,26 @@ pub struct RawChannel {
 impl RawChannel {
     /// A real column without place and direction.
     pub fn new(name: &str, unit: &str, values: Vec<f64>) -> Self {
-        Self { name: name.to_owned(), unit: unit.to_owned(), values, ..Self::default() }
+        Self {
+            name: name.to_owned(),
+            unit: unit.to_owned(),
+            values,
+            ..Self::default()
+        }
     }
 }
 
 impl From<RawChannel> for RawColumn {
     fn from(channel: RawChannel) -> Self {
-        let RawChannel { name, unit, place, direction, reference, values, imaginary } = channel;
+        let RawChannel {
+            name,
+            unit,
+            place,
+            direction,
+            reference,
+            values,
+            imaginary,
+        } = channel;
         Self {
             name,
             unit,
@@ -125,26 +138,63 @@ impl RawColumn {
     pub(super) fn new(name: &str, unit: &str, values: ColumnNumbers) -> Self {
         let (name, unit) = (name.to_owned(), unit.to_owned());
         let [place, direction, reference] = [(); 3].map(|()| String::new());
-        Self { name, unit, place, direction, reference, left_out: None, values, imaginary: None }
+        Self {
+            name,
+            unit,
+            place,
+            direction,
+            reference,
+            left_out: None,
+            values,
+            imaginary: None,
+        }
     }
 
     /// Levels `L` in decibels to amplitudes `10^(L/20)`, or densities `10^(L/10)`, times their reference, in its unit.
     pub(super) fn made_linear(&mut self, levels: Decibels) -> Issue {
-        let Decibels { reference, unit, decade } = levels;
+        let Decibels {
+            reference,
+            unit,
+            decade,
+        } = levels;
         self.values.made_linear(decade);
         self.values.scale(reference);
-        let sizes = if decade == 20.0 { "amplitudes" } else { "densities" };
-        let times = if reference == 1.0 { String::new() } else { format!("{reference:e} times ") };
-        let of = if unit.is_empty() { "an unknown unit" } else { &unit };
+        let sizes = if decade == 20.0 {
+            "amplitudes"
+        } else {
+            "densities"
+        };
+        let times = if reference == 1.0 {
+            String::new()
+        } else {
+            format!("{reference:e} times ")
+        };
+        let of = if unit.is_empty() {
+            "an unknown unit"
+        } else {
+            &unit
+        };
         let about = format!("levels in decibels became {sizes} {times}10^(L/{decade}) in {of}");
         self.unit = unit;
-        Issue::new(IssueKind::Decibels, self.values.count(), Some(IssuePlace::Sample(0)), about).of(&self.name)
+        Issue::new(
+            IssueKind::Decibels,
+            self.values.count(),
+            Some(IssuePlace::Sample(0)),
+            about,
+        )
+        .of(&self.name)
     }
 }
 
 impl Raw {
     /// Columns over a time that one of them may hold.
     pub(super) fn columns(columns: Vec<RawColumn>, findings: Vec<Issue>) -> Self {
-        Self { title: String::new(), over: Over::Time, stamps: TimeStamps::Column, columns, findings }
+        Self {
+            title: String::new(),
+            over: Over::Time,
+            stamps: TimeStamps::Column,
+            columns,
+            findings,
+        }
     }
 }

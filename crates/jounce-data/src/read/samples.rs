@@ -45,7 +45,12 @@ pub(super) enum StoredPiece {
 impl SampleStore {
     /// A store with a scratch file.
     pub(super) fn scratch() -> Self {
-        Self::Scratch(Rc::new(RefCell::new(Scratch { left: MAX_PIECES_IN_MEMORY, file: None, end: 0, bytes: Vec::new() })))
+        Self::Scratch(Rc::new(RefCell::new(Scratch {
+            left: MAX_PIECES_IN_MEMORY,
+            file: None,
+            end: 0,
+            bytes: Vec::new(),
+        })))
     }
 
     /// A column without numbers yet.
@@ -66,7 +71,8 @@ impl Scratch {
             none => none.insert(tempfile::tempfile_in(folder())?),
         };
         self.bytes.clear();
-        self.bytes.extend(numbers.iter().flat_map(|x| x.to_le_bytes()));
+        self.bytes
+            .extend(numbers.iter().flat_map(|x| x.to_le_bytes()));
         file.seek(SeekFrom::Start(self.end))?;
         file.write_all(&self.bytes)?;
         let begin = self.end;
@@ -77,11 +83,20 @@ impl Scratch {
 
     /// The piece of [`PIECE`] numbers that begins there.
     pub(super) fn get(&mut self, begin: u64) -> io::Result<Vec<f64>> {
-        let file = self.file.as_mut().ok_or_else(|| io::Error::other("the scratch file was never made"))?;
+        let file = self
+            .file
+            .as_mut()
+            .ok_or_else(|| io::Error::other("the scratch file was never made"))?;
         file.seek(SeekFrom::Start(begin))?;
         self.bytes.resize(8 * PIECE, 0);
         file.read_exact(&mut self.bytes)?;
-        Ok(self.bytes.as_chunks().0.iter().map(|bytes| f64::from_le_bytes(*bytes)).collect())
+        Ok(self
+            .bytes
+            .as_chunks()
+            .0
+            .iter()
+            .map(|bytes| f64::from_le_bytes(*bytes))
+            .collect())
     }
 }
 

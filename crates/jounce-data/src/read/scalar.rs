@@ -32,8 +32,15 @@ pub(super) enum Kind {
 impl Scalar {
     /// A number of that kind and size; `None` where there is no such.
     pub fn new(kind: Kind, size: usize, little_endian: bool) -> Option<Self> {
-        let there = matches!((kind, size), (Kind::Float, 2 | 4 | 8) | (Kind::Signed | Kind::Unsigned, 1 | 2 | 3 | 4 | 8));
-        there.then_some(Self { kind, size, little_endian })
+        let there = matches!(
+            (kind, size),
+            (Kind::Float, 2 | 4 | 8) | (Kind::Signed | Kind::Unsigned, 1 | 2 | 3 | 4 | 8)
+        );
+        there.then_some(Self {
+            kind,
+            size,
+            little_endian,
+        })
     }
 
     /// The number of [`Self::size`] bytes.
@@ -62,13 +69,22 @@ impl Scalar {
     ///
     /// # Errors
     /// The source ends before, or `take` fails.
-    pub fn each(self, source: &mut dyn Read, count: u64, mut take: impl FnMut(f64) -> io::Result<()>) -> Result<(), Damage> {
+    pub fn each(
+        self,
+        source: &mut dyn Read,
+        count: u64,
+        mut take: impl FnMut(f64) -> io::Result<()>,
+    ) -> Result<(), Damage> {
         let mut left = count.saturating_mul(self.size as u64);
         let mut bytes = vec![0; BYTES_AT_ONCE.min(usize::try_from(left).unwrap_or(BYTES_AT_ONCE))];
         while left > 0 {
-            let due = bytes.len().min(usize::try_from(left).unwrap_or(BYTES_AT_ONCE));
+            let due = bytes
+                .len()
+                .min(usize::try_from(left).unwrap_or(BYTES_AT_ONCE));
             source.read_exact(&mut bytes[..due]).map_err(Damage::cut)?;
-            bytes[..due].chunks_exact(self.size).try_for_each(|number| take(self.number(number)))?;
+            bytes[..due]
+                .chunks_exact(self.size)
+                .try_for_each(|number| take(self.number(number)))?;
             left -= due as u64;
         }
         Ok(())
@@ -95,12 +111,26 @@ mod tests {
             (Kind::Unsigned, &[0xfe], 254.0),
             (Kind::Unsigned, &65_535_u16.to_le_bytes(), 65_535.0),
             (Kind::Unsigned, &u32::MAX.to_le_bytes(), 4_294_967_295.0),
-            (Kind::Unsigned, &(1_u64 << 63).to_le_bytes(), 9_223_372_036_854_775_808.0),
+            (
+                Kind::Unsigned,
+                &(1_u64 << 63).to_le_bytes(),
+                9_223_372_036_854_775_808.0,
+            ),
         ];
         for (kind, bytes, due) in cases {
             let turned: Vec<u8> = bytes.iter().rev().copied().collect();
-            assert_eq!(Scalar::new(kind, bytes.len(), true).unwrap().number(bytes), due, "{kind:?}");
-            assert_eq!(Scalar::new(kind, bytes.len(), false).unwrap().number(&turned), due, "{kind:?}");
+            assert_eq!(
+                Scalar::new(kind, bytes.len(), true).unwrap().number(bytes),
+                due,
+                "{kind:?}"
+            );
+            assert_eq!(
+                Scalar::new(kind, bytes.len(), false)
+                    .unwrap()
+                    .number(&turned),
+                due,
+                "{kind:?}"
+            );
         }
         assert_eq!(Scalar::new(Kind::Float, 3, true), None);
     }
@@ -113,7 +143,8 @@ mod tests {
             found.push(x);
             Ok(())
         };
-        four.each(&mut [1, 0, 2, 0].as_slice(), 2, &mut take).unwrap();
+        four.each(&mut [1, 0, 2, 0].as_slice(), 2, &mut take)
+            .unwrap();
         assert!(four.each(&mut [1, 0, 2].as_slice(), 2, &mut take).is_err());
         assert_eq!(found, [1.0, 2.0]);
     }

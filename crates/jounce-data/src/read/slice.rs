@@ -30,11 +30,21 @@ impl RecordingSummary {
         let store = SampleStore::scratch();
         let cut = |numbers: &ColumnNumbers| cut(numbers, first, count, &store);
         let places = match &self.places {
-            SamplePlaces::Even { start, step, .. } => SamplePlaces::Even { start: start + first as f64 * step, step: *step, count },
-            SamplePlaces::Stamped { stamps, rate } => SamplePlaces::Stamped { stamps: cut(stamps)?, rate: *rate },
+            SamplePlaces::Even { start, step, .. } => SamplePlaces::Even {
+                start: start + first as f64 * step,
+                step: *step,
+                count,
+            },
+            SamplePlaces::Stamped { stamps, rate } => SamplePlaces::Stamped {
+                stamps: cut(stamps)?,
+                rate: *rate,
+            },
         };
         let channel = |channel: &ChannelSummary| -> io::Result<ChannelSummary> {
-            let (values, imaginary) = (cut(&channel.values)?, channel.imaginary.as_ref().map(cut).transpose()?);
+            let (values, imaginary) = (
+                cut(&channel.values)?,
+                channel.imaginary.as_ref().map(cut).transpose()?,
+            );
             Ok(ChannelSummary {
                 name: channel.name.clone(),
                 quantity: channel.quantity,
@@ -47,21 +57,46 @@ impl RecordingSummary {
                 imaginary,
             })
         };
-        let channels = channels.iter().filter_map(|k| self.channels.get(*k)).map(channel).collect::<io::Result<Vec<_>>>()?;
-        let left_out = |name: &String| self.channels.iter().any(|own| own.name == *name) && channels.iter().all(|own| own.name != *name);
+        let channels = channels
+            .iter()
+            .filter_map(|k| self.channels.get(*k))
+            .map(channel)
+            .collect::<io::Result<Vec<_>>>()?;
+        let left_out = |name: &String| {
+            self.channels.iter().any(|own| own.name == *name)
+                && channels.iter().all(|own| own.name != *name)
+        };
         let is_kept = |finding: &&Issue| !finding.channel.as_ref().is_some_and(left_out);
         let mut findings: Vec<Issue> = self.findings.iter().filter(is_kept).cloned().collect();
         let unit = if self.over == Over::Time { "s" } else { "Hz" };
-        let about = format!("{count} of {number} samples, from {from} {unit} to {to} {unit}; the other findings are those of the whole");
+        let about = format!(
+            "{count} of {number} samples, from {from} {unit} to {to} {unit}; the other findings are those of the whole"
+        );
         if count < number {
-            findings.push(Issue::new(IssueKind::Cut, count, Some(IssuePlace::Sample(first)), about));
+            findings.push(Issue::new(
+                IssueKind::Cut,
+                count,
+                Some(IssuePlace::Sample(first)),
+                about,
+            ));
         }
-        Ok(Some(Self { name: self.name.clone(), over: self.over, places, channels, findings }))
+        Ok(Some(Self {
+            name: self.name.clone(),
+            over: self.over,
+            places,
+            channels,
+            findings,
+        }))
     }
 }
 
 /// So many numbers from one on, on a store.
-fn cut(numbers: &ColumnNumbers, first: usize, count: usize, store: &SampleStore) -> io::Result<ColumnNumbers> {
+fn cut(
+    numbers: &ColumnNumbers,
+    first: usize,
+    count: usize,
+    store: &SampleStore,
+) -> io::Result<ColumnNumbers> {
     let mut kept = store.column();
     let end = first + count;
     for index in first / PIECE..end.div_ceil(PIECE) {
@@ -82,23 +117,51 @@ mod tests {
     fn ramp(grid: Grid) -> RecordingSummary {
         let values = (0..grid.len()).map(|k| k as f64).collect();
         let channel = Channel::new("ramp", Quantity::Voltage, "V", values);
-        Recording { name: "r".into(), over: Over::Time, grid, channels: vec![channel], findings: Vec::new() }.into()
+        Recording {
+            name: "r".into(),
+            over: Over::Time,
+            grid,
+            channels: vec![channel],
+            findings: Vec::new(),
+        }
+        .into()
     }
 
     /// Over several pieces, at even and at stamped places; both ends belong to it, whatever their roundoff.
     #[test]
     fn a_part_holds_the_samples_between_its_ends() {
         let count = 3 * PIECE + 11;
-        let even = ramp(Grid::Even { start: 0.5, step: 0.1, count });
-        let stamped = ramp(Grid::Stamped((0..count).map(|k| 0.5 + 0.1 * k as f64).collect()));
+        let even = ramp(Grid::Even {
+            start: 0.5,
+            step: 0.1,
+            count,
+        });
+        let stamped = ramp(Grid::Stamped(
+            (0..count).map(|k| 0.5 + 0.1 * k as f64).collect(),
+        ));
         for whole in [even, stamped] {
             for (first, last) in [(0, 0), (3, 7), (PIECE - 1, PIECE), (PIECE, 3 * PIECE + 10)] {
                 let place = |k: usize| 0.1 * (k as f64 + 5.0);
-                let part = whole.part((place(first), place(last)), &[0]).unwrap().unwrap().into_recording().unwrap();
-                assert!(part.channels[0].values.iter().copied().eq((first..=last).map(|k| k as f64)), "{first} to {last}");
+                let part = whole
+                    .part((place(first), place(last)), &[0])
+                    .unwrap()
+                    .unwrap()
+                    .into_recording()
+                    .unwrap();
+                assert!(
+                    part.channels[0]
+                        .values
+                        .iter()
+                        .copied()
+                        .eq((first..=last).map(|k| k as f64)),
+                    "{first} to {last}"
+                );
                 assert!((part.grid.at(0) - place(first)).abs() < 1e-9 && part.findings.len() == 1);
             }
-            assert!(whole.part((0.51, 0.59), &[0]).unwrap().is_none() && whole.part((-3.0, 0.4), &[0]).unwrap().is_none());
+            assert!(
+                whole.part((0.51, 0.59), &[0]).unwrap().is_none()
+                    && whole.part((-3.0, 0.4), &[0]).unwrap().is_none()
+            );
         }
     }
 }

@@ -6,7 +6,9 @@ use std::path::Path;
 
 use super::numbers::ColumnNumbers;
 use super::{Contents, ModeShape, ReadError};
-use crate::recording::{Channel, ChannelHead, Grid, Issue, Over, PIECE, Quantity, Recording, Series, Sizes, sizes_with};
+use crate::recording::{
+    Channel, ChannelHead, Grid, Issue, Over, PIECE, Quantity, Recording, Series, Sizes, sizes_with,
+};
 
 /// What a file holds; its numbers lie in a scratch file beyond the first 16 MiB of them, so that memory does not grow with the file.
 #[derive(Debug)]
@@ -81,9 +83,21 @@ pub struct ChannelSummary {
 impl FileSummary {
     /// Everything in memory.
     pub(super) fn into_contents(self, path: &Path) -> Result<Contents, ReadError> {
-        let lost = |reason| ReadError::Scratch { path: path.to_owned(), reason };
-        let recordings = self.recordings.into_iter().map(RecordingSummary::into_recording).collect::<Result<_, _>>().map_err(lost)?;
-        Ok(Contents { recordings, shapes: self.shapes, findings: self.findings })
+        let lost = |reason| ReadError::Scratch {
+            path: path.to_owned(),
+            reason,
+        };
+        let recordings = self
+            .recordings
+            .into_iter()
+            .map(RecordingSummary::into_recording)
+            .collect::<Result<_, _>>()
+            .map_err(lost)?;
+        Ok(Contents {
+            recordings,
+            shapes: self.shapes,
+            findings: self.findings,
+        })
     }
 }
 
@@ -107,17 +121,36 @@ impl RecordingSummary {
         let mut left: Vec<Option<ChannelSummary>> = self.channels.into_iter().map(Some).collect();
         let mut found: Vec<Channel> = Vec::new();
         for (k, number) in channels.iter().enumerate() {
-            let again = channels[..k].iter().position(|before| before == number).map(|at| found[at].clone());
+            let again = channels[..k]
+                .iter()
+                .position(|before| before == number)
+                .map(|at| found[at].clone());
             let missing = || io::Error::other(format!("there is no channel {}", number + 1));
             found.push(match again {
                 Some(again) => again,
-                None => left.get_mut(*number).and_then(Option::take).ok_or_else(missing)?.into_channel()?,
+                None => left
+                    .get_mut(*number)
+                    .and_then(Option::take)
+                    .ok_or_else(missing)?
+                    .into_channel()?,
             });
         }
-        let names: Vec<String> = left.into_iter().flatten().map(|channel| channel.name).collect();
-        self.findings.retain(|finding| !finding.channel.as_ref().is_some_and(|of| names.contains(of)));
+        let names: Vec<String> = left
+            .into_iter()
+            .flatten()
+            .map(|channel| channel.name)
+            .collect();
+        self.findings.retain(|finding| {
+            !finding
+                .channel
+                .as_ref()
+                .is_some_and(|of| names.contains(of))
+        });
         self.channels = Vec::new();
-        Ok(Recording { channels: found, ..self.into_recording()? })
+        Ok(Recording {
+            channels: found,
+            ..self.into_recording()?
+        })
     }
 
     /// The recording with all its numbers in memory.
@@ -129,21 +162,41 @@ impl RecordingSummary {
             SamplePlaces::Even { start, step, count } => Grid::Even { start, step, count },
             SamplePlaces::Stamped { stamps, .. } => Grid::Stamped(stamps.into_vec()?),
         };
-        let channels = self.channels.into_iter().map(ChannelSummary::into_channel).collect::<io::Result<_>>()?;
-        Ok(Recording { name: self.name, over: self.over, grid, channels, findings: self.findings })
+        let channels = self
+            .channels
+            .into_iter()
+            .map(ChannelSummary::into_channel)
+            .collect::<io::Result<_>>()?;
+        Ok(Recording {
+            name: self.name,
+            over: self.over,
+            grid,
+            channels,
+            findings: self.findings,
+        })
     }
 }
 
 impl ChannelSummary {
     /// What it is chosen by.
     pub fn head(&self) -> ChannelHead<'_> {
-        ChannelHead { name: &self.name, quantity: self.quantity, unit: &self.unit }
+        ChannelHead {
+            name: &self.name,
+            quantity: self.quantity,
+            unit: &self.unit,
+        }
     }
 
     pub(super) fn into_channel(self) -> io::Result<Channel> {
-        let mut channel = Channel::new(&self.name, self.quantity, &self.unit, self.values.into_vec()?);
+        let mut channel = Channel::new(
+            &self.name,
+            self.quantity,
+            &self.unit,
+            self.values.into_vec()?,
+        );
         channel.imaginary = self.imaginary.map(ColumnNumbers::into_vec).transpose()?;
-        (channel.place, channel.direction, channel.reference) = (self.place, self.direction, self.reference);
+        (channel.place, channel.direction, channel.reference) =
+            (self.place, self.direction, self.reference);
         Ok(channel)
     }
 }
@@ -151,7 +204,11 @@ impl ChannelSummary {
 /// How large the samples of a channel in memory are.
 fn of_channel(channel: &Channel) -> Sizes {
     let imaginary = channel.imaginary.as_deref();
-    let Ok(sizes) = sizes_with(Sizes::of(&channel.values), &channel.values.as_slice(), imaginary.as_ref());
+    let Ok(sizes) = sizes_with(
+        Sizes::of(&channel.values),
+        &channel.values.as_slice(),
+        imaginary.as_ref(),
+    );
     sizes
 }
 
@@ -160,7 +217,10 @@ impl From<Recording> for RecordingSummary {
         let rate = recording.rate();
         let places = match recording.grid {
             Grid::Even { start, step, count } => SamplePlaces::Even { start, step, count },
-            Grid::Stamped(stamps) => SamplePlaces::Stamped { stamps: stamps.into(), rate },
+            Grid::Stamped(stamps) => SamplePlaces::Stamped {
+                stamps: stamps.into(),
+                rate,
+            },
         };
         let channel = |channel: Channel| ChannelSummary {
             sizes: of_channel(&channel),
@@ -174,7 +234,13 @@ impl From<Recording> for RecordingSummary {
             imaginary: channel.imaginary.map(ColumnNumbers::from),
         };
         let channels = recording.channels.into_iter().map(channel).collect();
-        Self { name: recording.name, over: recording.over, places, channels, findings: recording.findings }
+        Self {
+            name: recording.name,
+            over: recording.over,
+            places,
+            channels,
+            findings: recording.findings,
+        }
     }
 }
 
@@ -202,7 +268,9 @@ impl Series for SamplePlaces {
         match self {
             Self::Even { start, step, count } => {
                 let from = index * PIECE;
-                Ok((from..(from + PIECE).min(*count)).map(|k| start + k as f64 * step).collect())
+                Ok((from..(from + PIECE).min(*count))
+                    .map(|k| start + k as f64 * step)
+                    .collect())
             }
             Self::Stamped { stamps, .. } => stamps.piece(index),
         }

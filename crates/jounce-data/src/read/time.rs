@@ -61,8 +61,14 @@ pub(super) struct MissingUnit {
 
 /// What the notes make of the name and the unit of a column.
 fn head<'a>(column: &'a RawColumn, said: Option<&'a ChannelNotes>) -> (&'a str, &'a str) {
-    let name = said.and_then(|said| said.name.as_deref()).unwrap_or(&column.name);
-    (name, said.and_then(|said| said.unit.as_deref()).unwrap_or(&column.unit))
+    let name = said
+        .and_then(|said| said.name.as_deref())
+        .unwrap_or(&column.name);
+    (
+        name,
+        said.and_then(|said| said.unit.as_deref())
+            .unwrap_or(&column.unit),
+    )
 }
 
 fn measures(unit: &str) -> Option<Quantity> {
@@ -87,10 +93,23 @@ fn says_frequency((name, unit): (&str, &str)) -> bool {
 
 /// The column that holds the time (or frequency): the one that the notes name, whose name or unit tells it, or a first one with the step of a rate that
 /// is told.
-pub(super) fn time_column(raw: &mut Raw, said: &[ChannelNotes], notes: &Notes) -> io::Result<Option<usize>> {
+pub(super) fn time_column(
+    raw: &mut Raw,
+    said: &[ChannelNotes],
+    notes: &Notes,
+) -> io::Result<Option<usize>> {
     if let Some(wanted) = &notes.time {
-        let numbered = || wanted.parse::<usize>().ok().and_then(|number| number.checked_sub(1));
-        return Ok(raw.columns.iter().position(|column| column.name == *wanted).or_else(numbered));
+        let numbered = || {
+            wanted
+                .parse::<usize>()
+                .ok()
+                .and_then(|number| number.checked_sub(1))
+        };
+        return Ok(raw
+            .columns
+            .iter()
+            .position(|column| column.name == *wanted)
+            .or_else(numbered));
     }
     if notes.rate_hz.is_some() {
         return Ok(None);
@@ -125,9 +144,13 @@ pub(super) fn time_column(raw: &mut Raw, said: &[ChannelNotes], notes: &Notes) -
         TimeStamps::Column => None,
         _ => return Ok(None),
     };
-    let Some(first) = all().next().filter(|_| raw.columns.len() > 1) else { return Ok(None) };
+    let Some(first) = all().next().filter(|_| raw.columns.len() > 1) else {
+        return Ok(None);
+    };
     let values = &raw.columns[first].values;
-    let Some(step) = even_step(values)? else { return Ok(None) };
+    let Some(step) = even_step(values)? else {
+        return Ok(None);
+    };
     // Arrays cannot name their time: one that rises evenly by a fraction neither counts nor holds whole milliseconds.
     let may_be = match told {
         Some(rate) => !rate.differs_from(1.0 / step),
@@ -138,7 +161,9 @@ pub(super) fn time_column(raw: &mut Raw, said: &[ChannelNotes], notes: &Notes) -
 
 /// The step of a column that ascends evenly.
 pub(super) fn even_step(values: &ColumnNumbers) -> io::Result<Option<f64>> {
-    let Some((first, last)) = values.ends()? else { return Ok(None) };
+    let Some((first, last)) = values.ends()? else {
+        return Ok(None);
+    };
     let step = (last - first) / (values.count().max(2) - 1) as f64;
     let (mut even, mut k) = (step > 0.0 && values.count() > 2, 0.0);
     if even {
@@ -160,10 +185,15 @@ pub(super) fn equals(values: &ColumnNumbers, places: &SamplePlaces) -> io::Resul
     values.each(|x| {
         // Both series come in pieces of one length.
         if equal && k % PIECE == 0 {
-            piece = places.piece(k / PIECE).map(Cow::into_owned).unwrap_or_default();
+            piece = places
+                .piece(k / PIECE)
+                .map(Cow::into_owned)
+                .unwrap_or_default();
             at = 0;
         }
-        equal &= piece.get(at).is_some_and(|place| (x - place).abs() < MAX_STAMP_DEVIATION * step);
+        equal &= piece
+            .get(at)
+            .is_some_and(|place| (x - place).abs() < MAX_STAMP_DEVIATION * step);
         (k, at) = (k + 1, at + 1);
     })?;
     Ok(equal.then(|| "it holds the time of its samples".to_owned()))
@@ -181,9 +211,18 @@ pub(super) fn ascends(values: &ColumnNumbers) -> io::Result<bool> {
 
 /// True for a column by the name of a counter whose numbers are whole and rise by the same whole number, and for one without a name that rises by 1.
 pub(super) fn is_counter(column: &RawColumn) -> io::Result<bool> {
-    let name: String = column.name.to_lowercase().chars().filter(|c| !c.is_whitespace() && !"._".contains(*c)).collect();
-    let unnamed = name.starts_with("column") && name["column".len()..].bytes().all(|b| b.is_ascii_digit());
-    if !column.unit.is_empty() || column.imaginary.is_some() || !(unnamed || COUNTERS.contains(&name.as_str())) {
+    let name: String = column
+        .name
+        .to_lowercase()
+        .chars()
+        .filter(|c| !c.is_whitespace() && !"._".contains(*c))
+        .collect();
+    let unnamed =
+        name.starts_with("column") && name["column".len()..].bytes().all(|b| b.is_ascii_digit());
+    if !column.unit.is_empty()
+        || column.imaginary.is_some()
+        || !(unnamed || COUNTERS.contains(&name.as_str()))
+    {
         return Ok(false);
     }
     Ok(counts(&column.values)?.is_some_and(|step| !unnamed || step == 1.0))
@@ -191,9 +230,14 @@ pub(super) fn is_counter(column: &RawColumn) -> io::Result<bool> {
 
 /// The step of whole numbers that all rise by it.
 fn counts(values: &ColumnNumbers) -> io::Result<Option<f64>> {
-    let Some((first, last)) = values.ends()? else { return Ok(None) };
+    let Some((first, last)) = values.ends()? else {
+        return Ok(None);
+    };
     let step = (last - first) / (values.count().max(2) - 1) as f64;
-    let (mut counts, mut k) = (step >= 1.0 && step.fract() == 0.0 && first.fract() == 0.0 && values.count() > 2, 0.0);
+    let (mut counts, mut k) = (
+        step >= 1.0 && step.fract() == 0.0 && first.fract() == 0.0 && values.count() > 2,
+        0.0,
+    );
     if counts {
         values.each(|x| {
             counts &= x == first + k * step;
@@ -210,7 +254,11 @@ pub(super) fn told(columns: &[RawColumn]) -> io::Result<Vec<String>> {
         if is_counter(column)? {
             told.push(format!("{:?} counts", column.name));
         } else if let Some(step) = even_step(&column.values)? {
-            told.push(format!("{:?} rises by {} and tells no unit of time", column.name, short(step)));
+            told.push(format!(
+                "{:?} rises by {} and tells no unit of time",
+                column.name,
+                short(step)
+            ));
         }
     }
     Ok(told)
@@ -229,11 +277,19 @@ pub(super) fn seconds(
     (over, rate, named): (Over, Option<&Rate>, bool),
     findings: &mut Vec<Issue>,
 ) -> io::Result<Result<ColumnNumbers, MissingUnit>> {
-    let (due, si) = if over == Over::Time { (Quantity::Time, "s") } else { (Quantity::Frequency, "Hz") };
+    let (due, si) = if over == Over::Time {
+        (Quantity::Time, "s")
+    } else {
+        (Quantity::Frequency, "Hz")
+    };
     let name = said.name.clone().unwrap_or_else(|| column.name.clone());
     let told = said.unit.clone().unwrap_or_else(|| column.unit.clone());
     let noticed = |kind, about: String| Issue::new(kind, 1, None, about).of(&name);
-    let known = |unit: &str| Unit::read(unit).filter(|unit| unit.quantity == due).map(|unit| unit.factor);
+    let known = |unit: &str| {
+        Unit::read(unit)
+            .filter(|unit| unit.quantity == due)
+            .map(|unit| unit.factor)
+    };
     let by_name = || time_unit(&name).filter(|_| over == Over::Time);
     let (unit, factor) = match known(&told)
         .map(|factor| (told, factor))
@@ -242,30 +298,54 @@ pub(super) fn seconds(
         Some(found) => found,
         None if over == Over::Time && !named => {
             let step = even_step(&column.values)?;
-            let fits = |(_, factor): &&(&str, f64)| rate.zip(step).is_some_and(|(rate, step)| !rate.differs_from(1.0 / (step * factor)));
+            let fits = |(_, factor): &&(&str, f64)| {
+                rate.zip(step)
+                    .is_some_and(|(rate, step)| !rate.differs_from(1.0 / (step * factor)))
+            };
             if let Some((unit, factor)) = UNITS.iter().find(fits) {
                 let by = rate.map_or("", |rate| &rate.told);
-                findings.push(noticed(IssueKind::Assumed, format!("the stamps tell no unit; they are in {unit} by {by}")));
+                findings.push(noticed(
+                    IssueKind::Assumed,
+                    format!("the stamps tell no unit; they are in {unit} by {by}"),
+                ));
                 ((*unit).to_owned(), *factor)
             } else if said.scale.is_none() && is_whole(&column.values)? {
-                let steps = column.values.ends()?.map_or(f64::NAN, |(first, last)| last - first);
+                let steps = column
+                    .values
+                    .ends()?
+                    .map_or(f64::NAN, |(first, last)| last - first);
                 let step = step.unwrap_or(steps / (column.values.count().max(2) - 1) as f64);
-                return Ok(Err(MissingUnit { column: column.name.clone(), step: short(step) }));
+                return Ok(Err(MissingUnit {
+                    column: column.name.clone(),
+                    step: short(step),
+                }));
             } else {
-                let what =
-                    if is_time(&name) { "the stamps tell no unit that is known" } else { "no name and no unit says that this is the time" };
-                findings.push(noticed(IssueKind::Assumed, format!("{what}; {si} is assumed")));
+                let what = if is_time(&name) {
+                    "the stamps tell no unit that is known"
+                } else {
+                    "no name and no unit says that this is the time"
+                };
+                findings.push(noticed(
+                    IssueKind::Assumed,
+                    format!("{what}; {si} is assumed"),
+                ));
                 (si.to_owned(), 1.0)
             }
         }
         None => {
-            findings.push(noticed(IssueKind::Assumed, format!("the stamps tell no unit that is known; {si} is assumed")));
+            findings.push(noticed(
+                IssueKind::Assumed,
+                format!("the stamps tell no unit that is known; {si} is assumed"),
+            ));
             (si.to_owned(), 1.0)
         }
     };
     let scale = said.scale.unwrap_or(1.0);
     if factor * scale != 1.0 {
-        findings.push(noticed(IssueKind::Converted, format!("stamps in {unit} times {} are {si}", factor * scale)));
+        findings.push(noticed(
+            IssueKind::Converted,
+            format!("stamps in {unit} times {} are {si}", factor * scale),
+        ));
     }
     column.values.scale(factor * scale);
     Ok(Ok(std::mem::replace(&mut column.values, Vec::new().into())))

@@ -6,9 +6,17 @@ use crate::recording::{IssueKind, Over, Quantity, Series as _};
 impl RecordingSummary {
     /// One line: what the recording holds, and the commands that take it, or what its notes must say first.
     pub fn verdict(&self) -> String {
-        let live: Vec<&ChannelSummary> = self.channels.iter().filter(|channel| !self.is_dead(channel)).collect();
+        let live: Vec<&ChannelSummary> = self
+            .channels
+            .iter()
+            .filter(|channel| !self.is_dead(channel))
+            .collect();
         let has = |quantity: Quantity| live.iter().any(|channel| channel.quantity == quantity);
-        let count = |quantity: Quantity| live.iter().filter(|channel| channel.quantity == quantity).count();
+        let count = |quantity: Quantity| {
+            live.iter()
+                .filter(|channel| channel.quantity == quantity)
+                .count()
+        };
         let named = [
             (Quantity::Voltage, "voltage"),
             (Quantity::Acceleration, "acceleration"),
@@ -25,32 +33,61 @@ impl RecordingSummary {
             .filter(|(count, _)| *count > 0)
             .map(|(count, name)| format!("{count} {name}"))
             .collect();
-        let holds = if counted.is_empty() { "no live channel".to_owned() } else { counted.join(", ") };
-        let motion = has(Quantity::Acceleration) || has(Quantity::Velocity) || has(Quantity::Displacement);
+        let holds = if counted.is_empty() {
+            "no live channel".to_owned()
+        } else {
+            counted.join(", ")
+        };
+        let motion =
+            has(Quantity::Acceleration) || has(Quantity::Velocity) || has(Quantity::Displacement);
         let next = match self.over {
             _ if live.is_empty() => "nothing can be computed from it",
-            _ if live.iter().all(|channel| channel.quantity == Quantity::Unknown) => {
+            _ if live
+                .iter()
+                .all(|channel| channel.quantity == Quantity::Unknown) =>
+            {
                 "spectra; give units in the notes beside the file for power, frf, modes and contact"
             }
             Over::Frequency if has(Quantity::Response) => "modes --measured",
-            Over::Frequency => "spectra over frequency: modes --output-only where it is an amplitude spectrum",
-            Over::Time if has(Quantity::Force) && (motion || has(Quantity::Voltage)) => "frf and modes --measured, contact, spectra",
+            Over::Frequency => {
+                "spectra over frequency: modes --output-only where it is an amplitude spectrum"
+            }
+            Over::Time if has(Quantity::Force) && (motion || has(Quantity::Voltage)) => {
+                "frf and modes --measured, contact, spectra"
+            }
             Over::Time if has(Quantity::Force) => "contact, spectra",
             Over::Time if has(Quantity::Voltage) && motion => "power, regimes, spectra; fit",
             Over::Time if has(Quantity::Voltage) => "power --resistance, regimes, spectra",
-            Over::Time if motion => "spectra, modes --output-only or --free-decay; rig --base as the motion of a base",
+            Over::Time if motion => {
+                "spectra, modes --output-only or --free-decay; rig --base as the motion of a base"
+            }
             Over::Time => "spectra",
         };
-        let even = if matches!(self.places, SamplePlaces::Even { .. }) { "even" } else { "uneven, resampled where used" };
-        let unit = if self.over == Over::Time { "Hz" } else { "lines per Hz" };
-        format!("{holds}; {} samples, {:.6} {unit}, {even}; next: {next}", self.places.count(), self.rate())
+        let even = if matches!(self.places, SamplePlaces::Even { .. }) {
+            "even"
+        } else {
+            "uneven, resampled where used"
+        };
+        let unit = if self.over == Over::Time {
+            "Hz"
+        } else {
+            "lines per Hz"
+        };
+        format!(
+            "{holds}; {} samples, {:.6} {unit}, {even}; next: {next}",
+            self.places.count(),
+            self.rate()
+        )
     }
 
     /// True for a channel that holds no signal.
     fn is_dead(&self, channel: &ChannelSummary) -> bool {
         let dead = |kind: IssueKind| matches!(kind, IssueKind::Constant | IssueKind::EqualsTime);
         let number = channel.sizes.peak == 0.0;
-        number || self.findings.iter().any(|finding| dead(finding.kind) && finding.channel.as_ref() == Some(&channel.name))
+        number
+            || self.findings.iter().any(|finding| {
+                dead(finding.kind) && finding.channel.as_ref() == Some(&channel.name)
+            })
     }
 }
 
@@ -60,18 +97,45 @@ mod tests {
     use crate::recording::{Channel, Grid, Issue, Recording};
 
     fn verdict(channels: &[(Quantity, &str)], constant: Option<&str>) -> String {
-        let channel = |(quantity, name): &(Quantity, &str)| Channel::new(name, *quantity, quantity.si_unit(), vec![1.0, 2.0, 1.0]);
-        let grid = Grid::Even { start: 0.0, step: 0.01, count: 3 };
-        let findings = constant.map(|name| Issue::new(IssueKind::Constant, 3, None, String::new()).of(name)).into_iter().collect();
-        let recording = Recording { name: "r".into(), over: Over::Time, grid, channels: channels.iter().map(channel).collect(), findings };
+        let channel = |(quantity, name): &(Quantity, &str)| {
+            Channel::new(name, *quantity, quantity.si_unit(), vec![1.0, 2.0, 1.0])
+        };
+        let grid = Grid::Even {
+            start: 0.0,
+            step: 0.01,
+            count: 3,
+        };
+        let findings = constant
+            .map(|name| Issue::new(IssueKind::Constant, 3, None, String::new()).of(name))
+            .into_iter()
+            .collect();
+        let recording = Recording {
+            name: "r".into(),
+            over: Over::Time,
+            grid,
+            channels: channels.iter().map(channel).collect(),
+            findings,
+        };
         RecordingSummary::from(recording).verdict()
     }
 
     #[test]
     fn a_verdict_names_what_there_is_and_what_is_next() {
-        let run = verdict(&[(Quantity::Voltage, "v"), (Quantity::Acceleration, "a")], None);
-        assert_eq!(run, "1 voltage, 1 acceleration; 3 samples, 100.000000 Hz, even; next: power, regimes, spectra; fit");
-        assert!(verdict(&[(Quantity::Force, "f"), (Quantity::Acceleration, "a")], None).contains("frf and modes"));
+        let run = verdict(
+            &[(Quantity::Voltage, "v"), (Quantity::Acceleration, "a")],
+            None,
+        );
+        assert_eq!(
+            run,
+            "1 voltage, 1 acceleration; 3 samples, 100.000000 Hz, even; next: power, regimes, spectra; fit"
+        );
+        assert!(
+            verdict(
+                &[(Quantity::Force, "f"), (Quantity::Acceleration, "a")],
+                None
+            )
+            .contains("frf and modes")
+        );
         assert!(verdict(&[(Quantity::Unknown, "x")], None).contains("give units"));
         assert!(verdict(&[(Quantity::Voltage, "v")], Some("v")).contains("no live channel"));
     }

@@ -43,43 +43,74 @@ pub(super) fn read(path: &Path, store: &SampleStore) -> Result<FormatContents, D
     let (mut at, mut format, mut long) = (12_u64, None, None);
     loop {
         let mut head = [0; 8];
-        source.read_exact(&mut head).map_err(|fault| Damage::cut(fault).at_byte(at))?;
+        source
+            .read_exact(&mut head)
+            .map_err(|fault| Damage::cut(fault).at_byte(at))?;
         let [a, b, c, d, lengths @ ..] = head;
         let length = u64::from(u32::from_le_bytes(lengths));
         at += 8;
         match &[a, b, c, d] {
             b"ds64" => {
                 let mut sizes = [0; 16];
-                source.read_exact(&mut sizes).map_err(|fault| Damage::cut(fault).at_byte(at))?;
-                long = sizes.last_chunk::<8>().map(|bytes| u64::from_le_bytes(*bytes));
+                source
+                    .read_exact(&mut sizes)
+                    .map_err(|fault| Damage::cut(fault).at_byte(at))?;
+                long = sizes
+                    .last_chunk::<8>()
+                    .map(|bytes| u64::from_le_bytes(*bytes));
             }
-            b"fmt " => format = Some(Format::read(&mut source, length).map_err(|damage| damage.at_byte(at))?),
+            b"fmt " => {
+                format =
+                    Some(Format::read(&mut source, length).map_err(|damage| damage.at_byte(at))?)
+            }
             b"data" => {
                 let Some(format) = format else {
-                    return Err(Damage::new("no description of the samples stands before them").at_byte(at));
+                    return Err(
+                        Damage::new("no description of the samples stands before them").at_byte(at),
+                    );
                 };
-                let length = if length == u64::from(u32::MAX) { long.unwrap_or(length) } else { length };
+                let length = if length == u64::from(u32::MAX) {
+                    long.unwrap_or(length)
+                } else {
+                    length
+                };
                 return samples(&mut source, format, length, size - at, at, store);
             }
             _ => {}
         }
         at = at.saturating_add(length.next_multiple_of(2));
-        source.seek(SeekFrom::Start(at)).map_err(|fault| Damage::cut(fault).at_byte(at))?;
+        source
+            .seek(SeekFrom::Start(at))
+            .map_err(|fault| Damage::cut(fault).at_byte(at))?;
     }
 }
 
 impl Format {
     fn read(source: &mut impl Read, length: u64) -> Result<Self, Damage> {
         let mut bytes = Vec::new();
-        source.take(length.min(FORMAT as u64)).read_to_end(&mut bytes).map_err(Damage::cut)?;
+        source
+            .take(length.min(FORMAT as u64))
+            .read_to_end(&mut bytes)
+            .map_err(Damage::cut)?;
         if bytes.len() < 16 {
-            return Err(Damage::new("the description of the samples is not whole: was the file cut?"));
+            return Err(Damage::new(
+                "the description of the samples is not whole: was the file cut?",
+            ));
         }
         let half = |at: usize| u16::from_le_bytes([bytes[at], bytes[at + 1]]);
-        let code = if half(0) == EXTENDED && bytes.len() >= 26 { half(24) } else { half(0) };
-        let (channels, rate_hz) = (half(2), u32::from_le_bytes([bytes[4], bytes[5], bytes[6], bytes[7]]));
+        let code = if half(0) == EXTENDED && bytes.len() >= 26 {
+            half(24)
+        } else {
+            half(0)
+        };
+        let (channels, rate_hz) = (
+            half(2),
+            u32::from_le_bytes([bytes[4], bytes[5], bytes[6], bytes[7]]),
+        );
         let (block, bits) = (half(12), half(14));
-        let size = usize::from(block).checked_div(usize::from(channels)).unwrap_or_default();
+        let size = usize::from(block)
+            .checked_div(usize::from(channels))
+            .unwrap_or_default();
         let kind = match code {
             WHOLE if size == 1 => Some(Kind::Unsigned),
             WHOLE => Some(Kind::Signed),
@@ -88,8 +119,17 @@ impl Format {
         };
         let scalar = kind.and_then(|kind| Scalar::new(kind, size, true));
         match scalar {
-            Some(scalar) if channels > 0 && rate_hz > 0 && size * usize::from(channels) == usize::from(block) => {
-                Ok(Self { scalar, channels, rate_hz, zero: if size == 1 { 128.0 } else { 0.0 } })
+            Some(scalar)
+                if channels > 0
+                    && rate_hz > 0
+                    && size * usize::from(channels) == usize::from(block) =>
+            {
+                Ok(Self {
+                    scalar,
+                    channels,
+                    rate_hz,
+                    zero: if size == 1 { 128.0 } else { 0.0 },
+                })
             }
             _ => Err(Damage::new(format!(
                 "{channels} channels of {bits} bits of kind {code} at {rate_hz} Hz: whole numbers of 8 to 64 bits and floating point of 32 and 64 \
@@ -100,7 +140,14 @@ impl Format {
 }
 
 /// The samples of all channels by turns.
-fn samples(source: &mut impl Read, format: Format, length: u64, left: u64, at: u64, store: &SampleStore) -> Result<FormatContents, Damage> {
+fn samples(
+    source: &mut impl Read,
+    format: Format,
+    length: u64,
+    left: u64,
+    at: u64,
+    store: &SampleStore,
+) -> Result<FormatContents, Damage> {
     let channels = u64::from(format.channels);
     let block = format.scalar.size as u64 * channels;
     let mut findings = Vec::new();
@@ -112,21 +159,49 @@ fn samples(source: &mut impl Read, format: Format, length: u64, left: u64, at: u
     }
     let there = if length == 0 { left / block } else { there };
     if length == 0 || length > left {
-        let about = format!("the header tells no length; all {there} samples up to the end of the file are taken");
+        let about = format!(
+            "the header tells no length; all {there} samples up to the end of the file are taken"
+        );
         let place = IssuePlace::Byte(usize::try_from(at).unwrap_or(usize::MAX));
-        findings.push(Issue::new(IssueKind::HeaderDisagrees, 1, Some(place), about));
+        findings.push(Issue::new(
+            IssueKind::HeaderDisagrees,
+            1,
+            Some(place),
+            about,
+        ));
     }
     let mut series: Vec<_> = (0..channels).map(|_| store.column()).collect();
-    if !series.iter_mut().all(|numbers| usize::try_from(there).is_ok_and(|there| numbers.expect(there))) {
-        return Err(Damage::new(format!("{there} samples of {channels} channels do not fit into memory")));
+    if !series
+        .iter_mut()
+        .all(|numbers| usize::try_from(there).is_ok_and(|there| numbers.expect(there)))
+    {
+        return Err(Damage::new(format!(
+            "{there} samples of {channels} channels do not fit into memory"
+        )));
     }
     let mut channel = 0;
-    format.scalar.each(source as &mut dyn Read, there * channels, |x| {
-        let numbers: io::Result<()> = series[channel].push(x - format.zero);
-        channel = (channel + 1) % series.len();
-        numbers
-    })?;
-    let columns = series.into_iter().enumerate().map(|(k, values)| RawColumn::new(&format!("channel {}", k + 1), "", values)).collect();
-    let stamps = TimeStamps::Even { start: 0.0, step: 1.0 / f64::from(format.rate_hz) };
-    Ok(Raw { title: String::new(), over: Over::Time, stamps, columns, findings }.into())
+    format
+        .scalar
+        .each(source as &mut dyn Read, there * channels, |x| {
+            let numbers: io::Result<()> = series[channel].push(x - format.zero);
+            channel = (channel + 1) % series.len();
+            numbers
+        })?;
+    let columns = series
+        .into_iter()
+        .enumerate()
+        .map(|(k, values)| RawColumn::new(&format!("channel {}", k + 1), "", values))
+        .collect();
+    let stamps = TimeStamps::Even {
+        start: 0.0,
+        step: 1.0 / f64::from(format.rate_hz),
+    };
+    Ok(Raw {
+        title: String::new(),
+        over: Over::Time,
+        stamps,
+        columns,
+        findings,
+    }
+    .into())
 }

@@ -40,6 +40,10 @@ impl Channel {
 
     /// What it is chosen by.
     pub fn head(&self) -> ChannelHead<'_> {
-        ChannelHead { name: &self.name, quantity: self.quantity, unit: &self.unit }
+        ChannelHead {
+            name: &self.name,
+            quantity: self.quantity,
+            unit: &self.unit,
+        }
     }
 }

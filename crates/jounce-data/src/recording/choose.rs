@@ -65,12 +65,22 @@ impl ChannelHead<'_> {
 /// # Errors
 /// No such channel; the error lists those that there are.
 pub fn named(recording: &str, heads: &[ChannelHead<'_>], wanted: &str) -> Result<usize, NoChannel> {
-    let numbered = || wanted.parse::<usize>().ok().and_then(|number| number.checked_sub(1)).filter(|k| *k < heads.len());
-    heads.iter().position(|head| head.name == wanted).or_else(numbered).ok_or_else(|| NoChannel {
-        wanted: wanted.to_owned(),
-        recording: recording.to_owned(),
-        channels: names(heads),
-    })
+    let numbered = || {
+        wanted
+            .parse::<usize>()
+            .ok()
+            .and_then(|number| number.checked_sub(1))
+            .filter(|k| *k < heads.len())
+    };
+    heads
+        .iter()
+        .position(|head| head.name == wanted)
+        .or_else(numbered)
+        .ok_or_else(|| NoChannel {
+            wanted: wanted.to_owned(),
+            recording: recording.to_owned(),
+            channels: names(heads),
+        })
 }
 
 /// The number from 0 of the channel of a name or number; without one the first of a quantity, or the only channel. A channel that tells no unit
@@ -78,10 +88,18 @@ pub fn named(recording: &str, heads: &[ChannelHead<'_>], wanted: &str) -> Result
 ///
 /// # Errors
 /// [`ChannelError`].
-pub fn chosen(recording: &str, heads: &[ChannelHead<'_>], wanted: Option<&str>, quantity: Quantity) -> Result<usize, ChannelError> {
+pub fn chosen(
+    recording: &str,
+    heads: &[ChannelHead<'_>],
+    wanted: Option<&str>,
+    quantity: Quantity,
+) -> Result<usize, ChannelError> {
     let of_quantity = || heads.iter().position(|head| head.quantity == quantity);
     let only = || (heads.len() == 1).then_some(0);
-    let unnamed = || ChannelError::Unnamed { recording: recording.to_owned(), channels: names(heads) };
+    let unnamed = || ChannelError::Unnamed {
+        recording: recording.to_owned(),
+        channels: names(heads),
+    };
     let number = match wanted {
         Some(wanted) => named(recording, heads, wanted)?,
         None => of_quantity().or_else(only).ok_or_else(unnamed)?,
@@ -90,7 +108,11 @@ pub fn chosen(recording: &str, heads: &[ChannelHead<'_>], wanted: Option<&str>, 
     if head.may_be(quantity) {
         return Ok(number);
     }
-    Err(ChannelError::Unit { channel: head.name.to_owned(), unit: head.unit.to_owned(), recording: recording.to_owned() })
+    Err(ChannelError::Unit {
+        channel: head.name.to_owned(),
+        unit: head.unit.to_owned(),
+        recording: recording.to_owned(),
+    })
 }
 
 fn names(heads: &[ChannelHead<'_>]) -> Vec<String> {
@@ -103,7 +125,11 @@ impl Recording {
     ///
     /// # Errors
     /// [`ChannelError`].
-    pub fn choose(&self, wanted: Option<&str>, quantity: Quantity) -> Result<&Channel, ChannelError> {
+    pub fn choose(
+        &self,
+        wanted: Option<&str>,
+        quantity: Quantity,
+    ) -> Result<&Channel, ChannelError> {
         Ok(&self.channels[chosen(&self.name, &self.heads(), wanted, quantity)?])
     }
 
@@ -114,7 +140,10 @@ impl Recording {
 
     /// The error of a question that does not name its channel.
     pub fn unnamed(&self) -> ChannelError {
-        ChannelError::Unnamed { recording: self.name.clone(), channels: names(&self.heads()) }
+        ChannelError::Unnamed {
+            recording: self.name.clone(),
+            channels: names(&self.heads()),
+        }
     }
 }
 
@@ -125,25 +154,52 @@ mod tests {
     use crate::recording::{Grid, Over};
 
     fn recording(channels: &[(&str, Quantity, &str)]) -> Recording {
-        let channels = channels.iter().map(|(name, quantity, unit)| Channel::new(name, *quantity, unit, vec![0.0; 4])).collect();
+        let channels = channels
+            .iter()
+            .map(|(name, quantity, unit)| Channel::new(name, *quantity, unit, vec![0.0; 4]))
+            .collect();
         let grid = Grid::even(0.0, 1.0, 4).unwrap();
-        Recording { name: "r".into(), over: Over::Time, grid, channels, findings: Vec::new() }
+        Recording {
+            name: "r".into(),
+            over: Over::Time,
+            grid,
+            channels,
+            findings: Vec::new(),
+        }
     }
 
     #[test]
     fn a_channel_is_chosen_by_name_quantity_or_because_it_is_alone() {
-        let two = recording(&[("a", Quantity::Acceleration, "m/s^2"), ("v", Quantity::Voltage, "V")]);
+        let two = recording(&[
+            ("a", Quantity::Acceleration, "m/s^2"),
+            ("v", Quantity::Voltage, "V"),
+        ]);
         assert_eq!(two.choose(None, Quantity::Voltage).unwrap().name, "v");
-        assert_eq!(two.choose(Some("1"), Quantity::Acceleration).unwrap().name, "a");
-        assert!(matches!(two.choose(Some("a"), Quantity::Voltage), Err(ChannelError::Unit { .. })));
-        assert!(matches!(two.choose(Some("b"), Quantity::Voltage), Err(ChannelError::Missing(_))));
+        assert_eq!(
+            two.choose(Some("1"), Quantity::Acceleration).unwrap().name,
+            "a"
+        );
+        assert!(matches!(
+            two.choose(Some("a"), Quantity::Voltage),
+            Err(ChannelError::Unit { .. })
+        ));
+        assert!(matches!(
+            two.choose(Some("b"), Quantity::Voltage),
+            Err(ChannelError::Missing(_))
+        ));
         let told = two.choose(None, Quantity::Force).unwrap_err().to_string();
         assert_eq!(told, "name the channel; r has a, v");
         let untold = recording(&[("x", Quantity::Unknown, "")]);
         let chosen = untold.choose(None, Quantity::Force).unwrap();
-        assert_eq!(chosen.head().assumed(Quantity::Force).unwrap().to_string(), "x: no unit is told; N is assumed");
+        assert_eq!(
+            chosen.head().assumed(Quantity::Force).unwrap().to_string(),
+            "x: no unit is told; N is assumed"
+        );
         let odd = recording(&[("x", Quantity::Unknown, "furlong")]);
-        assert!(matches!(odd.choose(None, Quantity::Force), Err(ChannelError::Unit { .. })));
+        assert!(matches!(
+            odd.choose(None, Quantity::Force),
+            Err(ChannelError::Unit { .. })
+        ));
         assert_eq!(two.channels[1].head().assumed(Quantity::Voltage), None);
     }
 }

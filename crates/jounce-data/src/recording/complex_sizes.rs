@@ -4,11 +4,21 @@ use super::{PIECE, Series, Sizes};
 
 /// Rms and peak of `|z|` and the modulus of the mean of `z`, over the samples of which both parts are numbers; `real` as they are without an imaginary
 /// part.
-pub(crate) fn sizes_with<S: Series>(real: Sizes, values: &S, imaginary: Option<&S>) -> Result<Sizes, S::Fault> {
-    let Some(imaginary) = imaginary else { return Ok(real) };
+pub(crate) fn sizes_with<S: Series>(
+    real: Sizes,
+    values: &S,
+    imaginary: Option<&S>,
+) -> Result<Sizes, S::Fault> {
+    let Some(imaginary) = imaginary else {
+        return Ok(real);
+    };
     let (mut squares, mut count, mut peak, mut sum) = (0.0, 0.0, 0.0_f64, [0.0_f64; 2]);
     for index in 0..values.count().div_ceil(PIECE) {
-        for (re, im) in values.piece(index)?.iter().zip(imaginary.piece(index)?.iter()) {
+        for (re, im) in values
+            .piece(index)?
+            .iter()
+            .zip(imaginary.piece(index)?.iter())
+        {
             if re.is_finite() && im.is_finite() {
                 squares += re * re + im * im;
                 count += 1.0;
@@ -18,7 +28,11 @@ pub(crate) fn sizes_with<S: Series>(real: Sizes, values: &S, imaginary: Option<&
         }
     }
     let numbers = f64::max(count, 1.0);
-    Ok(Sizes { rms: f64::sqrt(squares / numbers), peak, mean: sum[0].hypot(sum[1]) / numbers })
+    Ok(Sizes {
+        rms: f64::sqrt(squares / numbers),
+        peak,
+        mean: sum[0].hypot(sum[1]) / numbers,
+    })
 }
 
 #[cfg(test)]
@@ -31,7 +45,10 @@ mod tests {
     fn a_complex_channel_is_as_large_as_its_absolute_value() {
         let (re, im) = ([3.0, 0.0, f64::NAN, 1.0], [4.0, -5.0, 1.0, f64::NAN]);
         let sizes = sizes_with(Sizes::of(&re), &&re[..], Some(&&im[..])).unwrap();
-        assert_eq!((sizes.rms, sizes.peak, sizes.mean), (5.0, 5.0, 1.5_f64.hypot(0.5)));
+        assert_eq!(
+            (sizes.rms, sizes.peak, sizes.mean),
+            (5.0, 5.0, 1.5_f64.hypot(0.5))
+        );
         let real = sizes_with(Sizes::of(&[3.0, 4.0]), &&re[..2], None).unwrap();
         assert_eq!((real.rms, real.peak), (12.5_f64.sqrt(), 4.0));
     }

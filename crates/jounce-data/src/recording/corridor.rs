@@ -27,7 +27,10 @@ struct CorridorLine {
 
 impl CorridorLine {
     fn between(a: CorridorPoint, b: CorridorPoint) -> Self {
-        Self { through: b, slope: slope(a, b) }
+        Self {
+            through: b,
+            slope: slope(a, b),
+        }
     }
 
     fn at(self, x: f64) -> f64 {
@@ -49,11 +52,19 @@ impl Chain {
     /// The line from a point of the chain to a later one that `better` prefers over its neighbours; points before it count no more.
     fn tangent(&mut self, to: CorridorPoint, better: fn(f64, f64) -> bool) -> Option<CorridorLine> {
         let mut best = slope(*self.points.get(self.first)?, to);
-        while let Some(next) = self.points.get(self.first + 1).map(|point| slope(*point, to)).filter(|next| better(*next, best)) {
+        while let Some(next) = self
+            .points
+            .get(self.first + 1)
+            .map(|point| slope(*point, to))
+            .filter(|next| better(*next, best))
+        {
             best = next;
             self.first += 1;
         }
-        Some(CorridorLine { through: to, slope: best })
+        Some(CorridorLine {
+            through: to,
+            slope: best,
+        })
     }
 
     /// Puts a point behind the others; `bends` tells from the slopes before and behind a point whether the chain keeps it.
@@ -86,8 +97,16 @@ impl Corridor {
                 }
             }
             _ => {
-                self.steepest = self.lower.points.first().map(|first| CorridorLine::between(*first, high));
-                self.flattest = self.upper.points.first().map(|first| CorridorLine::between(*first, low));
+                self.steepest = self
+                    .lower
+                    .points
+                    .first()
+                    .map(|first| CorridorLine::between(*first, high));
+                self.flattest = self
+                    .upper
+                    .points
+                    .first()
+                    .map(|first| CorridorLine::between(*first, low));
             }
         }
         self.lower.push(low, |before, behind| before > behind);
@@ -97,7 +116,8 @@ impl Corridor {
     /// The flattest and the steepest slope of lines that pass all intervals; none where no line does, or fewer than two intervals came.
     pub(super) fn slopes(&self) -> Option<(f64, f64)> {
         let (flattest, steepest) = self.flattest.zip(self.steepest)?;
-        (!self.closed && flattest.slope <= steepest.slope).then_some((flattest.slope, steepest.slope))
+        (!self.closed && flattest.slope <= steepest.slope)
+            .then_some((flattest.slope, steepest.slope))
     }
 }
 
@@ -108,11 +128,21 @@ mod tests {
     /// Against the definition: the steepest line over all pairs of a lower end and a later upper end.
     #[test]
     fn slopes_are_those_of_all_pairs() {
-        let random = |k: u32| f64::from(k.wrapping_mul(2_654_435_761) >> 8) / f64::from(1u32 << 24) - 0.5;
+        let random =
+            |k: u32| f64::from(k.wrapping_mul(2_654_435_761) >> 8) / f64::from(1u32 << 24) - 0.5;
         for trial in 0..40 {
-            let points: Vec<(f64, f64)> = (0..60).map(|k| (f64::from(k), 0.3 * f64::from(k) + 0.9 * random(60 * trial + k))).collect();
+            let points: Vec<(f64, f64)> = (0..60)
+                .map(|k| {
+                    (
+                        f64::from(k),
+                        0.3 * f64::from(k) + 0.9 * random(60 * trial + k),
+                    )
+                })
+                .collect();
             let mut corridor = Corridor::default();
-            points.iter().for_each(|(x, y)| corridor.take(*x, y - 0.5, y + 0.5));
+            points
+                .iter()
+                .for_each(|(x, y)| corridor.take(*x, y - 0.5, y + 0.5));
             let (mut flattest, mut steepest) = (f64::NEG_INFINITY, f64::INFINITY);
             for (k, (xa, ya)) in points.iter().enumerate() {
                 for (xb, yb) in &points[k + 1..] {
@@ -121,12 +151,18 @@ mod tests {
                 }
             }
             match corridor.slopes() {
-                Some((low, high)) => assert!((low - flattest).abs() < 1e-12 && (high - steepest).abs() < 1e-12, "{trial}"),
+                Some((low, high)) => assert!(
+                    (low - flattest).abs() < 1e-12 && (high - steepest).abs() < 1e-12,
+                    "{trial}"
+                ),
                 None => assert!(flattest > steepest, "{trial}"),
             }
         }
         let mut missed = Corridor::default();
-        [0.0, 1.0, 5.0].iter().enumerate().for_each(|(k, y)| missed.take(k as f64, y - 0.1, y + 0.1));
+        [0.0, 1.0, 5.0]
+            .iter()
+            .enumerate()
+            .for_each(|(k, y)| missed.take(k as f64, y - 0.1, y + 0.1));
         assert_eq!(missed.slopes(), None);
     }
 }

@@ -22,7 +22,10 @@ pub(crate) struct Digits {
 impl Digits {
     /// Digits of numbers as they were printed, or times a power of ten since.
     pub(crate) fn of<S: Series>(stamps: &S) -> Result<Self, S::Fault> {
-        let mut digits = Self { decimals: 0, significant: 1 };
+        let mut digits = Self {
+            decimals: 0,
+            significant: 1,
+        };
         let mut text = String::new();
         stamps.each(|x| {
             if let Some((count, exponent)) = printed(x, &mut text) {
@@ -36,7 +39,11 @@ impl Digits {
     /// How far the number behind a stamp may lie from it: half a unit of its last digit.
     pub(crate) fn rounding(&self, stamp: f64) -> f64 {
         let size = stamp.abs();
-        let power = if size > 0.0 { size.log10().floor() as i32 } else { -self.decimals };
+        let power = if size > 0.0 {
+            size.log10().floor() as i32
+        } else {
+            -self.decimals
+        };
         let last = (-self.decimals).max(power - self.significant + 1);
         0.5 * 10f64.powi(last) + DIGIT_ROUNDOFF * size
     }
@@ -53,7 +60,9 @@ fn printed(x: f64, text: &mut String) -> Option<(i32, i32)> {
     if found.0 > MIN_SURE_DIGITS {
         text.clear();
         write!(text, "{x:.*e}", MIN_SURE_DIGITS - 1).ok()?;
-        found = counted(text).filter(|(count, _)| *count <= PRINTED).unwrap_or(found);
+        found = counted(text)
+            .filter(|(count, _)| *count <= PRINTED)
+            .unwrap_or(found);
     }
     Some((found.0 as i32, found.1))
 }
@@ -61,7 +70,11 @@ fn printed(x: f64, text: &mut String) -> Option<(i32, i32)> {
 /// Digits before the zeros at the end, and the exponent.
 fn counted(text: &str) -> Option<(usize, i32)> {
     let (mantissa, power) = text.split_once('e')?;
-    let count = mantissa.trim_end_matches('0').bytes().filter(u8::is_ascii_digit).count();
+    let count = mantissa
+        .trim_end_matches('0')
+        .bytes()
+        .filter(u8::is_ascii_digit)
+        .count();
     Some((count.max(1), power.parse().ok()?))
 }
 
@@ -71,15 +84,24 @@ mod tests {
 
     #[test]
     fn printed_digits_are_found_in_either_notation() {
-        let near = |found: f64, due: f64| assert!((found / due - 1.0).abs() < 1e-6, "{found} {due}");
-        let fixed: Vec<f64> = (0..2000).map(|k| (f64::from(k) * 1e6 / 1536.0).round() / 1e6).collect();
+        let near =
+            |found: f64, due: f64| assert!((found / due - 1.0).abs() < 1e-6, "{found} {due}");
+        let fixed: Vec<f64> = (0..2000)
+            .map(|k| (f64::from(k) * 1e6 / 1536.0).round() / 1e6)
+            .collect();
         let scaled: Vec<f64> = fixed.iter().map(|t| t * 1e-3).collect();
         let Ok(digits) = Digits::of(&fixed.as_slice());
         near(digits.rounding(1.0), 0.5e-6);
         near(digits.rounding(0.002), 0.5e-6);
         let Ok(digits) = Digits::of(&scaled.as_slice());
         near(digits.rounding(0.001), 0.5e-9);
-        let scientific: Vec<f64> = (0..2000).map(|k| format!("{:.4e}", f64::from(k) / 1536.0).parse().unwrap_or(f64::NAN)).collect();
+        let scientific: Vec<f64> = (0..2000)
+            .map(|k| {
+                format!("{:.4e}", f64::from(k) / 1536.0)
+                    .parse()
+                    .unwrap_or(f64::NAN)
+            })
+            .collect();
         let Ok(digits) = Digits::of(&scientific.as_slice());
         near(digits.rounding(1.2), 0.5e-4);
         let full: Vec<f64> = (1..2000).map(|k| f64::from(k) / 1536.7).collect();

@@ -45,7 +45,11 @@ pub(super) struct FlatTops {
 impl RangeEnd {
     /// An end without samples yet, and whether a converter ends there too.
     pub(super) fn at(value: f64, is_full_scale: bool) -> Self {
-        Self { value, is_full_scale, ..Self::default() }
+        Self {
+            value,
+            is_full_scale,
+            ..Self::default()
+        }
     }
 
     /// True where a converter ends there too.
@@ -57,7 +61,11 @@ impl RangeEnd {
 impl FlatTops {
     /// Of a channel between two ends, whose smallest step is `quantum`.
     pub(super) fn between(ends: [RangeEnd; 2], quantum: f64) -> Self {
-        Self { ends, quantum, ..Self::default() }
+        Self {
+            ends,
+            quantum,
+            ..Self::default()
+        }
     }
 
     pub(super) fn take(&mut self, x: f64) {
@@ -82,7 +90,11 @@ impl FlatTops {
             end.samples += run;
             end.first = end.first.or(Some(self.number - run));
             end.is_flat |= is_long && steep && value != 0.0;
-            end.strokes += if end.is_full_scale && stands_out { run } else { 0 };
+            end.strokes += if end.is_full_scale && stands_out {
+                run
+            } else {
+                0
+            };
         }
         if is_long {
             self.between += if self.runs > 0 { self.since } else { 0 };
@@ -97,15 +109,31 @@ impl FlatTops {
         let clipped = |is: fn(&RangeEnd) -> bool, about: String| {
             let ends: Vec<&RangeEnd> = self.ends.iter().filter(|end| is(end)).collect();
             let first = ends.iter().filter_map(|end| end.first).min()?;
-            Some(Issue::new(IssueKind::Clipping, ends.iter().map(|end| end.samples).sum(), Some(IssuePlace::Sample(first)), about))
+            Some(Issue::new(
+                IssueKind::Clipping,
+                ends.iter().map(|end| end.samples).sum(),
+                Some(IssuePlace::Sample(first)),
+                about,
+            ))
         };
         let [low, high] = self.ends;
         if low.is_flat || high.is_flat {
-            let about = format!("flat tops at the ends of the range {} to {}: the signal was clipped", low.value, high.value);
-            return clipped(|end| end.is_flat || end.is_full_scale && end.strokes > 0, about).filter(|_| !is_square);
+            let about = format!(
+                "flat tops at the ends of the range {} to {}: the signal was clipped",
+                low.value, high.value
+            );
+            return clipped(
+                |end| end.is_flat || end.is_full_scale && end.strokes > 0,
+                about,
+            )
+            .filter(|_| !is_square);
         }
         let full = [low, high].into_iter().find(|end| end.strokes > 0)?;
-        let about = format!("samples are exactly at the end of a range of {}: the signal was probably clipped there", full.value.abs());
-        clipped(|end| end.strokes > 0, about).filter(|_| low.strokes + high.strokes >= AT_FULL_SCALE)
+        let about = format!(
+            "samples are exactly at the end of a range of {}: the signal was probably clipped there",
+            full.value.abs()
+        );
+        clipped(|end| end.strokes > 0, about)
+            .filter(|_| low.strokes + high.strokes >= AT_FULL_SCALE)
     }
 }

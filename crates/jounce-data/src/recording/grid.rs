@@ -55,7 +55,9 @@ pub enum GridError {
         value: f64,
     },
     /// A stamp before the one of an earlier sample.
-    #[error("the stamp of sample {sample} is {value}, before {before} of the sample before it; sort the recording or cut it there")]
+    #[error(
+        "the stamp of sample {sample} is {value}, before {before} of the sample before it; sort the recording or cut it there"
+    )]
     Backwards {
         /// The sample, from 0.
         sample: usize,
@@ -87,7 +89,18 @@ impl Grid {
     pub fn from_stamps(stamps: Vec<f64>) -> Result<(Self, Vec<Issue>), GridError> {
         let Ok(found) = Stamped::of(&stamps.as_slice(), None, "s");
         Ok(match found? {
-            Stamped::Even { start, step, noticed } => (Self::Even { start, step, count: stamps.len() }, noticed),
+            Stamped::Even {
+                start,
+                step,
+                noticed,
+            } => (
+                Self::Even {
+                    start,
+                    step,
+                    count: stamps.len(),
+                },
+                noticed,
+            ),
             Stamped::Uneven(findings) => (Self::Stamped(stamps), findings),
         })
     }

@@ -41,7 +41,10 @@ impl Sizes {
 pub fn inspect(channel: &Channel) -> Vec<Issue> {
     let counts = may_be_counts(channel.quantity, channel.imaginary.is_some());
     let Ok((found, _)) = inspected(&channel.values.as_slice(), counts);
-    found.into_iter().map(|finding| finding.of(&channel.name)).collect()
+    found
+        .into_iter()
+        .map(|finding| finding.of(&channel.name))
+        .collect()
 }
 
 /// True where nothing tells that the samples of a channel are no counts of a converter.
@@ -51,7 +54,10 @@ pub(crate) fn may_be_counts(quantity: Quantity, complex: bool) -> bool {
 
 /// What is odd about samples, not yet said of a channel, and how large they are: one pass over them, and a second one where some are
 /// equal for so long that they may be a flat top.
-pub(crate) fn inspected<S: Series>(samples: &S, may_be_counts: bool) -> Result<(Vec<Issue>, Sizes), S::Fault> {
+pub(crate) fn inspected<S: Series>(
+    samples: &S,
+    may_be_counts: bool,
+) -> Result<(Vec<Issue>, Sizes), S::Fault> {
     let mut look = ChannelStatistics::default();
     samples.each(|x| look.take(x))?;
     let ends = [look.low, look.high].map(|value| RangeEnd::at(value, look.is_full_scale(value)));
@@ -60,9 +66,22 @@ pub(crate) fn inspected<S: Series>(samples: &S, may_be_counts: bool) -> Result<(
         samples.each(|x| tops.take(x))?;
         tops.close(None);
     }
-    let found = [look.not_a_number(), look.constant(), look.padding(), tops.finding(), look.counts().filter(|_| may_be_counts)];
+    let found = [
+        look.not_a_number(),
+        look.constant(),
+        look.padding(),
+        tops.finding(),
+        look.counts().filter(|_| may_be_counts),
+    ];
     let numbers = f64::max((look.number - look.missing) as f64, 1.0);
-    Ok((found.into_iter().flatten().collect(), Sizes { rms: f64::sqrt(look.squares / numbers), peak: look.peak, mean: look.sum / numbers }))
+    Ok((
+        found.into_iter().flatten().collect(),
+        Sizes {
+            rms: f64::sqrt(look.squares / numbers),
+            peak: look.peak,
+            mean: look.sum / numbers,
+        },
+    ))
 }
 
 /// What one pass over samples tells.
@@ -151,12 +170,18 @@ impl ChannelStatistics {
 
     fn not_a_number(&self) -> Option<Issue> {
         let first = IssuePlace::Sample(self.first_missing?);
-        Some(Issue::new(IssueKind::NotANumber, self.missing, Some(first), "samples are no numbers".to_owned()))
+        Some(Issue::new(
+            IssueKind::NotANumber,
+            self.missing,
+            Some(first),
+            "samples are no numbers".to_owned(),
+        ))
     }
 
     fn constant(&self) -> Option<Issue> {
         let about = format!("all samples are {}; there is no signal", self.first);
-        (self.same && self.number > 1).then(|| Issue::new(IssueKind::Constant, self.number, None, about))
+        (self.same && self.number > 1)
+            .then(|| Issue::new(IssueKind::Constant, self.number, None, about))
     }
 
     fn padding(&self) -> Option<Issue> {
@@ -165,17 +190,32 @@ impl ChannelStatistics {
         }
         let counted = |zeros: usize| if zeros < PADDING { 0 } else { zeros };
         let (leading, trailing) = (counted(self.leading), counted(self.trailing));
-        let first = if leading > 0 { 0 } else { self.number - trailing };
-        let about = format!("{leading} exact zeros stand before the signal and {trailing} after it");
-        Some(Issue::new(IssueKind::ZeroPadding, leading + trailing, Some(IssuePlace::Sample(first)), about))
+        let first = if leading > 0 {
+            0
+        } else {
+            self.number - trailing
+        };
+        let about =
+            format!("{leading} exact zeros stand before the signal and {trailing} after it");
+        Some(Issue::new(
+            IssueKind::ZeroPadding,
+            leading + trailing,
+            Some(IssuePlace::Sample(first)),
+            about,
+        ))
     }
 
     /// True for an end of a converter's range: a round size of 2, 4, 8, 16 and so on, in SI or in g, or the last code of 8, 12, 16 or 24 bits, in
     /// counts or in the smallest steps of the channel.
     fn is_full_scale(&self, value: f64) -> bool {
-        let is_round = |size: f64| size > 1.5 && (size / size.log2().round().exp2() - 1.0).abs() < ROUND;
+        let is_round =
+            |size: f64| size > 1.5 && (size / size.log2().round().exp2() - 1.0).abs() < ROUND;
         // The two ends of a range differ by one code; the smallest step from sample to sample is one where the signal is slow.
-        let steps = if self.whole { [1.0; 2] } else { [self.quantum, (self.low + self.high).abs()] };
+        let steps = if self.whole {
+            [1.0; 2]
+        } else {
+            [self.quantum, (self.low + self.high).abs()]
+        };
         let is_last = |step: &f64| {
             let code = (value / step).round();
             let last = |bits: &i32| {
@@ -184,13 +224,15 @@ impl ChannelStatistics {
             };
             (value / step - code).abs() < OFF_CODE && BITS.iter().any(last)
         };
-        let by_size = value.abs() == self.peak && (is_round(self.peak) || is_round(self.peak / GRAVITY));
+        let by_size =
+            value.abs() == self.peak && (is_round(self.peak) || is_round(self.peak / GRAVITY));
         by_size || steps.iter().any(is_last)
     }
 
     fn counts(&self) -> Option<Issue> {
         let about = "whole numbers without unit: counts of a converter? give the scale in the notes beside the file";
-        (self.whole && self.peak > COUNTS).then(|| Issue::new(IssueKind::RawCounts, self.number, None, about.to_owned()))
+        (self.whole && self.peak > COUNTS)
+            .then(|| Issue::new(IssueKind::RawCounts, self.number, None, about.to_owned()))
     }
 }
 
@@ -202,20 +244,48 @@ mod tests {
 
     fn found(values: Vec<f64>) -> Vec<(IssueKind, usize, Option<IssuePlace>)> {
         let quantity = Quantity::Acceleration;
-        inspect(&Channel::new("a", quantity, "m/s^2", values)).into_iter().map(|f| (f.kind, f.count, f.first)).collect()
+        inspect(&Channel::new("a", quantity, "m/s^2", values))
+            .into_iter()
+            .map(|f| (f.kind, f.count, f.first))
+            .collect()
     }
 
     fn sine(peak: f64, count: usize) -> Vec<f64> {
-        (0..count).map(|k| peak * (TAU * k as f64 / 100.0 + 0.1).sin()).collect()
+        (0..count)
+            .map(|k| peak * (TAU * k as f64 / 100.0 + 0.1).sin())
+            .collect()
     }
 
     #[test]
     fn a_square_wave_and_a_step_are_not_clipped() {
-        let square = |k: u32| if (k / 25).is_multiple_of(2) { 5.0 } else { -5.0 };
+        let square = |k: u32| {
+            if (k / 25).is_multiple_of(2) {
+                5.0
+            } else {
+                -5.0
+            }
+        };
         assert_eq!(found((0..1000).map(square).collect()), []);
-        assert_eq!(found((0..1000).map(|k| if k % 25 == 0 { 0.4 } else { square(k) }).collect()), []);
-        assert_eq!(found((0..1000).map(|k| if k < 400 { 1.5 } else { 3.3 }).collect()), []);
-        assert_eq!(found((0..1000).map(|k| if k == 400 { 3.0 } else { 3.3 }).collect()), []);
+        assert_eq!(
+            found(
+                (0..1000)
+                    .map(|k| if k % 25 == 0 { 0.4 } else { square(k) })
+                    .collect()
+            ),
+            []
+        );
+        assert_eq!(
+            found((0..1000).map(|k| if k < 400 { 1.5 } else { 3.3 }).collect()),
+            []
+        );
+        assert_eq!(
+            found(
+                (0..1000)
+                    .map(|k| if k == 400 { 3.0 } else { 3.3 })
+                    .collect()
+            ),
+            []
+        );
         let Sizes { rms, peak, mean } = Sizes::of(&[3.0, -1.0, f64::NAN]);
         assert_eq!((rms, peak, mean), (5f64.sqrt(), 3.0, 1.0));
     }
@@ -223,7 +293,10 @@ mod tests {
     #[test]
     fn a_clean_sine_has_no_findings_not_even_when_coarse() {
         assert_eq!(found(sine(1.0, 1000)), []);
-        assert_eq!(found(sine(20.0, 1000).into_iter().map(f64::round).collect()), []);
+        assert_eq!(
+            found(sine(20.0, 1000).into_iter().map(f64::round).collect()),
+            []
+        );
     }
 
     #[test]
@@ -231,35 +304,81 @@ mod tests {
         let clipped: Vec<f64> = sine(1.0, 1000).into_iter().map(|x| x.min(0.9)).collect();
         let flat = clipped.iter().filter(|x| **x == 0.9).count();
         let first = clipped.iter().position(|x| *x == 0.9).unwrap();
-        assert_eq!(found(clipped), [(IssueKind::Clipping, flat, Some(IssuePlace::Sample(first)))]);
+        assert_eq!(
+            found(clipped),
+            [(IssueKind::Clipping, flat, Some(IssuePlace::Sample(first)))]
+        );
         // Two single samples at the end of a range of 8, where the strokes are steep; at 7.9, or smooth as a sine's peaks of 8, they are none.
         let strokes = |end: f64| {
             let mut values = sine(1.0, 1000);
             (values[200], values[700]) = (-end, -end);
             values
         };
-        assert_eq!(found(strokes(8.0)), [(IssueKind::Clipping, 2, Some(IssuePlace::Sample(200)))]);
+        assert_eq!(
+            found(strokes(8.0)),
+            [(IssueKind::Clipping, 2, Some(IssuePlace::Sample(200)))]
+        );
         assert_eq!(found(strokes(7.9)), []);
-        assert_eq!(found((0..1000).map(|k| [0.0, 5.0, 7.6, 8.0, 7.6, 5.0][k % 6]).collect()), []);
+        assert_eq!(
+            found(
+                (0..1000)
+                    .map(|k| [0.0, 5.0, 7.6, 8.0, 7.6, 5.0][k % 6])
+                    .collect()
+            ),
+            []
+        );
         // Codes of converters, at one sample in five, in counts and in volts; all of them are counted.
-        for (bits, scale) in [(8, 1.0), (12, 1.0), (16, 1.0), (24, 1.0), (12, 10.0 / 4096.0), (16, 1e-4)] {
+        for (bits, scale) in [
+            (8, 1.0),
+            (12, 1.0),
+            (16, 1.0),
+            (24, 1.0),
+            (12, 10.0 / 4096.0),
+            (16, 1e-4),
+        ] {
             let half = f64::from(bits - 1).exp2();
-            let over = |k: u32| (1.3 * half * (TAU * 0.2013 * f64::from(k)).sin()).round().clamp(-half, half - 1.0) * scale;
+            let over = |k: u32| {
+                (1.3 * half * (TAU * 0.2013 * f64::from(k)).sin())
+                    .round()
+                    .clamp(-half, half - 1.0)
+                    * scale
+            };
             let values: Vec<f64> = (0..997).map(over).collect();
-            let ends = values.iter().filter(|x| **x == -half * scale || **x == (half - 1.0) * scale).count();
+            let ends = values
+                .iter()
+                .filter(|x| **x == -half * scale || **x == (half - 1.0) * scale)
+                .count();
             let clipped = found(values);
             assert!(
-                ends > 100 && clipped.len() == 1 && clipped[0].0 == IssueKind::Clipping && clipped[0].1 == ends,
+                ends > 100
+                    && clipped.len() == 1
+                    && clipped[0].0 == IssueKind::Clipping
+                    && clipped[0].1 == ends,
                 "{bits} bits: {clipped:?}"
             );
         }
         let padded = [vec![0.0; 40], sine(1.0, 300), vec![0.0; 3]].concat();
-        assert_eq!(found(padded), [(IssueKind::ZeroPadding, 40, Some(IssuePlace::Sample(0)))]);
+        assert_eq!(
+            found(padded),
+            [(IssueKind::ZeroPadding, 40, Some(IssuePlace::Sample(0)))]
+        );
         let mut holed = sine(1.0, 300);
         (holed[7], holed[9]) = (f64::NAN, f64::INFINITY);
-        assert_eq!(found(holed), [(IssueKind::NotANumber, 2, Some(IssuePlace::Sample(7)))]);
+        assert_eq!(
+            found(holed),
+            [(IssueKind::NotANumber, 2, Some(IssuePlace::Sample(7)))]
+        );
         assert_eq!(found(vec![3.0; 50]), [(IssueKind::Constant, 50, None)]);
-        let counts = Channel::new("a", Quantity::Unknown, "", sine(16_000.0, 300).into_iter().map(f64::round).collect());
-        assert!(inspect(&counts).iter().any(|finding| finding.kind == IssueKind::RawCounts));
+        let counts = Channel::new(
+            "a",
+            Quantity::Unknown,
+            "",
+            sine(16_000.0, 300).into_iter().map(f64::round).collect(),
+        );
+        assert!(
+            inspect(&counts)
+                .iter()
+                .any(|finding| finding.kind == IssueKind::RawCounts)
+        );
     }
 }

@@ -97,7 +97,13 @@ impl IssueKind {
 impl Issue {
     /// A finding about a whole recording.
     pub fn new(kind: IssueKind, count: usize, first: Option<IssuePlace>, about: String) -> Self {
-        Self { kind, channel: None, count, first, about }
+        Self {
+            kind,
+            channel: None,
+            count,
+            first,
+            about,
+        }
     }
 
     /// The same about one channel.
@@ -125,7 +131,9 @@ impl std::fmt::Display for Issue {
         }
         write!(to, "{}", self.about)?;
         match self.first {
-            Some(first) if self.count > 1 => write!(to, " ({} times, first at {first})", self.count),
+            Some(first) if self.count > 1 => {
+                write!(to, " ({} times, first at {first})", self.count)
+            }
             Some(first) => write!(to, " (at {first})"),
             None => Ok(()),
         }

@@ -59,6 +59,8 @@ impl Series for Grid {
 
     fn piece(&self, index: usize) -> Result<Cow<'_, [f64]>, Infallible> {
         let from = (index * PIECE).min(self.len());
-        Ok((from..(from + PIECE).min(self.len())).map(|k| self.at(k)).collect())
+        Ok((from..(from + PIECE).min(self.len()))
+            .map(|k| self.at(k))
+            .collect())
     }
 }

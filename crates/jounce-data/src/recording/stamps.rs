@@ -24,7 +24,11 @@ const EXACT: f64 = 1e-6;
 /// What stamps are.
 pub(crate) enum Stamped {
     /// Even places, with what was noticed: all stamps within the digits that they were printed with, or within 2 % of a step.
-    Even { start: f64, step: f64, noticed: Vec<Issue> },
+    Even {
+        start: f64,
+        step: f64,
+        noticed: Vec<Issue>,
+    },
     /// Uneven ones, with what was noticed.
     Uneven(Vec<Issue>),
 }
@@ -32,7 +36,11 @@ pub(crate) enum Stamped {
 impl Stamped {
     /// Looks at stamps, in s or Hz by `unit`. Of steps that explain them all, `told` of a header wins. The inner error is one of the stamps, the outer
     /// one of where they lie.
-    pub(crate) fn of<S: Series>(stamps: &S, told: Option<f64>, unit: &str) -> Result<Result<Self, GridError>, S::Fault> {
+    pub(crate) fn of<S: Series>(
+        stamps: &S,
+        told: Option<f64>,
+        unit: &str,
+    ) -> Result<Result<Self, GridError>, S::Fault> {
         let (start, end) = match checked(stamps)? {
             Ok(ends) => ends,
             Err(error) => return Ok(Err(error)),
@@ -43,7 +51,11 @@ impl Stamped {
         let step = (end - start) / (stamps.count() - 1) as f64;
         let off = farthest_off(stamps, start, step)?;
         if off <= EXACT && told.is_none() {
-            return Ok(Ok(Self::Even { start, step, noticed: Vec::new() }));
+            return Ok(Ok(Self::Even {
+                start,
+                step,
+                noticed: Vec::new(),
+            }));
         }
         let digits = Digits::of(stamps)?;
         if has_lost_samples(stamps)? {
@@ -53,7 +65,11 @@ impl Stamped {
             return Ok(Ok(places.stamped(stamps.count(), unit)));
         }
         Ok(Ok(if off <= ROUNDED {
-            Self::Even { start, step, noticed: Vec::new() }
+            Self::Even {
+                start,
+                step,
+                noticed: Vec::new(),
+            }
         } else {
             Self::Uneven(oddities(stamps, &digits, unit)?)
         }))
@@ -95,7 +111,12 @@ struct EvenStamps {
 
 /// The even places behind rounded stamps, if there are any: those of the step `told` where it fits, else of the mean step, else of the middle of all
 /// steps that fit.
-fn even_places<S: Series>(stamps: &S, digits: &Digits, mean: (f64, f64), told: Option<f64>) -> Result<Option<EvenStamps>, S::Fault> {
+fn even_places<S: Series>(
+    stamps: &S,
+    digits: &Digits,
+    mean: (f64, f64),
+    told: Option<f64>,
+) -> Result<Option<EvenStamps>, S::Fault> {
     // Distances from the places of the mean step keep their digits.
     let (start, step) = mean;
     let (mut corridor, mut rounding, mut k) = (Corridor::default(), 0.0, 0.0);
@@ -105,9 +126,15 @@ fn even_places<S: Series>(stamps: &S, digits: &Digits, mean: (f64, f64), told: O
         rounding = f64::max(rounding, reach);
         k += 1.0;
     })?;
-    let Some((low, high)) = corridor.slopes() else { return Ok(None) };
-    let wanted = told.map(|told| told - step).filter(|slope| (low..=high).contains(slope));
-    let slope = wanted.or((low..=high).contains(&0.0).then_some(0.0)).unwrap_or(0.5 * (low + high));
+    let Some((low, high)) = corridor.slopes() else {
+        return Ok(None);
+    };
+    let wanted = told
+        .map(|told| told - step)
+        .filter(|slope| (low..=high).contains(slope));
+    let slope = wanted
+        .or((low..=high).contains(&0.0).then_some(0.0))
+        .unwrap_or(0.5 * (low + high));
     let (mut least, mut most, mut k) = (f64::NEG_INFINITY, f64::INFINITY, 0.0);
     stamps.each(|t| {
         let (off, reach) = (t - (start + k * step) - k * slope, digits.rounding(t));
@@ -116,14 +143,28 @@ fn even_places<S: Series>(stamps: &S, digits: &Digits, mean: (f64, f64), told: O
         k += 1.0;
     })?;
     // The first stamp stays where it is if it may.
-    let shift = if (least..=most).contains(&0.0) { 0.0 } else { 0.5 * (least + most) };
-    Ok(Some(EvenStamps { start: start + shift, step: step + slope, uncertain: 0.5 * (high - low), rounding }))
+    let shift = if (least..=most).contains(&0.0) {
+        0.0
+    } else {
+        0.5 * (least + most)
+    };
+    Ok(Some(EvenStamps {
+        start: start + shift,
+        step: step + slope,
+        uncertain: 0.5 * (high - low),
+        rounding,
+    }))
 }
 
 impl EvenStamps {
     /// Stamps that were rounded by more than a small share of a step say so.
     fn stamped(self, count: usize, unit: &str) -> Stamped {
-        let Self { start, step, uncertain, rounding } = self;
+        let Self {
+            start,
+            step,
+            uncertain,
+            rounding,
+        } = self;
         let share = 200.0 * rounding / step;
         let about = format!(
             "the stamps are rounded to {:.1e} {unit}, {share:.3} % of a step; even places explain them all: a step of {step:.9e} {unit}, within {:.1e}",
@@ -131,8 +172,15 @@ impl EvenStamps {
             uncertain / step
         );
         let coarse = rounding > ROUNDED * step;
-        let noticed = coarse.then(|| Issue::new(IssueKind::RoundedStamps, count, None, about)).into_iter().collect();
-        Stamped::Even { start, step, noticed }
+        let noticed = coarse
+            .then(|| Issue::new(IssueKind::RoundedStamps, count, None, about))
+            .into_iter()
+            .collect();
+        Stamped::Even {
+            start,
+            step,
+            noticed,
+        }
     }
 }
 
@@ -149,10 +197,17 @@ fn checked<S: Series>(stamps: &S) -> Result<Result<(f64, f64), GridError>, S::Fa
             first = value;
         }
         if !value.is_finite() {
-            none = none.take().or(Some(GridError::NotANumber { sample: number, value }));
+            none = none.take().or(Some(GridError::NotANumber {
+                sample: number,
+                value,
+            }));
         }
         if value < before {
-            back = back.take().or(Some(GridError::Backwards { sample: number, value, before }));
+            back = back.take().or(Some(GridError::Backwards {
+                sample: number,
+                value,
+                before,
+            }));
         }
         before = value;
         number += 1;
@@ -209,7 +264,11 @@ impl StampsWithGaps {
         Self::about(stamps, median_step(stamps)?, &Digits::of(stamps)?)
     }
 
-    fn about<S: Series>(stamps: &S, median: f64, digits: &Digits) -> Result<Option<Self>, S::Fault> {
+    fn about<S: Series>(
+        stamps: &S,
+        median: f64,
+        digits: &Digits,
+    ) -> Result<Option<Self>, S::Fault> {
         let near = mean_below(stamps, ONE_STEP * median)?;
         let (mut total, mut places, mut long, mut apart) = (0.0, 0.0, 0.0, true);
         steps(stamps, |_, step| {
@@ -221,7 +280,11 @@ impl StampsWithGaps {
         })?;
         let step = total / places;
         let (mut at, mut place, mut inside) = (0.0, 0.0, true);
-        let last = stamps.piece(stamps.count().saturating_sub(1) / PIECE)?.last().copied().unwrap_or(0.0);
+        let last = stamps
+            .piece(stamps.count().saturating_sub(1) / PIECE)?
+            .last()
+            .copied()
+            .unwrap_or(0.0);
         // The first stamp and the last one are rounded too.
         let rounding = 2.0 * digits.rounding(last);
         steps(stamps, |_, passed| {
@@ -231,7 +294,10 @@ impl StampsWithGaps {
         })?;
         let count = stamps.count() as f64 - 1.0;
         let missing = places - count;
-        Ok((apart && inside && long <= RARE * count).then_some(Self { step, missing: missing as usize }))
+        Ok((apart && inside && long <= RARE * count).then_some(Self {
+            step,
+            missing: missing as usize,
+        }))
     }
 }
 
@@ -294,8 +360,15 @@ impl StampTally {
 
 fn oddities<S: Series>(stamps: &S, digits: &Digits, unit: &str) -> Result<Vec<Issue>, S::Fault> {
     let usual = median_step(stamps)?;
-    let (holed, mean) = (StampsWithGaps::about(stamps, usual, digits)?, mean_step(stamps, usual)?);
-    let (mut uneven, mut gaps, mut repeated) = (StampTally::default(), StampTally::default(), StampTally::default());
+    let (holed, mean) = (
+        StampsWithGaps::about(stamps, usual, digits)?,
+        mean_step(stamps, usual)?,
+    );
+    let (mut uneven, mut gaps, mut repeated) = (
+        StampTally::default(),
+        StampTally::default(),
+        StampTally::default(),
+    );
     let (mut squares, mut even, mut longest) = (0.0, 0usize, 0.0);
     steps(stamps, |sample, step| {
         if step < GAP * usual {
@@ -318,9 +391,15 @@ fn oddities<S: Series>(stamps: &S, digits: &Digits, unit: &str) -> Result<Vec<Is
         "steps between stamps vary by {deviation:.2e} {unit}, {:.2} % of the mean step (standard deviation): median {usual:.6e} {unit}, mean {mean:.6e} {unit}",
         100.0 * deviation / mean
     );
-    let missing = format!("samples are missing: a step of up to {longest:.6e} {unit} where {usual:.6e} {unit} is usual");
+    let missing = format!(
+        "samples are missing: a step of up to {longest:.6e} {unit} where {usual:.6e} {unit} is usual"
+    );
     let again = "the stamp is that of the sample before".to_owned();
-    let found = [(uneven, IssueKind::Jitter, jitter), (gaps, IssueKind::Gap, missing), (repeated, IssueKind::RepeatedStamp, again)];
+    let found = [
+        (uneven, IssueKind::Jitter, jitter),
+        (gaps, IssueKind::Gap, missing),
+        (repeated, IssueKind::RepeatedStamp, again),
+    ];
     let told = |(tally, kind, about): (StampTally, IssueKind, String)| {
         (tally.0 > 0 || kind == IssueKind::Jitter).then(|| tally.finding(kind, about))
     };
@@ -337,7 +416,9 @@ mod tests {
     fn the_median_by_counts_is_that_of_sorted_steps() {
         let mut stamps = vec![0.0];
         for k in 0..9001u32 {
-            let step = f64::from(k.wrapping_mul(2_654_435_761) % 1000) * 1e-3 * 10f64.powi((k % 7) as i32 - 3);
+            let step = f64::from(k.wrapping_mul(2_654_435_761) % 1000)
+                * 1e-3
+                * 10f64.powi((k % 7) as i32 - 3);
             stamps.push(stamps[k as usize] + step);
         }
         let mut sorted: Vec<f64> = stamps.windows(2).map(|pair| pair[1] - pair[0]).collect();

@@ -23,7 +23,11 @@ pub struct Unit {
 /// Quantities in the order in which a unit is tried: `g` alone is an acceleration, never a gram.
 const KNOWN: [(Quantity, Spec, &str); 11] = [
     (Quantity::Acceleration, Spec::Acceleration, "m/s^2"),
-    (Quantity::AccelerationPsd, Spec::AccelerationPsd, "(m/s^2)^2/Hz"),
+    (
+        Quantity::AccelerationPsd,
+        Spec::AccelerationPsd,
+        "(m/s^2)^2/Hz",
+    ),
     (Quantity::Velocity, Spec::Speed, "m/s"),
     (Quantity::Displacement, Spec::Length, "m"),
     (Quantity::Force, Spec::Force, "N"),
@@ -38,15 +42,40 @@ const KNOWN: [(Quantity, Spec, &str); 11] = [
 
 /// Units that are no SI: spelling in small letters, quantity, SI unit, factor (NIST SP 811, appendix B.8).
 const CUSTOMARY: [(&[&str], Quantity, &str, f64); 12] = [
-    (&["lbf", "lb", "lbs", "pound", "pounds", "pound-force"], Quantity::Force, "N", 4.448_221_615_260_5),
+    (
+        &["lbf", "lb", "lbs", "pound", "pounds", "pound-force"],
+        Quantity::Force,
+        "N",
+        4.448_221_615_260_5,
+    ),
     (&["kgf", "kp"], Quantity::Force, "N", 9.806_65),
-    (&["in", "inch", "inches"], Quantity::Displacement, "m", 0.0254),
+    (
+        &["in", "inch", "inches"],
+        Quantity::Displacement,
+        "m",
+        0.0254,
+    ),
     (&["ft", "foot", "feet"], Quantity::Displacement, "m", 0.3048),
     (&["mil", "mils"], Quantity::Displacement, "m", 2.54e-5),
-    (&["in/s", "in/sec", "ips"], Quantity::Velocity, "m/s", 0.0254),
+    (
+        &["in/s", "in/sec", "ips"],
+        Quantity::Velocity,
+        "m/s",
+        0.0254,
+    ),
     (&["ft/s", "ft/sec"], Quantity::Velocity, "m/s", 0.3048),
-    (&["in/s^2", "in/sec^2"], Quantity::Acceleration, "m/s^2", 0.0254),
-    (&["ft/s^2", "ft/sec^2"], Quantity::Acceleration, "m/s^2", 0.3048),
+    (
+        &["in/s^2", "in/sec^2"],
+        Quantity::Acceleration,
+        "m/s^2",
+        0.0254,
+    ),
+    (
+        &["ft/s^2", "ft/sec^2"],
+        Quantity::Acceleration,
+        "m/s^2",
+        0.3048,
+    ),
     // Never a milligram, as g is no gram.
     (&["mg"], Quantity::Acceleration, "m/s^2", 9.806_65e-3),
     (&["psi"], Quantity::Pressure, "Pa", 6_894.757_293_168),
@@ -73,11 +102,23 @@ const WORDS: [(&str, &str); 15] = [
 ];
 
 /// Raised characters and what they stand for.
-const RAISED: [(char, char); 5] = [('\u{207b}', '-'), ('\u{b9}', '1'), ('\u{b2}', '2'), ('\u{b3}', '3'), ('\u{2074}', '4')];
+const RAISED: [(char, char); 5] = [
+    ('\u{207b}', '-'),
+    ('\u{b9}', '1'),
+    ('\u{b2}', '2'),
+    ('\u{b3}', '3'),
+    ('\u{2074}', '4'),
+];
 
 /// What may stand above and below the line of a response.
-const PARTS: [Quantity; 6] =
-    [Quantity::Acceleration, Quantity::Velocity, Quantity::Displacement, Quantity::Force, Quantity::Voltage, Quantity::Pressure];
+const PARTS: [Quantity; 6] = [
+    Quantity::Acceleration,
+    Quantity::Velocity,
+    Quantity::Displacement,
+    Quantity::Force,
+    Quantity::Voltage,
+    Quantity::Pressure,
+];
 
 impl Unit {
     /// The unit of a text as instruments write it (`m/s2`, `m/s²`, `Pounds`, `[g]`, `cm/s/s`, `g/N`); none where it is not known.
@@ -85,8 +126,16 @@ impl Unit {
         Self::plain(text).or_else(|| {
             let (above, below) = Self::quotient(text)?;
             // What is below the line takes brackets where it is a quotient itself.
-            let si = if below.si.contains('/') { format!("{}/({})", above.si, below.si) } else { format!("{}/{}", above.si, below.si) };
-            Some(Self { quantity: Quantity::Response, si: si.into(), factor: above.factor / below.factor })
+            let si = if below.si.contains('/') {
+                format!("{}/({})", above.si, below.si)
+            } else {
+                format!("{}/{}", above.si, below.si)
+            };
+            Some(Self {
+                quantity: Quantity::Response,
+                si: si.into(),
+                factor: above.factor / below.factor,
+            })
         })
     }
 
@@ -104,12 +153,23 @@ impl Unit {
     fn plain(text: &str) -> Option<Self> {
         let plain = spelled(text);
         let small = plain.to_lowercase();
-        if let Some((_, quantity, si, factor)) = CUSTOMARY.iter().find(|(names, ..)| names.contains(&small.as_str())) {
-            return Some(Self { quantity: *quantity, si: (*si).into(), factor: *factor });
+        if let Some((_, quantity, si, factor)) = CUSTOMARY
+            .iter()
+            .find(|(names, ..)| names.contains(&small.as_str()))
+        {
+            return Some(Self {
+                quantity: *quantity,
+                si: (*si).into(),
+                factor: *factor,
+            });
         }
         let known = |(quantity, spec, si): &(Quantity, Spec, &'static str)| {
             let factor = spec.read(&format!("1 {plain}")).ok()?;
-            Some(Self { quantity: *quantity, si: (*si).into(), factor })
+            Some(Self {
+                quantity: *quantity,
+                si: (*si).into(),
+                factor,
+            })
         };
         KNOWN.iter().find_map(known)
     }
@@ -121,9 +181,14 @@ impl Unit {
         let inverse = |text: &str| part(unbracketed(text).strip_prefix("1/")?);
         let product = |(at, sign): (usize, &str)| {
             let (left, right) = (&bare[..at], &bare[at + sign.len()..]);
-            part(left).zip(inverse(right)).or_else(|| part(right).zip(inverse(left)))
+            part(left)
+                .zip(inverse(right))
+                .or_else(|| part(right).zip(inverse(left)))
         };
-        let divided = || bare.rmatch_indices('/').find_map(|(at, _)| Some((part(&bare[..at])?, part(&bare[at + 1..])?)));
+        let divided = || {
+            bare.rmatch_indices('/')
+                .find_map(|(at, _)| Some((part(&bare[..at])?, part(&bare[at + 1..])?)))
+        };
         divided().or_else(|| bare.match_indices(['*', '\u{b7}']).find_map(product))
     }
 
@@ -151,11 +216,18 @@ pub(crate) fn unbracketed(text: &str) -> &str {
 
 /// The text without brackets around it and with plain powers.
 fn spelled(text: &str) -> String {
-    let mut plain = plain_powers(unbracketed(text)).replace("**", "^").replace(['\u{b7}', '\u{22c5}'], " ");
+    let mut plain = plain_powers(unbracketed(text))
+        .replace("**", "^")
+        .replace(['\u{b7}', '\u{22c5}'], " ");
     if let Some((_, symbol)) = WORDS.iter().find(|(word, _)| *word == plain.to_lowercase()) {
         return (*symbol).to_owned();
     }
-    for (written, meant) in [("/s/s", "/s^2"), ("/sec/sec", "/s^2"), ("s2", "s^2"), ("s-2", "s^-2")] {
+    for (written, meant) in [
+        ("/s/s", "/s^2"),
+        ("/sec/sec", "/s^2"),
+        ("s2", "s^2"),
+        ("s-2", "s^-2"),
+    ] {
         if plain.ends_with(written) {
             plain.truncate(plain.len() - written.len());
             plain.push_str(meant);
@@ -169,7 +241,10 @@ fn spelled(text: &str) -> String {
 fn plain_powers(text: &str) -> String {
     let (mut plain, mut raised) = (String::new(), false);
     for c in text.chars() {
-        let digit = RAISED.iter().find(|(written, _)| *written == c).map(|(_, digit)| *digit);
+        let digit = RAISED
+            .iter()
+            .find(|(written, _)| *written == c)
+            .map(|(_, digit)| *digit);
         if digit.is_some() && !raised {
             plain.push('^');
         }
@@ -223,7 +298,11 @@ mod tests {
         for (text, quantity, factor) in cases {
             let unit = Unit::read(text).unwrap_or_else(|| panic!("{text} is not understood"));
             assert_eq!(unit.quantity, quantity, "{text}");
-            assert!((unit.factor / factor - 1.0).abs() < 1e-15, "{text}: {}", unit.factor);
+            assert!(
+                (unit.factor / factor - 1.0).abs() < 1e-15,
+                "{text}: {}",
+                unit.factor
+            );
         }
     }
 
@@ -236,12 +315,27 @@ mod tests {
             ("[m/s2/N]", "m/s^2/N", Quantity::Acceleration, 1.0),
             ("((m/s\u{b2})/(N))", "m/s^2/N", Quantity::Acceleration, 1.0),
             ("(1/N)*(m/s\u{b2})", "m/s^2/N", Quantity::Acceleration, 1.0),
-            ("g*(1/lbf)", "m/s^2/N", Quantity::Acceleration, 9.80665 / 4.448_221_615_260_5),
+            (
+                "g*(1/lbf)",
+                "m/s^2/N",
+                Quantity::Acceleration,
+                9.80665 / 4.448_221_615_260_5,
+            ),
             ("m/s/s/N", "m/s^2/N", Quantity::Acceleration, 1.0),
             ("g/N", "m/s^2/N", Quantity::Acceleration, 9.80665),
-            ("g/lbf", "m/s^2/N", Quantity::Acceleration, 9.80665 / 4.448_221_615_260_5),
+            (
+                "g/lbf",
+                "m/s^2/N",
+                Quantity::Acceleration,
+                9.80665 / 4.448_221_615_260_5,
+            ),
             ("m/s/N", "m/s/N", Quantity::Velocity, 1.0),
-            ("in/s/lbf", "m/s/N", Quantity::Velocity, 0.0254 / 4.448_221_615_260_5),
+            (
+                "in/s/lbf",
+                "m/s/N",
+                Quantity::Velocity,
+                0.0254 / 4.448_221_615_260_5,
+            ),
             ("m/N", "m/N", Quantity::Displacement, 1.0),
             ("um/mN", "m/N", Quantity::Displacement, 1e-3),
             ("V/N", "V/N", Quantity::Voltage, 1.0),
@@ -253,9 +347,24 @@ mod tests {
         ];
         for (text, si, above, factor) in cases {
             let unit = Unit::read(text).unwrap_or_else(|| panic!("{text} is not understood"));
-            assert_eq!((unit.quantity, unit.si.as_ref(), Unit::responds(text)), (Quantity::Response, si, Some(above)), "{text}");
-            assert!((unit.factor / factor - 1.0).abs() < 1e-15, "{text}: {}", unit.factor);
-            assert_eq!(Unit::read(si), Some(Unit { factor: 1.0, ..unit.clone() }), "{text}");
+            assert_eq!(
+                (unit.quantity, unit.si.as_ref(), Unit::responds(text)),
+                (Quantity::Response, si, Some(above)),
+                "{text}"
+            );
+            assert!(
+                (unit.factor / factor - 1.0).abs() < 1e-15,
+                "{text}: {}",
+                unit.factor
+            );
+            assert_eq!(
+                Unit::read(si),
+                Some(Unit {
+                    factor: 1.0,
+                    ..unit.clone()
+                }),
+                "{text}"
+            );
             assert_eq!(Unit::responds(si), Some(above), "{text}");
         }
         assert_eq!(Unit::responds("m/s^2"), None);
@@ -263,7 +372,10 @@ mod tests {
 
     #[test]
     fn what_is_no_unit_is_none() {
-        for text in ["", "counts", "LSB", "NONE", "-1", "1e5", "\u{fffd}", "/N", "m//N", "counts/N", "V/s", "m/s^2/", ")(", "(N"] {
+        for text in [
+            "", "counts", "LSB", "NONE", "-1", "1e5", "\u{fffd}", "/N", "m//N", "counts/N", "V/s",
+            "m/s^2/", ")(", "(N",
+        ] {
             assert_eq!(Unit::read(text), None, "{text}");
         }
     }

@@ -11,7 +11,8 @@ use tokio_tungstenite::tungstenite::{Error, Message, client::IntoClientRequest};
 
 /// The spec of the paper.
 pub fn paper() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/impact-harvester-2019/harvester.toml")
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("../../examples/impact-harvester-2019/harvester.toml")
 }
 
 /// A running server; it ends with its value.
@@ -34,9 +35,21 @@ impl Served {
 
     /// Serves a spec, wherever it comes from.
     pub fn of(spec: Source, limits: ServerLimits, keep: Option<PathBuf>) -> Self {
-        let explorer = Explorer::bind(ServerOptions { spec, set: Vec::new(), listen: None, keep, limits }).unwrap();
+        let explorer = Explorer::bind(ServerOptions {
+            spec,
+            set: Vec::new(),
+            listen: None,
+            keep,
+            limits,
+        })
+        .unwrap();
         let page = explorer.page();
-        let (host, token) = page.strip_prefix("http://").unwrap().trim_end_matches('/').split_once('/').unwrap();
+        let (host, token) = page
+            .strip_prefix("http://")
+            .unwrap()
+            .trim_end_matches('/')
+            .split_once('/')
+            .unwrap();
         let (host, token) = (host.to_owned(), token.to_owned());
         let stopper = explorer.stopper();
         let thread = std::thread::spawn(move || explorer.run().unwrap());
@@ -44,13 +57,19 @@ impl Served {
             stopper.stop();
             thread.join().unwrap();
         });
-        Self { host, token, stop: Some(stop) }
+        Self {
+            host,
+            token,
+            stop: Some(stop),
+        }
     }
 
     /// Sends bytes as they are; the first line of the answer and the rest.
     pub fn raw(&self, request: &str) -> (String, String) {
         let mut stream = TcpStream::connect(&self.host).unwrap();
-        stream.set_read_timeout(Some(Duration::from_secs(10))).unwrap();
+        stream
+            .set_read_timeout(Some(Duration::from_secs(10)))
+            .unwrap();
         stream.write_all(request.as_bytes()).unwrap();
         let mut bytes = Vec::new();
         let _ = stream.read_to_end(&mut bytes);
@@ -61,15 +80,36 @@ impl Served {
 
     /// Asks for a path; the status and the rest of the answer.
     pub fn get(&self, path: &str, headers: &str) -> (u16, String) {
-        let host = if headers.to_lowercase().contains("host:") { String::new() } else { format!("Host: {}\r\n", self.host) };
-        let (first, rest) = self.raw(&format!("GET {path} HTTP/1.1\r\n{host}{headers}Connection: close\r\n\r\n"));
-        (first.split(' ').nth(1).and_then(|code| code.parse().ok()).unwrap_or(0), rest)
+        let host = if headers.to_lowercase().contains("host:") {
+            String::new()
+        } else {
+            format!("Host: {}\r\n", self.host)
+        };
+        let (first, rest) = self.raw(&format!(
+            "GET {path} HTTP/1.1\r\n{host}{headers}Connection: close\r\n\r\n"
+        ));
+        (
+            first
+                .split(' ')
+                .nth(1)
+                .and_then(|code| code.parse().ok())
+                .unwrap_or(0),
+            rest,
+        )
     }
 
     /// Opens the socket with an origin.
     pub async fn open(&self, token: &str, origin: Option<&str>) -> Result<Page, u16> {
-        let mut request = format!("ws://{}/{token}/socket", self.host).into_client_request().unwrap();
-        origin.iter().for_each(|origin| drop(request.headers_mut().insert("Origin", origin.parse().unwrap())));
+        let mut request = format!("ws://{}/{token}/socket", self.host)
+            .into_client_request()
+            .unwrap();
+        origin.iter().for_each(|origin| {
+            drop(
+                request
+                    .headers_mut()
+                    .insert("Origin", origin.parse().unwrap()),
+            )
+        });
         match tokio_tungstenite::connect_async(request).await {
             Ok((socket, _)) => Ok(Page { socket, next: 0 }),
             Err(Error::Http(answer)) => Err(answer.status().as_u16()),
@@ -79,7 +119,10 @@ impl Served {
 
     /// Opens the socket as the page does.
     pub async fn page(&self) -> Page {
-        let mut page = self.open(&self.token, Some(&format!("http://{}", self.host))).await.unwrap();
+        let mut page = self
+            .open(&self.token, Some(&format!("http://{}", self.host)))
+            .await
+            .unwrap();
         assert_eq!(page.hear().await.unwrap().head["ask"], "hello");
         page
     }
@@ -93,7 +136,9 @@ impl Drop for Served {
 
 /// One open page.
 pub struct Page {
-    pub socket: tokio_tungstenite::WebSocketStream<tokio_tungstenite::MaybeTlsStream<tokio::net::TcpStream>>,
+    pub socket: tokio_tungstenite::WebSocketStream<
+        tokio_tungstenite::MaybeTlsStream<tokio::net::TcpStream>,
+    >,
     next: u64,
 }
 
@@ -108,8 +153,14 @@ impl Heard {
     /// An array of the answer.
     pub fn array(&self, name: &str) -> &[f64] {
         let places = self.head["arrays"].as_array().unwrap();
-        let place = places.iter().find(|place| place[0] == name).unwrap_or_else(|| panic!("no array {name}"));
-        let (first, count) = (place[1].as_u64().unwrap() as usize, place[2].as_u64().unwrap() as usize);
+        let place = places
+            .iter()
+            .find(|place| place[0] == name)
+            .unwrap_or_else(|| panic!("no array {name}"));
+        let (first, count) = (
+            place[1].as_u64().unwrap() as usize,
+            place[2].as_u64().unwrap() as usize,
+        );
         &self.numbers[first..first + count]
     }
 }
@@ -120,7 +171,10 @@ impl Page {
         self.next += 1;
         body["id"] = self.next.into();
         body["ask"] = ask.into();
-        self.socket.send(Message::Text(body.to_string().into())).await.unwrap();
+        self.socket
+            .send(Message::Text(body.to_string().into()))
+            .await
+            .unwrap();
         self.next
     }
 
@@ -128,11 +182,17 @@ impl Page {
     pub async fn hear(&mut self) -> Option<Heard> {
         let wait = Duration::from_secs(300);
         loop {
-            match tokio::time::timeout(wait, self.socket.next()).await.expect("an answer within five minutes")? {
+            match tokio::time::timeout(wait, self.socket.next())
+                .await
+                .expect("an answer within five minutes")?
+            {
                 Ok(Message::Binary(bytes)) => {
                     let length = u32::from_le_bytes(bytes[..4].try_into().unwrap()) as usize;
                     let head = serde_json::from_slice(&bytes[4..4 + length]).unwrap();
-                    let numbers = bytes[4 + length..].chunks_exact(8).map(|eight| f64::from_le_bytes(eight.try_into().unwrap())).collect();
+                    let numbers = bytes[4 + length..]
+                        .chunks_exact(8)
+                        .map(|eight| f64::from_le_bytes(eight.try_into().unwrap()))
+                        .collect();
                     return Some(Heard { head, numbers });
                 }
                 Ok(Message::Close(_)) | Err(_) => return None,
@@ -148,7 +208,11 @@ impl Page {
             if heard.head["ask"] == ask && heard.head["stage"] == stage {
                 return heard;
             }
-            assert!(heard.head["stage"] != "fault" || stage == "fault", "{}", heard.head);
+            assert!(
+                heard.head["stage"] != "fault" || stage == "fault",
+                "{}",
+                heard.head
+            );
         }
     }
 }

@@ -20,11 +20,24 @@ async fn a_recorded_sinusoid_gives_the_power_of_the_sinusoid() {
     file.set("stop.tip.gap", "200 mm").unwrap();
     let base = Model::new(file.spec().unwrap()).unwrap();
     let drive = &base.kernel.plant.system.drives[0];
-    let plan = RunPlan { duration_s: 5.0, average_over_s: 5.0, tolerance: 1e-8, record_s: 0.0 };
-    let due = simulate(&base.kernel, &StartState::rest(&base.kernel.plant), &plan).unwrap().mean_power_w;
+    let plan = RunPlan {
+        duration_s: 5.0,
+        average_over_s: 5.0,
+        tolerance: 1e-8,
+        record_s: 0.0,
+    };
+    let due = simulate(&base.kernel, &StartState::rest(&base.kernel.plant), &plan)
+        .unwrap()
+        .mean_power_w;
 
-    let value = |k: u32| drive.amplitude_n * (std::f64::consts::TAU * drive.frequency_hz * f64::from(k) / 1000.0 + drive.phase_rad).sin();
-    let rows: String = (0..=5000).map(|k| format!("{},{:e}\n", f64::from(k) / 1000.0, value(k))).collect();
+    let value = |k: u32| {
+        drive.amplitude_n
+            * (std::f64::consts::TAU * drive.frequency_hz * f64::from(k) / 1000.0 + drive.phase_rad)
+                .sin()
+    };
+    let rows: String = (0..=5000)
+        .map(|k| format!("{},{:e}\n", f64::from(k) / 1000.0, value(k)))
+        .collect();
     let text = format!("time (s),value\n{rows}");
     let served = Served::new(&paper(), ServerLimits::default());
     let mut page = served.page().await;
@@ -35,7 +48,11 @@ async fn a_recorded_sinusoid_gives_the_power_of_the_sinusoid() {
     assert!((found / due - 1.0).abs() < 2e-3, "{found} {due}");
     assert_eq!(heard.head["contacts"], 0);
     let (time, voltage) = (heard.array("voltage.time"), heard.array("voltage.value"));
-    assert!(time.len() == voltage.len() && time.windows(2).all(|pair| pair[0] <= pair[1]) && time[time.len() - 1] > 4.9);
+    assert!(
+        time.len() == voltage.len()
+            && time.windows(2).all(|pair| pair[0] <= pair[1])
+            && time[time.len() - 1] > 4.9
+    );
 }
 
 /// Without contacts the marched power scatters about the one of the Lyapunov equation: 1 % off in this realisation, a quarter in others.
@@ -46,8 +63,14 @@ async fn noise_gives_the_power_of_its_closed_form() {
     let by = json!({ "noise": { "density": 1e-4, "low_hz": 5.0, "high_hz": 30.0 } });
     page.ask("shake", json!({ "set": FAR, "by": by })).await;
     let heard = page.until("shake", "done").await;
-    let (found, due) = (heard.head["mean_power_w"].as_f64().unwrap(), heard.head["linear_power_w"].as_f64().unwrap());
-    assert!(due > 0.0 && (found / due - 1.0).abs() < 0.1, "{found} {due}");
+    let (found, due) = (
+        heard.head["mean_power_w"].as_f64().unwrap(),
+        heard.head["linear_power_w"].as_f64().unwrap(),
+    );
+    assert!(
+        due > 0.0 && (found / due - 1.0).abs() < 0.1,
+        "{found} {due}"
+    );
     let density = heard.array("density.value");
     assert!(density.iter().all(|value| *value >= 0.0) && density.iter().any(|value| *value > 0.0));
 }
@@ -62,7 +85,10 @@ async fn a_wrong_recording_is_told_by_its_name() {
         page.ask("shake", json!({ "by": by })).await;
         let heard = page.until("shake", "fault").await;
         let told = heard.head["faults"][0]["message"].as_str().unwrap();
-        assert!(told.contains("road.csv") && !told.contains("recording.csv"), "{text:?}: {told}");
+        assert!(
+            told.contains("road.csv") && !told.contains("recording.csv"),
+            "{text:?}: {told}"
+        );
     }
     for by in [
         json!({ "noise": { "density": -1.0, "low_hz": 5.0, "high_hz": 30.0 } }),
@@ -70,6 +96,11 @@ async fn a_wrong_recording_is_told_by_its_name() {
     ] {
         page.ask("shake", json!({ "by": by })).await;
         let heard = page.until("shake", "fault").await;
-        assert!(!heard.head["faults"][0]["message"].as_str().unwrap().is_empty());
+        assert!(
+            !heard.head["faults"][0]["message"]
+                .as_str()
+                .unwrap()
+                .is_empty()
+        );
     }
 }

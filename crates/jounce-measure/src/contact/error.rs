@@ -5,7 +5,9 @@
 #[serde(untagged)]
 pub enum ContactError {
     /// Fewer samples than unknowns.
-    #[error("the pulse has {samples} samples around its peak; a law needs at least {needed}: sample faster or strike softer")]
+    #[error(
+        "the pulse has {samples} samples around its peak; a law needs at least {needed}: sample faster or strike softer"
+    )]
     Coarse {
         /// Samples of the pulse.
         samples: usize,
@@ -19,6 +21,8 @@ pub enum ContactError {
         mass_kg: f64,
     },
     /// The fit does not converge.
-    #[error("no law of contact follows this pulse: the fit does not converge; is the pulse one single hit?")]
+    #[error(
+        "no law of contact follows this pulse: the fit does not converge; is the pulse one single hit?"
+    )]
     NoFit,
 }

@@ -27,7 +27,12 @@ pub struct FixedExponentLaw {
 
 impl FixedExponentLaw {
     /// Fits the law of an exponent.
-    pub(super) fn of(exponent: f64, (time_s, force_n): (&[f64], &[f64]), hit: &Hit, mass_kg: Option<f64>) -> Result<Self, ContactError> {
+    pub(super) fn of(
+        exponent: f64,
+        (time_s, force_n): (&[f64], &[f64]),
+        hit: &Hit,
+        mass_kg: Option<f64>,
+    ) -> Result<Self, ContactError> {
         let (problem, squared) = minimised(time_s, force_n, hit, Some(exponent))?;
         let covariance = covariance(&problem, squared)?;
         let stiffness = mass_kg.map(|mass_kg| Stiffness::of(&problem, &covariance, mass_kg));
@@ -44,10 +49,16 @@ impl FixedExponentLaw {
 }
 
 /// Covariance of the unknowns of a fit, each over its size, by what is left over.
-pub(super) fn covariance(problem: &PulseProblem<'_>, squared: f64) -> Result<DMatrix<f64>, ContactError> {
+pub(super) fn covariance(
+    problem: &PulseProblem<'_>,
+    squared: f64,
+) -> Result<DMatrix<f64>, ContactError> {
     let j = problem.derivatives();
     let freedom = (problem.time_s.len() - problem.unknowns.len()) as f64;
-    Ok((j.transpose() * &j).try_inverse().ok_or(ContactError::NoFit)? * (squared / freedom))
+    Ok((j.transpose() * &j)
+        .try_inverse()
+        .ok_or(ContactError::NoFit)?
+        * (squared / freedom))
 }
 
 /// Rms of what a fit leaves over the peak force.
@@ -72,13 +83,22 @@ pub(super) struct Stiffness {
 impl Stiffness {
     pub fn of(problem: &PulseProblem<'_>, covariance: &DMatrix<f64>, mass_kg: f64) -> Self {
         let [_, unit_s, unit_n, exponent, _] = problem.parameters(&problem.unknowns);
-        let value = mass_kg.powf(exponent) * unit_n.powf(1.0 - exponent) * unit_s.powf(-2.0 * exponent);
+        let value =
+            mass_kg.powf(exponent) * unit_n.powf(1.0 - exponent) * unit_s.powf(-2.0 * exponent);
         // Slopes of ln k over start, unit of time, unit of force, the exponent where it is free, and damping.
         let mut slope = vec![0.0, -2.0 * exponent / unit_s, (1.0 - exponent) / unit_n];
-        slope.extend(problem.exponent.is_none().then(|| (mass_kg / (unit_n * unit_s * unit_s)).ln()));
+        slope.extend(
+            problem
+                .exponent
+                .is_none()
+                .then(|| (mass_kg / (unit_n * unit_s * unit_s)).ln()),
+        );
         slope.push(0.0);
         let slope = DVector::from_fn(slope.len(), |k, _| slope[k] * problem.scale[k]);
-        Self { value, relative_deviation: slope.dot(&(covariance * &slope)).max(0.0).sqrt() }
+        Self {
+            value,
+            relative_deviation: slope.dot(&(covariance * &slope)).max(0.0).sqrt(),
+        }
     }
 
     /// Ends of the interval of 95 %.

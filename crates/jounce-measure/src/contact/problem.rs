@@ -36,9 +36,18 @@ impl PulseProblem<'_> {
 
     pub fn errors(&self, unknowns: &DVector<f64>) -> DVector<f64> {
         let [start, unit_s, unit_n, exponent, damping] = self.parameters(unknowns);
-        let shape = PulseShape::new(exponent.clamp(EXPONENTS.0, EXPONENTS.1), damping.clamp(DAMPINGS.0, DAMPINGS.1));
+        let shape = PulseShape::new(
+            exponent.clamp(EXPONENTS.0, EXPONENTS.1),
+            damping.clamp(DAMPINGS.0, DAMPINGS.1),
+        );
         let model = |t: &f64| unit_n * shape.at((t - start) / unit_s);
-        DVector::from_iterator(self.time_s.len(), self.time_s.iter().zip(self.force_n).map(|(t, f)| model(t) - f))
+        DVector::from_iterator(
+            self.time_s.len(),
+            self.time_s
+                .iter()
+                .zip(self.force_n)
+                .map(|(t, f)| model(t) - f),
+        )
     }
 
     pub fn derivatives(&self) -> DMatrix<f64> {

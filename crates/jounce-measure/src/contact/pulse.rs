@@ -71,7 +71,10 @@ impl ContactFit {
     /// The force of the law at times of the record, N.
     pub fn force_n(&self, time_s: &[f64]) -> Vec<f64> {
         let shape = PulseShape::new(self.exponent, self.units.damping);
-        time_s.iter().map(|t| self.units.unit_n * shape.at((t - self.units.start_s) / self.units.unit_s)).collect()
+        time_s
+            .iter()
+            .map(|t| self.units.unit_n * shape.at((t - self.units.start_s) / self.units.unit_s))
+            .collect()
     }
 }
 
@@ -99,14 +102,24 @@ pub(super) const QUANTILE_95: f64 = 1.959_963_984_540_054;
 ///
 /// # Errors
 /// A pulse of too few samples, a mass that is not positive, a pulse that no law follows.
-pub fn fit(force: &Samples<'_>, hit: &Hit, hammer_mass_kg: Option<f64>) -> Result<ContactFit, ContactError> {
+pub fn fit(
+    force: &Samples<'_>,
+    hit: &Hit,
+    hammer_mass_kg: Option<f64>,
+) -> Result<ContactFit, ContactError> {
     if let Some(mass_kg) = hammer_mass_kg.filter(|mass| !(*mass > 0.0 && mass.is_finite())) {
         return Err(ContactError::Mass { mass_kg });
     }
     let beside = ((hit.end - hit.start) as f64 * MARGIN_SHARE).ceil() as usize;
-    let (first, last) = (hit.start.saturating_sub(beside), (hit.end + beside).min(force.values().len()));
+    let (first, last) = (
+        hit.start.saturating_sub(beside),
+        (hit.end + beside).min(force.values().len()),
+    );
     if hit.end - hit.start < MIN_SAMPLES {
-        return Err(ContactError::Coarse { samples: hit.end - hit.start, needed: MIN_SAMPLES });
+        return Err(ContactError::Coarse {
+            samples: hit.end - hit.start,
+            needed: MIN_SAMPLES,
+        });
     }
     let time_s: Vec<f64> = (first..last).map(|k| k as f64 / force.rate_hz()).collect();
     let force_n = &force.values()[first..last];
@@ -119,7 +132,9 @@ pub fn fit(force: &Samples<'_>, hit: &Hit, hammer_mass_kg: Option<f64>) -> Resul
     let slope = (PulseShape::new(exponent, damping + 0.01).restitution - shape.restitution) / 0.01;
     let stiffness = hammer_mass_kg.map(|mass_kg| Stiffness::of(&problem, &covariance, mass_kg));
     let held = |allowed: &[AllowedLaws], exponent: f64| {
-        let held = allowed.contains(&told).then(|| FixedExponentLaw::of(exponent, (&time_s, force_n), hit, hammer_mass_kg));
+        let held = allowed
+            .contains(&told)
+            .then(|| FixedExponentLaw::of(exponent, (&time_s, force_n), hit, hammer_mass_kg));
         held.transpose()
     };
     Ok(ContactFit {
@@ -129,14 +144,21 @@ pub fn fit(force: &Samples<'_>, hit: &Hit, hammer_mass_kg: Option<f64>) -> Resul
         restitution: shape.restitution,
         restitution_deviation: slope.abs() * deviation(4),
         stiffness: stiffness.as_ref().map(|stiffness| stiffness.value),
-        stiffness_relative_deviation: stiffness.as_ref().map(|stiffness| stiffness.relative_deviation),
+        stiffness_relative_deviation: stiffness
+            .as_ref()
+            .map(|stiffness| stiffness.relative_deviation),
         stiffness_95: stiffness.as_ref().map(Stiffness::interval_95),
         speed_m_s: hammer_mass_kg.map(|mass_kg| speed_m_s(&problem, mass_kg)),
         relative_error: relative_error(squared, &time_s, hit),
         told,
         linear: held(&[AllowedLaws::Linear, AllowedLaws::Both], 1.0)?,
         hertz: held(&[AllowedLaws::Hertz, AllowedLaws::Both], 1.5)?,
-        units: PulseUnits { start_s, unit_s, unit_n, damping },
+        units: PulseUnits {
+            start_s,
+            unit_s,
+            unit_n,
+            damping,
+        },
     })
 }
 
@@ -164,15 +186,26 @@ pub(super) fn minimised<'a>(
         let shape = PulseShape::new(guess, damping);
         let (peak, at) = shape.peak();
         let unit_s = 1.15 * hit.contact_time_s / shape.length;
-        let peak_s = time_s[0] + (hit.peak as f64 - (time_s[0] * rate(time_s)).round()) / rate(time_s);
+        let peak_s =
+            time_s[0] + (hit.peak as f64 - (time_s[0] * rate(time_s)).round()) / rate(time_s);
         let mut scale = vec![unit_s, unit_s, hit.peak_force_n / peak];
         scale.extend(exponent.is_none().then_some(guess));
         scale.push(1.0);
         let mut unknowns = DVector::from_element(scale.len(), 1.0);
         unknowns[0] = (peak_s - at * unit_s) / unit_s;
-        *unknowns.get_mut(scale.len() - 1).ok_or(ContactError::NoFit)? = damping;
-        let problem = PulseProblem { time_s, force_n, exponent, scale, unknowns };
-        let (problem, report) = LevenbergMarquardt::new().with_patience(60).minimize(problem);
+        *unknowns
+            .get_mut(scale.len() - 1)
+            .ok_or(ContactError::NoFit)? = damping;
+        let problem = PulseProblem {
+            time_s,
+            force_n,
+            exponent,
+            scale,
+            unknowns,
+        };
+        let (problem, report) = LevenbergMarquardt::new()
+            .with_patience(60)
+            .minimize(problem);
         let squared = 2.0 * report.objective_function;
         let sound = squared.is_finite() && problem.unknowns.iter().all(|x| x.is_finite());
         if sound && best.as_ref().is_none_or(|(_, least)| squared < *least) {
@@ -221,9 +254,19 @@ mod tests {
         for (exponent, damping) in [(1.5, 0.3), (1.0, 0.2), (2.2, 0.5), (1.0, 0.0), (1.5, 0.0)] {
             let (values, stiffness) = record(exponent, damping, 1e-6, 1);
             let found = fitted(&values);
-            assert!((found.exponent - exponent).abs() < 1e-7, "{exponent}: {found:?}");
-            assert!((found.restitution - PulseShape::new(exponent, damping).restitution).abs() < 1e-7, "{found:?}");
-            assert!((found.stiffness.unwrap() / stiffness - 1.0).abs() < 1e-6, "{} {stiffness}", found.stiffness.unwrap());
+            assert!(
+                (found.exponent - exponent).abs() < 1e-7,
+                "{exponent}: {found:?}"
+            );
+            assert!(
+                (found.restitution - PulseShape::new(exponent, damping).restitution).abs() < 1e-7,
+                "{found:?}"
+            );
+            assert!(
+                (found.stiffness.unwrap() / stiffness - 1.0).abs() < 1e-6,
+                "{} {stiffness}",
+                found.stiffness.unwrap()
+            );
             assert!((found.speed_m_s.unwrap() / 0.5 - 1.0).abs() < 1e-7);
         }
     }
@@ -235,23 +278,55 @@ mod tests {
         for (exponent, is_linear) in [(1.0, true), (1.5, false)] {
             let (values, stiffness) = record(exponent, 0.3, 1e-6, 1);
             let found = fitted(&values);
-            assert_eq!((found.linear.is_some(), found.hertz.is_some()), (is_linear, !is_linear), "{found:?}");
+            assert_eq!(
+                (found.linear.is_some(), found.hertz.is_some()),
+                (is_linear, !is_linear),
+                "{found:?}"
+            );
             let held = found.linear.or(found.hertz).unwrap();
-            assert!((held.stiffness.unwrap() / stiffness - 1.0).abs() < 1e-8 && held.exponent == exponent, "{held:?} {stiffness}");
-            assert!((held.speed_m_s.unwrap() / 0.5 - 1.0).abs() < 1e-8 && held.restitution < 1.0, "{held:?}");
+            assert!(
+                (held.stiffness.unwrap() / stiffness - 1.0).abs() < 1e-8
+                    && held.exponent == exponent,
+                "{held:?} {stiffness}"
+            );
+            assert!(
+                (held.speed_m_s.unwrap() / 0.5 - 1.0).abs() < 1e-8 && held.restitution < 1.0,
+                "{held:?}"
+            );
         }
         let (values, _) = record(1.2, 0.3, 1e-6, 1);
         let neither = fitted(&values);
-        assert_eq!((neither.told, neither.linear, neither.hertz), (AllowedLaws::Neither, None, None));
+        assert_eq!(
+            (neither.told, neither.linear, neither.hertz),
+            (AllowedLaws::Neither, None, None)
+        );
         let (values, stiffness) = record(1.5, 0.4, 40.0, 3);
         let coarse: Vec<f64> = values.into_iter().step_by(5).collect();
         let samples = Samples::new(&coarse, RATE / 5.0).unwrap();
-        let found = fit(&samples, &hits(&samples, HitSearch::default()).unwrap()[0], Some(0.1)).unwrap();
-        let [free, linear, hertz] =
-            [found.stiffness_95, found.linear.unwrap().stiffness_95, found.hertz.unwrap().stiffness_95].map(Option::unwrap);
-        eprintln!("free {free:?}, linear {linear:?}, Hertz {hertz:?}; the truth is Hertz with {stiffness:.3e}");
-        assert!((hertz.0..=hertz.1).contains(&stiffness), "{hertz:?} {stiffness}");
-        assert!([linear, hertz].iter().all(|held| held.1 / held.0 < free.1 / free.0));
+        let found = fit(
+            &samples,
+            &hits(&samples, HitSearch::default()).unwrap()[0],
+            Some(0.1),
+        )
+        .unwrap();
+        let [free, linear, hertz] = [
+            found.stiffness_95,
+            found.linear.unwrap().stiffness_95,
+            found.hertz.unwrap().stiffness_95,
+        ]
+        .map(Option::unwrap);
+        eprintln!(
+            "free {free:?}, linear {linear:?}, Hertz {hertz:?}; the truth is Hertz with {stiffness:.3e}"
+        );
+        assert!(
+            (hertz.0..=hertz.1).contains(&stiffness),
+            "{hertz:?} {stiffness}"
+        );
+        assert!(
+            [linear, hertz]
+                .iter()
+                .all(|held| held.1 / held.0 < free.1 / free.0)
+        );
     }
 
     /// With noise the truth lies within 1.96 deviations as often as it should: 95 +- 4 % of 150 trials; measured 96 %.
@@ -276,17 +351,36 @@ mod tests {
             let held = [
                 (low..=high).contains(&stiffness),
                 (found.exponent - 1.5).abs() <= found.exponent_half_width(),
-                (found.restitution - PulseShape::new(1.5, 0.4).restitution).abs() <= found.restitution_half_width(),
+                (found.restitution - PulseShape::new(1.5, 0.4).restitution).abs()
+                    <= found.restitution_half_width(),
             ];
-            inside.iter_mut().zip(held).for_each(|(share, held)| *share += f64::from(u8::from(held)) / 150.0);
+            inside
+                .iter_mut()
+                .zip(held)
+                .for_each(|(share, held)| *share += f64::from(u8::from(held)) / 150.0);
             if let Some((low, high)) = found.hertz.and_then(|hertz| hertz.stiffness_95) {
-                (allowed, held_inside) = (allowed + 1.0, held_inside + f64::from(u8::from((low..=high).contains(&stiffness))));
+                (allowed, held_inside) = (
+                    allowed + 1.0,
+                    held_inside + f64::from(u8::from((low..=high).contains(&stiffness))),
+                );
             }
         }
-        eprintln!("Hertz's law is allowed in {allowed} of 150, its stiffness {:.3} inside", held_inside / allowed);
-        assert!(allowed > 135.0 && (0.91..=0.99).contains(&(held_inside / allowed)), "{held_inside} {allowed}");
-        eprintln!("stiffness {:.3}, exponent {:.3}, restitution {:.3}", inside[0], inside[1], inside[2]);
-        assert!(inside.iter().all(|share| (0.91..=0.99).contains(share)), "{inside:?}");
+        eprintln!(
+            "Hertz's law is allowed in {allowed} of 150, its stiffness {:.3} inside",
+            held_inside / allowed
+        );
+        assert!(
+            allowed > 135.0 && (0.91..=0.99).contains(&(held_inside / allowed)),
+            "{held_inside} {allowed}"
+        );
+        eprintln!(
+            "stiffness {:.3}, exponent {:.3}, restitution {:.3}",
+            inside[0], inside[1], inside[2]
+        );
+        assert!(
+            inside.iter().all(|share| (0.91..=0.99).contains(share)),
+            "{inside:?}"
+        );
     }
 
     #[test]
@@ -294,13 +388,24 @@ mod tests {
         assert_eq!(fitted(&record(1.5, 0.4, 0.5, 3).0).told, AllowedLaws::Hertz);
         let noisy: Vec<f64> = record(1.5, 0.4, 40.0, 3).0.into_iter().step_by(5).collect();
         let samples = Samples::new(&noisy, RATE / 5.0).unwrap();
-        let found = fit(&samples, &hits(&samples, HitSearch::default()).unwrap()[0], None).unwrap();
+        let found = fit(
+            &samples,
+            &hits(&samples, HitSearch::default()).unwrap()[0],
+            None,
+        )
+        .unwrap();
         assert_eq!(found.told, AllowedLaws::Both, "{found:?}");
         let (values, _) = record(1.5, 0.4, 0.5, 3);
         let coarse: Vec<f64> = values.into_iter().step_by(20).collect();
         let samples = Samples::new(&coarse, RATE / 20.0).unwrap();
         let hit = &hits(&samples, HitSearch::default()).unwrap()[0];
-        assert!(matches!(fit(&samples, hit, None), Err(ContactError::Coarse { .. })));
-        assert!(matches!(fit(&samples, hit, Some(0.0)), Err(ContactError::Mass { .. })));
+        assert!(matches!(
+            fit(&samples, hit, None),
+            Err(ContactError::Coarse { .. })
+        ));
+        assert!(matches!(
+            fit(&samples, hit, Some(0.0)),
+            Err(ContactError::Mass { .. })
+        ));
     }
 }

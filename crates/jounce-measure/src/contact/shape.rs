@@ -27,8 +27,14 @@ impl PulseShape {
         let (mut length, mut restitution) = (MAX_DURATION, 0.0);
         while (force.len() as f64) * step < MAX_DURATION {
             let (k1x, k1v) = (v, -law(x, v));
-            let (k2x, k2v) = (v + 0.5 * step * k1v, -law(x + 0.5 * step * k1x, v + 0.5 * step * k1v));
-            let (k3x, k3v) = (v + 0.5 * step * k2v, -law(x + 0.5 * step * k2x, v + 0.5 * step * k2v));
+            let (k2x, k2v) = (
+                v + 0.5 * step * k1v,
+                -law(x + 0.5 * step * k1x, v + 0.5 * step * k1v),
+            );
+            let (k3x, k3v) = (
+                v + 0.5 * step * k2v,
+                -law(x + 0.5 * step * k2x, v + 0.5 * step * k2v),
+            );
             let (k4x, k4v) = (v + step * k3v, -law(x + step * k3x, v + step * k3v));
             let (before, speed) = (x, v);
             x += step / 6.0 * (k1x + 2.0 * k2x + 2.0 * k3x + k4x);
@@ -42,7 +48,12 @@ impl PulseShape {
             force.push(law(x, v));
         }
         force.push(0.0);
-        Self { force, step, length, restitution }
+        Self {
+            force,
+            step,
+            length,
+            restitution,
+        }
     }
 
     /// Force at a time, by straight lines; 0 outside of the contact.
@@ -58,7 +69,9 @@ impl PulseShape {
 
     /// Largest force and when.
     pub fn peak(&self) -> (f64, f64) {
-        let highest = (0..self.force.len()).max_by(|a, b| self.force[*a].total_cmp(&self.force[*b])).unwrap_or(0);
+        let highest = (0..self.force.len())
+            .max_by(|a, b| self.force[*a].total_cmp(&self.force[*b]))
+            .unwrap_or(0);
         (self.force[highest], highest as f64 * self.step)
     }
 }
@@ -81,7 +94,11 @@ mod tests {
         );
         assert!((linear.at(1.0) - 1f64.sin()).abs() < 1e-4);
         let hertz = PulseShape::new(1.5, 0.0);
-        assert!((hertz.length / (2.943_275_184 * 1.25_f64.powf(0.4)) - 1.0).abs() < 1e-7, "{}", hertz.length);
+        assert!(
+            (hertz.length / (2.943_275_184 * 1.25_f64.powf(0.4)) - 1.0).abs() < 1e-7,
+            "{}",
+            hertz.length
+        );
         // Depth (5/4)^(2/5), force its power 3/2.
         assert!((hertz.peak().0 / 1.25_f64.powf(0.6) - 1.0).abs() < 1e-5);
     }
@@ -95,11 +112,21 @@ mod tests {
             let shape = PulseShape::new(exponent, damping);
             // v dv / (1 + c v) = -x^n dx, both ways over the same depth: g(1) = g(-e), g(v) = v/c - ln(1 + c v)/c^2.
             let g = |v: f64| v / damping - (1.0 + damping * v).ln() / damping.powi(2);
-            assert!((g(1.0) - g(-shape.restitution)).abs() < 1e-5, "{exponent} {damping}");
-            let times: Vec<f64> = (0..20_000).map(|k| f64::from(k) * shape.length / 20_000.0).collect();
-            let (impulse, moment) = times.iter().fold((0.0, 0.0), |(i, m), t| (i + shape.at(*t), m + t * shape.at(*t)));
+            assert!(
+                (g(1.0) - g(-shape.restitution)).abs() < 1e-5,
+                "{exponent} {damping}"
+            );
+            let times: Vec<f64> = (0..20_000)
+                .map(|k| f64::from(k) * shape.length / 20_000.0)
+                .collect();
+            let (impulse, moment) = times.iter().fold((0.0, 0.0), |(i, m), t| {
+                (i + shape.at(*t), m + t * shape.at(*t))
+            });
             let centre = moment / impulse;
-            assert!((centre / (shape.length - centre) / shape.restitution - 1.0).abs() < 3e-5, "{exponent} {damping}");
+            assert!(
+                (centre / (shape.length - centre) / shape.restitution - 1.0).abs() < 3e-5,
+                "{exponent} {damping}"
+            );
         }
     }
 }

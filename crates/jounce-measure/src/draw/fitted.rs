@@ -12,33 +12,83 @@ pub fn fitted(title: &str, answer: &FitResult) -> Figure {
         panels.push(numbers(answer));
     }
     panels.extend(answer.curves.iter().map(curve));
-    Figure { panels, ..Figure::new(title) }
+    Figure {
+        panels,
+        ..Figure::new(title)
+    }
 }
 
 fn numbers(answer: &FitResult) -> Panel {
     let number: Vec<f64> = (1..=answer.features.len()).map(|k| k as f64).collect();
-    let percent = |of: &dyn Fn(&FittedFeature) -> f64| answer.features.iter().map(|feature| 100.0 * of(feature)).collect::<Vec<f64>>();
+    let percent = |of: &dyn Fn(&FittedFeature) -> f64| {
+        answer
+            .features
+            .iter()
+            .map(|feature| 100.0 * of(feature))
+            .collect::<Vec<f64>>()
+    };
     let upright = |(k, feature): (usize, &FittedFeature)| {
         let half = 100.0 * answer.quantile * feature.deviation;
         [-half, half, f64::NAN].map(|error| ((k + 1) as f64, error))
     };
     let (x, y): (Vec<f64>, Vec<f64>) = answer.features.iter().enumerate().flat_map(upright).unzip();
-    let axes = Panel::new(Axis::linear("Feature", "").every(1.0), Axis::linear("Model over measurement - 1", "%")).high(320.0);
-    let interval = Series::line(x, y).colour(Colour::Grey).style(Line::Thin).label("95 % interval of the measurement");
-    let before =
-        Series::points(number.clone(), percent(&|feature| feature.errors().0), Marker::Ring).colour(Colour::nth(1)).label("before");
-    let after = Series::points(number, percent(&|feature| feature.errors().1), Marker::Circle).label("after");
-    axes.reference(Along::Y, 0.0, None).with(interval).with(before).with(after)
+    let axes = Panel::new(
+        Axis::linear("Feature", "").every(1.0),
+        Axis::linear("Model over measurement - 1", "%"),
+    )
+    .high(320.0);
+    let interval = Series::line(x, y)
+        .colour(Colour::Grey)
+        .style(Line::Thin)
+        .label("95 % interval of the measurement");
+    let before = Series::points(
+        number.clone(),
+        percent(&|feature| feature.errors().0),
+        Marker::Ring,
+    )
+    .colour(Colour::nth(1))
+    .label("before");
+    let after = Series::points(
+        number,
+        percent(&|feature| feature.errors().1),
+        Marker::Circle,
+    )
+    .label("after");
+    axes.reference(Along::Y, 0.0, None)
+        .with(interval)
+        .with(before)
+        .with(after)
 }
 
 fn curve(curve: &FittedCurve) -> Panel {
-    let (name, unit) = if curve.over == "time_s" { ("Time", "s") } else { ("Frequency", "Hz") };
+    let (name, unit) = if curve.over == "time_s" {
+        ("Time", "s")
+    } else {
+        ("Frequency", "Hz")
+    };
     let line = |values: &[f64]| Series::line(curve.at.clone(), values.to_vec());
-    Panel::new(Axis::linear(name, unit), Axis::linear(&curve.name, &curve.unit))
-        .high(240.0)
-        .with(line(&curve.low).colour(Colour::Grey).style(Line::Thin).label("95 % interval of a measurement"))
-        .with(line(&curve.high).colour(Colour::Grey).style(Line::Thin))
-        .with(line(&curve.before).colour(Colour::nth(1)).style(Line::Thin).label("before"))
-        .with(line(&curve.after).label("after"))
-        .with(Series::points(curve.at.clone(), curve.measured.clone(), Marker::Ring).colour(Colour::nth(2)).label("measured"))
+    Panel::new(
+        Axis::linear(name, unit),
+        Axis::linear(&curve.name, &curve.unit),
+    )
+    .high(240.0)
+    .with(
+        line(&curve.low)
+            .colour(Colour::Grey)
+            .style(Line::Thin)
+            .label("95 % interval of a measurement"),
+    )
+    .with(line(&curve.high).colour(Colour::Grey).style(Line::Thin))
+    .with(
+        line(&curve.before)
+            .colour(Colour::nth(1))
+            .style(Line::Thin)
+            .label("before"),
+    )
+    .with(line(&curve.after).label("after"))
+    .with(
+        Series::points(curve.at.clone(), curve.measured.clone(), Marker::Ring)
+            .colour(Colour::nth(2))
+            .label("measured"),
+    )
 }

@@ -22,11 +22,25 @@ pub fn power_over_load(title: &str, unit: &str, points: &[LoadPoint]) -> Figure 
     let power: Vec<f64> = sorted.iter().map(|point| point.power).collect();
     let upright = |point: &LoadPoint| {
         // A gap behind each line parts it from the next one.
-        [(point.power - point.half_width), (point.power + point.half_width), f64::NAN].map(|power| (point.resistance_ohm, power))
+        [
+            (point.power - point.half_width),
+            (point.power + point.half_width),
+            f64::NAN,
+        ]
+        .map(|power| (point.resistance_ohm, power))
     };
     let (x, y): (Vec<f64>, Vec<f64>) = sorted.iter().flat_map(upright).unzip();
-    let panel = Panel::new(Axis::log("Load resistance", "ohm"), Axis::linear("Mean power", unit)).high(320.0);
-    let means = Series::line(resistance, power).style(Line::Thin).marker(Marker::Circle).label("mean of a record");
-    let intervals = Series::line(x, y).colour(Colour::Ink).label("95 % interval");
+    let panel = Panel::new(
+        Axis::log("Load resistance", "ohm"),
+        Axis::linear("Mean power", unit),
+    )
+    .high(320.0);
+    let means = Series::line(resistance, power)
+        .style(Line::Thin)
+        .marker(Marker::Circle)
+        .label("mean of a record");
+    let intervals = Series::line(x, y)
+        .colour(Colour::Ink)
+        .label("95 % interval");
     Figure::new(title).with(panel.with(intervals).with(means))
 }

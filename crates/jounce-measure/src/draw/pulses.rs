@@ -26,27 +26,44 @@ impl PulseFigure {
     /// The samples of a hit, half its length on both sides too, and the law between them.
     pub fn of(force: &Samples<'_>, hit: &Hit, law: Option<&ContactFit>) -> Self {
         let beside = (hit.end - hit.start) / 2 + 1;
-        let (first, last) = (hit.start.saturating_sub(beside), (hit.end + beside).min(force.values().len()));
+        let (first, last) = (
+            hit.start.saturating_sub(beside),
+            (hit.end + beside).min(force.values().len()),
+        );
         let at = |k: f64| k / force.rate_hz();
         let peak_s = at(hit.peak as f64);
-        let finer: Vec<f64> =
-            (first * POINTS_PER_SAMPLE..=(last - 1) * POINTS_PER_SAMPLE).map(|k| at(k as f64 / POINTS_PER_SAMPLE as f64)).collect();
+        let finer: Vec<f64> = (first * POINTS_PER_SAMPLE..=(last - 1) * POINTS_PER_SAMPLE)
+            .map(|k| at(k as f64 / POINTS_PER_SAMPLE as f64))
+            .collect();
         Self {
             label: format!("{peak_s:.4} s"),
             time_s: (first..last).map(|k| at(k as f64) - peak_s).collect(),
             force_n: force.values()[first..last].to_vec(),
-            law: law.map_or_else(Default::default, |law| (finer.iter().map(|t| t - peak_s).collect(), law.force_n(&finer))),
+            law: law.map_or_else(Default::default, |law| {
+                (
+                    finer.iter().map(|t| t - peak_s).collect(),
+                    law.force_n(&finer),
+                )
+            }),
         }
     }
 }
 
 /// Pulses in one panel: rings for samples, lines for laws.
 pub fn pulses(title: &str, pulses: &[PulseFigure]) -> Figure {
-    let panel = Panel::new(Axis::linear("Time from the largest force", "s"), Axis::linear("Force", "N")).high(340.0);
+    let panel = Panel::new(
+        Axis::linear("Time from the largest force", "s"),
+        Axis::linear("Force", "N"),
+    )
+    .high(340.0);
     let drawn = |panel: Panel, (index, pulse): (usize, &PulseFigure)| {
         let colour = Colour::nth(index);
-        let samples = Series::points(pulse.time_s.clone(), pulse.force_n.clone(), Marker::Ring).colour(colour).label(&pulse.label);
-        panel.with(samples).with(Series::line(pulse.law.0.clone(), pulse.law.1.clone()).colour(colour))
+        let samples = Series::points(pulse.time_s.clone(), pulse.force_n.clone(), Marker::Ring)
+            .colour(colour)
+            .label(&pulse.label);
+        panel
+            .with(samples)
+            .with(Series::line(pulse.law.0.clone(), pulse.law.1.clone()).colour(colour))
     };
     Figure::new(title).with(pulses.iter().enumerate().fold(panel, drawn))
 }

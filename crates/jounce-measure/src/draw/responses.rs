@@ -1,24 +1,48 @@
 //! Frequency responses with their coherence, stabilisation diagrams, and the modes' fit to the responses.
 
-use jounce::picture::{Along, Axis, Colour, Figure, Line, Marker, Panel, ResponseLine, Scale, Series, frequency_responses};
+use jounce::picture::{
+    Along, Axis, Colour, Figure, Line, Marker, Panel, ResponseLine, Scale, Series,
+    frequency_responses,
+};
 
 use crate::modal::{Identification, Stability};
 use crate::response::MeasuredResponses;
 
 /// Magnitude, phase and, where there are several blocks, coherence of every response.
 pub fn measured_responses(title: &str, found: &MeasuredResponses) -> Figure {
-    let Some(first) = found.functions.first() else { return Figure::new(title) };
+    let Some(first) = found.functions.first() else {
+        return Figure::new(title);
+    };
     // The line at 0 Hz is that of the sensor's offset.
     let frequency_hz = first.frequency_hz[1..].to_vec();
     let one = |(name, function): (&String, &crate::spectral::FrequencyResponse)| {
         let (re, im) = function.value[1..].iter().map(|h| (h.re, h.im)).unzip();
-        ResponseLine { label: name.clone(), re, im }
+        ResponseLine {
+            label: name.clone(),
+            re,
+            im,
+        }
     };
     let responses: Vec<ResponseLine> = found.names.iter().zip(&found.functions).map(one).collect();
-    let quantity = if responses.len() > 1 { "Response per input" } else { &found.names[0] };
-    let mut figure = frequency_responses(title, quantity, &found.units[0], Scale::Linear, &frequency_hz, &responses);
+    let quantity = if responses.len() > 1 {
+        "Response per input"
+    } else {
+        &found.names[0]
+    };
+    let mut figure = frequency_responses(
+        title,
+        quantity,
+        &found.units[0],
+        Scale::Linear,
+        &frequency_hz,
+        &responses,
+    );
     if first.blocks > 1 {
-        let axes = Panel::new(Axis::linear("Frequency", "Hz"), Axis::linear("Coherence", "").between(0.0, 1.05)).high(120.0);
+        let axes = Panel::new(
+            Axis::linear("Frequency", "Hz"),
+            Axis::linear("Coherence", "").between(0.0, 1.05),
+        )
+        .high(120.0);
         let add = |panel: Panel, (k, function): (usize, &crate::spectral::FrequencyResponse)| {
             let line = Series::line(frequency_hz.clone(), function.coherence[1..].to_vec());
             panel.with(line.colour(Colour::nth(k)).style(Line::Thin))
@@ -31,20 +55,42 @@ pub fn measured_responses(title: &str, found: &MeasuredResponses) -> Figure {
 /// Poles by order: filled where frequency and damping stay, rings where the frequency does, small squares where neither does; the modes that
 /// were chosen are upright lines.
 pub fn stabilisation(title: &str, found: &Identification) -> Figure {
-    let (low, high) = (found.frequency_hz.first().copied().unwrap_or(0.0), found.frequency_hz.last().copied().unwrap_or(1.0));
-    let mut panel = Panel::new(Axis::linear("Frequency", "Hz").between(low, high), Axis::linear("Order", "")).high(360.0);
+    let (low, high) = (
+        found.frequency_hz.first().copied().unwrap_or(0.0),
+        found.frequency_hz.last().copied().unwrap_or(1.0),
+    );
+    let mut panel = Panel::new(
+        Axis::linear("Frequency", "Hz").between(low, high),
+        Axis::linear("Order", ""),
+    )
+    .high(360.0);
     for mode in &found.modes {
         panel = panel.reference(Along::X, mode.frequency_hz, None);
     }
     let kinds = [
-        (Stability::Pole, Marker::Circle, Colour::nth(0), "frequency and damping stay"),
-        (Stability::Frequency, Marker::Ring, Colour::nth(1), "frequency stays"),
+        (
+            Stability::Pole,
+            Marker::Circle,
+            Colour::nth(0),
+            "frequency and damping stay",
+        ),
+        (
+            Stability::Frequency,
+            Marker::Ring,
+            Colour::nth(1),
+            "frequency stays",
+        ),
         (Stability::New, Marker::Square, Colour::Grey, "new"),
     ];
     for (stable, marker, colour, label) in kinds {
         let inside = |hz: f64| (low..=high).contains(&hz);
-        let of_kind = found.diagram.iter().filter(|pole| pole.stable == stable && inside(pole.pole.frequency_hz));
-        let (x, y): (Vec<f64>, Vec<f64>) = of_kind.map(|pole| (pole.pole.frequency_hz, pole.order as f64)).unzip();
+        let of_kind = found
+            .diagram
+            .iter()
+            .filter(|pole| pole.stable == stable && inside(pole.pole.frequency_hz));
+        let (x, y): (Vec<f64>, Vec<f64>) = of_kind
+            .map(|pole| (pole.pole.frequency_hz, pole.order as f64))
+            .unzip();
         panel = panel.with(Series::points(x, y, marker).colour(colour).label(label));
     }
     Figure::new(title).with(panel)
@@ -55,9 +101,16 @@ pub fn modal_fit(title: &str, names: &[String], found: &Identification) -> Figur
     let panel = |(k, name): (usize, &String)| {
         let size = |response: &[faer::c64]| response.iter().map(|h| h.norm()).collect::<Vec<f64>>();
         let axes = Panel::new(Axis::linear("Frequency", "Hz"), Axis::log(name, "")).high(220.0);
-        let measured = Series::line(found.frequency_hz.clone(), size(&found.measured[k])).style(Line::Thin).label("measured");
-        let model = Series::line(found.frequency_hz.clone(), size(&found.model[k])).colour(Colour::nth(1)).label("modes");
+        let measured = Series::line(found.frequency_hz.clone(), size(&found.measured[k]))
+            .style(Line::Thin)
+            .label("measured");
+        let model = Series::line(found.frequency_hz.clone(), size(&found.model[k]))
+            .colour(Colour::nth(1))
+            .label("modes");
         axes.with(measured).with(model)
     };
-    Figure { panels: names.iter().enumerate().map(panel).collect(), ..Figure::new(title) }
+    Figure {
+        panels: names.iter().enumerate().map(panel).collect(),
+        ..Figure::new(title)
+    }
 }

@@ -1,6 +1,8 @@
 //! A long record with the stretches that it was cut into, and their spectra.
 
-use jounce::picture::{Along, Axis, Colour, Figure, Line, Marker, Panel, Scale, Series, SpectrumLine, spectra};
+use jounce::picture::{
+    Along, Axis, Colour, Figure, Line, Marker, Panel, Scale, Series, SpectrumLine, spectra,
+};
 use jounce::signal::{Samples, Window};
 
 use crate::segmentation::{RecordSegment, Segmentation, SegmentationError, section};
@@ -9,13 +11,31 @@ use crate::segmentation::{RecordSegment, Segmentation, SegmentationError, sectio
 const SHOWN_ORDERS: f64 = 8.0;
 
 /// The record over its rms by stretches; changes are upright lines, named after the period that begins there.
-pub fn segments(title: &str, quantity: &str, unit: &str, samples: &Samples<'_>, found: &Segmentation) -> Figure {
-    let time_s: Vec<f64> = (0..samples.values().len()).map(|k| k as f64 / samples.rate_hz()).collect();
+pub fn segments(
+    title: &str,
+    quantity: &str,
+    unit: &str,
+    samples: &Samples<'_>,
+    found: &Segmentation,
+) -> Figure {
+    let time_s: Vec<f64> = (0..samples.values().len())
+        .map(|k| k as f64 / samples.rate_hz())
+        .collect();
     let time = || Axis::linear("Time", "s");
     let trace = Series::line(time_s, samples.values().to_vec()).style(Line::Thin);
-    let mut record = Panel::new(time(), Axis::linear(quantity, unit)).high(200.0).with(trace);
-    let largest = found.stretches.iter().map(|stretch| stretch.rms).fold(0.0, f64::max);
-    let mut size = Panel::new(time(), Axis::linear("Rms", unit).between(0.0, 1.1 * largest)).high(140.0);
+    let mut record = Panel::new(time(), Axis::linear(quantity, unit))
+        .high(200.0)
+        .with(trace);
+    let largest = found
+        .stretches
+        .iter()
+        .map(|stretch| stretch.rms)
+        .fold(0.0, f64::max);
+    let mut size = Panel::new(
+        time(),
+        Axis::linear("Rms", unit).between(0.0, 1.1 * largest),
+    )
+    .high(140.0);
     for (k, stretch) in found.stretches.iter().enumerate() {
         record = record.reference(Along::X, stretch.start_s, Some(&named(stretch)));
         let level = Series::line(vec![stretch.start_s, stretch.end_s], vec![stretch.rms; 2]);
@@ -25,13 +45,32 @@ pub fn segments(title: &str, quantity: &str, unit: &str, samples: &Samples<'_>, 
 }
 
 /// One value for each drive cycle over time, coloured by stretches: a solution of `n` drive cycles shows `n` rows of points.
-pub fn stretch_section(title: &str, quantity: &str, unit: &str, samples: &Samples<'_>, found: &Segmentation, drive_hz: f64) -> Figure {
+pub fn stretch_section(
+    title: &str,
+    quantity: &str,
+    unit: &str,
+    samples: &Samples<'_>,
+    found: &Segmentation,
+    drive_hz: f64,
+) -> Figure {
     let points = section(samples, drive_hz);
-    let axes = Panel::new(Axis::linear("Time", "s"), Axis::linear(&format!("{quantity} at one phase of the drive"), unit)).high(260.0);
+    let axes = Panel::new(
+        Axis::linear("Time", "s"),
+        Axis::linear(&format!("{quantity} at one phase of the drive"), unit),
+    )
+    .high(260.0);
     let add = |panel: Panel, (k, stretch): (usize, &RecordSegment)| {
-        let own = points.time_s.iter().zip(&points.value).filter(|(t, _)| (stretch.start_s..stretch.end_s).contains(t));
+        let own = points
+            .time_s
+            .iter()
+            .zip(&points.value)
+            .filter(|(t, _)| (stretch.start_s..stretch.end_s).contains(t));
         let (x, y) = own.unzip();
-        panel.with(Series::points(x, y, Marker::Circle).colour(Colour::nth(k)).label(&named(stretch)))
+        panel.with(
+            Series::points(x, y, Marker::Circle)
+                .colour(Colour::nth(k))
+                .label(&named(stretch)),
+        )
     };
     Figure::new(title).with(found.stretches.iter().enumerate().fold(axes, add))
 }
@@ -49,19 +88,45 @@ pub fn stretch_spectra(
     drive_hz: f64,
 ) -> Result<Figure, SegmentationError> {
     let line = |stretch: &RecordSegment| -> Result<SpectrumLine, SegmentationError> {
-        let part = Samples::new(&samples.values()[stretch.start..stretch.end], samples.rate_hz())?;
+        let part = Samples::new(
+            &samples.values()[stretch.start..stretch.end],
+            samples.rate_hz(),
+        )?;
         let spectrum = part.spectrum(Window::Hann);
-        let kept = spectrum.frequency_hz.iter().take_while(|f| **f <= SHOWN_ORDERS * drive_hz).count();
+        let kept = spectrum
+            .frequency_hz
+            .iter()
+            .take_while(|f| **f <= SHOWN_ORDERS * drive_hz)
+            .count();
         Ok(SpectrumLine {
-            label: format!("{:.2} to {:.2} s: {}", stretch.start_s, stretch.end_s, named(stretch)),
+            label: format!(
+                "{:.2} to {:.2} s: {}",
+                stretch.start_s,
+                stretch.end_s,
+                named(stretch)
+            ),
             frequency_hz: spectrum.frequency_hz[..kept].to_vec(),
             amplitude_peak: spectrum.amplitude_peak[..kept].to_vec(),
         })
     };
-    let lines = found.stretches.iter().map(line).collect::<Result<Vec<_>, _>>()?;
-    Ok(spectra(title, quantity, unit, Scale::Log, &lines, Some(drive_hz)))
+    let lines = found
+        .stretches
+        .iter()
+        .map(line)
+        .collect::<Result<Vec<_>, _>>()?;
+    Ok(spectra(
+        title,
+        quantity,
+        unit,
+        Scale::Log,
+        &lines,
+        Some(drive_hz),
+    ))
 }
 
 fn named(stretch: &RecordSegment) -> String {
-    stretch.period.cycles.map_or_else(|| "no period".to_owned(), |cycles| format!("period {cycles}"))
+    stretch.period.cycles.map_or_else(
+        || "no period".to_owned(),
+        |cycles| format!("period {cycles}"),
+    )
 }

@@ -8,13 +8,25 @@ use crate::spectral::{Density, Spectrogram, density_unit};
 const SHOWN_ORDERS: f64 = 8.0;
 
 /// A spectrogram, up to eight times the drive where that is known; each spectrum stands for the time around the middle of its segment, each line for the frequencies around it.
-pub fn spectrogram_of(title: &str, quantity: &str, unit: &str, found: &Spectrogram, drive_hz: Option<f64>) -> Figure {
+pub fn spectrogram_of(
+    title: &str,
+    quantity: &str,
+    unit: &str,
+    found: &Spectrogram,
+    drive_hz: Option<f64>,
+) -> Figure {
     let edges = |middles: &[f64], step: f64| {
         let first = middles.first().copied().unwrap_or(0.0) - 0.5 * step;
-        (0..=middles.len()).map(|k| first + step * k as f64).collect::<Vec<f64>>()
+        (0..=middles.len())
+            .map(|k| first + step * k as f64)
+            .collect::<Vec<f64>>()
     };
     let highest_hz = drive_hz.map_or(f64::INFINITY, |f| (SHOWN_ORDERS + 0.5) * f);
-    let kept = found.frequency_hz.iter().take_while(|f| **f <= highest_hz).count();
+    let kept = found
+        .frequency_hz
+        .iter()
+        .take_while(|f| **f <= highest_hz)
+        .count();
     let mut frequency_hz = edges(&found.frequency_hz[..kept], found.resolution_hz);
     if let Some(lowest) = frequency_hz.first_mut() {
         *lowest = 0.0;
@@ -24,7 +36,11 @@ pub fn spectrogram_of(title: &str, quantity: &str, unit: &str, found: &Spectrogr
         unit: unit.to_owned(),
         time_s: edges(&found.time_s, found.step_s),
         frequency_hz,
-        amplitude_peak: found.amplitude_peak.iter().map(|spectrum| spectrum[..kept].to_vec()).collect(),
+        amplitude_peak: found
+            .amplitude_peak
+            .iter()
+            .map(|spectrum| spectrum[..kept].to_vec())
+            .collect(),
     };
     spectrogram(title, &of, drive_hz)
 }
@@ -32,6 +48,11 @@ pub fn spectrogram_of(title: &str, quantity: &str, unit: &str, found: &Spectrogr
 /// A power spectral density.
 pub fn densities_of(title: &str, quantity: &str, unit: &str, found: &Density) -> Figure {
     let unit = density_unit(unit);
-    let line = DensityLine { quantity: quantity.to_owned(), unit, density: found.density.clone(), interval: [Vec::new(), Vec::new()] };
+    let line = DensityLine {
+        quantity: quantity.to_owned(),
+        unit,
+        density: found.density.clone(),
+        interval: [Vec::new(), Vec::new()],
+    };
     densities(title, &found.frequency_hz, &[line])
 }

@@ -23,9 +23,17 @@ pub(super) struct Case {
 }
 
 /// Figure 10.
-pub(super) const ABOVE_RESONANCE: Case = Case { number: 10, frequency: "13.5 Hz", amplitude: "200 N" };
+pub(super) const ABOVE_RESONANCE: Case = Case {
+    number: 10,
+    frequency: "13.5 Hz",
+    amplitude: "200 N",
+};
 /// Figure 11.
-pub(super) const BELOW_RESONANCE: Case = Case { number: 11, frequency: "6 Hz", amplitude: "50 N" };
+pub(super) const BELOW_RESONANCE: Case = Case {
+    number: 11,
+    frequency: "6 Hz",
+    amplitude: "50 N",
+};
 
 const LOADS_OHM: [f64; 6] = [1e4, 3e4, 6e4, 1e5, 2e5, 1e6];
 /// A stop so far away that it is never reached.
@@ -52,24 +60,46 @@ pub(super) struct PowerOverLoad {
 impl PowerOverLoad {
     /// A record for each load, with the stop and without.
     pub fn compute(case: Case, control: &Control) -> Result<Self, ExperimentError> {
-        let all: Vec<(usize, f64)> = (0..GAPS.len()).flat_map(|gap| LOADS_OHM.map(|ohm| (gap, ohm))).collect();
+        let all: Vec<(usize, f64)> = (0..GAPS.len())
+            .flat_map(|gap| LOADS_OHM.map(|ohm| (gap, ohm)))
+            .collect();
         control.expect(all.len());
-        let counted = |(gap, ohm): &(usize, f64)| recorded((case, GAPS[*gap], *ohm), control).inspect(|_| control.count());
-        let points = all.par_iter().map(counted).collect::<Result<Vec<Point>, _>>()?;
+        let counted = |(gap, ohm): &(usize, f64)| {
+            recorded((case, GAPS[*gap], *ohm), control).inspect(|_| control.count())
+        };
+        let points = all
+            .par_iter()
+            .map(counted)
+            .collect::<Result<Vec<Point>, _>>()?;
         let (impact, linear) = points.split_at(LOADS_OHM.len());
-        Ok(Self { case, impact: impact.to_vec(), linear: linear.to_vec() })
+        Ok(Self {
+            case,
+            impact: impact.to_vec(),
+            linear: linear.to_vec(),
+        })
     }
 
     /// Smallest and largest ratio of the powers per mean square with impact and without.
     pub fn gains(&self) -> (f64, f64) {
         let per = |point: &Point| point.power_w / point.mean_square_m2_s4;
-        let gains = self.impact.iter().zip(&self.linear).map(|(impact, linear)| per(impact) / per(linear));
-        gains.fold((f64::INFINITY, 0.0), |(low, high), gain| (low.min(gain), high.max(gain)))
+        let gains = self
+            .impact
+            .iter()
+            .zip(&self.linear)
+            .map(|(impact, linear)| per(impact) / per(linear));
+        gains.fold((f64::INFINITY, 0.0), |(low, high), gain| {
+            (low.min(gain), high.max(gain))
+        })
     }
 
     /// The load of the highest point, with impact and without, ohm.
     fn best_ohm(&self) -> [f64; 2] {
-        let best = |points: &[Point]| points.iter().max_by(|a, b| a.power_w.total_cmp(&b.power_w)).map_or(f64::NAN, |p| p.resistance_ohm);
+        let best = |points: &[Point]| {
+            points
+                .iter()
+                .max_by(|a, b| a.power_w.total_cmp(&b.power_w))
+                .map_or(f64::NAN, |p| p.resistance_ohm)
+        };
         [best(&self.impact), best(&self.linear)]
     }
 
@@ -78,18 +108,33 @@ impl PowerOverLoad {
             label: label.to_owned(),
             direction,
             parameter: points.iter().map(|point| point.resistance_ohm).collect(),
-            value: points.iter().map(|point| point.power_w / point.mean_square_m2_s4).collect(),
+            value: points
+                .iter()
+                .map(|point| point.power_w / point.mean_square_m2_s4)
+                .collect(),
             settled: Vec::new(),
         };
-        let lines =
-            [line("without impact", LineDirection::Linear, &self.linear), line("with impact", LineDirection::Independent, &self.impact)];
-        let Case { number, frequency, amplitude } = self.case;
-        let title = format!("Mean power per mean square of the base's acceleration at {frequency} (simulated)");
+        let lines = [
+            line("without impact", LineDirection::Linear, &self.linear),
+            line("with impact", LineDirection::Independent, &self.impact),
+        ];
+        let Case {
+            number,
+            frequency,
+            amplitude,
+        } = self.case;
+        let title = format!(
+            "Mean power per mean square of the base's acceleration at {frequency} (simulated)"
+        );
         let caption = format!(
             "Figure {number}, simulated: mean power of records of {RECORD_S} s at {RATE_HZ} Hz, {frequency} and {amplitude}, over the load, \
              per mean square of the base's acceleration. The dotted lines mark the best loads."
         );
-        NamedFigure::new(&format!("figure-{number}"), &caption, power_against_resistance(&title, "W/(m/s^2)^2", &lines))
+        NamedFigure::new(
+            &format!("figure-{number}"),
+            &caption,
+            power_against_resistance(&title, "W/(m/s^2)^2", &lines),
+        )
     }
 
     pub fn table(&self) -> Result<NamedTable, ExperimentError> {
@@ -98,14 +143,44 @@ impl PowerOverLoad {
         let impact: Vec<bool> = (0..rows().count()).map(|k| k < self.impact.len()).collect();
         let table = Table::new(vec![
             Column::new("impact", "", "With impact", impact),
-            Column::new("resistance_ohm", "ohm", "Load", number(&|point| point.resistance_ohm)),
-            Column::new("mean_power_w", "W", "Mean power", number(&|point| point.power_w)),
-            Column::new("half_width_w", "W", "± 95 %", number(&|point| point.half_width_w)),
-            Column::new("mean_square_base_m2_s4", "m^2/s^4", "Mean square of the base", number(&|point| point.mean_square_m2_s4)),
-            Column::new("power_per_mean_square", "W/(m/s^2)^2", "Power over it", number(&|point| point.power_w / point.mean_square_m2_s4)),
+            Column::new(
+                "resistance_ohm",
+                "ohm",
+                "Load",
+                number(&|point| point.resistance_ohm),
+            ),
+            Column::new(
+                "mean_power_w",
+                "W",
+                "Mean power",
+                number(&|point| point.power_w),
+            ),
+            Column::new(
+                "half_width_w",
+                "W",
+                "± 95 %",
+                number(&|point| point.half_width_w),
+            ),
+            Column::new(
+                "mean_square_base_m2_s4",
+                "m^2/s^4",
+                "Mean square of the base",
+                number(&|point| point.mean_square_m2_s4),
+            ),
+            Column::new(
+                "power_per_mean_square",
+                "W/(m/s^2)^2",
+                "Power over it",
+                number(&|point| point.power_w / point.mean_square_m2_s4),
+            ),
         ])?;
         // Without a caption: the figure shows it, the files hold it.
-        Ok(NamedTable::new(&format!("figure-{}", self.case.number), "", 4, table))
+        Ok(NamedTable::new(
+            &format!("figure-{}", self.case.number),
+            "",
+            4,
+            table,
+        ))
     }
 }
 
@@ -128,10 +203,15 @@ pub(super) fn words(loads: &[PowerOverLoad]) -> Vec<String> {
          impact better at 13.5 Hz, the linear one better at 6 Hz, and slightly smaller best loads with impact.",
         100.0 * NOISE
     );
-    std::iter::once(first).chain(loads.iter().map(told)).collect()
+    std::iter::once(first)
+        .chain(loads.iter().map(told))
+        .collect()
 }
 
-fn recorded((case, gap, resistance_ohm): (Case, &str, f64), control: &Control) -> Result<Point, ExperimentError> {
+fn recorded(
+    (case, gap, resistance_ohm): (Case, &str, f64),
+    control: &Control,
+) -> Result<Point, ExperimentError> {
     let load = format!("{resistance_ohm} ohm");
     let settings = [
         ("drive.shaker.frequency", case.frequency),
@@ -149,7 +229,10 @@ fn recorded((case, gap, resistance_ohm): (Case, &str, f64), control: &Control) -
         starts: vec![(0.0, StartState::rest(&plant))],
         wander: Disturbance::NONE,
         accelerometers: Vec::new(),
-        sensor: Sensor { noise_ratio: NOISE, bits: Some(16) },
+        sensor: Sensor {
+            noise_ratio: NOISE,
+            bits: Some(16),
+        },
         seed: resistance_ohm as u64,
     };
     let record = shaker_test(&spec, &modes, &test, control)?;
@@ -172,17 +255,51 @@ mod tests {
     /// Without contact the power of a record and the mean square of its base are the closed forms; noise of 1 % adds 1e-4 to both.
     #[test]
     fn a_record_without_contact_has_the_power_of_the_closed_form() -> Result<(), ExperimentError> {
-        let settings = [("drive.shaker.frequency", "13.5 Hz"), ("drive.shaker.amplitude", "200 N")];
-        let spec = paper_spec(&[&settings[..], &[("stop.tip.gap", "1 m"), ("circuit.load.resistance", "100 kohm")]].concat())?;
+        let settings = [
+            ("drive.shaker.frequency", "13.5 Hz"),
+            ("drive.shaker.amplitude", "200 N"),
+        ];
+        let spec = paper_spec(
+            &[
+                &settings[..],
+                &[
+                    ("stop.tip.gap", "1 m"),
+                    ("circuit.load.resistance", "100 kohm"),
+                ],
+            ]
+            .concat(),
+        )?;
         let plant = Plant::new(System::assemble(&spec, structure::modes(&spec)?)?)?;
         let table = [FrfResponse::Acceleration("table".to_owned())];
-        let base = frf(&plant, &FrfInput::Force("table".to_owned()), &table, &[13.5])?[0].value[0].norm() * 200.0;
+        let base = frf(
+            &plant,
+            &FrfInput::Force("table".to_owned()),
+            &table,
+            &[13.5],
+        )?[0]
+            .value[0]
+            .norm()
+            * 200.0;
         let found = recorded((ABOVE_RESONANCE, "1 m", 1e5), &Control::default())?;
-        let (power, square) = (found.power_w / steady_power_w(&plant) - 1.0, found.mean_square_m2_s4 / (0.5 * base * base) - 1.0);
+        let (power, square) = (
+            found.power_w / steady_power_w(&plant) - 1.0,
+            found.mean_square_m2_s4 / (0.5 * base * base) - 1.0,
+        );
         eprintln!("power {power:.1e}, mean square {square:.1e} off");
-        assert!(power.abs() < 2e-3 && square.abs() < 1e-3, "{power:e} {square:e}");
-        let one = PowerOverLoad { case: ABOVE_RESONANCE, impact: vec![found], linear: vec![found] };
-        assert!(one.gains() == (1.0, 1.0) && one.table()?.table.rows() == 2 && one.figure().figure.to_svg().is_ok());
+        assert!(
+            power.abs() < 2e-3 && square.abs() < 1e-3,
+            "{power:e} {square:e}"
+        );
+        let one = PowerOverLoad {
+            case: ABOVE_RESONANCE,
+            impact: vec![found],
+            linear: vec![found],
+        };
+        assert!(
+            one.gains() == (1.0, 1.0)
+                && one.table()?.table.rows() == 2
+                && one.figure().figure.to_svg().is_ok()
+        );
         assert!(words(&[one])[1].contains("1.00 to 1.00 times"));
         Ok(())
     }

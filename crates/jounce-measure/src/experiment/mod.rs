@@ -34,9 +34,19 @@ const NOISE: f64 = 0.01;
 /// # Errors
 /// None is expected but where the control stops it: the inputs are built in. See [`ExperimentError`].
 pub fn chapters(paper: &Reproduction, control: &Control) -> Result<Vec<Chapter>, ExperimentError> {
-    let printed = |column: &str| paper.table("table-2").and_then(|named| named.table.floats(column)).unwrap_or_default();
+    let printed = |column: &str| {
+        paper
+            .table("table-2")
+            .and_then(|named| named.table.floats(column))
+            .unwrap_or_default()
+    };
     let (modal, (loads, record)) = rayon::join(
-        || Ok::<_, ExperimentError>((ModalTest::compute(printed("measured_hz"))?, Updated::compute(control)?)),
+        || {
+            Ok::<_, ExperimentError>((
+                ModalTest::compute(printed("measured_hz"))?,
+                Updated::compute(control)?,
+            ))
+        },
         || {
             rayon::join(
                 || {
@@ -65,8 +75,14 @@ pub fn chapters(paper: &Reproduction, control: &Control) -> Result<Vec<Chapter>,
     let power = Chapter {
         heading: "Figures 10 and 11 (simulated): power over load from records".to_owned(),
         paragraphs: load::words(&loads),
-        tables: loads.iter().map(PowerOverLoad::table).collect::<Result<Vec<NamedTable>, _>>()?,
-        figures: loads.iter().map(PowerOverLoad::figure).collect::<Vec<NamedFigure>>(),
+        tables: loads
+            .iter()
+            .map(PowerOverLoad::table)
+            .collect::<Result<Vec<NamedTable>, _>>()?,
+        figures: loads
+            .iter()
+            .map(PowerOverLoad::figure)
+            .collect::<Vec<NamedFigure>>(),
     };
     let jumping = Chapter {
         heading: "Figures 12 and 13 (simulated): a record of two solutions".to_owned(),

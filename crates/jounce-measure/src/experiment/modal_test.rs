@@ -52,49 +52,84 @@ impl ModalTest {
         let modes = modes_holding(&spec, &["table".to_owned()])?;
         let short_circuit_hz = modes.frequency_rad_s.first().map_or(f64::NAN, |w| w / TAU);
         let plant = Plant::new(System::assemble(&spec, modes)?)?;
-        let records = (1..=HITS).map(|seed| struck(&plant, seed)).collect::<Result<Vec<Recording>, _>>()?;
-        let settings = ImpactSettings { end_ratio: Some(END_RATIO), ..ImpactSettings::default() };
+        let records = (1..=HITS)
+            .map(|seed| struck(&plant, seed))
+            .collect::<Result<Vec<Recording>, _>>()?;
+        let settings = ImpactSettings {
+            end_ratio: Some(END_RATIO),
+            ..ImpactSettings::default()
+        };
         let responses = MeasuredResponses::of_hits(&records, &ChannelChoice::default(), &settings)?;
         let identified = |between_hz| -> Result<Identification, ExperimentError> {
-            let mut found = identify(&Band::of(&responses, between_hz)?, ModalSettings { order: ORDER })?;
-            found.modes.iter_mut().for_each(|mode| mode.without_decay(responses.window_decay_per_s));
+            let mut found = identify(
+                &Band::of(&responses, between_hz)?,
+                ModalSettings { order: ORDER },
+            )?;
+            found
+                .modes
+                .iter_mut()
+                .for_each(|mode| mode.without_decay(responses.window_decay_per_s));
             Ok(found)
         };
         let (first, whole) = (identified(FIRST_BAND_HZ)?, identified(WHOLE_BAND_HZ)?);
-        let below = first.modes.iter().filter(|mode| mode.frequency_hz < WHOLE_BAND_HZ.0);
+        let below = first
+            .modes
+            .iter()
+            .filter(|mode| mode.frequency_hz < WHOLE_BAND_HZ.0);
         let found = below.chain(&whole.modes).cloned().collect();
-        Ok(Self { truth: eigenvalues(&plant), found, paper_hz: paper_hz.to_vec(), short_circuit_hz, responses, whole })
+        Ok(Self {
+            truth: eigenvalues(&plant),
+            found,
+            paper_hz: paper_hz.to_vec(),
+            short_circuit_hz,
+            responses,
+            whole,
+        })
     }
 
     /// The found mode nearest to each of the truth, within 2 %.
     fn pairs(&self) -> Vec<Option<&Mode>> {
         let near = |(hz, _): &(f64, f64)| {
             let apart = |mode: &&Mode| (mode.frequency_hz / hz - 1.0).abs();
-            self.found.iter().min_by(|a, b| apart(a).total_cmp(&apart(b))).filter(|mode| apart(mode) < 0.02)
+            self.found
+                .iter()
+                .min_by(|a, b| apart(a).total_cmp(&apart(b)))
+                .filter(|mode| apart(mode) < 0.02)
         };
         self.truth.iter().map(near).collect()
     }
 
     /// Largest relative errors of frequency and damping ratio; infinite where a mode was not found.
     pub fn worst(&self) -> (f64, f64) {
-        let off = |found: Option<f64>, truth: f64| found.map_or(f64::INFINITY, |found| (found / truth - 1.0).abs());
+        let off = |found: Option<f64>, truth: f64| {
+            found.map_or(f64::INFINITY, |found| (found / truth - 1.0).abs())
+        };
         let pairs = self.pairs();
-        let both = self
-            .truth
-            .iter()
-            .zip(&pairs)
-            .map(|((hz, zeta), mode)| (off(mode.map(|mode| mode.frequency_hz), *hz), off(mode.map(|mode| mode.damping_ratio), *zeta)));
-        both.fold((0.0, 0.0), |worst, one| (worst.0.max(one.0), worst.1.max(one.1)))
+        let both = self.truth.iter().zip(&pairs).map(|((hz, zeta), mode)| {
+            (
+                off(mode.map(|mode| mode.frequency_hz), *hz),
+                off(mode.map(|mode| mode.damping_ratio), *zeta),
+            )
+        });
+        both.fold((0.0, 0.0), |worst, one| {
+            (worst.0.max(one.0), worst.1.max(one.1))
+        })
     }
 
     /// How many frequencies and damping ratios lie within their intervals.
     fn inside(&self) -> (usize, usize) {
         let pairs = self.pairs();
         let count = |off: &dyn Fn(&(f64, f64), &Mode) -> bool| {
-            self.truth.iter().zip(&pairs).filter(|(truth, mode)| mode.is_some_and(|mode| off(truth, mode))).count()
+            self.truth
+                .iter()
+                .zip(&pairs)
+                .filter(|(truth, mode)| mode.is_some_and(|mode| off(truth, mode)))
+                .count()
         };
         (
-            count(&|truth, mode| (mode.frequency_hz - truth.0).abs() <= mode.frequency_half_width_hz()),
+            count(&|truth, mode| {
+                (mode.frequency_hz - truth.0).abs() <= mode.frequency_half_width_hz()
+            }),
             count(&|truth, mode| (mode.damping_ratio - truth.1).abs() <= mode.damping_half_width()),
         )
     }
@@ -121,24 +156,65 @@ impl ModalTest {
 
     pub fn table(&self) -> Result<NamedTable, ExperimentError> {
         let pairs = self.pairs();
-        let found = |of: &dyn Fn(&Mode) -> f64| pairs.iter().map(|mode| mode.map_or(f64::NAN, of)).collect::<Vec<f64>>();
+        let found = |of: &dyn Fn(&Mode) -> f64| {
+            pairs
+                .iter()
+                .map(|mode| mode.map_or(f64::NAN, of))
+                .collect::<Vec<f64>>()
+        };
         let mut paper_hz = self.paper_hz.clone();
         paper_hz.resize(self.truth.len(), f64::NAN);
         let table = Table::new(vec![
-            Column::new("mode", "", "Mode", (1..=self.truth.len() as u64).collect::<Vec<_>>()),
+            Column::new(
+                "mode",
+                "",
+                "Mode",
+                (1..=self.truth.len() as u64).collect::<Vec<_>>(),
+            ),
             Column::new("paper_measured_hz", "Hz", "Measured (paper)", paper_hz),
-            Column::new("put_in_hz", "Hz", "Put in", self.truth.iter().map(|mode| mode.0).collect::<Vec<_>>()),
+            Column::new(
+                "put_in_hz",
+                "Hz",
+                "Put in",
+                self.truth.iter().map(|mode| mode.0).collect::<Vec<_>>(),
+            ),
             Column::new("found_hz", "Hz", "Found", found(&|mode| mode.frequency_hz)),
-            Column::new("found_half_width_hz", "Hz", "± 95 %", found(&Mode::frequency_half_width_hz)),
-            Column::new("put_in_damping_ratio", "", "Damping put in", self.truth.iter().map(|mode| mode.1).collect::<Vec<_>>()),
-            Column::new("found_damping_ratio", "", "Damping found", found(&|mode| mode.damping_ratio)),
-            Column::new("found_damping_half_width", "", "± 95 %", found(&Mode::damping_half_width)),
+            Column::new(
+                "found_half_width_hz",
+                "Hz",
+                "± 95 %",
+                found(&Mode::frequency_half_width_hz),
+            ),
+            Column::new(
+                "put_in_damping_ratio",
+                "",
+                "Damping put in",
+                self.truth.iter().map(|mode| mode.1).collect::<Vec<_>>(),
+            ),
+            Column::new(
+                "found_damping_ratio",
+                "",
+                "Damping found",
+                found(&|mode| mode.damping_ratio),
+            ),
+            Column::new(
+                "found_damping_half_width",
+                "",
+                "± 95 %",
+                found(&Mode::damping_half_width),
+            ),
         ])?;
-        Ok(NamedTable::new("table-2-measured", "Table 2 measured on the virtual rig (simulated).", 5, table))
+        Ok(NamedTable::new(
+            "table-2-measured",
+            "Table 2 measured on the virtual rig (simulated).",
+            5,
+            table,
+        ))
     }
 
     pub fn figures(&self) -> Vec<NamedFigure> {
-        let named = |name: &str, caption: &str, figure: Figure| NamedFigure::new(name, caption, figure);
+        let named =
+            |name: &str, caption: &str, figure: Figure| NamedFigure::new(name, caption, figure);
         vec![
             named(
                 "table-2-responses",
@@ -164,7 +240,10 @@ fn struck(plant: &Plant, seed: u64) -> Result<Recording, ExperimentError> {
         peak_force_n: 20.0,
         contact_time_s: CONTACT_S,
         rate_hz: RATE_HZ,
-        sensor: Sensor { noise_ratio: NOISE, bits: None },
+        sensor: Sensor {
+            noise_ratio: NOISE,
+            bits: None,
+        },
         seed,
     };
     Ok(hammer_test(plant, &test)?)
@@ -172,8 +251,15 @@ fn struck(plant: &Plant, seed: u64) -> Result<Recording, ExperimentError> {
 
 /// Frequency and damping ratio of every pair of eigenvalues of the plant, by frequency.
 fn eigenvalues(plant: &Plant) -> Vec<(f64, f64)> {
-    let pairs = plant.diagonal.block.eigenvalues().into_iter().filter(|value| value.im > 0.0);
-    let mut found: Vec<(f64, f64)> = pairs.map(|value| (value.norm() / TAU, -value.re / value.norm())).collect();
+    let pairs = plant
+        .diagonal
+        .block
+        .eigenvalues()
+        .into_iter()
+        .filter(|value| value.im > 0.0);
+    let mut found: Vec<(f64, f64)> = pairs
+        .map(|value| (value.norm() / TAU, -value.re / value.norm()))
+        .collect();
     found.sort_by(|a, b| a.0.total_cmp(&b.0));
     found
 }
@@ -188,11 +274,28 @@ mod tests {
     fn what_was_put_in_is_found_again() {
         let found = ModalTest::compute(&[]).unwrap_or_else(|fault| panic!("{fault}"));
         for (truth, mode) in found.truth.iter().zip(found.pairs()) {
-            eprintln!("{truth:?}: {:?}", mode.map(|m| (m.frequency_hz, m.frequency_deviation_hz, m.damping_ratio, m.damping_deviation)));
+            eprintln!(
+                "{truth:?}: {:?}",
+                mode.map(|m| (
+                    m.frequency_hz,
+                    m.frequency_deviation_hz,
+                    m.damping_ratio,
+                    m.damping_deviation
+                ))
+            );
         }
         let (frequency, damping) = found.worst();
         let inside = found.inside();
-        eprintln!("frequencies within {frequency:.1e}, damping ratios within {damping:.1e}, {inside:?} within their intervals");
-        assert!(found.truth.len() == 7 && frequency < 2e-5 && damping < 0.02 && inside.0 > 5 && inside.1 > 5, "{frequency:e} {damping:e}");
+        eprintln!(
+            "frequencies within {frequency:.1e}, damping ratios within {damping:.1e}, {inside:?} within their intervals"
+        );
+        assert!(
+            found.truth.len() == 7
+                && frequency < 2e-5
+                && damping < 0.02
+                && inside.0 > 5
+                && inside.1 > 5,
+            "{frequency:e} {damping:e}"
+        );
     }
 }

@@ -16,15 +16,23 @@ use crate::spectral::{MeanPower, Segments, mean_power, spectrogram};
 /// The paper's drive and load, at the force at which the model's solutions have the ratio of powers that the paper measured.
 const DRIVE_HZ: f64 = 13.5;
 const LOAD_OHM: f64 = 1e5;
-const SETTINGS: [(&str, &str); 3] =
-    [("drive.shaker.frequency", "13.5 Hz"), ("drive.shaker.amplitude", "42 N"), ("circuit.load.resistance", "100 kohm")];
+const SETTINGS: [(&str, &str); 3] = [
+    ("drive.shaker.frequency", "13.5 Hz"),
+    ("drive.shaker.amplitude", "42 N"),
+    ("circuit.load.resistance", "100 kohm"),
+];
 /// What the record shows, and from when on, s.
 const SHOWN_SOLUTIONS: [(&str, f64); 3] = [("1a", 0.0), ("3a", 31.0), ("1a", 63.0)];
 /// Mean powers of the paper's two stretches, W.
 const PAPER_W: [f64; 2] = [31.1e-6, 48.1e-6];
 /// The shaker wanders: a guess, the paper does not tell.
-const WANDER: Disturbance =
-    Disturbance { amplitude_ratio: 2e-3, frequency_ratio: 5e-5, memory_s: 5.0, amplitude_drift: 0.0, frequency_drift: 0.0 };
+const WANDER: Disturbance = Disturbance {
+    amplitude_ratio: 2e-3,
+    frequency_ratio: 5e-5,
+    memory_s: 5.0,
+    amplitude_drift: 0.0,
+    frequency_drift: 0.0,
+};
 /// Largest distance at which a solution fits.
 const MAX_SOLUTION_DISTANCE: f64 = 0.2;
 /// Cycles of the drive in a segment of the spectrogram, and how much the next one overlaps.
@@ -44,15 +52,28 @@ impl Alternating {
     /// Records the model and analyses the record.
     pub fn compute(control: &Control) -> Result<Self, ExperimentError> {
         let spec = paper_spec(&SETTINGS)?;
-        let known = solutions(&spec, &SolutionSearch { starts: 8, ..SolutionSearch::default() }, control)?;
+        let known = solutions(
+            &spec,
+            &SolutionSearch {
+                starts: 8,
+                ..SolutionSearch::default()
+            },
+            control,
+        )?;
         let test = ShakerTest {
             rate_hz: RATE_HZ,
             duration_s: RECORD_S,
             before_s: 0.0,
-            starts: SHOWN_SOLUTIONS.iter().map(|(id, at_s)| Ok((*at_s, start_of(&known, id)?))).collect::<Result<_, ExperimentError>>()?,
+            starts: SHOWN_SOLUTIONS
+                .iter()
+                .map(|(id, at_s)| Ok((*at_s, start_of(&known, id)?)))
+                .collect::<Result<_, ExperimentError>>()?,
             wander: WANDER,
             accelerometers: Vec::new(),
-            sensor: Sensor { noise_ratio: NOISE, bits: Some(16) },
+            sensor: Sensor {
+                noise_ratio: NOISE,
+                bits: Some(16),
+            },
             seed: 1,
         };
         let record = shaker_test(&spec, &structure::modes(&spec)?, &test, control)?;
@@ -60,21 +81,53 @@ impl Alternating {
         let samples = Samples::new(&voltage_v, RATE_HZ)?;
         let found = regimes(&samples, DRIVE_HZ)?;
         let power = |part: (usize, usize)| -> Result<MeanPower, ExperimentError> {
-            Ok(mean_power(&Samples::new(&voltage_v[part.0..part.1], RATE_HZ)?, LOAD_OHM, false)?)
+            Ok(mean_power(
+                &Samples::new(&voltage_v[part.0..part.1], RATE_HZ)?,
+                LOAD_OHM,
+                false,
+            )?)
         };
-        let powers = found.stretches.iter().map(|stretch| power(stretch.inner)).collect::<Result<_, _>>()?;
-        let shown =
-            found.stretches.iter().map(|stretch| match_segments(&samples, DRIVE_HZ, stretch, &known, MAX_SOLUTION_DISTANCE)).collect();
-        Ok(Self { found, powers, shown, known, voltage_v })
+        let powers = found
+            .stretches
+            .iter()
+            .map(|stretch| power(stretch.inner))
+            .collect::<Result<_, _>>()?;
+        let shown = found
+            .stretches
+            .iter()
+            .map(|stretch| {
+                match_segments(&samples, DRIVE_HZ, stretch, &known, MAX_SOLUTION_DISTANCE)
+            })
+            .collect();
+        Ok(Self {
+            found,
+            powers,
+            shown,
+            known,
+            voltage_v,
+        })
     }
 
     pub fn words(&self) -> Vec<String> {
-        let put_in: Vec<String> = SHOWN_SOLUTIONS.iter().map(|(id, at_s)| format!("{id} from {at_s} s")).collect();
+        let put_in: Vec<String> = SHOWN_SOLUTIONS
+            .iter()
+            .map(|(id, at_s)| format!("{id} from {at_s} s"))
+            .collect();
         let found: Vec<String> = (self.found.stretches.iter().zip(&self.shown))
-            .map(|(stretch, shown)| format!("{} from {:.2} s", shown.id().unwrap_or("no solution"), stretch.start_s))
+            .map(|(stretch, shown)| {
+                format!(
+                    "{} from {:.2} s",
+                    shown.id().unwrap_or("no solution"),
+                    stretch.start_s
+                )
+            })
             .collect();
         let powers: Vec<f64> = self.powers.iter().map(|power| power.mean_power_w).collect();
-        let (low, high) = powers.iter().fold((f64::INFINITY, 0.0_f64), |(low, high), power| (low.min(*power), high.max(*power)));
+        let (low, high) = powers
+            .iter()
+            .fold((f64::INFINITY, 0.0_f64), |(low, high), power| {
+                (low.min(*power), high.max(*power))
+            });
         vec![
             format!(
                 "Simulated. A record of {RECORD_S} s at {RATE_HZ} Hz: 13.5 Hz, 100 kΩ, 42 N, a force that the paper does not print. Put in: {}; what \
@@ -101,26 +154,86 @@ impl Alternating {
     pub fn table(&self) -> Result<NamedTable, ExperimentError> {
         let stretches = &self.found.stretches;
         let nearest = |of: &dyn Fn(&crate::segmentation::Candidate) -> f64| {
-            self.shown.iter().map(|shown| shown.candidates.first().map_or(f64::NAN, of)).collect::<Vec<f64>>()
+            self.shown
+                .iter()
+                .map(|shown| shown.candidates.first().map_or(f64::NAN, of))
+                .collect::<Vec<f64>>()
         };
-        let ids = self.shown.iter().map(|shown| shown.id().unwrap_or("none").to_owned()).collect::<Vec<_>>();
+        let ids = self
+            .shown
+            .iter()
+            .map(|shown| shown.id().unwrap_or("none").to_owned())
+            .collect::<Vec<_>>();
         let table = Table::new(vec![
-            Column::new("start_s", "s", "From", stretches.iter().map(|stretch| stretch.start_s).collect::<Vec<_>>()),
-            Column::new("end_s", "s", "To", stretches.iter().map(|stretch| stretch.end_s).collect::<Vec<_>>()),
+            Column::new(
+                "start_s",
+                "s",
+                "From",
+                stretches
+                    .iter()
+                    .map(|stretch| stretch.start_s)
+                    .collect::<Vec<_>>(),
+            ),
+            Column::new(
+                "end_s",
+                "s",
+                "To",
+                stretches
+                    .iter()
+                    .map(|stretch| stretch.end_s)
+                    .collect::<Vec<_>>(),
+            ),
             Column::new(
                 "period_cycles",
                 "",
                 "Period, drive cycles (0: none)",
-                stretches.iter().map(|stretch| stretch.period.cycles.unwrap_or(0) as u64).collect::<Vec<_>>(),
+                stretches
+                    .iter()
+                    .map(|stretch| stretch.period.cycles.unwrap_or(0) as u64)
+                    .collect::<Vec<_>>(),
             ),
-            Column::new("mean_power_w", "W", "Mean power", self.powers.iter().map(|power| power.mean_power_w).collect::<Vec<_>>()),
-            Column::new("half_width_w", "W", "± 95 %", self.powers.iter().map(|power| power.half_width_w).collect::<Vec<_>>()),
+            Column::new(
+                "mean_power_w",
+                "W",
+                "Mean power",
+                self.powers
+                    .iter()
+                    .map(|power| power.mean_power_w)
+                    .collect::<Vec<_>>(),
+            ),
+            Column::new(
+                "half_width_w",
+                "W",
+                "± 95 %",
+                self.powers
+                    .iter()
+                    .map(|power| power.half_width_w)
+                    .collect::<Vec<_>>(),
+            ),
             Column::new("solution", "", "Solution of the model", ids),
-            Column::new("model_power_w", "W", "Its mean power", nearest(&|c| c.mean_power_w)),
-            Column::new("waveform_distance", "", "Distance of its waveform", nearest(&|c| c.waveform_distance.unwrap_or(f64::NAN))),
-            Column::new("spectrum_distance", "", "Distance of its spectrum", nearest(&|c| c.spectrum_distance.unwrap_or(f64::NAN))),
+            Column::new(
+                "model_power_w",
+                "W",
+                "Its mean power",
+                nearest(&|c| c.mean_power_w),
+            ),
+            Column::new(
+                "waveform_distance",
+                "",
+                "Distance of its waveform",
+                nearest(&|c| c.waveform_distance.unwrap_or(f64::NAN)),
+            ),
+            Column::new(
+                "spectrum_distance",
+                "",
+                "Distance of its spectrum",
+                nearest(&|c| c.spectrum_distance.unwrap_or(f64::NAN)),
+            ),
         ])?;
-        let caption = format!("Stretches of the record of figure 12 (simulated), beside the {} solutions of the model.", self.known.len());
+        let caption = format!(
+            "Stretches of the record of figure 12 (simulated), beside the {} solutions of the model.",
+            self.known.len()
+        );
         Ok(NamedTable::new("figure-12-stretches", &caption, 4, table))
     }
 
@@ -133,25 +246,54 @@ impl Alternating {
             (
                 "figure-12",
                 "Figure 12, simulated: the voltage at 13.5 Hz and 100 kΩ, and its rms by stretches.",
-                segments("Voltage at 13.5 Hz (simulated)", quantity, unit, &samples, &self.found),
+                segments(
+                    "Voltage at 13.5 Hz (simulated)",
+                    quantity,
+                    unit,
+                    &samples,
+                    &self.found,
+                ),
             ),
             (
                 "figure-12-section",
                 "Simulated. One value for each drive cycle of the same record.",
-                stretch_section("One value for each drive cycle (simulated)", quantity, unit, &samples, &self.found, DRIVE_HZ),
+                stretch_section(
+                    "One value for each drive cycle (simulated)",
+                    quantity,
+                    unit,
+                    &samples,
+                    &self.found,
+                    DRIVE_HZ,
+                ),
             ),
             (
                 "figure-12-spectrogram",
                 "Simulated. Peak amplitudes of the same record over time: segments of 24 drive cycles, half overlapping, Hann window.",
-                spectrogram_of("Spectrogram of the voltage (simulated)", quantity, unit, &over_time, Some(DRIVE_HZ)),
+                spectrogram_of(
+                    "Spectrogram of the voltage (simulated)",
+                    quantity,
+                    unit,
+                    &over_time,
+                    Some(DRIVE_HZ),
+                ),
             ),
             (
                 "figure-13",
                 "Figure 13, simulated: spectra of the voltage (Hann window, peak amplitudes) for the stretches of figure 12.",
-                stretch_spectra("Spectra of the stretches (simulated)", quantity, unit, &samples, &self.found, DRIVE_HZ)?,
+                stretch_spectra(
+                    "Spectra of the stretches (simulated)",
+                    quantity,
+                    unit,
+                    &samples,
+                    &self.found,
+                    DRIVE_HZ,
+                )?,
             ),
         ];
-        Ok(figures.into_iter().map(|(name, caption, figure)| NamedFigure::new(name, caption, figure)).collect())
+        Ok(figures
+            .into_iter()
+            .map(|(name, caption, figure)| NamedFigure::new(name, caption, figure))
+            .collect())
     }
 }
 
@@ -163,16 +305,29 @@ mod tests {
     /// within 0.003, powers within 0.4 % of the orbits': the amplitude wanders by 0.2 %.
     #[test]
     fn the_record_is_cut_where_it_was_put_together() {
-        let found = Alternating::compute(&Control::default()).unwrap_or_else(|fault| panic!("{fault}"));
+        let found =
+            Alternating::compute(&Control::default()).unwrap_or_else(|fault| panic!("{fault}"));
         assert_eq!(found.found.stretches.len(), SHOWN_SOLUTIONS.len());
         for (k, (id, at_s)) in SHOWN_SOLUTIONS.into_iter().enumerate() {
             let (stretch, shown) = (&found.found.stretches[k], &found.shown[k]);
             let first = &shown.candidates[0];
             let power = found.powers[k].mean_power_w / first.mean_power_w - 1.0;
-            eprintln!("{id}: {:.3} s off, waveform {:.4?}, power {power:.1e} off", stretch.start_s - at_s, first.waveform_distance);
+            eprintln!(
+                "{id}: {:.3} s off, waveform {:.4?}, power {power:.1e} off",
+                stretch.start_s - at_s,
+                first.waveform_distance
+            );
             assert_eq!(shown.id(), Some(id));
-            assert!((stretch.start_s - at_s).abs() < found.found.uncertainty_s && power.abs() < 5e-3, "{stretch:?} {power}");
-            assert!(first.waveform_distance.is_some_and(|distance| distance < 0.02), "{first:?}");
+            assert!(
+                (stretch.start_s - at_s).abs() < found.found.uncertainty_s && power.abs() < 5e-3,
+                "{stretch:?} {power}"
+            );
+            assert!(
+                first
+                    .waveform_distance
+                    .is_some_and(|distance| distance < 0.02),
+                "{first:?}"
+            );
         }
     }
 }

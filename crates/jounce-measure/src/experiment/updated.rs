@@ -21,9 +21,12 @@ pub(super) struct Updated {
 impl Updated {
     /// The fit.
     pub fn compute(control: &Control) -> Result<Self, ExperimentError> {
-        let features = Features::from_toml(MEASURED).map_err(|faults| FitError::Features { faults })?;
+        let features =
+            Features::from_toml(MEASURED).map_err(|faults| FitError::Features { faults })?;
         let file = paper_file(&[("patch.mfc.section", "laminate")])?;
-        let spec = file.spec().map_err(jounce::reproduce::ReproduceError::from)?;
+        let spec = file
+            .spec()
+            .map_err(jounce::reproduce::ReproduceError::from)?;
         let (answer, _) = fit(&file, &spec, &features, Path::new(""), control)?;
         Ok(Self { answer })
     }
@@ -31,15 +34,28 @@ impl Updated {
     /// Largest relative errors before and after.
     fn worst(&self) -> (f64, f64) {
         let errors = self.answer.features.iter().map(FittedFeature::errors);
-        errors.fold((0.0, 0.0), |worst, one| (f64::max(worst.0, one.0.abs()), f64::max(worst.1, one.1.abs())))
+        errors.fold((0.0, 0.0), |worst, one| {
+            (
+                f64::max(worst.0, one.0.abs()),
+                f64::max(worst.1, one.1.abs()),
+            )
+        })
     }
 
     /// What was done and what it tells, beside the error of the paper's own model.
     pub fn words(&self, paper_model_hz: &[f64]) -> Vec<String> {
         let (before, after) = self.worst();
         let features = &self.answer.features;
-        let paper = features.iter().zip(paper_model_hz).map(|(feature, hz)| (hz / feature.measured - 1.0).abs()).fold(0.0, f64::max);
-        let deviation = self.answer.deviations.first().map_or(f64::NAN, |found| found.deviation);
+        let paper = features
+            .iter()
+            .zip(paper_model_hz)
+            .map(|(feature, hz)| (hz / feature.measured - 1.0).abs())
+            .fold(0.0, f64::max);
+        let deviation = self
+            .answer
+            .deviations
+            .first()
+            .map_or(f64::NAN, |found| found.deviation);
         let mut words = vec![format!(
             "The measured column is the paper's; nothing is simulated here. {} keys of the laminate model move to meet it, each held by what is \
              known of it before; the deviation of the frequencies comes from what is left over, {:.2} %. The largest error falls from {:.2} % to \
@@ -50,41 +66,114 @@ impl Updated {
             100.0 * after,
             100.0 * paper
         )];
-        words.extend(self.answer.warnings.iter().map(|warning| format!("What the fit warns of: {warning}.")));
+        words.extend(
+            self.answer
+                .warnings
+                .iter()
+                .map(|warning| format!("What the fit warns of: {warning}.")),
+        );
         words
     }
 
     pub fn tables(&self) -> Result<Vec<NamedTable>, ExperimentError> {
         let FitResult { keys, features, .. } = &self.answer;
-        let number = |of: &dyn Fn(&FittedFeature) -> f64| features.iter().map(of).collect::<Vec<f64>>();
+        let number =
+            |of: &dyn Fn(&FittedFeature) -> f64| features.iter().map(of).collect::<Vec<f64>>();
         let modes = Table::new(vec![
-            Column::new("mode", "", "Mode", (1..=features.len() as u64).collect::<Vec<_>>()),
-            Column::new("measured_hz", "Hz", "Measured (paper)", number(&|feature| feature.measured)),
-            Column::new("before_hz", "Hz", "Laminate", number(&|feature| feature.before)),
-            Column::new("before_error_percent", "%", "its error", number(&|feature| 100.0 * feature.errors().0)),
-            Column::new("updated_hz", "Hz", "Updated", number(&|feature| feature.after)),
-            Column::new("updated_error_percent", "%", "its error", number(&|feature| 100.0 * feature.errors().1)),
-            Column::new("low_hz", "Hz", "A further measurement, from", number(&|feature| feature.low)),
-            Column::new("high_hz", "Hz", "to (95 %)", number(&|feature| feature.high)),
+            Column::new(
+                "mode",
+                "",
+                "Mode",
+                (1..=features.len() as u64).collect::<Vec<_>>(),
+            ),
+            Column::new(
+                "measured_hz",
+                "Hz",
+                "Measured (paper)",
+                number(&|feature| feature.measured),
+            ),
+            Column::new(
+                "before_hz",
+                "Hz",
+                "Laminate",
+                number(&|feature| feature.before),
+            ),
+            Column::new(
+                "before_error_percent",
+                "%",
+                "its error",
+                number(&|feature| 100.0 * feature.errors().0),
+            ),
+            Column::new(
+                "updated_hz",
+                "Hz",
+                "Updated",
+                number(&|feature| feature.after),
+            ),
+            Column::new(
+                "updated_error_percent",
+                "%",
+                "its error",
+                number(&|feature| 100.0 * feature.errors().1),
+            ),
+            Column::new(
+                "low_hz",
+                "Hz",
+                "A further measurement, from",
+                number(&|feature| feature.low),
+            ),
+            Column::new(
+                "high_hz",
+                "Hz",
+                "to (95 %)",
+                number(&|feature| feature.high),
+            ),
         ])?;
         let value = |of: &dyn Fn(&FittedKey) -> f64| keys.iter().map(of).collect::<Vec<f64>>();
         let keys = Table::new(vec![
-            Column::new("key", "", "Key", keys.iter().map(|key| key.key.clone()).collect::<Vec<_>>()),
-            Column::new("unit", "", "Unit", keys.iter().map(|key| key.unit.clone()).collect::<Vec<_>>()),
+            Column::new(
+                "key",
+                "",
+                "Key",
+                keys.iter().map(|key| key.key.clone()).collect::<Vec<_>>(),
+            ),
+            Column::new(
+                "unit",
+                "",
+                "Unit",
+                keys.iter().map(|key| key.unit.clone()).collect::<Vec<_>>(),
+            ),
             Column::new("before", "", "Before", value(&|key| key.before)),
             Column::new("after", "", "After", value(&|key| key.after)),
             Column::new("low", "", "From", value(&|key| key.low)),
             Column::new("high", "", "to (95 %)", value(&|key| key.high)),
         ])?;
         Ok(vec![
-            NamedTable::new("table-2-updated", "Table 2: the updated model against the measured column.", 4, modes),
-            NamedTable::new("table-2-updated-keys", "What moved, and how well it is known.", 4, keys),
+            NamedTable::new(
+                "table-2-updated",
+                "Table 2: the updated model against the measured column.",
+                4,
+                modes,
+            ),
+            NamedTable::new(
+                "table-2-updated-keys",
+                "What moved, and how well it is known.",
+                4,
+                keys,
+            ),
         ])
     }
 
     pub fn figure(&self) -> NamedFigure {
-        let figure: Figure = fitted("Model against measurement, before and after the fit", &self.answer);
-        NamedFigure::new("table-2-updated", "Errors of the model by mode, before and after.", figure)
+        let figure: Figure = fitted(
+            "Model against measurement, before and after the fit",
+            &self.answer,
+        );
+        NamedFigure::new(
+            "table-2-updated",
+            "Errors of the model by mode, before and after.",
+            figure,
+        )
     }
 }
 
@@ -96,13 +185,22 @@ mod tests {
     /// columns (278.9 Hz for 262.8 Hz).
     #[test]
     fn the_updated_model_meets_all_seven_frequencies_within_half_a_percent() {
-        let updated = Updated::compute(&Control::default()).unwrap_or_else(|fault| panic!("{fault}"));
+        let updated =
+            Updated::compute(&Control::default()).unwrap_or_else(|fault| panic!("{fault}"));
         let (before, after) = updated.worst();
-        assert!(updated.answer.features.len() == 7 && after < 0.005 && after < before, "{before} {after}");
+        assert!(
+            updated.answer.features.len() == 7 && after < 0.005 && after < before,
+            "{before} {after}"
+        );
         let words = updated.words(&[8.66, 50.3, 140.9, 278.9, 457.6, 681.9, 960.5]);
         assert!(words[0].contains("6.1 %") && words.len() > 1, "{words:?}");
         for key in &updated.answer.keys {
-            assert!((key.after / key.before - 1.0).abs() < 0.15 && key.low < key.after && key.after < key.high, "{key:?}");
+            assert!(
+                (key.after / key.before - 1.0).abs() < 0.15
+                    && key.low < key.after
+                    && key.after < key.high,
+                "{key:?}"
+            );
         }
     }
 }

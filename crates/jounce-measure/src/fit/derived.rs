@@ -34,7 +34,11 @@ impl FitResult {
     ///
     /// # Limits
     /// To first order in the keys; a further measurement of the number scatters by its own noise besides.
-    pub fn derived<E: From<Fault>>(&self, fitted: &Spec, of: impl Fn(&Spec) -> Result<f64, E>) -> Result<Derived, E> {
+    pub fn derived<E: From<Fault>>(
+        &self,
+        fitted: &Spec,
+        of: impl Fn(&Spec) -> Result<f64, E>,
+    ) -> Result<Derived, E> {
         let value = of(fitted)?;
         let slope = |key: &super::FittedKey| {
             let moved = |by: f64| {
@@ -44,11 +48,24 @@ impl FitResult {
             };
             Ok((moved(LOG_DIFFERENCE)? / moved(-LOG_DIFFERENCE)?).ln() / (2.0 * LOG_DIFFERENCE))
         };
-        let slopes = self.keys.iter().map(slope).collect::<Result<Vec<f64>, E>>()?;
+        let slopes = self
+            .keys
+            .iter()
+            .map(slope)
+            .collect::<Result<Vec<f64>, E>>()?;
         let part = |k: usize| slopes[k] * self.keys[k].deviation;
-        let each = |k: usize| (0..slopes.len()).map(move |l| part(k) * part(l) * self.correlation[k][l]).sum::<f64>();
+        let each = |k: usize| {
+            (0..slopes.len())
+                .map(move |l| part(k) * part(l) * self.correlation[k][l])
+                .sum::<f64>()
+        };
         let deviation = (0..slopes.len()).map(each).sum::<f64>().max(0.0).sqrt();
         let [low, high] = [-1.0, 1.0].map(|sign| value * (sign * self.quantile * deviation).exp());
-        Ok(Derived { value, deviation, low, high })
+        Ok(Derived {
+            value,
+            deviation,
+            low,
+            high,
+        })
     }
 }

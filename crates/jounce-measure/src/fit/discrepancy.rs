@@ -18,12 +18,26 @@ pub(super) fn missed(problem: &FitProblem<'_>, errors: &[f64]) -> Vec<String> {
         if group.deviation != Deviation::Residuals || problem.deviation[g] <= MAX_FIT_DEVIATION {
             continue;
         }
-        let of_group = || problem.asked.measured.iter().zip(errors).filter(|(measured, _)| measured.group == g);
-        let Some((worst, error)) = of_group().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs())) else { continue };
+        let of_group = || {
+            problem
+                .asked
+                .measured
+                .iter()
+                .zip(errors)
+                .filter(|(measured, _)| measured.group == g)
+        };
+        let Some((worst, error)) = of_group().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs())) else {
+            continue;
+        };
         // Errors of numbers without a scale are logarithms.
         let error = error * problem.deviation[g];
-        let share = if worst.scale.is_none() { error.exp_m1() } else { error };
-        let question = other_mode(problem, worst).unwrap_or_else(|| "is the model missing something?".to_owned());
+        let share = if worst.scale.is_none() {
+            error.exp_m1()
+        } else {
+            error
+        };
+        let question = other_mode(problem, worst)
+            .unwrap_or_else(|| "is the model missing something?".to_owned());
         found.push(format!(
             "the model misses {} by {:.0} % rms, {} by {:+.0} %: {question} The intervals rest on errors of the model",
             group.name,
@@ -37,11 +51,19 @@ pub(super) fn missed(problem: &FitProblem<'_>, errors: &[f64]) -> Vec<String> {
 
 /// What a frequency asks that lies nearer to another mode of the model as it was given.
 fn other_mode(problem: &FitProblem<'_>, worst: &MeasuredNumber) -> Option<String> {
-    let number: usize = worst.name.strip_prefix("mode ")?.strip_suffix(" frequency")?.parse().ok()?;
+    let number: usize = worst
+        .name
+        .strip_prefix("mode ")?
+        .strip_suffix(" frequency")?
+        .parse()
+        .ok()?;
     let modes = modes_holding(problem.spec, problem.hold).ok()?;
     let hz: Vec<f64> = modes.frequency_rad_s.iter().map(|w| w / TAU).collect();
     let far = |hz: &f64| (hz / worst.value).ln().abs();
-    let (nearest, at_hz) = hz.iter().enumerate().min_by(|a, b| far(a.1).total_cmp(&far(b.1)))?;
+    let (nearest, at_hz) = hz
+        .iter()
+        .enumerate()
+        .min_by(|a, b| far(a.1).total_cmp(&far(b.1)))?;
     (nearest + 1 != number).then(|| {
         format!(
             "{} Hz lies nearest to mode {} of the model as given, at {at_hz:.4} Hz; is a mass to be held (`hold`), or a mode missing?",

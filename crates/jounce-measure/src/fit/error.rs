@@ -31,7 +31,9 @@ pub enum FitError {
         faults: Faults,
     },
     /// A key at 0: relative deviations mean nothing there.
-    #[error("free.{key} is {value} in the spec; a key that is fitted needs a start value other than 0")]
+    #[error(
+        "free.{key} is {value} in the spec; a key that is fitted needs a start value other than 0"
+    )]
     Start {
         /// The key.
         key: String,
@@ -39,13 +41,17 @@ pub enum FitError {
         value: f64,
     },
     /// A number of a list that is free by itself and with its list.
-    #[error("{key} is free twice, by itself and with its list; name the list, or its numbers one by one")]
+    #[error(
+        "{key} is free twice, by itself and with its list; name the list, or its numbers one by one"
+    )]
     Twice {
         /// The key.
         key: String,
     },
     /// A mode that the model does not have.
-    #[error("mode {number} is measured and the model has {modes}; raise reduction.modes, or correct the number")]
+    #[error(
+        "mode {number} is measured and the model has {modes}; raise reduction.modes, or correct the number"
+    )]
     NoMode {
         /// Its number.
         number: usize,
@@ -53,7 +59,9 @@ pub enum FitError {
         modes: usize,
     },
     /// A damping ratio of 0 in the model, which no change of keys makes another.
-    #[error("mode {number} has a damping ratio of {damping_ratio} in the model; a damping ratio to be fitted must be above 0")]
+    #[error(
+        "mode {number} has a damping ratio of {damping_ratio} in the model; a damping ratio to be fitted must be above 0"
+    )]
     Undamped {
         /// The mode.
         number: usize,
@@ -89,7 +97,9 @@ pub enum FitError {
         known: String,
     },
     /// A model without power.
-    #[error("the model gives a mean power of {mean_power_w} W where one was measured; has it a load, a drive, and long enough a run?")]
+    #[error(
+        "the model gives a mean power of {mean_power_w} W where one was measured; has it a load, a drive, and long enough a run?"
+    )]
     NoPower {
         /// Its mean power, W.
         mean_power_w: f64,
@@ -134,7 +144,9 @@ pub enum FitError {
     #[error(transparent)]
     Structure(#[from] StructureError),
     /// The fit does not converge.
-    #[error("the fit does not converge after {evaluations} evaluations; free fewer keys, or give them smaller deviations")]
+    #[error(
+        "the fit does not converge after {evaluations} evaluations; free fewer keys, or give them smaller deviations"
+    )]
     NotConverged {
         /// Evaluations of the model.
         evaluations: usize,

@@ -16,8 +16,18 @@ pub(super) struct FeatureTable<'t> {
 impl<'t> FeatureTable<'t> {
     /// Keys that the table must not have.
     pub fn refuse_all_but(&mut self, keys: &[&str]) {
-        let strange = self.table.iter().map(|(key, _)| key).filter(|key| !keys.contains(key));
-        let told = strange.map(|key| format!("{}{key} is no key of features; there are {}", self.place, keys.join(", ")));
+        let strange = self
+            .table
+            .iter()
+            .map(|(key, _)| key)
+            .filter(|key| !keys.contains(key));
+        let told = strange.map(|key| {
+            format!(
+                "{}{key} is no key of features; there are {}",
+                self.place,
+                keys.join(", ")
+            )
+        });
         self.faults.extend(told.collect::<Vec<_>>());
     }
 
@@ -27,7 +37,11 @@ impl<'t> FeatureTable<'t> {
 
     /// A text that must be there.
     pub fn text(&mut self, key: &str, example: &str) -> Option<String> {
-        let found = self.table.get(key).and_then(Item::as_str).map(str::to_owned);
+        let found = self
+            .table
+            .get(key)
+            .and_then(Item::as_str)
+            .map(str::to_owned);
         if found.is_none() {
             self.fault(format!("{key} must be a text, as in {key} = \"{example}\""));
         }
@@ -36,7 +50,11 @@ impl<'t> FeatureTable<'t> {
 
     /// A text that may be there.
     pub fn text_if_any(&mut self, key: &str, example: &str) -> Option<String> {
-        if self.table.contains_key(key) { self.text(key, example) } else { None }
+        if self.table.contains_key(key) {
+            self.text(key, example)
+        } else {
+            None
+        }
     }
 
     /// A relative deviation, or `"residuals"`; a fault where it is there and neither.
@@ -62,7 +80,9 @@ impl<'t> FeatureTable<'t> {
 
     /// True or false; false where it is not there.
     pub fn flag(&mut self, key: &str) -> bool {
-        let Some(item) = self.table.get(key) else { return false };
+        let Some(item) = self.table.get(key) else {
+            return false;
+        };
         let found = item.as_bool();
         if found.is_none() {
             self.fault(format!("{key} must be true or false"));
@@ -75,7 +95,9 @@ impl<'t> FeatureTable<'t> {
         let text = self.text(key, example)?;
         let found = quantity.read(&text).ok().filter(|value| *value > 0.0);
         if found.is_none() {
-            self.fault(format!("{key} is \"{text}\"; it must be above 0, with its unit, as in \"{example}\""));
+            self.fault(format!(
+                "{key} is \"{text}\"; it must be above 0, with its unit, as in \"{example}\""
+            ));
         }
         found
     }
@@ -83,9 +105,14 @@ impl<'t> FeatureTable<'t> {
     /// Positive quantities with their units.
     pub fn quantities(&mut self, key: &str, quantity: Quantity, example: &str) -> Vec<f64> {
         let texts = self.texts(key, example);
-        let found: Option<Vec<f64>> = texts.iter().map(|text| quantity.read(text).ok().filter(|value| *value > 0.0)).collect();
+        let found: Option<Vec<f64>> = texts
+            .iter()
+            .map(|text| quantity.read(text).ok().filter(|value| *value > 0.0))
+            .collect();
         if found.is_none() {
-            self.fault(format!("{key} must hold values above 0 with their units, as in {key} = [\"{example}\"]"));
+            self.fault(format!(
+                "{key} must hold values above 0 with their units, as in {key} = [\"{example}\"]"
+            ));
         }
         found.unwrap_or_default()
     }
@@ -93,32 +120,56 @@ impl<'t> FeatureTable<'t> {
     /// A list of texts that must be there.
     pub fn texts(&mut self, key: &str, example: &str) -> Vec<String> {
         let text = |value: &Value| value.as_str().map(str::to_owned);
-        let found = self.array(key).and_then(|list| list.iter().map(text).collect::<Option<Vec<String>>>()).filter(|list| !list.is_empty());
+        let found = self
+            .array(key)
+            .and_then(|list| list.iter().map(text).collect::<Option<Vec<String>>>())
+            .filter(|list| !list.is_empty());
         if found.is_none() {
-            self.fault(format!("{key} must be a list of texts, as in {key} = [\"{example}\"]"));
+            self.fault(format!(
+                "{key} must be a list of texts, as in {key} = [\"{example}\"]"
+            ));
         }
         found.unwrap_or_default()
     }
 
     /// As many numbers as are wanted.
     pub fn numbers(&mut self, key: &str, wanted: usize) -> Vec<f64> {
-        let number = |value: &Value| value.as_float().or_else(|| value.as_integer().map(|whole| whole as f64)).filter(|x| x.is_finite());
-        let found = self.array(key).and_then(|list| list.iter().map(number).collect::<Option<Vec<f64>>>());
+        let number = |value: &Value| {
+            value
+                .as_float()
+                .or_else(|| value.as_integer().map(|whole| whole as f64))
+                .filter(|x| x.is_finite())
+        };
+        let found = self
+            .array(key)
+            .and_then(|list| list.iter().map(number).collect::<Option<Vec<f64>>>());
         if found.as_ref().is_none_or(|list| list.len() != wanted) {
-            self.fault(format!("{key} must be a list of {wanted} numbers, one for each place"));
+            self.fault(format!(
+                "{key} must be a list of {wanted} numbers, one for each place"
+            ));
         }
-        found.filter(|list| list.len() == wanted).unwrap_or_default()
+        found
+            .filter(|list| list.len() == wanted)
+            .unwrap_or_default()
     }
 
     /// Keys of the spec that hold during this test, with their values as on a command line.
     pub fn conditions(&mut self) -> Vec<(String, String)> {
-        let Some(item) = self.table.get("set") else { return Vec::new() };
+        let Some(item) = self.table.get("set") else {
+            return Vec::new();
+        };
         let Some(table) = item.as_table_like() else {
             self.fault("set must be a table of keys, as in set = { \"circuit.load.resistance\" = \"100 kohm\" }");
             return Vec::new();
         };
-        let said = |item: &Item| item.as_str().map_or_else(|| item.to_string().trim().to_owned(), str::to_owned);
-        table.iter().map(|(key, item)| (key.to_owned(), said(item))).collect()
+        let said = |item: &Item| {
+            item.as_str()
+                .map_or_else(|| item.to_string().trim().to_owned(), str::to_owned)
+        };
+        table
+            .iter()
+            .map(|(key, item)| (key.to_owned(), said(item)))
+            .collect()
     }
 
     fn array(&self, key: &str) -> Option<&'t Array> {
@@ -128,6 +179,8 @@ impl<'t> FeatureTable<'t> {
 
 /// A finite number above 0.
 pub(super) fn positive(item: &Item) -> Option<f64> {
-    let number = item.as_float().or_else(|| item.as_integer().map(|whole| whole as f64));
+    let number = item
+        .as_float()
+        .or_else(|| item.as_integer().map(|whole| whole as f64));
     number.filter(|x| *x > 0.0 && x.is_finite())
 }

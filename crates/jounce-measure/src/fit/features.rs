@@ -28,7 +28,17 @@ pub struct Features {
     pub folder: PathBuf,
 }
 
-const KEYS: [&str; 9] = ["hold", "free", "mode", "response", "power", "jump", "history", "frequency_deviation", "damping_deviation"];
+const KEYS: [&str; 9] = [
+    "hold",
+    "free",
+    "mode",
+    "response",
+    "power",
+    "jump",
+    "history",
+    "frequency_deviation",
+    "damping_deviation",
+];
 
 impl Features {
     /// Reads a file.
@@ -36,11 +46,19 @@ impl Features {
     /// # Errors
     /// A file that cannot be read; every fault in it.
     pub fn read(path: &Path) -> Result<Self, FitError> {
-        let text = std::fs::read_to_string(path).map_err(|reason| FitError::Open { path: path.to_owned(), reason })?;
+        let text = std::fs::read_to_string(path).map_err(|reason| FitError::Open {
+            path: path.to_owned(),
+            reason,
+        })?;
         let folder = path.parent().map_or_else(PathBuf::new, Path::to_path_buf);
-        Self::from_toml(&text).map(|features| Self { folder, ..features }).map_err(|faults| FitError::Features {
-            faults: faults.into_iter().map(|fault| format!("{}: {fault}", path.display())).collect(),
-        })
+        Self::from_toml(&text)
+            .map(|features| Self { folder, ..features })
+            .map_err(|faults| FitError::Features {
+                faults: faults
+                    .into_iter()
+                    .map(|fault| format!("{}: {fault}", path.display()))
+                    .collect(),
+            })
     }
 
     /// The features of a text.
@@ -48,16 +66,27 @@ impl Features {
     /// # Errors
     /// One sentence for each fault.
     pub fn from_toml(text: &str) -> Result<Self, Vec<String>> {
-        let document = text.parse::<DocumentMut>().map_err(|fault| vec![fault.to_string().trim_end().to_owned()])?;
+        let document = text
+            .parse::<DocumentMut>()
+            .map_err(|fault| vec![fault.to_string().trim_end().to_owned()])?;
         let (root, mut faults) = (document.as_table(), Vec::new());
-        let mut reader = FeatureTable { table: root, place: String::new(), faults: &mut faults };
+        let mut reader = FeatureTable {
+            table: root,
+            place: String::new(),
+            faults: &mut faults,
+        };
         reader.refuse_all_but(&KEYS);
-        let usual = [reader.deviation("frequency_deviation"), reader.deviation("damping_deviation")];
+        let usual = [
+            reader.deviation("frequency_deviation"),
+            reader.deviation("damping_deviation"),
+        ];
         let (hold, free) = (hold(&mut reader), free(&mut reader));
         let found = Self {
             hold,
             free,
-            modes: each(root, "mode", &mut faults, |reader| ModeFeature::read(reader, usual)),
+            modes: each(root, "mode", &mut faults, |reader| {
+                ModeFeature::read(reader, usual)
+            }),
             responses: each(root, "response", &mut faults, ResponseFeature::read),
             powers: each(root, "power", &mut faults, PowerFeature::read),
             jumps: each(root, "jump", &mut faults, JumpFeature::read),
@@ -71,26 +100,49 @@ impl Features {
                     .to_owned(),
             );
         }
-        if faults.is_empty() { Ok(found) } else { Err(faults) }
+        if faults.is_empty() {
+            Ok(found)
+        } else {
+            Err(faults)
+        }
     }
 }
 
 /// Every table of a kind, with its number in front of its faults.
-fn each<T>(root: &dyn TableLike, kind: &str, faults: &mut Vec<String>, read: impl Fn(&mut FeatureTable<'_>) -> Option<T>) -> Vec<T> {
-    let Some(item) = root.get(kind) else { return Vec::new() };
+fn each<T>(
+    root: &dyn TableLike,
+    kind: &str,
+    faults: &mut Vec<String>,
+    read: impl Fn(&mut FeatureTable<'_>) -> Option<T>,
+) -> Vec<T> {
+    let Some(item) = root.get(kind) else {
+        return Vec::new();
+    };
     let Some(tables) = item.as_array_of_tables() else {
-        faults.push(format!("{kind} must be tables: write [[{kind}]] before each"));
+        faults.push(format!(
+            "{kind} must be tables: write [[{kind}]] before each"
+        ));
         return Vec::new();
     };
     let one = |(k, table): (usize, &toml_edit::Table)| {
-        read(&mut FeatureTable { table, place: format!("{kind} {}, ", k + 1), faults: &mut *faults })
+        read(&mut FeatureTable {
+            table,
+            place: format!("{kind} {}, ", k + 1),
+            faults: &mut *faults,
+        })
     };
     tables.iter().enumerate().filter_map(one).collect()
 }
 
 fn hold(reader: &mut FeatureTable<'_>) -> Vec<String> {
-    let Some(item) = reader.table.get("hold") else { return Vec::new() };
-    let names = item.as_array().and_then(|list| list.iter().map(|name| name.as_str().map(str::to_owned)).collect());
+    let Some(item) = reader.table.get("hold") else {
+        return Vec::new();
+    };
+    let names = item.as_array().and_then(|list| {
+        list.iter()
+            .map(|name| name.as_str().map(str::to_owned))
+            .collect()
+    });
     if names.is_none() {
         reader.fault("hold must be a list of names, as in hold = [\"table\"]");
     }
@@ -99,10 +151,18 @@ fn hold(reader: &mut FeatureTable<'_>) -> Vec<String> {
 
 fn free(reader: &mut FeatureTable<'_>) -> Vec<(String, f64)> {
     let (mut free, before) = (Vec::new(), reader.faults.len());
-    for (key, item) in reader.table.get("free").and_then(Item::as_table_like).into_iter().flat_map(|table| table.iter()) {
+    for (key, item) in reader
+        .table
+        .get("free")
+        .and_then(Item::as_table_like)
+        .into_iter()
+        .flat_map(|table| table.iter())
+    {
         match positive(item) {
             Some(deviation) => free.push((key.to_owned(), deviation)),
-            None => reader.fault(format!("free.{key:?} must be its relative standard deviation, a number above 0, as in 0.05")),
+            None => reader.fault(format!(
+                "free.{key:?} must be its relative standard deviation, a number above 0, as in 0.05"
+            )),
         }
     }
     if free.is_empty() && reader.faults.len() == before {
@@ -121,8 +181,18 @@ mod tests {
     fn features_are_read_and_all_faults_told_at_once() {
         let text = "hold = [\"table\"]\nfrequency_deviation = 0.002\n[free]\n\"beam.b.length\" = 0.01\n[[mode]]\nnumber = 2\nfrequency = \"1.5 kHz\"\n";
         let found = Features::from_toml(text).unwrap();
-        assert_eq!((found.hold[0].as_str(), &found.free[0]), ("table", &("beam.b.length".to_owned(), 0.01)));
-        assert_eq!(found.modes, [ModeFeature { number: 2, frequency: Some((1500.0, Deviation::Given(0.002))), ..ModeFeature::default() }]);
+        assert_eq!(
+            (found.hold[0].as_str(), &found.free[0]),
+            ("table", &("beam.b.length".to_owned(), 0.01))
+        );
+        assert_eq!(
+            found.modes,
+            [ModeFeature {
+                number: 2,
+                frequency: Some((1500.0, Deviation::Given(0.002))),
+                ..ModeFeature::default()
+            }]
+        );
         let wrong = "hold = 3\nhodl = 1\n[free]\n\"a.b\" = -1\n[[mode]]\nnumber = 0\nfrequency = \"3 mm\"\n[[mode]]\nnumber = 1\ndamping_ratio = 0.01\n";
         let faults = Features::from_toml(wrong).unwrap_err();
         assert_eq!(faults.len(), 6, "{faults:#?}");
@@ -160,13 +230,27 @@ mod tests {
             deviation = 0.05
         "#;
         let found = Features::from_toml(text).unwrap();
-        assert_eq!((found.responses.len(), found.powers.len(), found.jumps.len(), found.histories.len()), (1, 1, 1, 1));
+        assert_eq!(
+            (
+                found.responses.len(),
+                found.powers.len(),
+                found.jumps.len(),
+                found.histories.len()
+            ),
+            (1, 1, 1, 1)
+        );
         assert_eq!(found.histories[0].begins_s, Some(0.02));
         let early = text.replace("20 ms", "-20 ms");
         assert!(Features::from_toml(&early).unwrap_err()[0].contains("begins is \"-20 ms\""));
-        assert_eq!(found.powers[0].set[1], ("drive.shaker.amplitude".to_owned(), "100 N".to_owned()));
+        assert_eq!(
+            found.powers[0].set[1],
+            ("drive.shaker.amplitude".to_owned(), "100 N".to_owned())
+        );
         let wrong = "[free]\n\"a.b\" = 1\n[[power]]\nover = 3\nvalues = []\n[[jump]]\nat = 3\n[[response]]\ninput = \"a\"\noutput = \"tip\"\n[history]\n";
         let faults = Features::from_toml(wrong).unwrap_err();
-        assert!(faults.len() >= 9 && faults.iter().any(|fault| fault.contains("[[history]]")), "{faults:#?}");
+        assert!(
+            faults.len() >= 9 && faults.iter().any(|fault| fault.contains("[[history]]")),
+            "{faults:#?}"
+        );
     }
 }

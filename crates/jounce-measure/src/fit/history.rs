@@ -50,9 +50,17 @@ pub(super) struct HistorySamples {
 impl HistoryFeature {
     pub(super) fn read(reader: &mut FeatureTable<'_>) -> Option<Self> {
         reader.refuse_all_but(&KEYS);
-        let (file, channel) = (reader.text("file", "run.csv"), reader.text("channel", "voltage"));
-        let found = reader.text("output", "mfc.voltage").and_then(|text| output(&text, reader));
-        if matches!(found, Some(FrfResponse::Acceleration(_) | FrfResponse::LoadVoltage(_))) {
+        let (file, channel) = (
+            reader.text("file", "run.csv"),
+            reader.text("channel", "voltage"),
+        );
+        let found = reader
+            .text("output", "mfc.voltage")
+            .and_then(|text| output(&text, reader));
+        if matches!(
+            found,
+            Some(FrfResponse::Acceleration(_) | FrfResponse::LoadVoltage(_))
+        ) {
             reader.fault(format!("output: {HISTORIES}"));
             return None;
         }
@@ -64,36 +72,59 @@ impl HistoryFeature {
             found.unwrap_or_default()
         });
         let (deviation, set) = (reader.own_deviation(), reader.conditions());
-        Some(Self { file: file?.into(), channel: channel?, output: found?, begins_s, deviation, set })
+        Some(Self {
+            file: file?.into(),
+            channel: channel?,
+            output: found?,
+            begins_s,
+            deviation,
+            set,
+        })
     }
 
     fn told(&self, place: &str, reason: String) -> FitError {
-        FitError::File { place: place.to_owned(), path: self.file.clone(), reason }
+        FitError::File {
+            place: place.to_owned(),
+            path: self.file.clone(),
+            reason,
+        }
     }
 
     /// The samples with their times.
     pub(super) fn samples(&self, folder: &Path, place: &str) -> Result<HistorySamples, FitError> {
         let told = |reason: String| self.told(place, reason);
-        let record = read::record(&folder.join(&self.file)).map_err(|fault| told(fault.to_string()))?;
-        let channel = record.channel(&self.channel).map_err(|fault| told(fault.to_string()))?;
+        let record =
+            read::record(&folder.join(&self.file)).map_err(|fault| told(fault.to_string()))?;
+        let channel = record
+            .channel(&self.channel)
+            .map_err(|fault| told(fault.to_string()))?;
         let places = record.grid.places();
         if places.len() < MIN_SAMPLES || channel.values.iter().any(|x| !x.is_finite()) {
-            return Err(told(format!("a history needs at least {MIN_SAMPLES} samples, each a number")));
+            return Err(told(format!(
+                "a history needs at least {MIN_SAMPLES} samples, each a number"
+            )));
         }
         if channel.values.iter().all(|x| *x == 0.0) {
             return Err(told(format!("channel {} is zero throughout", channel.name)));
         }
-        let slack_s = STAMP_ROUNDOFF * (places[places.len() - 1] - places[0]) / (places.len() - 1) as f64;
+        let slack_s =
+            STAMP_ROUNDOFF * (places[places.len() - 1] - places[0]) / (places.len() - 1) as f64;
         let first_s = match self.begins_s {
             Some(begins_s) => begins_s,
             None if places[0] < -slack_s => {
-                return Err(told(format!("its first stamp is {} s, before the run starts at 0: {BEGINS}", places[0])));
+                return Err(told(format!(
+                    "its first stamp is {} s, before the run starts at 0: {BEGINS}",
+                    places[0]
+                )));
             }
             None if places[0] <= slack_s => 0.0,
             None => places[0],
         };
         Ok(HistorySamples {
-            time_s: places.iter().map(|time_s| first_s + (time_s - places[0])).collect(),
+            time_s: places
+                .iter()
+                .map(|time_s| first_s + (time_s - places[0]))
+                .collect(),
             values: channel.values.clone(),
             unit: channel.unit.clone(),
             begins_late: self.begins_s.is_none() && first_s > 0.0,
@@ -101,7 +132,12 @@ impl HistoryFeature {
     }
 
     /// Stamps beyond the run are hardly times of it: a clock has them that was not set.
-    pub(super) fn within(&self, time_s: &[f64], duration_s: f64, place: &str) -> Result<(), FitError> {
+    pub(super) fn within(
+        &self,
+        time_s: &[f64],
+        duration_s: f64,
+        place: &str,
+    ) -> Result<(), FitError> {
         let (first_s, last_s) = (time_s[0], time_s[time_s.len() - 1]);
         if last_s <= duration_s + STAMP_ROUNDOFF * (last_s - first_s) {
             return Ok(());
@@ -136,11 +172,19 @@ impl Question for HistoryQuestion {
         let kernel = prepared.from_state(&start)?;
         let duration_s = self.time_s.last().copied().unwrap_or(0.0);
         let tolerance = prepared.spec.run.tolerance;
-        let plan = RunPlan { duration_s, average_over_s: duration_s / 2.0, tolerance, record_s: duration_s };
+        let plan = RunPlan {
+            duration_s,
+            average_over_s: duration_s / 2.0,
+            tolerance,
+            record_s: duration_s,
+        };
         let answer = simulate(&kernel, &start, &plan).map_err(AnalysisError::from)?;
         let read = self.reader(&prepared)?;
         let instants = answer.trajectory.at(&kernel, &self.time_s);
-        Ok(instants.iter().map(|at| read(&kernel.plant.to_physical(&at.state, at.time_s))).collect())
+        Ok(instants
+            .iter()
+            .map(|at| read(&kernel.plant.to_physical(&at.state, at.time_s)))
+            .collect())
     }
 }
 
@@ -156,7 +200,12 @@ impl HistoryQuestion {
             name: name.to_owned(),
             known: known.into_iter().cloned().collect::<Vec<_>>().join(", "),
         };
-        let shape = |point: &String| modes.shape.get(point).ok_or_else(|| unknown(point, modes.shape.keys().collect()));
+        let shape = |point: &String| {
+            modes
+                .shape
+                .get(point)
+                .ok_or_else(|| unknown(point, modes.shape.keys().collect()))
+        };
         let along = |shape: &'p Vec<f64>, first: usize| -> Reading<'p> {
             Box::new(move |x: &[f64]| shape.iter().zip(&x[first..]).map(|(s, q)| s * q).sum())
         };
@@ -168,7 +217,9 @@ impl HistoryQuestion {
                 Ok(Box::new(move |x: &[f64]| plant.patch_voltages_v(x)[place]))
             }
             FrfResponse::Displacement(point) => Ok(along(shape(point)?, 0)),
-            other => Err(FitError::Features { faults: vec![format!("history: output is {}; {HISTORIES}", other.name())] }),
+            other => Err(FitError::Features {
+                faults: vec![format!("history: output is {}; {HISTORIES}", other.name())],
+            }),
         }
     }
 }

@@ -27,14 +27,23 @@ const KEYS: [&str; 5] = ["over", "at", "between", "deviation", "set"];
 impl JumpFeature {
     pub(super) fn read(reader: &mut FeatureTable<'_>) -> Option<Self> {
         reader.refuse_all_but(&KEYS);
-        let (over, at) = (reader.text("over", "drive.shaker.frequency"), reader.text("at", "12.6 Hz"));
+        let (over, at) = (
+            reader.text("over", "drive.shaker.frequency"),
+            reader.text("at", "12.6 Hz"),
+        );
         let between = reader.texts("between", "12 Hz");
         let between: Result<[String; 2], _> = between.try_into();
         if between.is_err() {
             reader.fault("between must be two values beside the jump, as in between = [\"12 Hz\", \"13 Hz\"]");
         }
         let (deviation, set) = (reader.own_deviation(), reader.conditions());
-        Some(Self { over: over?, at: at?, between: between.ok()?, deviation, set })
+        Some(Self {
+            over: over?,
+            at: at?,
+            between: between.ok()?,
+            deviation,
+            set,
+        })
     }
 }
 
@@ -59,11 +68,21 @@ impl Question for JumpQuestion {
             seeds: 0,
             longest_period: 1,
         };
-        let branches = search.run().map_err(|fault| FitError::Orbit(fault.to_string()))?;
-        let folds = branches.iter().flat_map(|branch| &branch.bifurcations).filter(|found| found.kind == BranchKind::Fold);
-        let nearest = folds.map(|fold| fold.at.parameter).min_by(|a, b| (a - self.at).abs().total_cmp(&(b - self.at).abs()));
-        let none =
-            FitError::NoJump { key: self.key.path().to_owned(), low: self.key.show(self.range.0), high: self.key.show(self.range.1) };
+        let branches = search
+            .run()
+            .map_err(|fault| FitError::Orbit(fault.to_string()))?;
+        let folds = branches
+            .iter()
+            .flat_map(|branch| &branch.bifurcations)
+            .filter(|found| found.kind == BranchKind::Fold);
+        let nearest = folds
+            .map(|fold| fold.at.parameter)
+            .min_by(|a, b| (a - self.at).abs().total_cmp(&(b - self.at).abs()));
+        let none = FitError::NoJump {
+            key: self.key.path().to_owned(),
+            low: self.key.show(self.range.0),
+            high: self.key.show(self.range.1),
+        };
         Ok(vec![nearest.ok_or(none)?])
     }
 }

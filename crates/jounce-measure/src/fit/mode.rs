@@ -27,18 +27,39 @@ pub struct ModeFeature {
     pub set: Vec<(String, String)>,
 }
 
-const KEYS: [&str; 7] = ["number", "frequency", "frequency_deviation", "damping_ratio", "damping_deviation", "loaded", "set"];
+const KEYS: [&str; 7] = [
+    "number",
+    "frequency",
+    "frequency_deviation",
+    "damping_ratio",
+    "damping_deviation",
+    "loaded",
+    "set",
+];
 
 impl ModeFeature {
-    pub(super) fn read(reader: &mut FeatureTable<'_>, usual: [Option<Deviation>; 2]) -> Option<Self> {
+    pub(super) fn read(
+        reader: &mut FeatureTable<'_>,
+        usual: [Option<Deviation>; 2],
+    ) -> Option<Self> {
         reader.refuse_all_but(&KEYS);
-        let number = reader.table.get("number").and_then(Item::as_integer).and_then(|number| usize::try_from(number).ok());
+        let number = reader
+            .table
+            .get("number")
+            .and_then(Item::as_integer)
+            .and_then(|number| usize::try_from(number).ok());
         let number = number.filter(|number| *number > 0);
         if number.is_none() {
             reader.fault("number must be a whole number from 1");
         }
-        let own = [reader.deviation("frequency_deviation"), reader.deviation("damping_deviation")];
-        let frequency_hz = reader.table.contains_key("frequency").then(|| reader.quantity("frequency", Quantity::Frequency, "9.01 Hz"));
+        let own = [
+            reader.deviation("frequency_deviation"),
+            reader.deviation("damping_deviation"),
+        ];
+        let frequency_hz = reader
+            .table
+            .contains_key("frequency")
+            .then(|| reader.quantity("frequency", Quantity::Frequency, "9.01 Hz"));
         let damping = reader.table.get("damping_ratio").map(positive);
         if damping == Some(None) {
             reader.fault("damping_ratio must be a number above 0");
@@ -56,16 +77,37 @@ impl ModeFeature {
             }
             Some((value, deviation?))
         };
-        let (frequency, damping_ratio) = (with(frequency_hz, 0, "frequency_deviation"), with(damping, 1, "damping_deviation"));
+        let (frequency, damping_ratio) = (
+            with(frequency_hz, 0, "frequency_deviation"),
+            with(damping, 1, "damping_deviation"),
+        );
         let (loaded, set) = (reader.flag("loaded"), reader.conditions());
-        Some(Self { number: number?, frequency, damping_ratio, loaded, set })
+        Some(Self {
+            number: number?,
+            frequency,
+            damping_ratio,
+            loaded,
+            set,
+        })
     }
 
     /// What stands behind its name: the keys that hold, and that circuits are connected.
     pub(super) fn conditions_in_words(&self) -> String {
-        let set = self.set.iter().map(|(key, value)| format!("{key} = {value}"));
-        let words: Vec<String> = self.loaded.then(|| "loaded".to_owned()).into_iter().chain(set).collect();
-        if words.is_empty() { String::new() } else { format!(" ({})", words.join(", ")) }
+        let set = self
+            .set
+            .iter()
+            .map(|(key, value)| format!("{key} = {value}"));
+        let words: Vec<String> = self
+            .loaded
+            .then(|| "loaded".to_owned())
+            .into_iter()
+            .chain(set)
+            .collect();
+        if words.is_empty() {
+            String::new()
+        } else {
+            format!(" ({})", words.join(", "))
+        }
     }
 }
 
@@ -81,15 +123,29 @@ impl Question for ModeQuestion {
     fn ask(&self, model: &FitModel<'_>) -> Result<Vec<f64>, FitError> {
         let spec = model.spec_at(&self.conditions)?;
         let modes = structure::modes_holding(&spec, model.hold)?;
-        let poles = if self.loaded { loaded(spec, modes)? } else { modes.frequency_rad_s.into_iter().zip(modes.damping_ratio).collect() };
+        let poles = if self.loaded {
+            loaded(spec, modes)?
+        } else {
+            modes
+                .frequency_rad_s
+                .into_iter()
+                .zip(modes.damping_ratio)
+                .collect()
+        };
         let value = |&(mode, is_frequency): &(usize, bool)| {
             let Some((angular, damping_ratio)) = poles.get(mode).copied() else {
-                return Err(FitError::NoMode { number: mode + 1, modes: poles.len() });
+                return Err(FitError::NoMode {
+                    number: mode + 1,
+                    modes: poles.len(),
+                });
             };
             match (is_frequency, damping_ratio > 0.0) {
                 (true, _) => Ok(angular / TAU),
                 (false, true) => Ok(damping_ratio),
-                (false, false) => Err(FitError::Undamped { number: mode + 1, damping_ratio }),
+                (false, false) => Err(FitError::Undamped {
+                    number: mode + 1,
+                    damping_ratio,
+                }),
             }
         };
         self.asked.iter().map(value).collect()
@@ -105,13 +161,26 @@ fn loaded(mut spec: Spec, modes: Modes) -> Result<Vec<(f64, f64)>, FitError> {
     let rigid = modes.frequency_rad_s.iter().filter(|w| **w == 0.0).count();
     let plant = Plant::new(System::assemble(&spec, modes)?)?;
     if let Some(bridge) = plant.system.bridges.first() {
-        return Err(PlantError::Switches { circuit: bridge.name.clone() }.into());
+        return Err(PlantError::Switches {
+            circuit: bridge.name.clone(),
+        }
+        .into());
     }
     let turning = |pair: &BlockPair| match *pair {
-        BlockPair::Oscillatory { decay, frequency } => Some((decay.hypot(frequency), -decay / decay.hypot(frequency))),
+        BlockPair::Oscillatory { decay, frequency } => {
+            Some((decay.hypot(frequency), -decay / decay.hypot(frequency)))
+        }
         BlockPair::Jordan { .. } => None,
     };
-    let mut poles: Vec<(f64, f64)> = plant.diagonal.block.pairs.iter().filter_map(turning).collect();
+    let mut poles: Vec<(f64, f64)> = plant
+        .diagonal
+        .block
+        .pairs
+        .iter()
+        .filter_map(turning)
+        .collect();
     poles.sort_by(|a, b| a.0.total_cmp(&b.0));
-    Ok(std::iter::repeat_n((0.0, 0.0), rigid).chain(poles).collect())
+    Ok(std::iter::repeat_n((0.0, 0.0), rigid)
+        .chain(poles)
+        .collect())
 }

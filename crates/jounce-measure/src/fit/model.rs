@@ -40,22 +40,42 @@ pub(super) struct Conditions(Vec<(NumericKey, f64)>);
 
 impl Conditions {
     /// Keys and values as on a command line.
-    pub fn new(source: FitSource<'_>, set: &[(String, String)], place: &str) -> Result<Self, FitError> {
+    pub fn new(
+        source: FitSource<'_>,
+        set: &[(String, String)],
+        place: &str,
+    ) -> Result<Self, FitError> {
         let one = |(key, value): &(String, String)| {
-            let told = |reason: String| FitError::Condition { place: place.to_owned(), key: key.clone(), reason };
-            let found = source.file.numeric_key(key).map_err(|faults| told(faults.to_string()))?;
+            let told = |reason: String| FitError::Condition {
+                place: place.to_owned(),
+                key: key.clone(),
+                reason,
+            };
+            let found = source
+                .file
+                .numeric_key(key)
+                .map_err(|faults| told(faults.to_string()))?;
             let mut changed = SpecFile::from_text(source.file.text()).in_folder(source.folder);
-            changed.set(key, value).map_err(|fault| told(fault.to_string()))?;
+            changed
+                .set(key, value)
+                .map_err(|fault| told(fault.to_string()))?;
             let value = found.get(&changed.spec().map_err(|faults| told(faults.to_string()))?)?;
             Ok((found, value))
         };
-        set.iter().map(one).collect::<Result<_, FitError>>().map(Self)
+        set.iter()
+            .map(one)
+            .collect::<Result<_, FitError>>()
+            .map(Self)
     }
 
     /// The spec as given, under these.
     pub fn spec(&self, source: FitSource<'_>) -> Result<Spec, FitError> {
-        let mut spec = source.file.spec().map_err(|faults| FitError::Features { faults: vec![faults.to_string()] })?;
-        self.0.iter().try_for_each(|(key, value)| key.set(&mut spec, *value))?;
+        let mut spec = source.file.spec().map_err(|faults| FitError::Features {
+            faults: vec![faults.to_string()],
+        })?;
+        self.0
+            .iter()
+            .try_for_each(|(key, value)| key.set(&mut spec, *value))?;
         Ok(spec)
     }
 
@@ -66,7 +86,13 @@ impl Conditions {
 
     /// The same and one more.
     pub fn with(&self, key: &NumericKey, value: f64) -> Self {
-        Self(self.0.iter().cloned().chain([(key.clone(), value)]).collect())
+        Self(
+            self.0
+                .iter()
+                .cloned()
+                .chain([(key.clone(), value)])
+                .collect(),
+        )
     }
 }
 

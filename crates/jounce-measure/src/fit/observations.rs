@@ -9,7 +9,10 @@ use super::mode::ModeQuestion;
 use super::model::{Conditions, FitSource};
 use super::power::PowerQuestion;
 use super::response::{MeasuredLines, ResponseQuestion};
-use super::{Deviation, Features, FitError, HistoryFeature, JumpFeature, ModeFeature, PowerFeature, Question, ResponseFeature};
+use super::{
+    Deviation, Features, FitError, HistoryFeature, JumpFeature, ModeFeature, PowerFeature,
+    Question, ResponseFeature,
+};
 
 /// A measured number.
 #[derive(Debug, Clone, PartialEq)]
@@ -66,28 +69,58 @@ impl Observations {
     }
 
     fn group(&mut self, name: &str, deviation: Deviation) -> usize {
-        let group = DeviationGroup { name: name.to_owned(), deviation };
-        self.groups.iter().position(|known| *known == group).unwrap_or_else(|| {
-            self.groups.push(group);
-            self.groups.len() - 1
-        })
+        let group = DeviationGroup {
+            name: name.to_owned(),
+            deviation,
+        };
+        self.groups
+            .iter()
+            .position(|known| *known == group)
+            .unwrap_or_else(|| {
+                self.groups.push(group);
+                self.groups.len() - 1
+            })
     }
 
     fn number(&mut self, name: String, unit: &str, value: f64, group: usize) {
-        self.measured.push(MeasuredNumber { name, unit: unit.to_owned(), value, scale: None, group, on: None });
+        self.measured.push(MeasuredNumber {
+            name,
+            unit: unit.to_owned(),
+            value,
+            scale: None,
+            group,
+            on: None,
+        });
     }
 
     /// Modes without conditions are one question, those of each condition one more.
     fn modes(&mut self, source: FitSource<'_>, features: &Features) -> Result<(), FitError> {
-        let (plain, others): (Vec<_>, Vec<_>) =
-            features.modes.iter().enumerate().partition(|(_, mode)| mode.set.is_empty() && !mode.loaded);
-        let asked = plain.into_iter().flat_map(|(_, mode)| self.mode(mode)).collect::<Vec<_>>();
+        let (plain, others): (Vec<_>, Vec<_>) = features
+            .modes
+            .iter()
+            .enumerate()
+            .partition(|(_, mode)| mode.set.is_empty() && !mode.loaded);
+        let asked = plain
+            .into_iter()
+            .flat_map(|(_, mode)| self.mode(mode))
+            .collect::<Vec<_>>();
         if !asked.is_empty() {
-            self.questions.push(Box::new(ModeQuestion { asked, loaded: false, conditions: Conditions::default() }));
+            self.questions.push(Box::new(ModeQuestion {
+                asked,
+                loaded: false,
+                conditions: Conditions::default(),
+            }));
         }
         for (k, mode) in others {
-            let (asked, conditions) = (self.mode(mode), Conditions::new(source, &mode.set, &format!("mode {}", k + 1))?);
-            self.questions.push(Box::new(ModeQuestion { asked, loaded: mode.loaded, conditions }));
+            let (asked, conditions) = (
+                self.mode(mode),
+                Conditions::new(source, &mode.set, &format!("mode {}", k + 1))?,
+            );
+            self.questions.push(Box::new(ModeQuestion {
+                asked,
+                loaded: mode.loaded,
+                conditions,
+            }));
         }
         Ok(())
     }
@@ -97,24 +130,49 @@ impl Observations {
         let (mut asked, words) = (Vec::new(), mode.conditions_in_words());
         if let Some((hz, deviation)) = mode.frequency {
             let group = self.group("frequencies", deviation);
-            self.number(format!("mode {} frequency{words}", mode.number), "Hz", hz, group);
+            self.number(
+                format!("mode {} frequency{words}", mode.number),
+                "Hz",
+                hz,
+                group,
+            );
             asked.push((mode.number - 1, true));
         }
         if let Some((ratio, deviation)) = mode.damping_ratio {
             let group = self.group("damping ratios", deviation);
-            self.number(format!("mode {} damping ratio{words}", mode.number), "", ratio, group);
+            self.number(
+                format!("mode {} damping ratio{words}", mode.number),
+                "",
+                ratio,
+                group,
+            );
             asked.push((mode.number - 1, false));
         }
         asked
     }
 
-    fn response(&mut self, source: FitSource<'_>, features: &Features, feature: &ResponseFeature, place: &str) -> Result<(), FitError> {
+    fn response(
+        &mut self,
+        source: FitSource<'_>,
+        features: &Features,
+        feature: &ResponseFeature,
+        place: &str,
+    ) -> Result<(), FitError> {
         let conditions = Conditions::new(source, &feature.set, place)?;
         let group = self.group(place, feature.deviation);
-        let (name, unit) = (feature.output.name(), feature.output.unit(&feature.input).to_owned());
-        let curve = |part: &str| MeasuredCurve { name: format!("{name} {part}"), unit: unit.clone(), over: "frequency_hz" };
+        let (name, unit) = (
+            feature.output.name(),
+            feature.output.unit(&feature.input).to_owned(),
+        );
+        let curve = |part: &str| MeasuredCurve {
+            name: format!("{name} {part}"),
+            unit: unit.clone(),
+            over: "frequency_hz",
+        };
         self.told.extend(feature.relative_in_words(place));
-        let (lines, assumed) = feature.lines.read(&features.folder, place, &feature.sides())?;
+        let (lines, assumed) = feature
+            .lines
+            .read(&features.folder, place, &feature.sides())?;
         self.told.extend(assumed);
         let (complex, frequency_hz) = match lines {
             MeasuredLines::Magnitude(frequency_hz, sizes) => {
@@ -123,18 +181,45 @@ impl Observations {
             }
             MeasuredLines::Complex(frequency_hz, values) => {
                 let (re, im): (Vec<f64>, Vec<f64>) = values.iter().map(|h| (h.re, h.im)).unzip();
-                self.curve(curve("real part"), (&frequency_hz, &re), |k| Some(values[k].norm()), group);
-                self.curve(curve("imaginary part"), (&frequency_hz, &im), |k| Some(values[k].norm()), group);
+                self.curve(
+                    curve("real part"),
+                    (&frequency_hz, &re),
+                    |k| Some(values[k].norm()),
+                    group,
+                );
+                self.curve(
+                    curve("imaginary part"),
+                    (&frequency_hz, &im),
+                    |k| Some(values[k].norm()),
+                    group,
+                );
                 (true, frequency_hz)
             }
             MeasuredLines::File { .. } => (false, Vec::new()),
         };
-        let (input, output, absolute) = (feature.input.clone(), feature.output.clone(), feature.absolute);
-        self.questions.push(Box::new(ResponseQuestion { input, output, absolute, frequency_hz, complex, conditions }));
+        let (input, output, absolute) = (
+            feature.input.clone(),
+            feature.output.clone(),
+            feature.absolute,
+        );
+        self.questions.push(Box::new(ResponseQuestion {
+            input,
+            output,
+            absolute,
+            frequency_hz,
+            complex,
+            conditions,
+        }));
         Ok(())
     }
 
-    fn curve(&mut self, curve: MeasuredCurve, (at, values): (&[f64], &[f64]), scale: impl Fn(usize) -> Option<f64>, group: usize) {
+    fn curve(
+        &mut self,
+        curve: MeasuredCurve,
+        (at, values): (&[f64], &[f64]),
+        scale: impl Fn(usize) -> Option<f64>,
+        group: usize,
+    ) {
         let number = self.curves.len();
         let point = |(k, (at, value)): (usize, (&f64, &f64))| MeasuredNumber {
             name: curve.name.clone(),
@@ -144,55 +229,113 @@ impl Observations {
             group,
             on: Some((number, *at)),
         };
-        self.measured.extend(at.iter().zip(values).enumerate().map(point));
+        self.measured
+            .extend(at.iter().zip(values).enumerate().map(point));
         self.curves.push(curve);
     }
 
-    fn powers(&mut self, source: FitSource<'_>, feature: &PowerFeature, place: &str) -> Result<(), FitError> {
+    fn powers(
+        &mut self,
+        source: FitSource<'_>,
+        feature: &PowerFeature,
+        place: &str,
+    ) -> Result<(), FitError> {
         let conditions = Conditions::new(source, &feature.set, place)?;
         let group = self.group(place, feature.deviation);
         let mut each = Vec::new();
         for (value, power) in feature.values.iter().zip(&feature.mean_power_w) {
             let (key, value) = key_and_value(source, &feature.over, value, place)?;
-            self.number(format!("mean power at {} = {}", feature.over, key.show(value)), "W", *power, group);
+            self.number(
+                format!("mean power at {} = {}", feature.over, key.show(value)),
+                "W",
+                *power,
+                group,
+            );
             each.push(conditions.with(&key, value));
         }
         self.questions.push(Box::new(PowerQuestion(each)));
         Ok(())
     }
 
-    fn jump(&mut self, source: FitSource<'_>, feature: &JumpFeature, place: &str) -> Result<(), FitError> {
+    fn jump(
+        &mut self,
+        source: FitSource<'_>,
+        feature: &JumpFeature,
+        place: &str,
+    ) -> Result<(), FitError> {
         let conditions = Conditions::new(source, &feature.set, place)?;
         let of = |text: &str| key_and_value(source, &feature.over, text, place);
-        let ((key, at), (_, low), (_, high)) = (of(&feature.at)?, of(&feature.between[0])?, of(&feature.between[1])?);
+        let ((key, at), (_, low), (_, high)) = (
+            of(&feature.at)?,
+            of(&feature.between[0])?,
+            of(&feature.between[1])?,
+        );
         if !(low < at && at < high && at > 0.0) {
-            let reason = format!("{} does not lie between {} and {}, above 0", key.show(at), key.show(low), key.show(high));
-            return Err(FitError::Condition { place: place.to_owned(), key: feature.over.clone(), reason });
+            let reason = format!(
+                "{} does not lie between {} and {}, above 0",
+                key.show(at),
+                key.show(low),
+                key.show(high)
+            );
+            return Err(FitError::Condition {
+                place: place.to_owned(),
+                key: feature.over.clone(),
+                reason,
+            });
         }
         let group = self.group(place, feature.deviation);
         self.number(format!("jump of {}", feature.over), &key.unit(), at, group);
-        self.questions.push(Box::new(JumpQuestion { key, at, range: (low, high), conditions }));
+        self.questions.push(Box::new(JumpQuestion {
+            key,
+            at,
+            range: (low, high),
+            conditions,
+        }));
         Ok(())
     }
 
-    fn history(&mut self, source: FitSource<'_>, features: &Features, feature: &HistoryFeature, place: &str) -> Result<(), FitError> {
+    fn history(
+        &mut self,
+        source: FitSource<'_>,
+        features: &Features,
+        feature: &HistoryFeature,
+        place: &str,
+    ) -> Result<(), FitError> {
         let conditions = Conditions::new(source, &feature.set, place)?;
-        let HistorySamples { time_s, values, unit, begins_late } = feature.samples(&features.folder, place)?;
+        let HistorySamples {
+            time_s,
+            values,
+            unit,
+            begins_late,
+        } = feature.samples(&features.folder, place)?;
         if begins_late {
             feature.within(&time_s, conditions.spec(source)?.run.duration_s, place)?;
             self.told.push(feature.late(time_s[0], place));
         }
         let rms = (values.iter().map(|x| x * x).sum::<f64>() / values.len() as f64).sqrt();
         let group = self.group(place, feature.deviation);
-        let curve = MeasuredCurve { name: feature.output.name(), unit, over: "time_s" };
+        let curve = MeasuredCurve {
+            name: feature.output.name(),
+            unit,
+            over: "time_s",
+        };
         self.curve(curve, (&time_s, &values), |_| Some(rms), group);
-        self.questions.push(Box::new(HistoryQuestion { output: feature.output.clone(), time_s, conditions }));
+        self.questions.push(Box::new(HistoryQuestion {
+            output: feature.output.clone(),
+            time_s,
+            conditions,
+        }));
         Ok(())
     }
 }
 
 /// A key and a value of it as on a command line.
-fn key_and_value(source: FitSource<'_>, key: &str, value: &str, place: &str) -> Result<(NumericKey, f64), FitError> {
+fn key_and_value(
+    source: FitSource<'_>,
+    key: &str,
+    value: &str,
+    place: &str,
+) -> Result<(NumericKey, f64), FitError> {
     let found = Conditions::new(source, &[(key.to_owned(), value.to_owned())], place)?;
     Ok(found.first().cloned().expect("one key makes one condition"))
 }

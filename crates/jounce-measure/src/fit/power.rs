@@ -34,7 +34,13 @@ impl PowerFeature {
             reader.fault("mean_power_w must hold numbers above 0, in watts");
         }
         let (deviation, set) = (reader.own_deviation(), reader.conditions());
-        Some(Self { over: over?, values, mean_power_w, deviation, set })
+        Some(Self {
+            over: over?,
+            values,
+            mean_power_w,
+            deviation,
+            set,
+        })
     }
 }
 
@@ -49,7 +55,13 @@ impl Question for PowerQuestion {
             let plan = RunPlan::of(&prepared.spec.run, 0.0);
             let kernel = prepared.from_state(&start)?;
             let answer = simulate(&kernel, &start, &plan).map_err(AnalysisError::from)?;
-            if answer.mean_power_w > 0.0 { Ok(answer.mean_power_w) } else { Err(FitError::NoPower { mean_power_w: answer.mean_power_w }) }
+            if answer.mean_power_w > 0.0 {
+                Ok(answer.mean_power_w)
+            } else {
+                Err(FitError::NoPower {
+                    mean_power_w: answer.mean_power_w,
+                })
+            }
         };
         self.0.iter().map(power).collect()
     }

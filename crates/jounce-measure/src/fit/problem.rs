@@ -49,12 +49,25 @@ impl FitProblem<'_> {
         self.evaluations.set(self.evaluations.get() + 1);
         self.control.count();
         if self.control.is_stopped() {
-            return Err(FitError::Stopped { evaluations: self.evaluations.get() });
+            return Err(FitError::Stopped {
+                evaluations: self.evaluations.get(),
+            });
         }
         // Orbits count on their own: what is counted here are evaluations.
         let (spec, control) = (self.changed(unknowns)?, self.control.apart());
-        let model = FitModel { spec, hold: self.hold, folder: self.folder, control, prepared: OnceCell::new() };
-        let answers = self.asked.questions.iter().map(|question| question.ask(&model)).collect::<Result<Vec<_>, _>>()?;
+        let model = FitModel {
+            spec,
+            hold: self.hold,
+            folder: self.folder,
+            control,
+            prepared: OnceCell::new(),
+        };
+        let answers = self
+            .asked
+            .questions
+            .iter()
+            .map(|question| question.ask(&model))
+            .collect::<Result<Vec<_>, _>>()?;
         Ok(answers.concat())
     }
 
@@ -66,9 +79,17 @@ impl FitProblem<'_> {
     /// Errors over deviations: features first, then priors.
     pub fn errors(&self, unknowns: &DVector<f64>) -> Result<DVector<f64>, FitError> {
         let model = self.model(unknowns)?;
-        let features = self.asked.measured.iter().zip(&model).map(|(measured, model)| measured.error(*model) / self.deviation_of(measured));
+        let features = self
+            .asked
+            .measured
+            .iter()
+            .zip(&model)
+            .map(|(measured, model)| measured.error(*model) / self.deviation_of(measured));
         let priors = unknowns.iter().zip(&self.prior).map(|(x, prior)| x / prior);
-        Ok(DVector::from_iterator(model.len() + self.prior.len(), features.chain(priors)))
+        Ok(DVector::from_iterator(
+            model.len() + self.prior.len(),
+            features.chain(priors),
+        ))
     }
 
     /// Derivatives of the errors.
@@ -81,7 +102,11 @@ impl FitProblem<'_> {
             };
             Ok((moved(LOG_DIFFERENCE)? - moved(-LOG_DIFFERENCE)?) / (2.0 * LOG_DIFFERENCE))
         };
-        Ok(DMatrix::from_columns(&(0..self.keys.len()).map(column).collect::<Result<Vec<_>, FitError>>()?))
+        Ok(DMatrix::from_columns(
+            &(0..self.keys.len())
+                .map(column)
+                .collect::<Result<Vec<_>, FitError>>()?,
+        ))
     }
 
     fn kept<T>(&self, result: Result<T, FitError>) -> Option<T> {

@@ -54,7 +54,13 @@ impl Profile<'_> {
         let mut derivatives = self.derivatives.clone();
         let away = quantile * self.covariance[(k, k)].sqrt();
         let mut unknowns = self.least + self.covariance.column(k) / self.covariance[(k, k)] * away;
-        let (mut before, mut reached_before) = (ProfilePoint { unknowns: self.least.clone(), errors: self.at_least.clone() }, 0.0);
+        let (mut before, mut reached_before) = (
+            ProfilePoint {
+                unknowns: self.least.clone(),
+                errors: self.at_least.clone(),
+            },
+            0.0,
+        );
         for _ in 0..MAX_STEPS {
             let errors = match (self.errors)(&unknowns) {
                 Ok(errors) => errors,
@@ -63,14 +69,21 @@ impl Profile<'_> {
             };
             let here = ProfilePoint { unknowns, errors };
             derivatives += self.update(&derivatives, &before, &here);
-            let Some(covariance) = (derivatives.transpose() * &derivatives).try_inverse() else { return Ok(None) };
+            let Some(covariance) = (derivatives.transpose() * &derivatives).try_inverse() else {
+                return Ok(None);
+            };
             let others = derivatives.clone().remove_column(k);
-            let Some(inverse) = (others.transpose() * &others).try_inverse() else { return Ok(None) };
+            let Some(inverse) = (others.transpose() * &others).try_inverse() else {
+                return Ok(None);
+            };
             let slope = others.transpose() * &here.errors;
             let step = -inverse * &slope;
             let left = -slope.dot(&step);
-            let reached = (here.errors.norm_squared() - left - self.objective).max(0.0).sqrt();
-            let found = (reached / quantile.abs() - 1.0).abs() < END_TOLERANCE && left < MAX_REMAINING_GAIN * quantile * quantile;
+            let reached = (here.errors.norm_squared() - left - self.objective)
+                .max(0.0)
+                .sqrt();
+            let found = (reached / quantile.abs() - 1.0).abs() < END_TOLERANCE
+                && left < MAX_REMAINING_GAIN * quantile * quantile;
             if found {
                 return Ok(Some(here.unknowns[k]));
             }
@@ -78,18 +91,26 @@ impl Profile<'_> {
             let been = here.unknowns[k] - self.least[k];
             let slant = (been - (before.unknowns[k] - self.least[k])) / (reached - reached_before);
             let share = if slant.is_finite() {
-                ((been + (quantile.abs() - reached) * slant) / been).clamp(1.0 / MAX_DISTANCE_CHANGE, MAX_DISTANCE_CHANGE)
+                ((been + (quantile.abs() - reached) * slant) / been)
+                    .clamp(1.0 / MAX_DISTANCE_CHANGE, MAX_DISTANCE_CHANGE)
             } else {
                 1.0
             };
-            unknowns = &here.unknowns + covariance.column(k) / covariance[(k, k)] * (been * (share - 1.0)) + step.insert_row(k, 0.0);
+            unknowns = &here.unknowns
+                + covariance.column(k) / covariance[(k, k)] * (been * (share - 1.0))
+                + step.insert_row(k, 0.0);
             (before, reached_before) = (here, reached);
         }
         Ok(None)
     }
 
     /// What a step tells of the derivatives: the least change, each unknown beside its deviation, that gives the errors at its end.
-    fn update(&self, derivatives: &DMatrix<f64>, from: &ProfilePoint, to: &ProfilePoint) -> DMatrix<f64> {
+    fn update(
+        &self,
+        derivatives: &DMatrix<f64>,
+        from: &ProfilePoint,
+        to: &ProfilePoint,
+    ) -> DMatrix<f64> {
         let moved = &to.unknowns - &from.unknowns;
         let missed = &to.errors - &from.errors - derivatives * &moved;
         let beside = moved.component_div(&self.covariance.diagonal());
@@ -115,11 +136,17 @@ mod tests {
         let (b, s, t, x, y) = (0.4, 0.05, 0.08, -0.3_f64, 0.2_f64);
         let errors = |unknowns: &DVector<f64>| {
             let (own, other) = (unknowns[0].exp(), unknowns[1].exp());
-            Ok(DVector::from_vec(vec![(b * (own - x.exp()) + other - y.exp()) / s, (other - y.exp()) / t]))
+            Ok(DVector::from_vec(vec![
+                (b * (own - x.exp()) + other - y.exp()) / s,
+                (other - y.exp()) / t,
+            ]))
         };
         let least = DVector::from_vec(vec![x, y]);
-        let derivatives = DMatrix::from_row_slice(2, 2, &[b * x.exp() / s, y.exp() / s, 0.0, y.exp() / t]);
-        let covariance = (derivatives.transpose() * &derivatives).try_inverse().unwrap();
+        let derivatives =
+            DMatrix::from_row_slice(2, 2, &[b * x.exp() / s, y.exp() / s, 0.0, y.exp() / t]);
+        let covariance = (derivatives.transpose() * &derivatives)
+            .try_inverse()
+            .unwrap();
         let profile = Profile {
             errors: &errors,
             least: &least,
@@ -131,19 +158,35 @@ mod tests {
         for quantile in [1.96, -1.96] {
             let exact = (x.exp() + quantile * s.hypot(t) / b).ln();
             let found = profile.end(0, quantile).unwrap().unwrap();
-            assert!((found - exact).abs() < 0.01 * (exact - x).abs(), "{found} {exact}");
+            assert!(
+                (found - exact).abs() < 0.01 * (exact - x).abs(),
+                "{found} {exact}"
+            );
             // The covariance alone is far off.
-            assert!((x + quantile * covariance[(0, 0)].sqrt() - exact).abs() > 0.1 * (exact - x).abs());
+            assert!(
+                (x + quantile * covariance[(0, 0)].sqrt() - exact).abs() > 0.1 * (exact - x).abs()
+            );
         }
     }
 
     #[test]
     fn a_model_that_ends_on_the_way_gives_no_end() {
-        let errors =
-            |unknowns: &DVector<f64>| if unknowns[0] > 0.5 { Err(FitError::NotConverged { evaluations: 0 }) } else { Ok(unknowns.clone()) };
+        let errors = |unknowns: &DVector<f64>| {
+            if unknowns[0] > 0.5 {
+                Err(FitError::NotConverged { evaluations: 0 })
+            } else {
+                Ok(unknowns.clone())
+            }
+        };
         let (least, unit) = (DVector::zeros(1), DMatrix::identity(1, 1));
-        let profile =
-            Profile { errors: &errors, least: &least, at_least: &DVector::zeros(1), objective: 0.0, derivatives: &unit, covariance: &unit };
+        let profile = Profile {
+            errors: &errors,
+            least: &least,
+            at_least: &DVector::zeros(1),
+            objective: 0.0,
+            derivatives: &unit,
+            covariance: &unit,
+        };
         assert_eq!(profile.end(0, 2.0).unwrap(), None);
         assert!((profile.end(0, -2.0).unwrap().unwrap() + 2.0).abs() < 0.01);
     }

@@ -49,18 +49,48 @@ pub struct ResponseFeature {
     pub set: Vec<(String, String)>,
 }
 
-const KEYS: [&str; 12] =
-    ["input", "output", "absolute", "frequency", "magnitude", "re", "im", "file", "channel", "between", "deviation", "set"];
+const KEYS: [&str; 12] = [
+    "input",
+    "output",
+    "absolute",
+    "frequency",
+    "magnitude",
+    "re",
+    "im",
+    "file",
+    "channel",
+    "between",
+    "deviation",
+    "set",
+];
 
 impl ResponseFeature {
     pub(super) fn read(reader: &mut FeatureTable<'_>) -> Option<Self> {
         reader.refuse_all_but(&KEYS);
         let input = reader.text("input", "beam.hammer");
-        let output = reader.text("output", "beam.tip.acceleration").and_then(|text| output(&text, reader));
-        let (deviation, set, lines, absolute) = (reader.own_deviation(), reader.conditions(), lines(reader), reader.flag("absolute"));
+        let output = reader
+            .text("output", "beam.tip.acceleration")
+            .and_then(|text| output(&text, reader));
+        let (deviation, set, lines, absolute) = (
+            reader.own_deviation(),
+            reader.conditions(),
+            lines(reader),
+            reader.flag("absolute"),
+        );
         let input = input?;
-        let input = if input == "base" { FrfInput::BaseAcceleration } else { FrfInput::Force(input) };
-        Some(Self { input, output: output?, lines: lines?, absolute, deviation, set })
+        let input = if input == "base" {
+            FrfInput::BaseAcceleration
+        } else {
+            FrfInput::Force(input)
+        };
+        Some(Self {
+            input,
+            output: output?,
+            lines: lines?,
+            absolute,
+            deviation,
+            set,
+        })
     }
 
     /// What a file of it must be in.
@@ -71,13 +101,24 @@ impl ResponseFeature {
             FrfResponse::Acceleration(_) => Measures::Acceleration,
             FrfResponse::Voltage(_) | FrfResponse::LoadVoltage(_) => Measures::Voltage,
         };
-        let input = if self.input == FrfInput::BaseAcceleration { Measures::Acceleration } else { Measures::Force };
-        ResponseChannels { output, input, unit: self.output.unit(&self.input) }
+        let input = if self.input == FrfInput::BaseAcceleration {
+            Measures::Acceleration
+        } else {
+            Measures::Force
+        };
+        ResponseChannels {
+            output,
+            input,
+            unit: self.output.unit(&self.input),
+        }
     }
 
     /// How a motion over a moving base was taken where nothing says it.
     pub(super) fn relative_in_words(&self, place: &str) -> Option<String> {
-        let moves = matches!(self.output, FrfResponse::Displacement(_) | FrfResponse::Velocity(_) | FrfResponse::Acceleration(_));
+        let moves = matches!(
+            self.output,
+            FrfResponse::Displacement(_) | FrfResponse::Velocity(_) | FrfResponse::Acceleration(_)
+        );
         (moves && self.input == FrfInput::BaseAcceleration && !self.absolute).then(|| {
             format!(
                 "{place}: {} is taken relative to the base; write absolute = true for a sensor that stands on the structure",
@@ -120,12 +161,25 @@ fn lines(reader: &mut FeatureTable<'_>) -> Option<MeasuredLines> {
             reader.fault("between must be two frequencies");
             return None;
         };
-        return Some(MeasuredLines::File { path: file.into(), channel, between_hz: (low, high) });
+        return Some(MeasuredLines::File {
+            path: file.into(),
+            channel,
+            between_hz: (low, high),
+        });
     }
     let frequency_hz = reader.quantities("frequency", Quantity::Frequency, "9 Hz");
     if reader.table.contains_key("re") || reader.table.contains_key("im") {
-        let (re, im) = (reader.numbers("re", frequency_hz.len()), reader.numbers("im", frequency_hz.len()));
-        return Some(MeasuredLines::Complex(frequency_hz, re.into_iter().zip(im).map(|(re, im)| c64::new(re, im)).collect()));
+        let (re, im) = (
+            reader.numbers("re", frequency_hz.len()),
+            reader.numbers("im", frequency_hz.len()),
+        );
+        return Some(MeasuredLines::Complex(
+            frequency_hz,
+            re.into_iter()
+                .zip(im)
+                .map(|(re, im)| c64::new(re, im))
+                .collect(),
+        ));
     }
     let magnitude = reader.numbers("magnitude", frequency_hz.len());
     if magnitude.iter().any(|size| *size <= 0.0) {
@@ -143,33 +197,69 @@ pub(super) struct ResponseChannels {
 
 impl MeasuredLines {
     /// The lines themselves, and what is assumed of them; a file is read.
-    pub(super) fn read(&self, folder: &Path, place: &str, due: &ResponseChannels) -> Result<(Self, Option<String>), FitError> {
-        let Self::File { path, channel, between_hz } = self else { return Ok((self.clone(), None)) };
-        let told = |reason: String| FitError::File { place: place.to_owned(), path: path.clone(), reason };
+    pub(super) fn read(
+        &self,
+        folder: &Path,
+        place: &str,
+        due: &ResponseChannels,
+    ) -> Result<(Self, Option<String>), FitError> {
+        let Self::File {
+            path,
+            channel,
+            between_hz,
+        } = self
+        else {
+            return Ok((self.clone(), None));
+        };
+        let told = |reason: String| FitError::File {
+            place: place.to_owned(),
+            path: path.clone(),
+            reason,
+        };
         let contents = read::file(&folder.join(path)).map_err(|fault| told(fault.to_string()))?;
-        let over =
-            contents.recordings.into_iter().find(|recording| recording.over == Over::Frequency && recording.channel(channel).is_ok());
-        let recording = over.ok_or_else(|| told(format!("it holds no channel {channel} over frequency")))?;
-        let found = recording.channel(channel).map_err(|fault| told(fault.to_string()))?;
+        let over = contents.recordings.into_iter().find(|recording| {
+            recording.over == Over::Frequency && recording.channel(channel).is_ok()
+        });
+        let recording =
+            over.ok_or_else(|| told(format!("it holds no channel {channel} over frequency")))?;
+        let found = recording
+            .channel(channel)
+            .map_err(|fault| told(fault.to_string()))?;
         let unit = found.unit.as_str();
         let silent = !found.head().tells_unit();
-        if !silent && (Unit::responds(unit), Unit::per(unit)) != (Some(due.output), Some(due.input)) {
+        if !silent && (Unit::responds(unit), Unit::per(unit)) != (Some(due.output), Some(due.input))
+        {
             return Err(told(format!(
                 "channel {channel} is in {unit}, and this response is in {}; correct input, output or unit",
                 due.unit
             )));
         }
-        let assumed = silent.then(|| format!("{place}: channel {channel} tells no unit; {} is assumed", due.unit));
+        let assumed = silent.then(|| {
+            format!(
+                "{place}: channel {channel} tells no unit; {} is assumed",
+                due.unit
+            )
+        });
         let places = recording.grid.places();
-        let inside: Vec<usize> =
-            (0..places.len()).filter(|k| places[*k] > 0.0 && (between_hz.0..=between_hz.1).contains(&places[*k])).collect();
+        let inside: Vec<usize> = (0..places.len())
+            .filter(|k| places[*k] > 0.0 && (between_hz.0..=between_hz.1).contains(&places[*k]))
+            .collect();
         if inside.is_empty() {
             return Err(told("no line lies in the band".to_owned()));
         }
         let frequency_hz = inside.iter().map(|k| places[*k]).collect();
         let lines = match &found.imaginary {
-            Some(imaginary) => Self::Complex(frequency_hz, inside.iter().map(|k| c64::new(found.values[*k], imaginary[*k])).collect()),
-            None => Self::Magnitude(frequency_hz, inside.iter().map(|k| found.values[*k]).collect()),
+            Some(imaginary) => Self::Complex(
+                frequency_hz,
+                inside
+                    .iter()
+                    .map(|k| c64::new(found.values[*k], imaginary[*k]))
+                    .collect(),
+            ),
+            None => Self::Magnitude(
+                frequency_hz,
+                inside.iter().map(|k| found.values[*k]).collect(),
+            ),
         };
         Ok((lines, assumed))
     }
@@ -193,11 +283,31 @@ impl Question for ResponseQuestion {
         spec.gravity = Gravity::default();
         let modes = structure::modes_holding(&spec, model.hold)?;
         let plant = Plant::new(System::assemble(&spec, modes)?)?;
-        let found = frf(&plant, &self.input, std::slice::from_ref(&self.output), &self.frequency_hz)?;
-        let rides = |(h, hz): (&c64, &f64)| if self.absolute { h + self.of_base(*hz) } else { *h };
-        let value: Vec<c64> = found[0].value.iter().zip(&self.frequency_hz).map(rides).collect();
+        let found = frf(
+            &plant,
+            &self.input,
+            std::slice::from_ref(&self.output),
+            &self.frequency_hz,
+        )?;
+        let rides = |(h, hz): (&c64, &f64)| {
+            if self.absolute {
+                h + self.of_base(*hz)
+            } else {
+                *h
+            }
+        };
+        let value: Vec<c64> = found[0]
+            .value
+            .iter()
+            .zip(&self.frequency_hz)
+            .map(rides)
+            .collect();
         Ok(match self.complex {
-            true => value.iter().map(|h| h.re).chain(value.iter().map(|h| h.im)).collect(),
+            true => value
+                .iter()
+                .map(|h| h.re)
+                .chain(value.iter().map(|h| h.im))
+                .collect(),
             false => value.iter().map(|h| h.norm()).collect(),
         })
     }

@@ -118,16 +118,27 @@ pub struct FitResult {
 impl FittedFeature {
     /// Relative error before and after.
     pub fn errors(&self) -> (f64, f64) {
-        (self.before / self.measured - 1.0, self.after / self.measured - 1.0)
+        (
+            self.before / self.measured - 1.0,
+            self.after / self.measured - 1.0,
+        )
     }
 }
 
 impl FittedCurve {
     /// Errors before and after, rms over that of the measured curve.
     pub fn errors(&self) -> (f64, f64) {
-        let rms = |of: &dyn Fn(usize) -> f64| (0..self.at.len()).map(|k| of(k).powi(2)).sum::<f64>().sqrt();
+        let rms = |of: &dyn Fn(usize) -> f64| {
+            (0..self.at.len())
+                .map(|k| of(k).powi(2))
+                .sum::<f64>()
+                .sqrt()
+        };
         let size = rms(&|k| self.measured[k]);
-        (rms(&|k| self.before[k] - self.measured[k]) / size, rms(&|k| self.after[k] - self.measured[k]) / size)
+        (
+            rms(&|k| self.before[k] - self.measured[k]) / size,
+            rms(&|k| self.after[k] - self.measured[k]) / size,
+        )
     }
 }
 
@@ -138,13 +149,28 @@ struct FeatureResult<'m> {
 }
 
 impl FitResult {
-    pub(super) fn of(problem: &FitProblem<'_>, minimum: &Minimum, before: &[f64]) -> Result<Self, FitError> {
+    pub(super) fn of(
+        problem: &FitProblem<'_>,
+        minimum: &Minimum,
+        before: &[f64],
+    ) -> Result<Self, FitError> {
         let (count, asked) = (problem.keys.len(), problem.asked);
         let estimated: Vec<f64> = minimum.freedom.iter().flatten().copied().collect();
-        let quantile = if estimated.is_empty() { Mode::QUANTILE_95 } else { student_95(estimated.iter().sum()) };
-        let deviation: Vec<f64> = (0..count).map(|k| minimum.covariance[(k, k)].sqrt()).collect();
-        let correlation: Vec<Vec<f64>> =
-            (0..count).map(|a| (0..count).map(|b| minimum.covariance[(a, b)] / (deviation[a] * deviation[b])).collect()).collect();
+        let quantile = if estimated.is_empty() {
+            Mode::QUANTILE_95
+        } else {
+            student_95(estimated.iter().sum())
+        };
+        let deviation: Vec<f64> = (0..count)
+            .map(|k| minimum.covariance[(k, k)].sqrt())
+            .collect();
+        let correlation: Vec<Vec<f64>> = (0..count)
+            .map(|a| {
+                (0..count)
+                    .map(|b| minimum.covariance[(a, b)] / (deviation[a] * deviation[b]))
+                    .collect()
+            })
+            .collect();
         let errors = problem.errors(&problem.unknowns)?;
         let chi_square = errors.rows(0, asked.measured.len()).norm_squared();
         let profile = Profile {
@@ -164,7 +190,12 @@ impl FitResult {
             }
             keys.push(key(problem, k, (*deviation, quantile), ends));
         }
-        let told = told(problem, minimum, (before, &problem.model(&problem.unknowns)?), quantile);
+        let told = told(
+            problem,
+            minimum,
+            (before, &problem.model(&problem.unknowns)?),
+            quantile,
+        );
         let of_group = |(g, group): (usize, &super::deviation::DeviationGroup)| FittedDeviation {
             name: group.name.clone(),
             deviation: problem.deviation[g],
@@ -172,13 +203,25 @@ impl FitResult {
         };
         Ok(Self {
             keys,
-            features: told.iter().filter(|told| told.measured.on.is_none()).map(|told| told.feature.clone()).collect(),
-            curves: (0..asked.curves.len()).map(|number| curve(problem, &told, number)).collect(),
+            features: told
+                .iter()
+                .filter(|told| told.measured.on.is_none())
+                .map(|told| told.feature.clone())
+                .collect(),
+            curves: (0..asked.curves.len())
+                .map(|number| curve(problem, &told, number))
+                .collect(),
             deviations: asked.groups.iter().enumerate().map(of_group).collect(),
             warnings: [
                 asked.told.clone(),
                 missed(problem, errors.as_slice()),
-                warnings(problem, minimum, &deviation, (&correlation, &linear), chi_square),
+                warnings(
+                    problem,
+                    minimum,
+                    &deviation,
+                    (&correlation, &linear),
+                    chi_square,
+                ),
             ]
             .concat(),
             quantile,
@@ -191,10 +234,17 @@ impl FitResult {
 }
 
 /// Where the profile has no end, that of the covariance stands in for it.
-fn key(problem: &FitProblem<'_>, k: usize, (deviation, quantile): (f64, f64), profile: [Option<f64>; 2]) -> FittedKey {
+fn key(
+    problem: &FitProblem<'_>,
+    k: usize,
+    (deviation, quantile): (f64, f64),
+    profile: [Option<f64>; 2],
+) -> FittedKey {
     let (least, start) = (problem.unknowns[k], problem.start[k]);
     let after = start * least.exp();
-    let end = |(profile, sign): (Option<f64>, f64)| start * profile.unwrap_or(least + sign * quantile * deviation).exp();
+    let end = |(profile, sign): (Option<f64>, f64)| {
+        start * profile.unwrap_or(least + sign * quantile * deviation).exp()
+    };
     let ends = [(profile[0], -1.0), (profile[1], 1.0)].map(end);
     FittedKey {
         key: problem.keys[k].path().to_owned(),
@@ -208,11 +258,18 @@ fn key(problem: &FitProblem<'_>, k: usize, (deviation, quantile): (f64, f64), pr
     }
 }
 
-fn told<'m>(problem: &'m FitProblem<'_>, minimum: &Minimum, (before, after): (&[f64], &[f64]), quantile: f64) -> Vec<FeatureResult<'m>> {
+fn told<'m>(
+    problem: &'m FitProblem<'_>,
+    minimum: &Minimum,
+    (before, after): (&[f64], &[f64]),
+    quantile: f64,
+) -> Vec<FeatureResult<'m>> {
     let one = |(i, measured): (usize, &'m MeasuredNumber)| {
         let deviation = problem.deviation_of(measured);
         let row = minimum.derivatives.row(i) * deviation;
-        let predicted_deviation = (&row * &minimum.covariance * row.transpose())[(0, 0)].max(0.0).sqrt();
+        let predicted_deviation = (&row * &minimum.covariance * row.transpose())[(0, 0)]
+            .max(0.0)
+            .sqrt();
         let reach = quantile * deviation.hypot(predicted_deviation);
         let ends = [-reach, reach].map(|error| measured.moved(after[i], error));
         let feature = FittedFeature {
@@ -232,9 +289,20 @@ fn told<'m>(problem: &'m FitProblem<'_>, minimum: &Minimum, (before, after): (&[
 }
 
 fn curve(problem: &FitProblem<'_>, told: &[FeatureResult<'_>], number: usize) -> FittedCurve {
-    let on: Vec<(&FittedFeature, f64)> =
-        told.iter().filter_map(|told| told.measured.on.filter(|(curve, _)| *curve == number).map(|(_, at)| (&told.feature, at))).collect();
-    let each = |of: fn(&FittedFeature) -> f64| on.iter().map(|(feature, _)| of(feature)).collect::<Vec<f64>>();
+    let on: Vec<(&FittedFeature, f64)> = told
+        .iter()
+        .filter_map(|told| {
+            told.measured
+                .on
+                .filter(|(curve, _)| *curve == number)
+                .map(|(_, at)| (&told.feature, at))
+        })
+        .collect();
+    let each = |of: fn(&FittedFeature) -> f64| {
+        on.iter()
+            .map(|(feature, _)| of(feature))
+            .collect::<Vec<f64>>()
+    };
     let curve = &problem.asked.curves[number];
     FittedCurve {
         name: curve.name.clone(),

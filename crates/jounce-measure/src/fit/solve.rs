@@ -47,7 +47,13 @@ pub(super) struct Minimum {
 ///
 /// # Source
 /// D. MacKay, Bayesian interpolation, Neural Computation 4 (1992) 415, for deviations from residuals.
-pub fn fit(file: &SpecFile, spec: &Spec, features: &Features, folder: &Path, control: &Control) -> Result<(FitResult, Spec), FitError> {
+pub fn fit(
+    file: &SpecFile,
+    spec: &Spec,
+    features: &Features,
+    folder: &Path,
+    control: &Control,
+) -> Result<(FitResult, Spec), FitError> {
     let Unknowns { keys, start, prior } = Unknowns::of(file, spec, &features.free)?;
     let asked = Observations::of(FitSource { file, folder }, features)?;
     let problem = FitProblem {
@@ -58,7 +64,11 @@ pub fn fit(file: &SpecFile, spec: &Spec, features: &Features, folder: &Path, con
         keys,
         start,
         prior,
-        deviation: asked.groups.iter().map(|group| group.deviation.first()).collect(),
+        deviation: asked
+            .groups
+            .iter()
+            .map(|group| group.deviation.first())
+            .collect(),
         asked: &asked,
         evaluations: Cell::new(0),
         control,
@@ -83,13 +93,21 @@ impl Unknowns {
     fn of(file: &SpecFile, spec: &Spec, free: &[(String, f64)]) -> Result<Self, FitError> {
         let mut unknowns = Self::default();
         for (path, deviation) in free {
-            for key in file.numeric_keys(path).map_err(|faults| FitError::Key { key: path.clone(), faults })? {
+            for key in file.numeric_keys(path).map_err(|faults| FitError::Key {
+                key: path.clone(),
+                faults,
+            })? {
                 let (value, path) = (key.get(spec)?, key.path());
                 if !(value != 0.0 && value.is_finite()) {
-                    return Err(FitError::Start { key: path.to_owned(), value });
+                    return Err(FitError::Start {
+                        key: path.to_owned(),
+                        value,
+                    });
                 }
                 if unknowns.keys.iter().any(|known| known.path() == path) {
-                    return Err(FitError::Twice { key: path.to_owned() });
+                    return Err(FitError::Twice {
+                        key: path.to_owned(),
+                    });
                 }
                 unknowns.keys.push(key);
                 unknowns.start.push(value);
@@ -109,7 +127,12 @@ fn settled(mut problem: FitProblem<'_>) -> Result<(FitProblem<'_>, Minimum), Fit
         let mut moved: f64 = 0.0;
         for (g, freedom) in minimum.freedom.iter().enumerate() {
             let Some(freedom) = freedom else { continue };
-            let of_group = problem.asked.measured.iter().enumerate().filter(|(_, measured)| measured.group == g);
+            let of_group = problem
+                .asked
+                .measured
+                .iter()
+                .enumerate()
+                .filter(|(_, measured)| measured.group == g);
             let size = of_group.map(|(i, _)| errors[i].powi(2)).sum::<f64>() / freedom;
             let before = problem.deviation[g];
             problem.deviation[g] = (before * size.sqrt()).max(MIN_DEVIATION);
@@ -119,40 +142,75 @@ fn settled(mut problem: FitProblem<'_>) -> Result<(FitProblem<'_>, Minimum), Fit
             return Ok((problem, minimum));
         }
     }
-    Err(FitError::NotConverged { evaluations: problem.evaluations.get() })
+    Err(FitError::NotConverged {
+        evaluations: problem.evaluations.get(),
+    })
 }
 
 fn minimised(problem: FitProblem<'_>) -> Result<FitProblem<'_>, FitError> {
-    let (problem, report) = LevenbergMarquardt::new().with_ftol(1e-12).with_xtol(1e-10).with_patience(50).minimize(problem);
+    let (problem, report) = LevenbergMarquardt::new()
+        .with_ftol(1e-12)
+        .with_xtol(1e-10)
+        .with_patience(50)
+        .minimize(problem);
     // Where the noise of a march hides what is left to gain, the minimum is as good as found.
-    let found = report.termination.was_successful() || matches!(report.termination, TerminationReason::NoImprovementPossible(_));
+    let found = report.termination.was_successful()
+        || matches!(
+            report.termination,
+            TerminationReason::NoImprovementPossible(_)
+        );
     if found {
         return Ok(problem);
     }
     let evaluations = problem.evaluations.get();
-    Err(problem.fault.take().unwrap_or(FitError::NotConverged { evaluations }))
+    Err(problem
+        .fault
+        .take()
+        .unwrap_or(FitError::NotConverged { evaluations }))
 }
 
 fn minimum(problem: &FitProblem<'_>) -> Result<Minimum, FitError> {
     let derivatives = problem.derivatives()?;
     // The priors make every unknown determined, so that the matrix has an inverse.
     let evaluations = problem.evaluations.get();
-    let covariance = (derivatives.transpose() * &derivatives).try_inverse().ok_or(FitError::NotConverged { evaluations })?;
+    let covariance = (derivatives.transpose() * &derivatives)
+        .try_inverse()
+        .ok_or(FitError::NotConverged { evaluations })?;
     let freedom = |g: usize| {
         let group = &problem.asked.groups[g];
         if group.deviation != Deviation::Residuals {
             return Ok(None);
         }
-        let of_group = || problem.asked.measured.iter().enumerate().filter(|(_, measured)| measured.group == g).map(|(i, _)| i);
-        let taken: f64 = of_group().map(|i| (derivatives.row(i) * &covariance * derivatives.row(i).transpose())[(0, 0)]).sum();
+        let of_group = || {
+            problem
+                .asked
+                .measured
+                .iter()
+                .enumerate()
+                .filter(|(_, measured)| measured.group == g)
+                .map(|(i, _)| i)
+        };
+        let taken: f64 = of_group()
+            .map(|i| (derivatives.row(i) * &covariance * derivatives.row(i).transpose())[(0, 0)])
+            .sum();
         let features = of_group().count();
         let left = features as f64 - taken;
         if left < 1.0 - DEVIATION_ROUNDOFF {
-            Err(FitError::NoResiduals { name: group.name.clone(), features, taken })
+            Err(FitError::NoResiduals {
+                name: group.name.clone(),
+                features,
+                taken,
+            })
         } else {
             Ok(Some(left.max(1.0)))
         }
     };
-    let freedom = (0..problem.asked.groups.len()).map(freedom).collect::<Result<_, FitError>>()?;
-    Ok(Minimum { derivatives, covariance, freedom })
+    let freedom = (0..problem.asked.groups.len())
+        .map(freedom)
+        .collect::<Result<_, FitError>>()?;
+    Ok(Minimum {
+        derivatives,
+        covariance,
+        freedom,
+    })
 }

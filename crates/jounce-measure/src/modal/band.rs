@@ -100,13 +100,33 @@ impl Band {
         let mut measured = Vec::new();
         for (k, value) in response.iter().enumerate() {
             let deviation = relative_deviation.get(k);
-            if let Some(lines) = deviation.map(Vec::len).filter(|lines| *lines != value.len()) {
-                return Err(ModalError::Lengths { response: k + 1, lines, expected: value.len() });
+            if let Some(lines) = deviation
+                .map(Vec::len)
+                .filter(|lines| *lines != value.len())
+            {
+                return Err(ModalError::Lengths {
+                    response: k + 1,
+                    lines,
+                    expected: value.len(),
+                });
             }
-            let variance = deviation.map(|deviation| deviation.iter().zip(value).map(told).collect());
-            measured.push(MeasuredResponse { value, variance, power: motion as i32, without: &[], place: 0 });
+            let variance =
+                deviation.map(|deviation| deviation.iter().zip(value).map(told).collect());
+            measured.push(MeasuredResponse {
+                value,
+                variance,
+                power: motion as i32,
+                without: &[],
+                place: 0,
+            });
         }
-        Self::of_measured(frequency_hz, &measured, inputs, WindowBias::Whole, between_hz)
+        Self::of_measured(
+            frequency_hz,
+            &measured,
+            inputs,
+            WindowBias::Whole,
+            between_hz,
+        )
     }
 
     fn of_measured(
@@ -118,37 +138,84 @@ impl Band {
     ) -> Result<Self, ModalError> {
         let expected = frequency_hz.len();
         if measured.is_empty() || inputs == 0 || !measured.len().is_multiple_of(inputs.max(1)) {
-            return Err(ModalError::Lengths { response: measured.len(), lines: 0, expected });
+            return Err(ModalError::Lengths {
+                response: measured.len(),
+                lines: 0,
+                expected,
+            });
         }
         for (k, one) in measured.iter().enumerate() {
             if one.value.len() != expected {
-                return Err(ModalError::Lengths { response: k + 1, lines: one.value.len(), expected });
+                return Err(ModalError::Lengths {
+                    response: k + 1,
+                    lines: one.value.len(),
+                    expected,
+                });
             }
         }
-        let inside: Vec<usize> =
-            (0..expected).filter(|k| frequency_hz[*k] > 0.0 && (low_hz..=high_hz).contains(&frequency_hz[*k])).collect();
+        let inside: Vec<usize> = (0..expected)
+            .filter(|k| frequency_hz[*k] > 0.0 && (low_hz..=high_hz).contains(&frequency_hz[*k]))
+            .collect();
         for (o, one) in measured.iter().enumerate() {
-            if let Some(k) = inside.iter().find(|k| !(one.value[**k].re.is_finite() && one.value[**k].im.is_finite())) {
-                return Err(ModalError::NotFinite { response: o + 1, frequency_hz: frequency_hz[*k] });
+            if let Some(k) = inside
+                .iter()
+                .find(|k| !(one.value[**k].re.is_finite() && one.value[**k].im.is_finite()))
+            {
+                return Err(ModalError::NotFinite {
+                    response: o + 1,
+                    frequency_hz: frequency_hz[*k],
+                });
             }
         }
-        let turn = |one: &MeasuredResponse<'_>, k: usize| c64::new(0.0, std::f64::consts::TAU * frequency_hz[k]).powi(-one.power);
-        let displacement = |one: &MeasuredResponse<'_>| inside.iter().map(|k| one.value[*k] * turn(one, *k)).collect::<Vec<c64>>();
+        let turn = |one: &MeasuredResponse<'_>, k: usize| {
+            c64::new(0.0, std::f64::consts::TAU * frequency_hz[k]).powi(-one.power)
+        };
+        let displacement = |one: &MeasuredResponse<'_>| {
+            inside
+                .iter()
+                .map(|k| one.value[*k] * turn(one, *k))
+                .collect::<Vec<c64>>()
+        };
         let variance = |one: &MeasuredResponse<'_>| -> Option<Vec<f64>> {
             let variance = one.variance.as_ref()?;
-            Some(inside.iter().map(|k| variance[*k] * turn(one, *k).norm_sqr()).collect())
+            Some(
+                inside
+                    .iter()
+                    .map(|k| variance[*k] * turn(one, *k).norm_sqr())
+                    .collect(),
+            )
         };
         let change = |one: &MeasuredResponse<'_>, part: usize| -> Vec<c64> {
-            inside.iter().map(|k| (one.without[part].value[*k] - one.value[*k]) * turn(one, *k)).collect()
+            inside
+                .iter()
+                .map(|k| (one.without[part].value[*k] - one.value[*k]) * turn(one, *k))
+                .collect()
         };
-        let places = measured.iter().map(|one| one.place).max().map_or(0, |last| last + 1);
+        let places = measured
+            .iter()
+            .map(|one| one.place)
+            .max()
+            .map_or(0, |last| last + 1);
         let of_place = |place: usize| {
-            let parts =
-                measured.iter().filter(|one| one.place == place).map(|one| one.without).min_by_key(|parts| parts.len()).unwrap_or(&[]);
+            let parts = measured
+                .iter()
+                .filter(|one| one.place == place)
+                .map(|one| one.without)
+                .min_by_key(|parts| parts.len())
+                .unwrap_or(&[]);
             let left_out = |(part, without): (usize, &LeaveOneOutResponse)| LeaveOneOutChange {
                 share: without.share,
                 place,
-                change: measured.iter().map(|one| if one.place == place { change(one, part) } else { Vec::new() }).collect(),
+                change: measured
+                    .iter()
+                    .map(|one| {
+                        if one.place == place {
+                            change(one, part)
+                        } else {
+                            Vec::new()
+                        }
+                    })
+                    .collect(),
             };
             parts.iter().enumerate().map(left_out).collect::<Vec<_>>()
         };
@@ -189,16 +256,32 @@ impl Band {
         for k in order(functions.len(), references, swapped) {
             let (function, power) = (&functions[k], power(quantities[k], responses.inputs[k]));
             let variance = several.then(|| variance(function));
-            measured.push(MeasuredResponse { value: &function.value, variance, power, without: &function.without, place: k % references });
+            measured.push(MeasuredResponse {
+                value: &function.value,
+                variance,
+                power,
+                without: &function.without,
+                place: k % references,
+            });
         }
-        let inputs = if swapped { functions.len() / references } else { references };
+        let inputs = if swapped {
+            functions.len() / references
+        } else {
+            references
+        };
         let sight = first.map_or(WindowBias::Whole, |function| function.sight);
-        Ok(Self { swapped, ..Self::of_measured(frequency_hz, &measured, inputs, sight, between_hz)? })
+        Ok(Self {
+            swapped,
+            ..Self::of_measured(frequency_hz, &measured, inputs, sight, between_hz)?
+        })
     }
 
     /// What stands in the order of the band in that of the responses.
     pub(super) fn in_order<T>(&self, of: Vec<T>) -> Vec<T> {
-        let mut placed: Vec<(usize, T)> = order(of.len(), self.outputs(), self.swapped).into_iter().zip(of).collect();
+        let mut placed: Vec<(usize, T)> = order(of.len(), self.outputs(), self.swapped)
+            .into_iter()
+            .zip(of)
+            .collect();
         placed.sort_by_key(|(k, _)| *k);
         placed.into_iter().map(|(_, one)| one).collect()
     }
@@ -212,7 +295,11 @@ impl Band {
             high_hz,
             frequency_hz: self.frequency_hz[..lines].to_vec(),
             response: self.response.iter().map(cut).collect(),
-            variance: self.variance.iter().map(|of| of[..lines].to_vec()).collect(),
+            variance: self
+                .variance
+                .iter()
+                .map(|of| of[..lines].to_vec())
+                .collect(),
             noise: self.noise,
             inputs: self.inputs,
             sight: self.sight,
@@ -224,12 +311,20 @@ impl Band {
 
     /// The band with the variances that what a fit left of its lines tells.
     pub(super) fn told_by(&self, variance: Vec<Vec<f64>>) -> Self {
-        Self { variance, noise: BandNoise::ByRest, parts: Vec::new(), ..self.clone() }
+        Self {
+            variance,
+            noise: BandNoise::ByRest,
+            parts: Vec::new(),
+            ..self.clone()
+        }
     }
 
     /// The band with noise that is alike on all lines, where nothing else tells it.
     pub(super) fn evenly_noisy(self) -> Self {
-        Self { noise: BandNoise::Even, ..self }
+        Self {
+            noise: BandNoise::Even,
+            ..self
+        }
     }
 
     /// True where only a fit can tell the noise.
@@ -239,7 +334,11 @@ impl Band {
 
     /// A response as it was measured.
     pub(super) fn measured(&self, response: usize) -> Vec<c64> {
-        self.response[response].iter().enumerate().map(|(k, h)| h * self.as_measured(response, k)).collect()
+        self.response[response]
+            .iter()
+            .enumerate()
+            .map(|(k, h)| h * self.as_measured(response, k))
+            .collect()
     }
 
     /// Factor from displacement to what a response measures, at a line.
@@ -286,5 +385,7 @@ fn order(responses: usize, references: usize, swapped: bool) -> Vec<usize> {
     if !swapped {
         return (0..responses).collect();
     }
-    (0..references).flat_map(|i| (i..responses).step_by(references)).collect()
+    (0..references)
+        .flat_map(|i| (i..responses).step_by(references))
+        .collect()
 }

@@ -16,29 +16,55 @@ const MIN_ORDER_SHARE: f64 = 0.6;
 /// The poles to begin with, each that stands for several close ones replaced by these, `most` at one place at most.
 pub(super) fn apart(diagram: &[StablePole], start: &[Pole], most: usize) -> Vec<Pole> {
     let last = diagram.iter().map(|found| found.order).max().unwrap_or(0);
-    let mut all: Vec<Pole> = start.iter().flat_map(|pole| beside(diagram, start, *pole, most, last)).collect();
+    let mut all: Vec<Pole> = start
+        .iter()
+        .flat_map(|pole| beside(diagram, start, *pole, most, last))
+        .collect();
     all.sort_by(|a, b| a.frequency_hz.total_cmp(&b.frequency_hz));
     all
 }
 
-fn beside(diagram: &[StablePole], start: &[Pole], pole: Pole, most: usize, last: usize) -> Vec<Pole> {
+fn beside(
+    diagram: &[StablePole],
+    start: &[Pole],
+    pole: Pole,
+    most: usize,
+    last: usize,
+) -> Vec<Pole> {
     let distance = |a: Pole, b: Pole| (a.frequency_hz / b.frequency_hz - 1.0).abs();
     let own = |found: &&StablePole| {
-        let (here, ratio) = (distance(found.pole, pole), found.pole.damping_ratio / pole.damping_ratio);
+        let (here, ratio) = (
+            distance(found.pole, pole),
+            found.pole.damping_ratio / pole.damping_ratio,
+        );
         found.stable != Stability::New
             && here <= MAX_FREQUENCY_DISTANCE
-            && start.iter().all(|other| here <= distance(found.pole, *other))
+            && start
+                .iter()
+                .all(|other| here <= distance(found.pole, *other))
             && (1.0 / MAX_DAMPING_RATIO..MAX_DAMPING_RATIO).contains(&ratio)
     };
     let mut of_order: Vec<Vec<Pole>> = vec![Vec::new(); last + 1];
-    diagram.iter().filter(own).for_each(|found| of_order[found.order].push(found.pole));
-    let Some(first) = of_order.iter().position(|poles| !poles.is_empty()) else { return vec![pole] };
+    diagram
+        .iter()
+        .filter(own)
+        .for_each(|found| of_order[found.order].push(found.pole));
+    let Some(first) = of_order.iter().position(|poles| !poles.is_empty()) else {
+        return vec![pole];
+    };
     let upper = &of_order[first.midpoint(last)..];
-    let hold = |count: usize| upper.iter().filter(|poles| poles.len() >= count).count() as f64 >= MIN_ORDER_SHARE * upper.len() as f64;
-    let Some(count) = (2..=most).rev().find(|count| hold(*count)) else { return vec![pole] };
+    let hold = |count: usize| {
+        upper.iter().filter(|poles| poles.len() >= count).count() as f64
+            >= MIN_ORDER_SHARE * upper.len() as f64
+    };
+    let Some(count) = (2..=most).rev().find(|count| hold(*count)) else {
+        return vec![pole];
+    };
     // The middle one of the orders that hold just so many; else the first of those that hold more.
     let exact: Vec<&Vec<Pole>> = upper.iter().filter(|poles| poles.len() == count).collect();
-    exact.get(exact.len() / 2).map_or_else(|| vec![pole], |poles| poles.to_vec())
+    exact
+        .get(exact.len() / 2)
+        .map_or_else(|| vec![pole], |poles| poles.to_vec())
 }
 
 #[cfg(test)]
@@ -46,17 +72,39 @@ mod tests {
     use super::*;
 
     fn found(order: usize, frequency_hz: f64) -> StablePole {
-        StablePole { order, pole: Pole { frequency_hz, damping_ratio: 0.01 }, stable: Stability::Pole }
+        StablePole {
+            order,
+            pole: Pole {
+                frequency_hz,
+                damping_ratio: 0.01,
+            },
+            stable: Stability::Pole,
+        }
     }
 
     /// Two poles in most of the upper orders are two modes; a second one here and there is noise.
     #[test]
     fn two_poles_at_one_place_in_most_orders_are_two_modes() {
-        let start = [Pole { frequency_hz: 50.0, damping_ratio: 0.01 }, Pole { frequency_hz: 80.0, damping_ratio: 0.01 }];
-        let both = (5..=20).flat_map(|order| [found(order, 49.98), found(order, 50.03), found(order, 80.0)]);
-        let now_and_then = (5..=20).filter(|order| order % 3 == 0).map(|order| found(order, 80.1));
+        let start = [
+            Pole {
+                frequency_hz: 50.0,
+                damping_ratio: 0.01,
+            },
+            Pole {
+                frequency_hz: 80.0,
+                damping_ratio: 0.01,
+            },
+        ];
+        let both = (5..=20)
+            .flat_map(|order| [found(order, 49.98), found(order, 50.03), found(order, 80.0)]);
+        let now_and_then = (5..=20)
+            .filter(|order| order % 3 == 0)
+            .map(|order| found(order, 80.1));
         let diagram: Vec<StablePole> = both.chain(now_and_then).collect();
-        let frequencies: Vec<f64> = apart(&diagram, &start, 2).iter().map(|pole| pole.frequency_hz).collect();
+        let frequencies: Vec<f64> = apart(&diagram, &start, 2)
+            .iter()
+            .map(|pole| pole.frequency_hz)
+            .collect();
         assert_eq!(frequencies, [49.98, 50.03, 80.0]);
         assert_eq!(apart(&diagram, &start, 1).len(), 2);
     }

@@ -49,20 +49,48 @@ pub(super) fn poles(band: &Band, most: usize) -> Result<Vec<Vec<Pole>>, ModalErr
 impl ComplexMoments {
     fn of(band: &Band, most: usize) -> Self {
         let (inputs, outputs) = (band.inputs, band.outputs());
-        let base_hz = band.frequency_hz.iter().copied().fold(f64::INFINITY, f64::min);
+        let base_hz = band
+            .frequency_hz
+            .iter()
+            .copied()
+            .fold(f64::INFINITY, f64::min);
         let highest = band.frequency_hz.iter().copied().fold(0.0, f64::max);
         let interval_s = 1.0 / (highest - base_hz + band.line_hz());
-        let turn: Vec<c64> = band.frequency_hz.iter().map(|f| c64::from_polar(1.0, -TAU * (f - base_hz) * interval_s)).collect();
+        let turn: Vec<c64> = band
+            .frequency_hz
+            .iter()
+            .map(|f| c64::from_polar(1.0, -TAU * (f - base_hz) * interval_s))
+            .collect();
         // Of a signal times -j the real part is the imaginary part of the signal.
-        let signals: Vec<Vec<c64>> =
-            signals(band).into_iter().flat_map(|h| [h.iter().map(|x| c64::new(x.im, -x.re)).collect(), h]).collect();
+        let signals: Vec<Vec<c64>> = signals(band)
+            .into_iter()
+            .flat_map(|h| [h.iter().map(|x| c64::new(x.im, -x.re)).collect(), h])
+            .collect();
         let sums = both_ways(&turn, &signals, most);
-        let joined = |pair: &[Vec<f64>]| -> Vec<c64> { pair[1].iter().zip(&pair[0]).map(|(re, im)| c64::new(*re, *im)).collect() };
+        let joined = |pair: &[Vec<f64>]| -> Vec<c64> {
+            pair[1]
+                .iter()
+                .zip(&pair[0])
+                .map(|(re, im)| c64::new(*re, *im))
+                .collect()
+        };
         let mut sums = sums.chunks(2).map(joined);
-        let mut rows = |count: usize| -> Vec<Vec<Vec<c64>>> { (0..count).map(|_| sums.by_ref().take(inputs).collect()).collect() };
+        let mut rows = |count: usize| -> Vec<Vec<Vec<c64>>> {
+            (0..count)
+                .map(|_| sums.by_ref().take(inputs).collect())
+                .collect()
+        };
         let (s, t) = (rows(outputs), rows(inputs));
         let r = sums.next().unwrap_or_default();
-        Self { inputs, r, s, t, most, interval_s, base_hz }
+        Self {
+            inputs,
+            r,
+            s,
+            t,
+            most,
+            interval_s,
+            base_hz,
+        }
     }
 
     /// The matrix `M` of each order from 1, as far as `R` has a factor.
@@ -70,14 +98,19 @@ impl ComplexMoments {
         let (n, width) = (self.inputs, self.most + 1);
         let index = |a: usize, b: usize| self.most + b - a;
         let r = Mat::from_fn(width, width, |a, b| self.r[index(a, b)]);
-        let factor = r.llt(Side::Lower).map_err(|_| ModalError::Singular { order: self.most })?;
+        let factor = r
+            .llt(Side::Lower)
+            .map_err(|_| ModalError::Singular { order: self.most })?;
         let inverse = {
             let mut inverse = Mat::<c64>::identity(width, width);
             factor.L().solve_lower_triangular_in_place(&mut inverse);
             inverse
         };
-        let y: Vec<Mat<c64>> =
-            self.s.par_iter().map(|s| &inverse * Mat::from_fn(width, n * width, |a, b| -s[b % n][index(a, b / n)])).collect();
+        let y: Vec<Mat<c64>> = self
+            .s
+            .par_iter()
+            .map(|s| &inverse * Mat::from_fn(width, n * width, |a, b| -s[b % n][index(a, b / n)]))
+            .collect();
         let mut taken = Mat::<c64>::zeros(n * width, n * width);
         let mut all = Vec::new();
         for order in 0..width {
@@ -85,7 +118,9 @@ impl ComplexMoments {
             taken += row.adjoint() * &row;
             let size = n * (order + 1);
             if order > 0 {
-                all.push(Mat::from_fn(size, size, |a, b| self.t[a % n][b % n][index(a / n, b / n)] - taken[(a, b)]));
+                all.push(Mat::from_fn(size, size, |a, b| {
+                    self.t[a % n][b % n][index(a / n, b / n)] - taken[(a, b)]
+                }));
             }
         }
         Ok(all)
@@ -98,7 +133,10 @@ impl ComplexMoments {
         let left = m.submatrix(0, 0, free, free).to_owned();
         let right = Mat::from_fn(free, n, |a, b| -m[(a, free + b)]);
         let coefficients = left.partial_piv_lu().solve(&right);
-        if !coefficients.col_iter().all(|column| column.iter().all(|x| x.re.is_finite() && x.im.is_finite())) {
+        if !coefficients
+            .col_iter()
+            .all(|column| column.iter().all(|x| x.re.is_finite() && x.im.is_finite()))
+        {
             return None;
         }
         let companion = Mat::from_fn(free, free, |a, b| {
@@ -113,9 +151,17 @@ impl ComplexMoments {
         let pole = |z: &c64| {
             let p = -z.ln() / self.interval_s;
             // Once around the circle is the width of the band.
-            c64::new(p.re, p.im + if p.im < 0.0 { turn } else { 0.0 } + TAU * self.base_hz)
+            c64::new(
+                p.re,
+                p.im + if p.im < 0.0 { turn } else { 0.0 } + TAU * self.base_hz,
+            )
         };
-        let mut found: Vec<Pole> = roots.iter().map(pole).filter(|p| p.re < 0.0 && p.re.is_finite()).map(Pole::of).collect();
+        let mut found: Vec<Pole> = roots
+            .iter()
+            .map(pole)
+            .filter(|p| p.re < 0.0 && p.re.is_finite())
+            .map(Pole::of)
+            .collect();
         found.sort_by(|a, b| a.frequency_hz.total_cmp(&b.frequency_hz));
         Some(found)
     }
@@ -129,7 +175,10 @@ mod tests {
     use super::*;
 
     fn pole(frequency_hz: f64, damping_ratio: f64) -> Pole {
-        Pole { frequency_hz, damping_ratio }
+        Pole {
+            frequency_hz,
+            damping_ratio,
+        }
     }
 
     /// The band between two frequencies, seen by eight accelerometers, of a structure with these modes, from one force or two.
@@ -137,28 +186,65 @@ mod tests {
         let frequency_hz: Vec<f64> = (1..6000).map(|k| f64::from(k) * 0.1).collect();
         let mut response = exact(&frequency_hz, modes, shape, 8, inputs);
         for h in &mut response {
-            h.iter_mut().zip(&frequency_hz).for_each(|(h, f)| *h *= -(TAU * f).powi(2));
+            h.iter_mut()
+                .zip(&frequency_hz)
+                .for_each(|(h, f)| *h *= -(TAU * f).powi(2));
         }
-        Band::new(&frequency_hz, &response, &[], inputs, ResponseQuantity::Acceleration, between_hz).unwrap()
+        Band::new(
+            &frequency_hz,
+            &response,
+            &[],
+            inputs,
+            ResponseQuantity::Acceleration,
+            between_hz,
+        )
+        .unwrap()
     }
 
     fn modes() -> Vec<Pole> {
-        let inside = [pole(213.0, 0.008), pole(231.0, 0.01), pole(252.0, 0.004), pole(289.0, 0.006)];
-        [&[pole(60.0, 0.01), pole(140.0, 0.01)], &inside[..], &[pole(340.0, 0.01), pole(480.0, 0.01)]].concat()
+        let inside = [
+            pole(213.0, 0.008),
+            pole(231.0, 0.01),
+            pole(252.0, 0.004),
+            pole(289.0, 0.006),
+        ];
+        [
+            &[pole(60.0, 0.01), pole(140.0, 0.01)],
+            &inside[..],
+            &[pole(340.0, 0.01), pole(480.0, 0.01)],
+        ]
+        .concat()
     }
 
     /// Four modes in a band with two modes below it and two above.
     #[test]
     fn poles_far_from_zero_come_back_beside_modes_outside_of_the_band() {
         for inputs in [1, 2] {
-            let found = super::super::poles(&band((200.0, 300.0), &modes(), inputs), 24).unwrap().pop().unwrap();
+            let found = super::super::poles(&band((200.0, 300.0), &modes(), inputs), 24)
+                .unwrap()
+                .pop()
+                .unwrap();
             for pole in &modes()[2..6] {
-                let distance = |p: &&Pole| (p.frequency_hz / pole.frequency_hz - 1.0).abs() + (p.damping_ratio - pole.damping_ratio).abs();
-                let nearest = found.iter().min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap();
-                let (frequency, damping) =
-                    (nearest.frequency_hz / pole.frequency_hz - 1.0, nearest.damping_ratio / pole.damping_ratio - 1.0);
-                eprintln!("{inputs} inputs: {:.0} Hz off by {frequency:.1e}, damping ratio by {damping:.1e}", pole.frequency_hz);
-                assert!(frequency.abs() < 1e-6 && damping.abs() < 1e-4, "{inputs}: {pole:?} {nearest:?}");
+                let distance = |p: &&Pole| {
+                    (p.frequency_hz / pole.frequency_hz - 1.0).abs()
+                        + (p.damping_ratio - pole.damping_ratio).abs()
+                };
+                let nearest = found
+                    .iter()
+                    .min_by(|a, b| distance(a).total_cmp(&distance(b)))
+                    .unwrap();
+                let (frequency, damping) = (
+                    nearest.frequency_hz / pole.frequency_hz - 1.0,
+                    nearest.damping_ratio / pole.damping_ratio - 1.0,
+                );
+                eprintln!(
+                    "{inputs} inputs: {:.0} Hz off by {frequency:.1e}, damping ratio by {damping:.1e}",
+                    pole.frequency_hz
+                );
+                assert!(
+                    frequency.abs() < 1e-6 && damping.abs() < 1e-4,
+                    "{inputs}: {pole:?} {nearest:?}"
+                );
             }
         }
     }
@@ -166,12 +252,20 @@ mod tests {
     /// All that is done to a band, up to the modes: four of them, and one at a low order.
     #[test]
     fn modes_far_from_zero_are_found() {
-        let cases = [((200.0, 300.0), 40, modes(), 2..6), ((90.0, 130.0), 6, vec![pole(110.0, 0.01)], 0..1)];
+        let cases = [
+            ((200.0, 300.0), 40, modes(), 2..6),
+            ((90.0, 130.0), 6, vec![pole(110.0, 0.01)], 0..1),
+        ];
         for (between_hz, order, modes, inside) in cases {
             let found = identify(&band(between_hz, &modes, 1), ModalSettings { order }).unwrap();
             for pole in &modes[inside] {
-                let off = |mode: &super::super::Mode| (mode.frequency_hz / pole.frequency_hz - 1.0).abs();
-                let nearest = found.modes.iter().min_by(|a, b| off(a).total_cmp(&off(b))).unwrap();
+                let off =
+                    |mode: &super::super::Mode| (mode.frequency_hz / pole.frequency_hz - 1.0).abs();
+                let nearest = found
+                    .modes
+                    .iter()
+                    .min_by(|a, b| off(a).total_cmp(&off(b)))
+                    .unwrap();
                 let damping = nearest.damping_ratio / pole.damping_ratio - 1.0;
                 eprintln!(
                     "{:.0} Hz of {} modes off by {:.1e}, damping ratio by {damping:.1e}",
@@ -179,7 +273,10 @@ mod tests {
                     found.modes.len(),
                     off(nearest)
                 );
-                assert!(off(nearest) < 1e-6 && damping.abs() < 1e-4, "{pole:?} {nearest:?}");
+                assert!(
+                    off(nearest) < 1e-6 && damping.abs() < 1e-4,
+                    "{pole:?} {nearest:?}"
+                );
             }
         }
     }
@@ -187,8 +284,18 @@ mod tests {
     #[test]
     fn zero_responses_are_an_error() {
         let frequency_hz: Vec<f64> = (100..200).map(f64::from).collect();
-        let band =
-            Band::new(&frequency_hz, &[vec![c64::new(0.0, 0.0); 100]], &[], 1, ResponseQuantity::Acceleration, (100.0, 200.0)).unwrap();
-        assert!(matches!(super::super::poles(&band, 8), Err(ModalError::Singular { .. })));
+        let band = Band::new(
+            &frequency_hz,
+            &[vec![c64::new(0.0, 0.0); 100]],
+            &[],
+            1,
+            ResponseQuantity::Acceleration,
+            (100.0, 200.0),
+        )
+        .unwrap();
+        assert!(matches!(
+            super::super::poles(&band, 8),
+            Err(ModalError::Singular { .. })
+        ));
     }
 }

@@ -24,24 +24,52 @@ pub(super) struct PoleCovariance {
 
 impl PoleCovariance {
     /// By the rows that each output leaves: those of its responses after each other, two to each line. None where the rows leave an unknown free.
-    pub fn of(band: &Band, data: &FitData, outputs: &[ProjectedProblem], misfit: f64) -> Option<Self> {
+    pub fn of(
+        band: &Band,
+        data: &FitData,
+        outputs: &[ProjectedProblem],
+        misfit: f64,
+    ) -> Option<Self> {
         let size = outputs.first()?.projected.ncols();
         let mut normal = Mat::<f64>::zeros(size, size);
-        outputs.iter().for_each(|left| normal += left.projected.transpose() * &left.projected);
+        outputs
+            .iter()
+            .for_each(|left| normal += left.projected.transpose() * &left.projected);
         let inverse = normal.llt(Side::Lower).ok()?.inverse();
         // Without variances the misfit is all that is known of them.
-        let factor = if band.variance.is_empty() { misfit } else { misfit.max(1.0) };
-        let told = Self { inverse, scatter: None, factor };
+        let factor = if band.variance.is_empty() {
+            misfit
+        } else {
+            misfit.max(1.0)
+        };
+        let told = Self {
+            inverse,
+            scatter: None,
+            factor,
+        };
         if !band.parts.is_empty() {
             let turns = Scatter::turns(band.parts.len(), band.sight);
-            let change = |left: &LeaveOneOutChange| &told.inverse * score(data, outputs, left, turns);
-            let scatter = Scatter::of_parts(band.parts.par_iter().map(change).collect(), &band.parts, band.sight);
-            return Some(Self { scatter: Some(scatter), ..told });
+            let change =
+                |left: &LeaveOneOutChange| &told.inverse * score(data, outputs, left, turns);
+            let scatter = Scatter::of_parts(
+                band.parts.par_iter().map(change).collect(),
+                &band.parts,
+                band.sight,
+            );
+            return Some(Self {
+                scatter: Some(scatter),
+                ..told
+            });
         }
         if band.noise == BandNoise::ByRest {
             let change = |line: usize| &told.inverse * told.score_of_line(data, outputs, line);
-            let scatter = Scatter::of_lines((0..data.lines.len()).into_par_iter().map(change).collect());
-            return Some(Self { scatter: Some(scatter), factor: 1.0, ..told });
+            let scatter =
+                Scatter::of_lines((0..data.lines.len()).into_par_iter().map(change).collect());
+            return Some(Self {
+                scatter: Some(scatter),
+                factor: 1.0,
+                ..told
+            });
         }
         Some(told)
     }
@@ -50,9 +78,13 @@ impl PoleCovariance {
     pub fn deviations(&self, poles: &[c64]) -> Vec<(f64, f64)> {
         let of = |(r, p): (usize, &c64)| {
             let (a, b, size) = (p.re, p.im, p.norm());
-            let deviation = |slopes: [f64; 2]| (self.variance(r, slopes) * self.factor).max(0.0).sqrt();
+            let deviation =
+                |slopes: [f64; 2]| (self.variance(r, slopes) * self.factor).max(0.0).sqrt();
             // |p| and -re p / |p|.
-            (deviation([a / size, b / size]) / TAU, deviation([-b * b / size.powi(3), a * b / size.powi(3)]))
+            (
+                deviation([a / size, b / size]) / TAU,
+                deviation([-b * b / size.powi(3), a * b / size.powi(3)]),
+            )
         };
         poles.iter().enumerate().map(of).collect()
     }
@@ -61,15 +93,23 @@ impl PoleCovariance {
     fn variance(&self, r: usize, slope: [f64; 2]) -> f64 {
         let covariance = &self.inverse;
         let told = || {
-            let (vr, vi, c) = (covariance[(2 * r, 2 * r)], covariance[(2 * r + 1, 2 * r + 1)], covariance[(2 * r, 2 * r + 1)]);
+            let (vr, vi, c) = (
+                covariance[(2 * r, 2 * r)],
+                covariance[(2 * r + 1, 2 * r + 1)],
+                covariance[(2 * r, 2 * r + 1)],
+            );
             slope[0].powi(2) * vr + slope[1].powi(2) * vi + 2.0 * slope[0] * slope[1] * c
         };
-        self.scatter.as_ref().map_or_else(told, |scatter| scatter.variance(r, slope))
+        self.scatter
+            .as_ref()
+            .map_or_else(told, |scatter| scatter.variance(r, slope))
     }
 
     /// Degrees of freedom of the deviations of each pole; none where they are known well.
     pub fn freedoms(&self, poles: usize) -> Vec<Option<f64>> {
-        (0..poles).map(|r| self.scatter.as_ref().map(|scatter| scatter.freedom(r))).collect()
+        (0..poles)
+            .map(|r| self.scatter.as_ref().map(|scatter| scatter.freedom(r)))
+            .collect()
     }
 
     /// Share of a row that the unknowns take up, those that are not linear among them.
@@ -79,13 +119,19 @@ impl PoleCovariance {
     }
 
     /// Share of each line of each response of a band that the unknowns take up; that of lines which the fit leaves out is nothing.
-    pub fn taken(&self, data: &FitData, outputs: &[ProjectedProblem], band: &Band) -> Vec<Vec<f64>> {
+    pub fn taken(
+        &self,
+        data: &FitData,
+        outputs: &[ProjectedProblem],
+        band: &Band,
+    ) -> Vec<Vec<f64>> {
         let (rows, inputs) = (2 * data.lines.len(), responses_of_part(data, outputs));
         let of = |response: usize| {
             let (left, from) = (&outputs[response / inputs], response % inputs * rows);
             let mut shares = vec![0.0; band.frequency_hz.len()];
             for (k, line) in data.lines.iter().enumerate() {
-                shares[*line] = 0.5 * (self.share(left, from + 2 * k) + self.share(left, from + 2 * k + 1));
+                shares[*line] =
+                    0.5 * (self.share(left, from + 2 * k) + self.share(left, from + 2 * k + 1));
             }
             shares
         };
@@ -100,7 +146,10 @@ impl PoleCovariance {
             for re in (2 * line..left.rest.nrows()).step_by(2 * data.lines.len()) {
                 let taken = 0.5 * (self.share(left, re) + self.share(left, re + 1));
                 let widened = (1.0 - taken).max(MIN_FREE_SHARE).sqrt().recip() / 2f64.sqrt();
-                let (x, y) = (left.rest[(re, 0)] * widened, left.rest[(re + 1, 0)] * widened);
+                let (x, y) = (
+                    left.rest[(re, 0)] * widened,
+                    left.rest[(re + 1, 0)] * widened,
+                );
                 for c in 0..sum.nrows() {
                     let (by_re, by_im) = (left.projected[(re, c)], left.projected[(re + 1, c)]);
                     sum[(c, 0)] += by_re * x + by_im * y;
@@ -118,7 +167,12 @@ fn responses_of_part(data: &FitData, outputs: &[ProjectedProblem]) -> usize {
 }
 
 /// What a part that is left out adds to `J^T P e` over all responses, as it is and turned by 90 degrees.
-fn score(data: &FitData, outputs: &[ProjectedProblem], left_out: &LeaveOneOutChange, turns: usize) -> Mat<f64> {
+fn score(
+    data: &FitData,
+    outputs: &[ProjectedProblem],
+    left_out: &LeaveOneOutChange,
+    turns: usize,
+) -> Mat<f64> {
     let size = outputs.first().map_or(0, |left| left.projected.ncols());
     let inputs = responses_of_part(data, outputs);
     let rows = 2 * data.lines.len();
@@ -126,8 +180,11 @@ fn score(data: &FitData, outputs: &[ProjectedProblem], left_out: &LeaveOneOutCha
     for (o, left) in outputs.iter().enumerate() {
         let turned = Mat::from_fn(left.projected.nrows(), turns, |row, turn| {
             let (response, k) = (o * inputs + row / rows, row % rows / 2);
-            let change =
-                left_out.change[response].get(data.lines[k]).map_or(c64::new(0.0, 0.0), |of| of * data.responses[response].weight[k]);
+            let change = left_out.change[response]
+                .get(data.lines[k])
+                .map_or(c64::new(0.0, 0.0), |of| {
+                    of * data.responses[response].weight[k]
+                });
             match (row % 2, turn) {
                 (0, 0) | (1, 1) => change.re,
                 (0, _) => -change.im,

@@ -21,15 +21,27 @@ struct TermPoint {
 impl TermPoint {
     fn of_line((sight, power, _): TermKind, w: f64) -> Self {
         let at = c64::new(0.0, w);
-        Self { at, end: sight.end(at), factor: at.powi(-power) }
+        Self {
+            at,
+            end: sight.end(at),
+            factor: at.powi(-power),
+        }
     }
 
     fn of_pole((sight, power, _): TermKind, at: c64) -> Self {
-        Self { at, end: sight.end(-at), factor: at.powi(power) }
+        Self {
+            at,
+            end: sight.end(-at),
+            factor: at.powi(power),
+        }
     }
 
     fn conj(self) -> Self {
-        Self { at: self.at.conj(), end: self.end.conj(), factor: self.factor.conj() }
+        Self {
+            at: self.at.conj(),
+            end: self.end.conj(),
+            factor: self.factor.conj(),
+        }
     }
 
     /// `(p / j w)^m G(j w - p)` and its derivative by `p`, at this line.
@@ -38,13 +50,19 @@ impl TermPoint {
         let factor = line.factor * pole.factor;
         match power {
             0 => (value, -slope),
-            _ => (factor * value, factor * (f64::from(power) * value / pole.at - slope)),
+            _ => (
+                factor * value,
+                factor * (f64::from(power) * value / pole.at - slope),
+            ),
         }
     }
 
     /// The same of a pole and its conjugate, put together for the real and the imaginary part of what stands before them: values, derivatives.
     fn both(kind: TermKind, line: Self, pole: Self) -> ([c64; 2], [c64; 2]) {
-        let (one, two) = (Self::seen(kind, line, pole), Self::seen(kind, line, pole.conj()));
+        let (one, two) = (
+            Self::seen(kind, line, pole),
+            Self::seen(kind, line, pole.conj()),
+        );
         let parts = |one: c64, two: c64| [one + two, c64::new(0.0, 1.0) * (one - two)];
         (parts(one.0, two.0), parts(one.1, two.1))
     }
@@ -59,13 +77,20 @@ pub(super) struct LinearTerms {
 
 impl LinearTerms {
     pub fn of(kind: TermKind, poles: &[c64]) -> Self {
-        Self { kind, poles: poles.iter().map(|p| TermPoint::of_pole(kind, *p)).collect() }
+        Self {
+            kind,
+            poles: poles.iter().map(|p| TermPoint::of_pole(kind, *p)).collect(),
+        }
     }
 
     /// What the terms times some unknowns add to at a line.
     pub fn sum(&self, w: f64, unknown: impl Iterator<Item = f64>) -> c64 {
         let line = TermPoint::of_line(self.kind, w);
-        let terms = self.poles.iter().flat_map(|pole| TermPoint::both(self.kind, line, *pole).0).chain(residuals(w, self.kind.2));
+        let terms = self
+            .poles
+            .iter()
+            .flat_map(|pole| TermPoint::both(self.kind, line, *pole).0)
+            .chain(residuals(w, self.kind.2));
         terms.zip(unknown).map(|(term, x)| term * x).sum()
     }
 }
@@ -73,7 +98,9 @@ impl LinearTerms {
 /// The terms of the modes below and above the band.
 fn residuals(w: f64, upper: usize) -> impl Iterator<Item = c64> {
     let above = std::iter::successors(Some(1.0), move |x| Some(x * (w * w))).take(upper);
-    std::iter::once(-1.0 / (w * w)).chain(above).flat_map(|x| [c64::new(x, 0.0), c64::new(0.0, x)])
+    std::iter::once(-1.0 / (w * w))
+        .chain(above)
+        .flat_map(|x| [c64::new(x, 0.0), c64::new(0.0, x)])
 }
 
 /// What all responses share at some poles, not weighed: two rows for each line, its real and its imaginary part.
@@ -87,21 +114,38 @@ pub(super) struct DesignMatrix {
 
 impl DesignMatrix {
     /// Those of each power.
-    pub fn of_kinds(sight: WindowBias, powers: &[i32], angular: &[f64], poles: &[c64], upper: usize) -> Vec<Self> {
-        powers.iter().map(|power| Self::of((sight, *power, upper), angular, poles)).collect()
+    pub fn of_kinds(
+        sight: WindowBias,
+        powers: &[i32],
+        angular: &[f64],
+        poles: &[c64],
+        upper: usize,
+    ) -> Vec<Self> {
+        powers
+            .iter()
+            .map(|power| Self::of((sight, *power, upper), angular, poles))
+            .collect()
     }
 
     fn of(kind: TermKind, angular: &[f64], poles: &[c64]) -> Self {
         let (rows, modes) = (2 * angular.len(), 2 * poles.len());
-        let (mut linear, mut squares) = (Mat::<f64>::zeros(rows, modes + 2 + 2 * kind.2), Mat::<f64>::zeros(rows, modes));
-        let lines: Vec<TermPoint> = angular.iter().map(|w| TermPoint::of_line(kind, *w)).collect();
+        let (mut linear, mut squares) = (
+            Mat::<f64>::zeros(rows, modes + 2 + 2 * kind.2),
+            Mat::<f64>::zeros(rows, modes),
+        );
+        let lines: Vec<TermPoint> = angular
+            .iter()
+            .map(|w| TermPoint::of_line(kind, *w))
+            .collect();
         for (r, p) in poles.iter().enumerate() {
             let pole = TermPoint::of_pole(kind, *p);
             for (k, line) in lines.iter().enumerate() {
                 let (values, slopes) = TermPoint::both(kind, *line, pole);
                 for c in 0..2 {
-                    (linear[(2 * k, 2 * r + c)], linear[(2 * k + 1, 2 * r + c)]) = (values[c].re, values[c].im);
-                    (squares[(2 * k, 2 * r + c)], squares[(2 * k + 1, 2 * r + c)]) = (slopes[c].re, slopes[c].im);
+                    (linear[(2 * k, 2 * r + c)], linear[(2 * k + 1, 2 * r + c)]) =
+                        (values[c].re, values[c].im);
+                    (squares[(2 * k, 2 * r + c)], squares[(2 * k + 1, 2 * r + c)]) =
+                        (slopes[c].re, slopes[c].im);
                 }
             }
         }

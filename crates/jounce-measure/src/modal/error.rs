@@ -5,7 +5,9 @@
 #[serde(untagged)]
 pub enum ModalError {
     /// Responses of unequal length, or none.
-    #[error("response {response} has {lines} lines and the frequencies are {expected}; at least one response of as many lines is needed")]
+    #[error(
+        "response {response} has {lines} lines and the frequencies are {expected}; at least one response of as many lines is needed"
+    )]
     Lengths {
         /// Number of the response, from 1.
         response: usize,
@@ -49,7 +51,9 @@ pub enum ModalError {
         order: usize,
     },
     /// No pole stays where it is.
-    #[error("no pole is stable from order to order between {low_hz} and {high_hz} Hz: there is no clear mode, or the coherence is too low")]
+    #[error(
+        "no pole is stable from order to order between {low_hz} and {high_hz} Hz: there is no clear mode, or the coherence is too low"
+    )]
     NoMode {
         /// Lower end, Hz.
         low_hz: f64,
@@ -77,7 +81,15 @@ pub enum ModalError {
 const MAX_LISTED_FREQUENCIES: usize = 6;
 
 fn first(frequency_hz: &[f64]) -> String {
-    let first: Vec<String> = frequency_hz.iter().take(MAX_LISTED_FREQUENCIES).map(|f| format!("{f:.4}")).collect();
-    let more = if frequency_hz.len() > MAX_LISTED_FREQUENCIES { ", ..." } else { "" };
+    let first: Vec<String> = frequency_hz
+        .iter()
+        .take(MAX_LISTED_FREQUENCIES)
+        .map(|f| format!("{f:.4}"))
+        .collect();
+    let more = if frequency_hz.len() > MAX_LISTED_FREQUENCIES {
+        ", ..."
+    } else {
+        ""
+    };
     format!("{}{more}", first.join(", "))
 }

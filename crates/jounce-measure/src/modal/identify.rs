@@ -79,7 +79,10 @@ impl Mode {
     }
 
     pub(super) fn pole(&self) -> Pole {
-        Pole { frequency_hz: self.frequency_hz, damping_ratio: self.damping_ratio }
+        Pole {
+            frequency_hz: self.frequency_hz,
+            damping_ratio: self.damping_ratio,
+        }
     }
 
     /// True where the interval of its damping ratio reaches down to 0: noise makes such poles, and it may be no mode.
@@ -90,14 +93,21 @@ impl Mode {
     /// Takes off the damping that an exponential window added, in 1/s. The window moves the pole by its decay, along the real axis.
     pub fn without_decay(&mut self, decay_per_s: f64) {
         let w = TAU * self.frequency_hz;
-        let (re, im) = (-self.damping_ratio * w + decay_per_s, w * (1.0 - self.damping_ratio.powi(2)).max(0.0).sqrt());
+        let (re, im) = (
+            -self.damping_ratio * w + decay_per_s,
+            w * (1.0 - self.damping_ratio.powi(2)).max(0.0).sqrt(),
+        );
         let size = re.hypot(im);
         (self.frequency_hz, self.damping_ratio) = (size / TAU, -re / size);
     }
 }
 
 fn largest(values: &[c64]) -> c64 {
-    values.iter().copied().max_by(|a, b| a.norm().total_cmp(&b.norm())).unwrap_or(c64::new(1.0, 0.0))
+    values
+        .iter()
+        .copied()
+        .max_by(|a, b| a.norm().total_cmp(&b.norm()))
+        .unwrap_or(c64::new(1.0, 0.0))
 }
 
 fn over_largest(values: &[c64]) -> Vec<c64> {
@@ -133,7 +143,11 @@ pub struct Identification {
 /// Too few lines, responses that are zero, no stable pole.
 pub fn identify(band: &Band, settings: ModalSettings) -> Result<Identification, ModalError> {
     let (diagram, start) = candidates(band, settings)?;
-    let mut found = if band.inputs > 1 { shared(band, diagram, &start)? } else { explained(band, diagram, &start)? };
+    let mut found = if band.inputs > 1 {
+        shared(band, diagram, &start)?
+    } else {
+        explained(band, diagram, &start)?
+    };
     if band.swapped {
         found.modes.iter_mut().for_each(Mode::swap);
     }
@@ -142,7 +156,11 @@ pub fn identify(band: &Band, settings: ModalSettings) -> Result<Identification, 
 }
 
 /// The modes of maximum likelihood of one reference, those at peaks that they do not explain among them.
-fn explained(band: &Band, diagram: Vec<StablePole>, start: &[Pole]) -> Result<Identification, ModalError> {
+fn explained(
+    band: &Band,
+    diagram: Vec<StablePole>,
+    start: &[Pole],
+) -> Result<Identification, ModalError> {
     let mut found = refined(band, diagram, start)?;
     found.unexplained = unexplained(band, &found.modes);
     if !found.unexplained.is_empty() {
@@ -160,34 +178,88 @@ fn explained(band: &Band, diagram: Vec<StablePole>, start: &[Pole]) -> Result<Id
 }
 
 /// The modes of maximum likelihood of several references.
-fn shared(band: &Band, diagram: Vec<StablePole>, start: &[Pole]) -> Result<Identification, ModalError> {
+fn shared(
+    band: &Band,
+    diagram: Vec<StablePole>,
+    start: &[Pole],
+) -> Result<Identification, ModalError> {
     let start = apart(&diagram, start, band.inputs);
     let mut found = fit_shared(band, &start).ok_or(none(band))?;
     while let Some(left) = known(band, &found.poles, &found.deviation)? {
         found = fit_shared(band, &left).ok_or(none(band))?;
     }
-    let ModalFit { poles, deviation, residue, participation, model, misfit, freedom, .. } = found;
+    let ModalFit {
+        poles,
+        deviation,
+        residue,
+        participation,
+        model,
+        misfit,
+        freedom,
+        ..
+    } = found;
     let mode = |r: usize| {
-        let mut mode = mode(poles[r], deviation[r], freedom[r], residue.iter().map(|output| output[r]).collect());
+        let mut mode = mode(
+            poles[r],
+            deviation[r],
+            freedom[r],
+            residue.iter().map(|output| output[r]).collect(),
+        );
         mode.participation = over_largest(&participation[r]);
-        let largest = participation[r].iter().map(|b| b.norm()).fold(0.0, f64::max);
+        let largest = participation[r]
+            .iter()
+            .map(|b| b.norm())
+            .fold(0.0, f64::max);
         mode.residue.iter_mut().for_each(|a| *a *= largest);
         mode
     };
-    identification(band, diagram, (0..poles.len()).map(mode).collect(), model, misfit)
+    identification(
+        band,
+        diagram,
+        (0..poles.len()).map(mode).collect(),
+        model,
+        misfit,
+    )
 }
 
-fn mode(pole: Pole, (frequency_deviation_hz, damping_deviation): (f64, f64), freedom: Option<f64>, residue: Vec<c64>) -> Mode {
+fn mode(
+    pole: Pole,
+    (frequency_deviation_hz, damping_deviation): (f64, f64),
+    freedom: Option<f64>,
+    residue: Vec<c64>,
+) -> Mode {
     let quantile_95 = freedom.map_or(Mode::QUANTILE_95, student_95);
-    let Pole { frequency_hz, damping_ratio } = pole;
+    let Pole {
+        frequency_hz,
+        damping_ratio,
+    } = pole;
     let participation = vec![c64::new(1.0, 0.0)];
-    Mode { frequency_hz, frequency_deviation_hz, damping_ratio, damping_deviation, quantile_95, residue, participation }
+    Mode {
+        frequency_hz,
+        frequency_deviation_hz,
+        damping_ratio,
+        damping_deviation,
+        quantile_95,
+        residue,
+        participation,
+    }
 }
 
 /// The poles that are known well enough to be modes where some are not; none where all are.
-fn known(band: &Band, poles: &[Pole], deviation: &[(f64, f64)]) -> Result<Option<Vec<Pole>>, ModalError> {
-    let known = |(pole, deviation): &(&Pole, &(f64, f64))| deviation.0 < MAX_FREQUENCY_DEVIATION * pole.frequency_hz;
-    let left: Vec<Pole> = poles.iter().zip(deviation).filter(known).map(|(pole, _)| *pole).collect();
+fn known(
+    band: &Band,
+    poles: &[Pole],
+    deviation: &[(f64, f64)],
+) -> Result<Option<Vec<Pole>>, ModalError> {
+    let known = |(pole, deviation): &(&Pole, &(f64, f64))| {
+        deviation.0 < MAX_FREQUENCY_DEVIATION * pole.frequency_hz
+    };
+    let left: Vec<Pole> = poles
+        .iter()
+        .zip(deviation)
+        .filter(known)
+        .map(|(pole, _)| *pole)
+        .collect();
     if left.is_empty() {
         return Err(none(band));
     }
@@ -195,23 +267,52 @@ fn known(band: &Band, poles: &[Pole], deviation: &[(f64, f64)]) -> Result<Option
 }
 
 /// The stabilisation diagram of a band and the poles that stay.
-pub(super) fn candidates(band: &Band, settings: ModalSettings) -> Result<(Vec<StablePole>, Vec<Pole>), ModalError> {
+pub(super) fn candidates(
+    band: &Band,
+    settings: ModalSettings,
+) -> Result<(Vec<StablePole>, Vec<Pole>), ModalError> {
     let (diagram, start) = stable(band, settings)?;
-    if start.is_empty() { Err(none(band)) } else { Ok((diagram, start)) }
+    if start.is_empty() {
+        Err(none(band))
+    } else {
+        Ok((diagram, start))
+    }
 }
 
 fn none(band: &Band) -> ModalError {
-    ModalError::NoMode { low_hz: band.low_hz, high_hz: band.high_hz }
+    ModalError::NoMode {
+        low_hz: band.low_hz,
+        high_hz: band.high_hz,
+    }
 }
 
 /// The modes of maximum likelihood that begin at some poles; those that turn out to be known to nothing are left out, and the rest fitted anew.
-pub(super) fn refined(band: &Band, diagram: Vec<StablePole>, start: &[Pole]) -> Result<Identification, ModalError> {
+pub(super) fn refined(
+    band: &Band,
+    diagram: Vec<StablePole>,
+    start: &[Pole],
+) -> Result<Identification, ModalError> {
     let mut found = fit(band, start).ok_or(none(band))?;
     while let Some(left) = known(band, &found.poles, &found.deviation)? {
         found = fit(band, &left).ok_or(none(band))?;
     }
-    let ModalFit { poles, deviation, residue, model, misfit, freedom, .. } = found;
-    let modes = (0..poles.len()).map(|r| mode(poles[r], deviation[r], freedom[r], residue.iter().map(|response| response[r]).collect()));
+    let ModalFit {
+        poles,
+        deviation,
+        residue,
+        model,
+        misfit,
+        freedom,
+        ..
+    } = found;
+    let modes = (0..poles.len()).map(|r| {
+        mode(
+            poles[r],
+            deviation[r],
+            freedom[r],
+            residue.iter().map(|response| response[r]).collect(),
+        )
+    });
     identification(band, diagram, modes.collect(), model, misfit)
 }
 
@@ -223,13 +324,24 @@ fn identification(
     model: Vec<Vec<c64>>,
     misfit: f64,
 ) -> Result<Identification, ModalError> {
-    modes.retain(|mode| (band.low_hz..=band.high_hz).contains(&mode.frequency_hz) && mode.damping_ratio < MAX_DAMPING);
+    modes.retain(|mode| {
+        (band.low_hz..=band.high_hz).contains(&mode.frequency_hz)
+            && mode.damping_ratio < MAX_DAMPING
+    });
     if modes.is_empty() {
         return Err(none(band));
     }
     modes.sort_by(|a, b| a.frequency_hz.total_cmp(&b.frequency_hz));
     let (frequency_hz, measured) = (band.frequency_hz.clone(), band.response.clone());
-    Ok(Identification { modes, diagram, frequency_hz, measured, model, misfit, unexplained: Vec::new() })
+    Ok(Identification {
+        modes,
+        diagram,
+        frequency_hz,
+        measured,
+        model,
+        misfit,
+        unexplained: Vec::new(),
+    })
 }
 
 #[cfg(test)]
@@ -248,18 +360,36 @@ mod tests {
     #[test]
     fn exact_responses_give_back_frequencies_damping_and_shapes() {
         let response = exact(&lines(), &POLES, shape, 4, 1);
-        let band = Band::new(&lines(), &response, &[], 1, ResponseQuantity::Displacement, (1.0, 110.0)).unwrap();
+        let band = Band::new(
+            &lines(),
+            &response,
+            &[],
+            1,
+            ResponseQuantity::Displacement,
+            (1.0, 110.0),
+        )
+        .unwrap();
         let found = identify(&band, ModalSettings::default()).unwrap();
         assert_eq!(found.modes.len(), 4, "{:?}", found.modes);
         for (r, (mode, pole)) in found.modes.iter().zip(POLES).enumerate() {
-            assert!((mode.frequency_hz / pole.frequency_hz - 1.0).abs() < 1e-12, "{mode:?}");
-            assert!((mode.damping_ratio / pole.damping_ratio - 1.0).abs() < 1e-11, "{mode:?}");
+            assert!(
+                (mode.frequency_hz / pole.frequency_hz - 1.0).abs() < 1e-12,
+                "{mode:?}"
+            );
+            assert!(
+                (mode.damping_ratio / pole.damping_ratio - 1.0).abs() < 1e-11,
+                "{mode:?}"
+            );
             let truth: Vec<c64> = (0..4).map(|o| c64::new(shape(r, o), 0.0)).collect();
             assert!(mac(&mode.residue, &truth) > 1.0 - 1e-12);
             // Mass 1: the residue is phi_o phi_i / (2 j w_d).
             let w = TAU * pole.frequency_hz * (1.0 - pole.damping_ratio.powi(2)).sqrt();
             let residue = c64::new(0.0, -shape(r, 1) * shape(r, 0) / (2.0 * w));
-            assert!((mode.residue[1] - residue).norm() < 1e-6 * residue.norm(), "{:?} {residue:?}", mode.residue[1]);
+            assert!(
+                (mode.residue[1] - residue).norm() < 1e-6 * residue.norm(),
+                "{:?} {residue:?}",
+                mode.residue[1]
+            );
         }
     }
 
@@ -268,7 +398,13 @@ mod tests {
     #[test]
     fn stated_deviations_hold_the_truth_as_often_as_they_say() {
         let frequency_hz: Vec<f64> = (50..300).map(|k| f64::from(k) * 0.2).collect();
-        let poles = [POLES[0], Pole { frequency_hz: 40.0, damping_ratio: 0.02 }];
+        let poles = [
+            POLES[0],
+            Pole {
+                frequency_hz: 40.0,
+                damping_ratio: 0.02,
+            },
+        ];
         let clean = exact(&frequency_hz, &poles, shape, 2, 1);
         let (mut inside, mut all) = (0, 0);
         for seed in 0..100 {
@@ -278,10 +414,25 @@ mod tests {
                 let [re, im] = stream.normal_pair();
                 h + c64::new(re, im) * deviation * h.norm()
             };
-            let response: Vec<Vec<c64>> = clean.iter().map(|h| h.iter().map(&mut noisy).collect()).collect();
+            let response: Vec<Vec<c64>> = clean
+                .iter()
+                .map(|h| h.iter().map(&mut noisy).collect())
+                .collect();
             let told = vec![vec![deviation; frequency_hz.len()]; 2];
-            let band = Band::new(&frequency_hz, &response, &told, 1, ResponseQuantity::Displacement, (10.0, 60.0)).unwrap();
-            let ModalFit { poles: found, deviation: stated, .. } = fit(&band, &poles).unwrap();
+            let band = Band::new(
+                &frequency_hz,
+                &response,
+                &told,
+                1,
+                ResponseQuantity::Displacement,
+                (10.0, 60.0),
+            )
+            .unwrap();
+            let ModalFit {
+                poles: found,
+                deviation: stated,
+                ..
+            } = fit(&band, &poles).unwrap();
             for (r, pole) in poles.iter().enumerate() {
                 let off = [
                     (found[r].frequency_hz - pole.frequency_hz) / stated[r].0,
@@ -305,8 +456,20 @@ mod tests {
                 c64::new(re, im)
             })
             .collect();
-        let band = Band::new(&lines(), &[noise], &[], 1, ResponseQuantity::Displacement, (1.0, 110.0)).unwrap();
+        let band = Band::new(
+            &lines(),
+            &[noise],
+            &[],
+            1,
+            ResponseQuantity::Displacement,
+            (1.0, 110.0),
+        )
+        .unwrap();
         let found = identify(&band, ModalSettings::default());
-        assert!(matches!(found, Err(ModalError::NoMode { .. })), "{:?}", found.map(|found| found.modes));
+        assert!(
+            matches!(found, Err(ModalError::NoMode { .. })),
+            "{:?}",
+            found.map(|found| found.modes)
+        );
     }
 }

@@ -17,14 +17,24 @@ pub(super) fn leave_out(
     let start: Vec<Pole> = modes.iter().map(Mode::pole).collect();
     let mut left: Vec<Vec<Pole>> = Vec::new();
     for block in blocks {
-        let without = |(mean, own): (&Vec<c64>, &Vec<c64>)| mean.iter().zip(own).map(|(m, b)| (m * count - b) / (count - 1.0)).collect();
+        let without = |(mean, own): (&Vec<c64>, &Vec<c64>)| {
+            mean.iter()
+                .zip(own)
+                .map(|(m, b)| (m * count - b) / (count - 1.0))
+                .collect()
+        };
         let rest: Vec<Vec<c64>> = mean.iter().zip(block).map(without).collect();
         left.extend(fit(&band(&rest)?, &start).map(|found| found.poles));
     }
     let factor = (left.len().saturating_sub(1)) as f64 / left.len().max(1) as f64;
     let spread = |of: &dyn Fn(&Vec<Pole>) -> f64| {
         let middle = left.iter().map(of).sum::<f64>() / left.len() as f64;
-        (factor * left.iter().map(|poles| (of(poles) - middle).powi(2)).sum::<f64>()).sqrt()
+        (factor
+            * left
+                .iter()
+                .map(|poles| (of(poles) - middle).powi(2))
+                .sum::<f64>())
+        .sqrt()
     };
     for (r, mode) in modes.iter_mut().enumerate() {
         mode.frequency_deviation_hz = spread(&|poles| poles[r].frequency_hz);

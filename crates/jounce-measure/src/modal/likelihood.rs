@@ -46,9 +46,18 @@ const MIN_ERROR_GAIN: f64 = 1e-12;
 pub(super) const MAX_UPPER_TERMS: usize = 8;
 
 /// A response's part of the normal equations, however much its columns are alike.
-pub(super) fn by_orthogonal_columns(response: &WeightedResponse, terms: &DesignMatrix) -> NormalEquations {
-    let ProjectedProblem { projected, rest, .. } = part(response, terms);
-    NormalEquations { normal: projected.transpose() * &projected, right: projected.transpose() * &rest, error: rest.squared_norm_l2() }
+pub(super) fn by_orthogonal_columns(
+    response: &WeightedResponse,
+    terms: &DesignMatrix,
+) -> NormalEquations {
+    let ProjectedProblem {
+        projected, rest, ..
+    } = part(response, terms);
+    NormalEquations {
+        normal: projected.transpose() * &projected,
+        right: projected.transpose() * &rest,
+        error: rest.squared_norm_l2(),
+    }
 }
 
 /// The fit to one reference that begins at given poles.
@@ -57,7 +66,11 @@ pub(super) fn fit(band: &Band, start: &[Pole]) -> Option<ModalFit> {
 }
 
 /// A fit by the weights of a band. Where nothing tells the noise, what the modes leave of each line does, and the lines are weighed anew.
-pub(super) fn reweighed(band: &Band, start: &[Pole], weighed: impl Fn(&Band, &[Pole]) -> Option<ModalFit>) -> Option<ModalFit> {
+pub(super) fn reweighed(
+    band: &Band,
+    start: &[Pole],
+    weighed: impl Fn(&Band, &[Pole]) -> Option<ModalFit>,
+) -> Option<ModalFit> {
     let mut found = weighed(band, start)?;
     if band.leaves_noise_untold() {
         let misfit = found.misfit;
@@ -76,7 +89,11 @@ fn weighed(band: &Band, start: &[Pole]) -> Option<ModalFit> {
     let data = FitData::of(band, start);
     let mut found = settled(&data, start.iter().map(|pole| pole.complex()).collect(), 1)?;
     for upper in 2..=MAX_UPPER_TERMS {
-        let Some(tried) = settled(&data, found.poles.clone(), upper).filter(|tried| data.asks_for(found.error, tried.error)) else { break };
+        let Some(tried) = settled(&data, found.poles.clone(), upper)
+            .filter(|tried| data.asks_for(found.error, tried.error))
+        else {
+            break;
+        };
         found = tried;
     }
     finished(band, &data, &found)
@@ -94,11 +111,23 @@ fn settled(data: &FitData, mut poles: Vec<c64>, upper: usize) -> Option<Converge
     let mut damping = 1e-6;
     for _ in 0..MAX_STEPS {
         let step = damped(&normal, damping)?.solve(&right);
-        let tried: Vec<c64> = poles.iter().enumerate().map(|(r, p)| p + c64::new(step[(2 * r, 0)], step[(2 * r + 1, 0)])).collect();
-        let size = tried.iter().zip(&poles).map(|(a, b)| (a - b).norm() / b.norm()).fold(0.0, f64::max);
+        let tried: Vec<c64> = poles
+            .iter()
+            .enumerate()
+            .map(|(r, p)| p + c64::new(step[(2 * r, 0)], step[(2 * r + 1, 0)]))
+            .collect();
+        let size = tried
+            .iter()
+            .zip(&poles)
+            .map(|(a, b)| (a - b).norm() / b.norm())
+            .fold(0.0, f64::max);
         let gain = (step.transpose() * &right)[(0, 0)];
         let stays = tried.iter().all(|p| p.re < 0.0 && p.im > 0.0);
-        let taken = if stays { equations(data, &tried, upper) } else { None };
+        let taken = if stays {
+            equations(data, &tried, upper)
+        } else {
+            None
+        };
         match taken.filter(|(.., less)| *less <= error * (1.0 + 1e-12)) {
             Some(better) => {
                 let before = error;
@@ -113,12 +142,18 @@ fn settled(data: &FitData, mut poles: Vec<c64>, upper: usize) -> Option<Converge
             None => damping *= 10.0,
         }
     }
-    Some(ConvergedFit { poles, upper, error })
+    Some(ConvergedFit {
+        poles,
+        upper,
+        error,
+    })
 }
 
 /// The normal matrix with its diagonal lifted.
 pub(super) fn damped(normal: &Mat<f64>, share: f64) -> Option<faer::linalg::solvers::Llt<f64>> {
-    let lifted = Mat::from_fn(normal.nrows(), normal.ncols(), |a, b| normal[(a, b)] * if a == b { 1.0 + share } else { 1.0 });
+    let lifted = Mat::from_fn(normal.nrows(), normal.ncols(), |a, b| {
+        normal[(a, b)] * if a == b { 1.0 + share } else { 1.0 }
+    });
     lifted.llt(Side::Lower).ok()
 }
 
@@ -148,20 +183,37 @@ impl FitData {
     pub fn of(band: &Band, start: &[Pole]) -> Self {
         let lines = kept(&band.frequency_hz, start);
         // Where blocks see all of a decay, what the power changes is a part of the terms above and below the band.
-        let power = |o: usize| if band.sight == WindowBias::Whole { 0 } else { band.power[o] };
+        let power = |o: usize| {
+            if band.sight == WindowBias::Whole {
+                0
+            } else {
+                band.power[o]
+            }
+        };
         let mut powers: Vec<i32> = (0..band.response.len()).map(power).collect();
         powers.sort_unstable();
         powers.dedup();
         let weighed = |o: usize| {
             let kind = powers.iter().position(|of| *of == power(o)).unwrap_or(0);
             let weight = weights(band, o, &lines);
-            let value = lines.iter().zip(&weight).map(|(k, weight)| band.response[o][*k] * *weight).collect();
-            WeightedResponse { kind, weight, value }
+            let value = lines
+                .iter()
+                .zip(&weight)
+                .map(|(k, weight)| band.response[o][*k] * *weight)
+                .collect();
+            WeightedResponse {
+                kind,
+                weight,
+                value,
+            }
         };
         Self {
             angular: lines.iter().map(|k| TAU * band.frequency_hz[*k]).collect(),
             sight: band.sight,
-            responses: (0..band.response.len()).into_par_iter().map(weighed).collect(),
+            responses: (0..band.response.len())
+                .into_par_iter()
+                .map(weighed)
+                .collect(),
             lines,
             powers,
         }
@@ -184,7 +236,8 @@ fn equations(data: &FitData, poles: &[c64], upper: usize) -> Option<(Mat<f64>, M
     let terms = DesignMatrix::of_kinds(data.sight, &data.powers, &data.angular, poles, upper);
     let of = |response: &WeightedResponse| {
         let terms = &terms[response.kind];
-        NormalEquations::of(response, terms).unwrap_or_else(|| by_orthogonal_columns(response, terms))
+        NormalEquations::of(response, terms)
+            .unwrap_or_else(|| by_orthogonal_columns(response, terms))
     };
     let parts = data.responses.par_iter().map(of).collect::<Vec<_>>();
     for part in parts {
@@ -202,8 +255,13 @@ fn weights(band: &Band, o: usize, lines: &[usize]) -> Vec<f64> {
         Some(variance) => lines.iter().map(|k| (2.0 / variance[*k]).sqrt()).collect(),
         None => {
             let measured = band.measured(o);
-            let rms = (measured.iter().map(|h| h.norm_sqr()).sum::<f64>() / measured.len() as f64).sqrt().max(f64::MIN_POSITIVE);
-            lines.iter().map(|k| band.as_measured(o, *k).norm() / rms).collect()
+            let rms = (measured.iter().map(|h| h.norm_sqr()).sum::<f64>() / measured.len() as f64)
+                .sqrt()
+                .max(f64::MIN_POSITIVE);
+            lines
+                .iter()
+                .map(|k| band.as_measured(o, *k).norm() / rms)
+                .collect()
         }
     }
 }
@@ -212,7 +270,13 @@ fn part(response: &WeightedResponse, terms: &DesignMatrix) -> ProjectedProblem {
     let (rows, width) = (terms.linear.nrows(), terms.linear.ncols());
     let weight = &response.weight;
     let a = Mat::from_fn(rows, width, |r, c| weight[r / 2] * terms.linear[(r, c)]);
-    let b = Mat::from_fn(rows, 1, |r, _| if r % 2 == 0 { response.value[r / 2].re } else { response.value[r / 2].im });
+    let b = Mat::from_fn(rows, 1, |r, _| {
+        if r % 2 == 0 {
+            response.value[r / 2].re
+        } else {
+            response.value[r / 2].im
+        }
+    });
     let eliminated = LinearSolution::new(a, &b);
     let linear = &eliminated.linear;
     // Derivatives by the real and imaginary part x + j y of each pole's residue times u, and its conjugate.
@@ -220,7 +284,12 @@ fn part(response: &WeightedResponse, terms: &DesignMatrix) -> ProjectedProblem {
         let (r, squares) = (2 * (c / 2), &terms.squares);
         let (x, y) = (linear[(r, 0)], linear[(r + 1, 0)]);
         let (even, odd) = (squares[(row, r)], squares[(row, r + 1)]);
-        weight[row / 2] * if c % 2 == 0 { x * even + y * odd } else { x * odd - y * even }
+        weight[row / 2]
+            * if c % 2 == 0 {
+                x * even + y * odd
+            } else {
+                x * odd - y * even
+            }
     });
     eliminated.left(&by_poles)
 }
@@ -228,14 +297,25 @@ fn part(response: &WeightedResponse, terms: &DesignMatrix) -> ProjectedProblem {
 fn finished(band: &Band, data: &FitData, found: &ConvergedFit) -> Option<ModalFit> {
     let (poles, upper) = (&found.poles, found.upper);
     let linear = band.response.len() * (2 * poles.len() + 2 + 2 * upper);
-    let misfit = found.error / ((2 * data.angular.len() * band.response.len()) as f64 - (2 * poles.len() + linear) as f64).max(1.0);
+    let misfit = found.error
+        / ((2 * data.angular.len() * band.response.len()) as f64
+            - (2 * poles.len() + linear) as f64)
+            .max(1.0);
     let terms = DesignMatrix::of_kinds(data.sight, &data.powers, &data.angular, poles, upper);
-    let parts = data.responses.par_iter().map(|response| part(response, &terms[response.kind])).collect::<Vec<ProjectedProblem>>();
+    let parts = data
+        .responses
+        .par_iter()
+        .map(|response| part(response, &terms[response.kind]))
+        .collect::<Vec<ProjectedProblem>>();
     let certainty = PoleCovariance::of(band, data, &parts, misfit)?;
     let (mut residue, mut model) = (Vec::new(), Vec::new());
     for (part, response) in parts.iter().zip(&data.responses) {
         let (linear, power) = (&part.linear, data.powers[response.kind]);
-        residue.push((0..poles.len()).map(|r| c64::new(linear[(2 * r, 0)], linear[(2 * r + 1, 0)])).collect());
+        residue.push(
+            (0..poles.len())
+                .map(|r| c64::new(linear[(2 * r, 0)], linear[(2 * r + 1, 0)]))
+                .collect(),
+        );
         let terms = LinearTerms::of((data.sight, power, upper), poles);
         let at = |f: &f64| terms.sum(TAU * f, linear.col(0).iter().copied());
         model.push(band.frequency_hz.iter().map(at).collect());
@@ -257,7 +337,9 @@ pub(super) fn residues(data: &FitData, poles: &[c64]) -> Vec<Vec<c64>> {
     let terms = DesignMatrix::of_kinds(data.sight, &data.powers, &data.angular, poles, 1);
     let of = |response: &WeightedResponse| {
         let linear = part(response, &terms[response.kind]).linear;
-        (0..poles.len()).map(|r| c64::new(linear[(2 * r, 0)], linear[(2 * r + 1, 0)])).collect()
+        (0..poles.len())
+            .map(|r| c64::new(linear[(2 * r, 0)], linear[(2 * r + 1, 0)]))
+            .collect()
     };
     data.responses.par_iter().map(of).collect()
 }

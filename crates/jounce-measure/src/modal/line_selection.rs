@@ -22,8 +22,17 @@ pub(super) fn kept(frequency_hz: &[f64], poles: &[Pole]) -> Vec<usize> {
         if *hz < next_hz {
             return None;
         }
-        let beyond = |pole: &Pole| (hz - pole.frequency_hz).abs() - NEAR_POLE_HALF_WIDTHS * pole.damping_ratio * pole.frequency_hz;
-        next_hz = hz + poles.iter().map(beyond).fold(f64::INFINITY, f64::min).max(0.0) / LINES_PER_DISTANCE;
+        let beyond = |pole: &Pole| {
+            (hz - pole.frequency_hz).abs()
+                - NEAR_POLE_HALF_WIDTHS * pole.damping_ratio * pole.frequency_hz
+        };
+        next_hz = hz
+            + poles
+                .iter()
+                .map(beyond)
+                .fold(f64::INFINITY, f64::min)
+                .max(0.0)
+                / LINES_PER_DISTANCE;
         Some(k)
     };
     frequency_hz.iter().enumerate().filter_map(needed).collect()
@@ -36,15 +45,33 @@ mod tests {
     #[test]
     fn lines_near_poles_stay_and_others_thin_out() {
         let frequency_hz: Vec<f64> = (1..=20_000).map(|k| 0.05 * f64::from(k)).collect();
-        let poles = [Pole { frequency_hz: 100.0, damping_ratio: 0.01 }, Pole { frequency_hz: 700.0, damping_ratio: 0.002 }];
+        let poles = [
+            Pole {
+                frequency_hz: 100.0,
+                damping_ratio: 0.01,
+            },
+            Pole {
+                frequency_hz: 700.0,
+                damping_ratio: 0.002,
+            },
+        ];
         let lines = kept(&frequency_hz, &poles);
         assert!(lines.len() < 1200, "{}", lines.len());
         for pole in poles {
-            let near = |hz: f64| (hz - pole.frequency_hz).abs() < NEAR_POLE_HALF_WIDTHS * pole.damping_ratio * pole.frequency_hz;
+            let near = |hz: f64| {
+                (hz - pole.frequency_hz).abs()
+                    < NEAR_POLE_HALF_WIDTHS * pole.damping_ratio * pole.frequency_hz
+            };
             let all = frequency_hz.iter().filter(|hz| near(**hz)).count();
-            assert_eq!(lines.iter().filter(|k| near(frequency_hz[**k])).count(), all);
+            assert_eq!(
+                lines.iter().filter(|k| near(frequency_hz[**k])).count(),
+                all
+            );
         }
-        let widest = lines.windows(2).map(|pair| frequency_hz[pair[1]] - frequency_hz[pair[0]]).fold(0.0, f64::max);
+        let widest = lines
+            .windows(2)
+            .map(|pair| frequency_hz[pair[1]] - frequency_hz[pair[0]])
+            .fold(0.0, f64::max);
         assert!(widest < 13.0, "{widest}");
         assert_eq!(kept(&frequency_hz[..4000], &poles).len(), 4000);
     }

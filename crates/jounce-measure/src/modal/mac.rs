@@ -14,7 +14,12 @@ pub fn mac(a: &[c64], b: &[c64]) -> f64 {
 /// Every shape against every other, by their residues. Of several references that of all residues together: the product of the criterion over the
 /// responses and of that over the references.
 pub fn mac_matrix(modes: &[Mode]) -> Vec<Vec<f64>> {
-    let row = |a: &Mode| modes.iter().map(|b| mac(&a.residue, &b.residue) * mac(&a.participation, &b.participation)).collect();
+    let row = |a: &Mode| {
+        modes
+            .iter()
+            .map(|b| mac(&a.residue, &b.residue) * mac(&a.participation, &b.participation))
+            .collect()
+    };
     modes.iter().map(row).collect()
 }
 
@@ -27,6 +32,11 @@ mod tests {
         let a = [c64::new(1.0, 0.0), c64::new(2.0, 1.0)];
         let turned: Vec<c64> = a.iter().map(|x| x * c64::new(0.3, -4.0)).collect();
         assert!((mac(&a, &turned) - 1.0).abs() < 1e-15);
-        assert!(mac(&[c64::new(1.0, 0.0), c64::new(0.0, 0.0)], &[c64::new(0.0, 0.0), c64::new(0.0, 2.0)]) < 1e-30);
+        assert!(
+            mac(
+                &[c64::new(1.0, 0.0), c64::new(0.0, 0.0)],
+                &[c64::new(0.0, 0.0), c64::new(0.0, 2.0)]
+            ) < 1e-30
+        );
     }
 }

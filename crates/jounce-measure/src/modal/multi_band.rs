@@ -18,13 +18,18 @@ const MAX_POLE_SHARE: f64 = 0.8;
 ///
 /// # Errors
 /// Too few lines in the whole band, responses that are zero.
-pub(super) fn stable(band: &Band, settings: ModalSettings) -> Result<(Vec<StablePole>, Vec<Pole>), ModalError> {
+pub(super) fn stable(
+    band: &Band,
+    settings: ModalSettings,
+) -> Result<(Vec<StablePole>, Vec<Pole>), ModalError> {
     let mut bands = vec![(f64::INFINITY, band.high_hz, poles(band, settings.order)?)];
     let mut high_hz = band.frequency_hz.last().copied().unwrap_or(band.high_hz);
     while !band.begins_far_from_zero() {
         high_hz *= BAND_RATIO;
         // A band without lines enough, or with nothing in it, leaves its frequencies to the one around it.
-        let Ok(found) = from_zero(&band.below(high_hz), settings.order) else { break };
+        let Ok(found) = from_zero(&band.below(high_hz), settings.order) else {
+            break;
+        };
         bands.push((MAX_POLE_SHARE * high_hz, high_hz, found));
     }
     let (mut found, mut stay) = (Vec::new(), Vec::<Pole>::new());
@@ -32,9 +37,15 @@ pub(super) fn stable(band: &Band, settings: ModalSettings) -> Result<(Vec<Stable
     for (to_hz, high_hz, poles) in bands.iter().rev() {
         let own = |pole: &Pole| pole.frequency_hz > from_hz && pole.frequency_hz <= *to_hz;
         let diagram = diagram(poles, band.line_hz());
-        for pole in modes(&diagram, band.low_hz, *high_hz).into_iter().filter(own) {
+        for pole in modes(&diagram, band.low_hz, *high_hz)
+            .into_iter()
+            .filter(own)
+        {
             // At the border both bands may have found it.
-            if stay.last().is_none_or(|last| pole.frequency_hz / last.frequency_hz - 1.0 > SAME_MODE_DISTANCE) {
+            if stay
+                .last()
+                .is_none_or(|last| pole.frequency_hz / last.frequency_hz - 1.0 > SAME_MODE_DISTANCE)
+            {
                 stay.push(pole);
             }
         }

@@ -34,22 +34,36 @@ pub(super) fn variance(function: &FrequencyResponse) -> Vec<f64> {
     let square: Vec<f64> = function.value.iter().map(|h| h.norm_sqr()).collect();
     // A relative deviation is that of the size alone: half of the variance.
     let told = |k: usize| 2.0 * (function.relative_deviation(k).powi(2) * square[k]);
-    let own: Vec<f64> = (0..square.len()).map(|k| if square[k] > 0.0 { told(k) } else { 0.0 }).collect();
+    let own: Vec<f64> = (0..square.len())
+        .map(|k| if square[k] > 0.0 { told(k) } else { 0.0 })
+        .collect();
     shared(&own, &square, NEIGHBOUR_LINES)
 }
 
 /// Variance of each line of each response of a band, from what a fit leaves of it and the share of it that the fit took up.
-pub(super) fn of_what_is_left(band: &Band, model: &[Vec<c64>], taken: &[Vec<f64>]) -> Vec<Vec<f64>> {
+pub(super) fn of_what_is_left(
+    band: &Band,
+    model: &[Vec<c64>],
+    taken: &[Vec<f64>],
+) -> Vec<Vec<f64>> {
     let of = |o: usize| {
         // As it was measured: what sensors add to an acceleration is smooth there, and not in the displacement.
         let turn = |k: usize| band.as_measured(o, k).norm_sqr();
         let free = |k: usize| (1.0 - taken[o][k]).max(MIN_FREE_SHARE);
-        let own: Vec<f64> = (0..taken[o].len()).map(|k| (band.response[o][k] - model[o][k]).norm_sqr() * turn(k) / free(k)).collect();
-        let square: Vec<f64> = (0..own.len()).map(|k| model[o][k].norm_sqr() * turn(k)).collect();
+        let own: Vec<f64> = (0..taken[o].len())
+            .map(|k| (band.response[o][k] - model[o][k]).norm_sqr() * turn(k) / free(k))
+            .collect();
+        let square: Vec<f64> = (0..own.len())
+            .map(|k| model[o][k].norm_sqr() * turn(k))
+            .collect();
         if own.iter().chain(&square).all(|size| *size == 0.0) {
             return vec![1.0; own.len()];
         }
-        shared(&own, &square, NEIGHBOUR_LINES_SINGLE).iter().enumerate().map(|(k, v)| v / turn(k)).collect()
+        shared(&own, &square, NEIGHBOUR_LINES_SINGLE)
+            .iter()
+            .enumerate()
+            .map(|(k, v)| v / turn(k))
+            .collect()
     };
     (0..band.response.len()).map(of).collect()
 }
@@ -60,15 +74,34 @@ fn shared(own: &[f64], square: &[f64], beside: usize) -> Vec<f64> {
     let mean = |k: usize| own[near(k)].iter().sum::<f64>() / near(k).len() as f64;
     let mut smooth: Vec<f64> = (0..own.len()).map(mean).collect();
     for _ in 0..WEIGHTED_FITS {
-        let least: Vec<f64> = square.iter().map(|square| MIN_RELATIVE_DEVIATION * MIN_RELATIVE_DEVIATION * square).collect();
-        let weight: Vec<f64> = smooth.iter().zip(&least).map(|(v, least)| v.max(*least).max(f64::MIN_POSITIVE).recip()).collect();
-        smooth = (0..own.len()).map(|k| around(own, square, &weight, near(k), square[k])).collect();
+        let least: Vec<f64> = square
+            .iter()
+            .map(|square| MIN_RELATIVE_DEVIATION * MIN_RELATIVE_DEVIATION * square)
+            .collect();
+        let weight: Vec<f64> = smooth
+            .iter()
+            .zip(&least)
+            .map(|(v, least)| v.max(*least).max(f64::MIN_POSITIVE).recip())
+            .collect();
+        smooth = (0..own.len())
+            .map(|k| around(own, square, &weight, near(k), square[k]))
+            .collect();
     }
-    smooth.iter().zip(square).map(|(v, square)| v.max(2.0 * MIN_RELATIVE_DEVIATION * MIN_RELATIVE_DEVIATION * square)).collect()
+    smooth
+        .iter()
+        .zip(square)
+        .map(|(v, square)| v.max(2.0 * MIN_RELATIVE_DEVIATION * MIN_RELATIVE_DEVIATION * square))
+        .collect()
 }
 
 /// `a + b |H|^2` at a line. `weight` is one over the deviation of each line's own variance.
-fn around(own: &[f64], square: &[f64], weight: &[f64], near: std::ops::Range<usize>, here: f64) -> f64 {
+fn around(
+    own: &[f64],
+    square: &[f64],
+    weight: &[f64],
+    near: std::ops::Range<usize>,
+    here: f64,
+) -> f64 {
     let [mut one, mut h, mut hh, mut v, mut hv] = [0.0; 5];
     for k in near {
         let (w, hw) = (weight[k], weight[k] * square[k]);
@@ -79,7 +112,10 @@ fn around(own: &[f64], square: &[f64], weight: &[f64], near: std::ops::Range<usi
         hv += hw * (w * own[k]);
     }
     let determinant = one * hh - h * h;
-    let (a, b) = ((hh * v - h * hv) / determinant, (one * hv - h * v) / determinant);
+    let (a, b) = (
+        (hh * v - h * hv) / determinant,
+        (one * hv - h * v) / determinant,
+    );
     match () {
         () if a >= 0.0 && b >= 0.0 => a + b * here,
         () if b < 0.0 || hh <= 0.0 => v / one,
@@ -113,12 +149,21 @@ mod tests {
             let response: Vec<c64> = (0..lines).map(|k| exact(k) + draw(of_response)).collect();
             averages.add(&force, &response).unwrap();
         }
-        let found = averages.response(vec![0.0; lines], Estimator::H1, WindowBias::Whole).unwrap();
+        let found = averages
+            .response(vec![0.0; lines], Estimator::H1, WindowBias::Whole)
+            .unwrap();
         let off = |of: &[f64]| {
-            let truth = |k: usize| (of_response.powi(2) + (of_force * exact(k).norm()).powi(2)) / 5.0;
-            ((0..lines).map(|k| (of[k] / truth(k) - 1.0).powi(2)).sum::<f64>() / lines as f64).sqrt()
+            let truth =
+                |k: usize| (of_response.powi(2) + (of_force * exact(k).norm()).powi(2)) / 5.0;
+            ((0..lines)
+                .map(|k| (of[k] / truth(k) - 1.0).powi(2))
+                .sum::<f64>()
+                / lines as f64)
+                .sqrt()
         };
-        let own: Vec<f64> = (0..lines).map(|k| 2.0 * (found.relative_deviation(k) * found.value[k].norm()).powi(2)).collect();
+        let own: Vec<f64> = (0..lines)
+            .map(|k| 2.0 * (found.relative_deviation(k) * found.value[k].norm()).powi(2))
+            .collect();
         let (own, shared) = (off(&own), off(&variance(&found)));
         eprintln!("lines alone {own:.2}, shared {shared:.2} off");
         assert!(own > 0.4 && shared < 0.25, "{own} {shared}");

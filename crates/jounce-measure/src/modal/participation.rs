@@ -31,19 +31,41 @@ impl Mode {
     /// Modal constants `2 j w_d R` of all responses, in units of the output's displacement per input.
     pub fn modal_constants(&self) -> Vec<c64> {
         let damped = self.pole().complex().im;
-        self.residue.iter().map(|residue| residue * c64::new(0.0, 2.0 * damped)).collect()
+        self.residue
+            .iter()
+            .map(|residue| residue * c64::new(0.0, 2.0 * damped))
+            .collect()
     }
 
     /// For responses to the motion of a base: shape at each output times the participation of the base. None under another input.
     pub fn base_participation(&self, responses: &MeasuredResponses) -> Option<Vec<Participation>> {
-        let moves = |input: &Quantity| matches!(input, Quantity::Acceleration | Quantity::Velocity | Quantity::Displacement);
+        let moves = |input: &Quantity| {
+            matches!(
+                input,
+                Quantity::Acceleration | Quantity::Velocity | Quantity::Displacement
+            )
+        };
         if !responses.inputs.iter().all(moves) {
             return None;
         }
         let of = |(constant, quantity): (c64, &Quantity)| {
-            let unit = if *quantity == Quantity::Voltage { "V/m" } else { "" };
-            Participation { re: -constant.re, im: -constant.im, unit }
+            let unit = if *quantity == Quantity::Voltage {
+                "V/m"
+            } else {
+                ""
+            };
+            Participation {
+                re: -constant.re,
+                im: -constant.im,
+                unit,
+            }
         };
-        Some(self.modal_constants().into_iter().zip(&responses.quantities).map(of).collect())
+        Some(
+            self.modal_constants()
+                .into_iter()
+                .zip(&responses.quantities)
+                .map(of)
+                .collect(),
+        )
     }
 }

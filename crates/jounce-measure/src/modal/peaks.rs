@@ -35,18 +35,26 @@ pub struct ResponsePeak {
 impl ResponsePeak {
     /// The pole that would make it.
     pub(super) fn pole(self) -> Pole {
-        Pole { frequency_hz: self.frequency_hz, damping_ratio: self.half_width_hz / self.frequency_hz }
+        Pole {
+            frequency_hz: self.frequency_hz,
+            damping_ratio: self.half_width_hz / self.frequency_hz,
+        }
     }
 
     fn is_explained(&self, modes: &[Mode], line_hz: f64) -> bool {
         let reach = self.half_width_hz.max(EXPLAINED_LINES * line_hz);
-        modes.iter().any(|mode| (mode.frequency_hz - self.frequency_hz).abs() <= reach)
+        modes
+            .iter()
+            .any(|mode| (mode.frequency_hz - self.frequency_hz).abs() <= reach)
     }
 }
 
 /// The peaks that no mode explains, in ascending frequency.
 pub(super) fn unexplained(band: &Band, modes: &[Mode]) -> Vec<ResponsePeak> {
-    let mut left: Vec<ResponsePeak> = peaks(band).into_iter().filter(|peak| !peak.is_explained(modes, band.line_hz())).collect();
+    let mut left: Vec<ResponsePeak> = peaks(band)
+        .into_iter()
+        .filter(|peak| !peak.is_explained(modes, band.line_hz()))
+        .collect();
     left.sort_by(|a, b| b.height.total_cmp(&a.height));
     left.truncate(MAX_PEAKS);
     left.sort_by(|a, b| a.frequency_hz.total_cmp(&b.frequency_hz));
@@ -61,16 +69,27 @@ fn peaks(band: &Band) -> Vec<ResponsePeak> {
         let mean = measured.iter().map(|h| h.norm_sqr()).sum::<f64>() / lines as f64;
         let rough = roughness(&measured);
         for k in (0..lines).filter(|_| mean > 0.0) {
-            let told = band.variance.get(o).map_or(0.0, |variance| variance[k] * band.as_measured(o, k).norm_sqr());
+            let told = band.variance.get(o).map_or(0.0, |variance| {
+                variance[k] * band.as_measured(o, k).norm_sqr()
+            });
             power[k] += measured[k].norm_sqr() / mean;
             noise[k] += rough[k].max(told) / mean;
         }
     }
-    let highest = |k: &usize| power[*k] > power[k - 1] && power[*k] >= power[k + 1] && power[*k] > MIN_NOISE_RATIO * noise[*k];
-    let stands = |k: &usize| power[*k] > MIN_VALLEY_RATIO * valley(&power, *k, true).max(valley(&power, *k, false));
+    let highest = |k: &usize| {
+        power[*k] > power[k - 1]
+            && power[*k] >= power[k + 1]
+            && power[*k] > MIN_NOISE_RATIO * noise[*k]
+    };
+    let stands = |k: &usize| {
+        power[*k] > MIN_VALLEY_RATIO * valley(&power, *k, true).max(valley(&power, *k, false))
+    };
     let peak = |k: usize| {
-        let above =
-            |step: &dyn Fn(usize) -> usize| (1..lines).take_while(|n| power.get(step(*n)).is_some_and(|x| *x > 0.5 * power[k])).count();
+        let above = |step: &dyn Fn(usize) -> usize| {
+            (1..lines)
+                .take_while(|n| power.get(step(*n)).is_some_and(|x| *x > 0.5 * power[k]))
+                .count()
+        };
         let width = above(&|n| k + n) + above(&|n| k.wrapping_sub(n)) + 1;
         ResponsePeak {
             frequency_hz: band.frequency_hz[k],
@@ -78,24 +97,43 @@ fn peaks(band: &Band) -> Vec<ResponsePeak> {
             height: power[k] / noise[k].max(f64::MIN_POSITIVE),
         }
     };
-    (1..lines.saturating_sub(1)).filter(highest).filter(stands).map(peak).collect()
+    (1..lines.saturating_sub(1))
+        .filter(highest)
+        .filter(stands)
+        .map(peak)
+        .collect()
 }
 
 /// The lowest power from a line on until a higher one.
 fn valley(power: &[f64], from: usize, up: bool) -> f64 {
-    let lowest = |side: &mut dyn Iterator<Item = &f64>| side.take_while(|x| **x <= power[from]).fold(power[from], |low, x| low.min(*x));
-    if up { lowest(&mut power[from..].iter()) } else { lowest(&mut power[..=from].iter().rev()) }
+    let lowest = |side: &mut dyn Iterator<Item = &f64>| {
+        side.take_while(|x| **x <= power[from])
+            .fold(power[from], |low, x| low.min(*x))
+    };
+    if up {
+        lowest(&mut power[from..].iter())
+    } else {
+        lowest(&mut power[..=from].iter().rev())
+    }
 }
 
 /// Variance of the noise that second differences tell, around each line.
 fn roughness(values: &[c64]) -> Vec<f64> {
-    let second = |k: usize| (values[k + 1] - 2.0 * values[k] + values[k - 1]).norm_sqr() / (6.0 * NOISE_MEDIAN);
+    let second = |k: usize| {
+        (values[k + 1] - 2.0 * values[k] + values[k - 1]).norm_sqr() / (6.0 * NOISE_MEDIAN)
+    };
     let mut found = Vec::with_capacity(values.len());
     for from in (0..values.len()).step_by(LEVEL_LINES) {
         let until = (from + LEVEL_LINES).min(values.len());
-        let mut level: Vec<f64> = (from.max(1)..until.min(values.len() - 1)).map(second).collect();
+        let mut level: Vec<f64> = (from.max(1)..until.min(values.len() - 1))
+            .map(second)
+            .collect();
         level.sort_by(f64::total_cmp);
-        let median = level.get(level.len() / 2).copied().or(found.last().copied()).unwrap_or(0.0);
+        let median = level
+            .get(level.len() / 2)
+            .copied()
+            .or(found.last().copied())
+            .unwrap_or(0.0);
         found.resize(until, median);
     }
     found

@@ -59,7 +59,13 @@ pub(super) fn from_zero(band: &Band, most: usize) -> Result<Vec<Vec<Pole>>, Moda
 fn enough(band: &Band, most: usize) -> Result<(), ModalError> {
     let (lines, needed) = (band.frequency_hz.len(), 2 * (most + 1) * band.inputs);
     if lines < needed {
-        return Err(ModalError::Few { low_hz: band.low_hz, high_hz: band.high_hz, lines, order: most, needed });
+        return Err(ModalError::Few {
+            low_hz: band.low_hz,
+            high_hz: band.high_hz,
+            lines,
+            order: most,
+            needed,
+        });
     }
     Ok(())
 }
@@ -69,13 +75,28 @@ impl PlscfMoments {
         let (inputs, outputs) = (band.inputs, band.outputs());
         let highest = band.frequency_hz.iter().copied().fold(0.0, f64::max);
         let interval_s = 1.0 / (2.0 * highest);
-        let turn: Vec<c64> = band.frequency_hz.iter().map(|f| c64::from_polar(1.0, -TAU * f * interval_s)).collect();
+        let turn: Vec<c64> = band
+            .frequency_hz
+            .iter()
+            .map(|f| c64::from_polar(1.0, -TAU * f * interval_s))
+            .collect();
         let signals = signals(band);
         let mut sums = both_ways(&turn, &signals, most).into_iter();
-        let mut rows = |count: usize| -> Vec<Vec<Vec<f64>>> { (0..count).map(|_| sums.by_ref().take(inputs).collect()).collect() };
+        let mut rows = |count: usize| -> Vec<Vec<Vec<f64>>> {
+            (0..count)
+                .map(|_| sums.by_ref().take(inputs).collect())
+                .collect()
+        };
         let (s, t) = (rows(outputs), rows(inputs));
         let r = sums.next().unwrap_or_default().split_off(most);
-        Self { inputs, r, s, t, most, interval_s }
+        Self {
+            inputs,
+            r,
+            s,
+            t,
+            most,
+            interval_s,
+        }
     }
 
     /// The matrix `M` of each order from 1. The factor of a leading part of `R` is the leading part of its factor `L`, so that with
@@ -85,21 +106,28 @@ impl PlscfMoments {
         // Row a of X is z^a, so that X^H Y has z^(b - a).
         let index = |a: usize, b: usize| self.most + b - a;
         let r = Mat::from_fn(width, width, |a, b| self.r[a.abs_diff(b)]);
-        let factor = r.llt(Side::Lower).map_err(|_| ModalError::Singular { order: self.most })?;
+        let factor = r
+            .llt(Side::Lower)
+            .map_err(|_| ModalError::Singular { order: self.most })?;
         let inverse = {
             let mut inverse = Mat::<f64>::identity(width, width);
             factor.L().solve_lower_triangular_in_place(&mut inverse);
             inverse
         };
-        let y: Vec<Mat<f64>> =
-            self.s.par_iter().map(|s| &inverse * Mat::from_fn(width, n * width, |a, b| -s[b % n][index(a, b / n)])).collect();
+        let y: Vec<Mat<f64>> = self
+            .s
+            .par_iter()
+            .map(|s| &inverse * Mat::from_fn(width, n * width, |a, b| -s[b % n][index(a, b / n)]))
+            .collect();
         let mut taken = Mat::<f64>::zeros(n * width, n * width);
         let mut all = Vec::new();
         for order in 0..width {
             let row = Mat::from_fn(y.len(), n * width, |o, b| y[o][(order, b)]);
             taken += row.transpose() * &row;
             let size = n * (order + 1);
-            all.push(Mat::from_fn(size, size, |a, b| self.t[a % n][b % n][index(a / n, b / n)] - taken[(a, b)]));
+            all.push(Mat::from_fn(size, size, |a, b| {
+                self.t[a % n][b % n][index(a / n, b / n)] - taken[(a, b)]
+            }));
         }
         all.remove(0);
         Ok(all)
@@ -114,7 +142,10 @@ impl PlscfMoments {
         let right = Mat::from_fn(free, n, |a, b| -m[(a, free + b)]);
         let lu = left.partial_piv_lu();
         let coefficients = lu.solve(&right);
-        if !coefficients.col_iter().all(|column| column.iter().all(|x| x.is_finite())) {
+        if !coefficients
+            .col_iter()
+            .all(|column| column.iter().all(|x| x.is_finite()))
+        {
             return Err(singular);
         }
         // det A(z) = 0 for A = sum A_k z^k, A_order = I: the block companion matrix.
@@ -128,7 +159,10 @@ impl PlscfMoments {
         });
         let roots = companion.eigenvalues().map_err(|_| singular)?;
         let pole = |z: &c64| -z.ln() / self.interval_s;
-        let upper = roots.iter().map(pole).filter(|p| p.re < 0.0 && p.im > 0.0 && p.re.is_finite());
+        let upper = roots
+            .iter()
+            .map(pole)
+            .filter(|p| p.re < 0.0 && p.im > 0.0 && p.re.is_finite());
         let mut found: Vec<Pole> = upper.map(Pole::of).collect();
         found.sort_by(|a, b| a.frequency_hz.total_cmp(&b.frequency_hz));
         Ok(found)
@@ -160,14 +194,29 @@ pub(super) mod tests {
             };
             frequency_hz.iter().map(at).collect()
         };
-        (0..outputs).flat_map(|o| (0..inputs).map(move |i| (o, i))).map(|(o, i)| response(o, i)).collect()
+        (0..outputs)
+            .flat_map(|o| (0..inputs).map(move |i| (o, i)))
+            .map(|(o, i)| response(o, i))
+            .collect()
     }
 
     pub const POLES: [Pole; 4] = [
-        Pole { frequency_hz: 12.0, damping_ratio: 0.01 },
-        Pole { frequency_hz: 31.0, damping_ratio: 0.02 },
-        Pole { frequency_hz: 32.0, damping_ratio: 0.015 },
-        Pole { frequency_hz: 77.0, damping_ratio: 0.005 },
+        Pole {
+            frequency_hz: 12.0,
+            damping_ratio: 0.01,
+        },
+        Pole {
+            frequency_hz: 31.0,
+            damping_ratio: 0.02,
+        },
+        Pole {
+            frequency_hz: 32.0,
+            damping_ratio: 0.015,
+        },
+        Pole {
+            frequency_hz: 77.0,
+            damping_ratio: 0.005,
+        },
     ];
 
     /// Shape of a string with one odd point, so that no two modes look alike.
@@ -181,13 +230,33 @@ pub(super) mod tests {
         let frequency_hz: Vec<f64> = (1..1200).map(|k| f64::from(k) * 0.1).collect();
         for inputs in [1, 2] {
             let response = exact(&frequency_hz, &POLES, shape, 4, inputs);
-            let band = Band::new(&frequency_hz, &response, &[], inputs, ResponseQuantity::Displacement, (1.0, 110.0)).unwrap();
+            let band = Band::new(
+                &frequency_hz,
+                &response,
+                &[],
+                inputs,
+                ResponseQuantity::Displacement,
+                (1.0, 110.0),
+            )
+            .unwrap();
             let found = poles(&band, 20).unwrap().pop().unwrap();
             for pole in POLES {
-                let distance = |p: &&Pole| (p.frequency_hz / pole.frequency_hz - 1.0).abs() + (p.damping_ratio - pole.damping_ratio).abs();
-                let nearest = found.iter().min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap();
-                assert!((nearest.frequency_hz / pole.frequency_hz - 1.0).abs() < 1e-6, "{inputs}: {pole:?} {nearest:?}");
-                assert!((nearest.damping_ratio / pole.damping_ratio - 1.0).abs() < 2e-5, "{inputs}: {pole:?} {nearest:?}");
+                let distance = |p: &&Pole| {
+                    (p.frequency_hz / pole.frequency_hz - 1.0).abs()
+                        + (p.damping_ratio - pole.damping_ratio).abs()
+                };
+                let nearest = found
+                    .iter()
+                    .min_by(|a, b| distance(a).total_cmp(&distance(b)))
+                    .unwrap();
+                assert!(
+                    (nearest.frequency_hz / pole.frequency_hz - 1.0).abs() < 1e-6,
+                    "{inputs}: {pole:?} {nearest:?}"
+                );
+                assert!(
+                    (nearest.damping_ratio / pole.damping_ratio - 1.0).abs() < 2e-5,
+                    "{inputs}: {pole:?} {nearest:?}"
+                );
             }
         }
     }
@@ -195,8 +264,24 @@ pub(super) mod tests {
     #[test]
     fn too_few_lines_and_zero_responses_are_errors() {
         let frequency_hz: Vec<f64> = (1..30).map(f64::from).collect();
-        let band = |h: Vec<c64>| Band::new(&frequency_hz, &[h], &[], 1, ResponseQuantity::Acceleration, (1.0, 29.0)).unwrap();
-        assert!(matches!(poles(&band(vec![c64::new(1.0, 0.0); 29]), 20), Err(ModalError::Few { .. })));
-        assert!(matches!(poles(&band(vec![c64::new(0.0, 0.0); 29]), 4), Err(ModalError::Singular { .. })));
+        let band = |h: Vec<c64>| {
+            Band::new(
+                &frequency_hz,
+                &[h],
+                &[],
+                1,
+                ResponseQuantity::Acceleration,
+                (1.0, 29.0),
+            )
+            .unwrap()
+        };
+        assert!(matches!(
+            poles(&band(vec![c64::new(1.0, 0.0); 29]), 20),
+            Err(ModalError::Few { .. })
+        ));
+        assert!(matches!(
+            poles(&band(vec![c64::new(0.0, 0.0); 29]), 4),
+            Err(ModalError::Singular { .. })
+        ));
     }
 }

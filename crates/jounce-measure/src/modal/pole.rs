@@ -15,12 +15,18 @@ pub struct Pole {
 impl Pole {
     /// Of a complex pole, rad/s.
     pub(super) fn of(p: c64) -> Self {
-        Self { frequency_hz: p.norm() / TAU, damping_ratio: -p.re / p.norm() }
+        Self {
+            frequency_hz: p.norm() / TAU,
+            damping_ratio: -p.re / p.norm(),
+        }
     }
 
     /// The complex pole, rad/s.
     pub(super) fn complex(self) -> c64 {
         let w = TAU * self.frequency_hz;
-        c64::new(-self.damping_ratio * w, w * (1.0 - self.damping_ratio.powi(2)).max(0.0).sqrt())
+        c64::new(
+            -self.damping_ratio * w,
+            w * (1.0 - self.damping_ratio.powi(2)).max(0.0).sqrt(),
+        )
     }
 }

@@ -15,7 +15,9 @@ use std::f64::consts::TAU;
 
 use super::covariance::PoleCovariance;
 use super::design_matrix::{DesignMatrix, LinearTerms};
-use super::likelihood::{FitData, MAX_STEPS, MAX_UPPER_TERMS, ModalFit, STEP_TOLERANCE, damped, residues, reweighed};
+use super::likelihood::{
+    FitData, MAX_STEPS, MAX_UPPER_TERMS, ModalFit, STEP_TOLERANCE, damped, residues, reweighed,
+};
 use super::variable_projection::{LinearSolution, ProjectedProblem};
 use super::{Band, Pole};
 
@@ -47,22 +49,40 @@ fn weighed(band: &Band, start: &[Pole]) -> Option<ModalFit> {
     let mut found = settled(&data, band, ReferenceModel::begin(band, &data, start)?, 1)?;
     for upper in 2..=MAX_UPPER_TERMS {
         let tried = settled(&data, band, found.modal.clone(), upper);
-        let Some(tried) = tried.filter(|tried| data.asks_for(found.error, tried.error)) else { break };
+        let Some(tried) = tried.filter(|tried| data.asks_for(found.error, tried.error)) else {
+            break;
+        };
         found = tried;
     }
     finished(band, &data, &found)
 }
 
-fn settled(data: &FitData, band: &Band, mut modal: ReferenceModel, upper: usize) -> Option<ConvergedModel> {
+fn settled(
+    data: &FitData,
+    band: &Band,
+    mut modal: ReferenceModel,
+    upper: usize,
+) -> Option<ConvergedModel> {
     let (mut normal, mut right, mut error) = equations(data, band, &modal, upper)?;
     let mut damping = 1e-6;
     for _ in 0..MAX_STEPS {
         let tried = modal.stepped(&damped(&normal, damping)?.solve(&right));
-        let apart = tried.poles.iter().zip(&modal.poles).map(|(a, b)| (a - b).norm() / b.norm());
-        let turned = tried.participation.iter().flatten().zip(modal.participation.iter().flatten()).map(|(a, b)| (a - b).norm());
+        let apart = tried
+            .poles
+            .iter()
+            .zip(&modal.poles)
+            .map(|(a, b)| (a - b).norm() / b.norm());
+        let turned = tried
+            .participation
+            .iter()
+            .flatten()
+            .zip(modal.participation.iter().flatten())
+            .map(|(a, b)| (a - b).norm());
         let size = apart.chain(turned).fold(0.0, f64::max);
         let stays = tried.poles.iter().all(|p| p.re < 0.0 && p.im > 0.0);
-        match equations(data, band, &tried, upper).filter(|(.., less)| stays && *less <= error * (1.0 + 1e-12)) {
+        match equations(data, band, &tried, upper)
+            .filter(|(.., less)| stays && *less <= error * (1.0 + 1e-12))
+        {
             Some(better) => {
                 modal = tried;
                 (normal, right, error) = better;
@@ -75,7 +95,11 @@ fn settled(data: &FitData, band: &Band, mut modal: ReferenceModel, upper: usize)
             None => damping *= 10.0,
         }
     }
-    Some(ConvergedModel { modal, upper, error })
+    Some(ConvergedModel {
+        modal,
+        upper,
+        error,
+    })
 }
 
 impl ReferenceModel {
@@ -84,26 +108,45 @@ impl ReferenceModel {
         let poles: Vec<c64> = start.iter().map(|pole| pole.complex()).collect();
         let residue = residues(data, &poles);
         let begun = |r: usize| {
-            let of = Mat::from_fn(band.outputs(), band.inputs, |o, i| residue[o * band.inputs + i][r]);
+            let of = Mat::from_fn(band.outputs(), band.inputs, |o, i| {
+                residue[o * band.inputs + i][r]
+            });
             let svd = of.thin_svd().ok()?;
             let row: Vec<c64> = (0..band.inputs).map(|i| svd.V()[(i, 0)].conj()).collect();
             let fixed = (0..row.len()).max_by(|a, b| row[*a].norm().total_cmp(&row[*b].norm()))?;
             Some((row.iter().map(|b| b / row[fixed]).collect(), fixed))
         };
-        let (participation, fixed) = (0..start.len()).map(begun).collect::<Option<Vec<_>>>()?.into_iter().unzip();
-        Some(Self { poles, participation, fixed })
+        let (participation, fixed) = (0..start.len())
+            .map(begun)
+            .collect::<Option<Vec<_>>>()?
+            .into_iter()
+            .unzip();
+        Some(Self {
+            poles,
+            participation,
+            fixed,
+        })
     }
 
     /// Mode and reference of each participation that is fitted.
     fn free(&self) -> Vec<(usize, usize)> {
-        let of = |(r, row): (usize, &Vec<c64>)| (0..row.len()).filter(|i| *i != self.fixed[r]).map(|i| (r, i)).collect::<Vec<_>>();
+        let of = |(r, row): (usize, &Vec<c64>)| {
+            (0..row.len())
+                .filter(|i| *i != self.fixed[r])
+                .map(|i| (r, i))
+                .collect::<Vec<_>>()
+        };
         self.participation.iter().enumerate().flat_map(of).collect()
     }
 
     fn stepped(&self, step: &Mat<f64>) -> Self {
         let mut tried = self.clone();
         let part = |k: usize| c64::new(step[(2 * k, 0)], step[(2 * k + 1, 0)]);
-        tried.poles.iter_mut().enumerate().for_each(|(r, pole)| *pole += part(r));
+        tried
+            .poles
+            .iter_mut()
+            .enumerate()
+            .for_each(|(r, pole)| *pole += part(r));
         for (k, (r, i)) in self.free().into_iter().enumerate() {
             tried.participation[r][i] += part(self.poles.len() + k);
         }
@@ -112,11 +155,20 @@ impl ReferenceModel {
 }
 
 /// Normal equations over all outputs, in parallel and added in order, and the weighed squared error.
-fn equations(data: &FitData, band: &Band, modal: &ReferenceModel, upper: usize) -> Option<(Mat<f64>, Mat<f64>, f64)> {
+fn equations(
+    data: &FitData,
+    band: &Band,
+    modal: &ReferenceModel,
+    upper: usize,
+) -> Option<(Mat<f64>, Mat<f64>, f64)> {
     let size = 2 * (modal.poles.len() + modal.free().len());
     let (mut normal, mut right, mut error) = (Mat::zeros(size, size), Mat::zeros(size, 1), 0.0);
-    let terms = DesignMatrix::of_kinds(data.sight, &data.powers, &data.angular, &modal.poles, upper);
-    let parts = (0..band.outputs()).into_par_iter().map(|o| part(o, data, &terms, modal)).collect::<Vec<_>>();
+    let terms =
+        DesignMatrix::of_kinds(data.sight, &data.powers, &data.angular, &modal.poles, upper);
+    let parts = (0..band.outputs())
+        .into_par_iter()
+        .map(|o| part(o, data, &terms, modal))
+        .collect::<Vec<_>>();
     for part in parts {
         normal += part.projected.transpose() * &part.projected;
         right += part.projected.transpose() * &part.rest;
@@ -126,8 +178,17 @@ fn equations(data: &FitData, band: &Band, modal: &ReferenceModel, upper: usize) 
 }
 
 /// The rows are the lines of one reference after those of the other.
-fn part(o: usize, data: &FitData, terms: &[DesignMatrix], modal: &ReferenceModel) -> ProjectedProblem {
-    let (modes, inputs, lines) = (modal.poles.len(), modal.participation[0].len(), terms[0].linear.nrows());
+fn part(
+    o: usize,
+    data: &FitData,
+    terms: &[DesignMatrix],
+    modal: &ReferenceModel,
+) -> ProjectedProblem {
+    let (modes, inputs, lines) = (
+        modal.poles.len(),
+        modal.participation[0].len(),
+        terms[0].linear.nrows(),
+    );
     let residuals = terms[0].linear.ncols() - 2 * modes;
     let (rows, width) = (inputs * lines, 2 * modes + residuals * inputs);
     let response = |row: usize| &data.responses[o * inputs + row / lines];
@@ -135,7 +196,9 @@ fn part(o: usize, data: &FitData, terms: &[DesignMatrix], modal: &ReferenceModel
     let of_kind = |row: usize| &terms[response(row).kind];
     let base = |row: usize, c: usize| weight(row) * of_kind(row).linear[(row % lines, c)];
     // A residue x + j y has the terms x E + y O; here it is the shape times the participation.
-    let both = |row: usize, r: usize, residue: c64| residue.re * base(row, 2 * r) + residue.im * base(row, 2 * r + 1);
+    let both = |row: usize, r: usize, residue: c64| {
+        residue.re * base(row, 2 * r) + residue.im * base(row, 2 * r + 1)
+    };
     let j = c64::new(0.0, 1.0);
     let column = |row: usize, c: usize| {
         let i = row / lines;
@@ -148,39 +211,81 @@ fn part(o: usize, data: &FitData, terms: &[DesignMatrix], modal: &ReferenceModel
     };
     let a = Mat::from_fn(rows, width, column);
     let value = |row: usize| response(row).value[row % lines / 2];
-    let b = Mat::from_fn(rows, 1, |row, _| if row % 2 == 0 { value(row).re } else { value(row).im });
+    let b = Mat::from_fn(rows, 1, |row, _| {
+        if row % 2 == 0 {
+            value(row).re
+        } else {
+            value(row).im
+        }
+    });
     let eliminated = LinearSolution::new(a, &b);
     let linear = &eliminated.linear;
     let shape = |r: usize| c64::new(linear[(2 * r, 0)], linear[(2 * r + 1, 0)]);
     let free = modal.free();
     let derivative = |row: usize, c: usize| {
-        let (i, k, turn) = (row / lines, c / 2, if c.is_multiple_of(2) { c64::new(1.0, 0.0) } else { j });
+        let (i, k, turn) = (
+            row / lines,
+            c / 2,
+            if c.is_multiple_of(2) {
+                c64::new(1.0, 0.0)
+            } else {
+                j
+            },
+        );
         if k < modes {
             let residue = shape(k) * modal.participation[k][i] * turn;
             let squares = |c: usize| weight(row) * of_kind(row).squares[(row % lines, c)];
             return residue.re * squares(2 * k) + residue.im * squares(2 * k + 1);
         }
         let (r, of) = free[k - modes];
-        if of == i { both(row, r, shape(r) * turn) } else { 0.0 }
+        if of == i {
+            both(row, r, shape(r) * turn)
+        } else {
+            0.0
+        }
     };
     let by_modes = Mat::from_fn(rows, 2 * (modes + free.len()), derivative);
     eliminated.left(&by_modes)
 }
 
-fn finished(band: &Band, data: &FitData, ConvergedModel { modal, upper, error }: &ConvergedModel) -> Option<ModalFit> {
+fn finished(
+    band: &Band,
+    data: &FitData,
+    ConvergedModel {
+        modal,
+        upper,
+        error,
+    }: &ConvergedModel,
+) -> Option<ModalFit> {
     let (modes, inputs, outputs) = (modal.poles.len(), band.inputs, band.outputs());
     let residuals = 2 + 2 * upper;
     let unknowns = 2 * (modes + modal.free().len()) + outputs * (2 * modes + residuals * inputs);
-    let misfit = error / ((2 * data.angular.len() * band.response.len()) as f64 - unknowns as f64).max(1.0);
-    let terms = DesignMatrix::of_kinds(data.sight, &data.powers, &data.angular, &modal.poles, *upper);
-    let parts = (0..outputs).into_par_iter().map(|o| part(o, data, &terms, modal)).collect::<Vec<_>>();
+    let misfit =
+        error / ((2 * data.angular.len() * band.response.len()) as f64 - unknowns as f64).max(1.0);
+    let terms = DesignMatrix::of_kinds(
+        data.sight,
+        &data.powers,
+        &data.angular,
+        &modal.poles,
+        *upper,
+    );
+    let parts = (0..outputs)
+        .into_par_iter()
+        .map(|o| part(o, data, &terms, modal))
+        .collect::<Vec<_>>();
     let certainty = PoleCovariance::of(band, data, &parts, misfit)?;
     let (mut residue, mut model) = (Vec::new(), Vec::new());
     for (o, ProjectedProblem { linear, .. }) in parts.iter().enumerate() {
-        let shape: Vec<c64> = (0..modes).map(|r| c64::new(linear[(2 * r, 0)], linear[(2 * r + 1, 0)])).collect();
+        let shape: Vec<c64> = (0..modes)
+            .map(|r| c64::new(linear[(2 * r, 0)], linear[(2 * r + 1, 0)]))
+            .collect();
         for i in 0..inputs {
-            let residues = (0..modes).map(|r| shape[r] * modal.participation[r][i]).flat_map(|x| [x.re, x.im]);
-            let unknown: Vec<f64> = residues.chain((0..residuals).map(|k| linear[(2 * modes + residuals * i + k, 0)])).collect();
+            let residues = (0..modes)
+                .map(|r| shape[r] * modal.participation[r][i])
+                .flat_map(|x| [x.re, x.im]);
+            let unknown: Vec<f64> = residues
+                .chain((0..residuals).map(|k| linear[(2 * modes + residuals * i + k, 0)]))
+                .collect();
             let power = data.powers[data.responses[o * inputs + i].kind];
             let terms = LinearTerms::of((data.sight, power, *upper), &modal.poles);
             let at = |hz: &f64| terms.sum(TAU * hz, unknown.iter().copied());

@@ -39,24 +39,43 @@ enum ScatterKind {
 impl Scatter {
     /// How often what parts leave out is turned.
     pub fn turns(parts: usize, sight: WindowBias) -> usize {
-        if parts < ENOUGH_PARTS && matches!(sight, WindowBias::Cut { .. }) { 2 } else { 1 }
+        if parts < ENOUGH_PARTS && matches!(sight, WindowBias::Cut { .. }) {
+            2
+        } else {
+            1
+        }
     }
 
     /// `change` is what each part that is left out does to the unknowns, by turns.
-    pub fn of_parts(change: Vec<Mat<f64>>, left_out: &[LeaveOneOutChange], sight: WindowBias) -> Self {
+    pub fn of_parts(
+        change: Vec<Mat<f64>>,
+        left_out: &[LeaveOneOutChange],
+        sight: WindowBias,
+    ) -> Self {
         let mut places: Vec<Vec<Mat<f64>>> = Vec::new();
         for (change, left) in change.into_iter().zip(left_out) {
             let scale = ((1.0 - left.share) / change.ncols() as f64).sqrt();
             places.resize_with(places.len().max(left.place + 1), Vec::new);
             places[left.place].push(change * scale);
         }
-        let neighbours = matches!(sight, WindowBias::Hann { .. }) && places.iter().all(|parts| parts.len() >= ENOUGH_PARTS);
-        Self { places, kind: if neighbours { ScatterKind::Neighbours } else { ScatterKind::Parts } }
+        let neighbours = matches!(sight, WindowBias::Hann { .. })
+            && places.iter().all(|parts| parts.len() >= ENOUGH_PARTS);
+        Self {
+            places,
+            kind: if neighbours {
+                ScatterKind::Neighbours
+            } else {
+                ScatterKind::Parts
+            },
+        }
     }
 
     /// `change` is what the rest of each line did to the unknowns, in two turns.
     pub fn of_lines(change: Vec<Mat<f64>>) -> Self {
-        Self { places: vec![change], kind: ScatterKind::Lines }
+        Self {
+            places: vec![change],
+            kind: ScatterKind::Lines,
+        }
     }
 
     /// Degrees of freedom of the variances of a pole's numbers.
@@ -68,9 +87,10 @@ impl Scatter {
                 let turns = self.places.iter().flatten().next().map_or(1, Mat::ncols) as f64;
                 self.places.iter().map(|of| parts(of) - 1.0).sum::<f64>() * turns
             }
-            ScatterKind::Lines => {
-                [[1.0, 0.0], [0.0, 1.0]].map(|slope| self.freedom_of_lines(r, slope)).into_iter().fold(f64::INFINITY, f64::min)
-            }
+            ScatterKind::Lines => [[1.0, 0.0], [0.0, 1.0]]
+                .map(|slope| self.freedom_of_lines(r, slope))
+                .into_iter()
+                .fold(f64::INFINITY, f64::min),
         }
     }
 
@@ -78,7 +98,9 @@ impl Scatter {
     fn freedom_of_lines(&self, r: usize, slope: [f64; 2]) -> f64 {
         let (mut sum, mut squares) = (0.0, 0.0);
         for change in self.places.iter().flatten() {
-            let own: f64 = (0..change.ncols()).map(|turn| moved(change, turn, r, slope).powi(2)).sum();
+            let own: f64 = (0..change.ncols())
+                .map(|turn| moved(change, turn, r, slope).powi(2))
+                .sum();
             sum += own;
             squares += own * own;
         }
@@ -87,15 +109,26 @@ impl Scatter {
 
     /// Variance of a number that changes by `slope` with the real and the imaginary part of pole `r`.
     pub fn variance(&self, r: usize, slope: [f64; 2]) -> f64 {
-        self.places.iter().map(|parts| self.of_place(parts, r, slope)).sum()
+        self.places
+            .iter()
+            .map(|parts| self.of_place(parts, r, slope))
+            .sum()
     }
 
     fn of_place(&self, parts: &[Mat<f64>], r: usize, slope: [f64; 2]) -> f64 {
-        let own: f64 = parts.iter().flat_map(|change| (0..change.ncols()).map(move |turn| moved(change, turn, r, slope).powi(2))).sum();
+        let own: f64 = parts
+            .iter()
+            .flat_map(|change| {
+                (0..change.ncols()).map(move |turn| moved(change, turn, r, slope).powi(2))
+            })
+            .sum();
         if !matches!(self.kind, ScatterKind::Neighbours) {
             return own;
         }
-        let pairs = parts.windows(2).map(|pair| moved(&pair[0], 0, r, slope) * moved(&pair[1], 0, r, slope)).sum::<f64>();
+        let pairs = parts
+            .windows(2)
+            .map(|pair| moved(&pair[0], 0, r, slope) * moved(&pair[1], 0, r, slope))
+            .sum::<f64>();
         // The mean was taken from the same parts, three times in each of these sums.
         let parts = parts.len() as f64;
         f64::max(own + 2.0 * pairs, MIN_VARIANCE_RATIO * own) * (parts - 1.0) / (parts - 3.0)

@@ -47,16 +47,24 @@ pub fn diagram(poles: &[Vec<Pole>], line_hz: f64) -> Vec<StablePole> {
     for (k, order) in poles.iter().enumerate() {
         let before: &[Pole] = k.checked_sub(1).map_or(&[], |before| &poles[before]);
         for pole in order.iter().filter(|pole| pole.damping_ratio < MAX_DAMPING) {
-            let near = |other: &&Pole| (other.frequency_hz / pole.frequency_hz - 1.0).abs() <= FREQUENCY_LIMIT;
+            let near = |other: &&Pole| {
+                (other.frequency_hz / pole.frequency_hz - 1.0).abs() <= FREQUENCY_LIMIT
+            };
             let width_hz = pole.damping_ratio * pole.frequency_hz;
-            let limit = (HALF_WIDTH_LINE_SHARE * line_hz / width_hz).clamp(DAMPING_LIMIT, COARSE_DAMPING_LIMIT);
-            let alike = |other: &Pole| (other.damping_ratio / pole.damping_ratio - 1.0).abs() <= limit;
+            let limit = (HALF_WIDTH_LINE_SHARE * line_hz / width_hz)
+                .clamp(DAMPING_LIMIT, COARSE_DAMPING_LIMIT);
+            let alike =
+                |other: &Pole| (other.damping_ratio / pole.damping_ratio - 1.0).abs() <= limit;
             let stable = match () {
                 () if before.iter().filter(near).any(alike) => Stability::Pole,
                 () if before.iter().any(|other| near(&other)) => Stability::Frequency,
                 () => Stability::New,
             };
-            found.push(StablePole { order: k + 1, pole: *pole, stable });
+            found.push(StablePole {
+                order: k + 1,
+                pole: *pole,
+                stable,
+            });
         }
     }
     found
@@ -65,21 +73,28 @@ pub fn diagram(poles: &[Vec<Pole>], line_hz: f64) -> Vec<StablePole> {
 /// The poles that stay, one for each mode: of every cluster of stable poles the middle one of its upper orders. A cluster must be stable in
 /// most of the orders from its first on, and in five of them.
 pub(super) fn modes(diagram: &[StablePole], low_hz: f64, high_hz: f64) -> Vec<Pole> {
-    let inside = |p: &&StablePole| p.stable != Stability::New && (low_hz..=high_hz).contains(&p.pole.frequency_hz);
+    let inside = |p: &&StablePole| {
+        p.stable != Stability::New && (low_hz..=high_hz).contains(&p.pole.frequency_hz)
+    };
     let mut stable: Vec<&StablePole> = diagram.iter().filter(inside).collect();
     stable.sort_by(|a, b| a.pole.frequency_hz.total_cmp(&b.pole.frequency_hz));
     let last = diagram.iter().map(|p| p.order).max().unwrap_or(0);
     let mut clusters: Vec<Vec<&StablePole>> = Vec::new();
     for pole in stable {
         let joins = |cluster: &Vec<&StablePole>| {
-            cluster.last().is_some_and(|p| pole.pole.frequency_hz / p.pole.frequency_hz - 1.0 <= SAME_MODE_DISTANCE)
+            cluster.last().is_some_and(|p| {
+                pole.pole.frequency_hz / p.pole.frequency_hz - 1.0 <= SAME_MODE_DISTANCE
+            })
         };
         match clusters.last_mut().filter(|cluster| joins(cluster)) {
             Some(cluster) => cluster.push(pole),
             None => clusters.push(vec![pole]),
         }
     }
-    clusters.iter().filter_map(|cluster| middle(cluster, last)).collect()
+    clusters
+        .iter()
+        .filter_map(|cluster| middle(cluster, last))
+        .collect()
 }
 
 fn middle(cluster: &[&StablePole], last: usize) -> Option<Pole> {
@@ -90,12 +105,19 @@ fn middle(cluster: &[&StablePole], last: usize) -> Option<Pole> {
     if orders.len() < 5 || (orders.len() as f64) < MIN_ORDER_SHARE * (last + 1 - first) as f64 {
         return None;
     }
-    let alike = cluster.iter().filter(|p| p.stable == Stability::Pole).count() as f64;
+    let alike = cluster
+        .iter()
+        .filter(|p| p.stable == Stability::Pole)
+        .count() as f64;
     if alike < SAME_DAMPING_DISTANCE * cluster.len() as f64 {
         return None;
     }
     let from = orders[orders.len() / 2];
-    let mut upper: Vec<Pole> = cluster.iter().filter(|p| p.order >= from).map(|p| p.pole).collect();
+    let mut upper: Vec<Pole> = cluster
+        .iter()
+        .filter(|p| p.order >= from)
+        .map(|p| p.pole)
+        .collect();
     upper.sort_by(|a, b| a.damping_ratio.total_cmp(&b.damping_ratio));
     Some(upper[upper.len() / 2])
 }

@@ -16,20 +16,36 @@ pub(super) fn signals(band: &Band) -> Vec<Vec<c64>> {
         (0..inputs).for_each(|i| of_one_size(response.iter_mut().skip(i).step_by(inputs)));
     }
     let at = |o: usize, i: usize| &response[o * inputs + i];
-    let product =
-        |i: usize, j: usize| -> Vec<c64> { (0..lines).map(|k| (0..outputs).map(|o| at(o, i)[k].conj() * at(o, j)[k]).sum()).collect() };
-    let products = (0..inputs).flat_map(|i| (0..inputs).map(move |j| (i, j))).map(|(i, j)| product(i, j));
+    let product = |i: usize, j: usize| -> Vec<c64> {
+        (0..lines)
+            .map(|k| (0..outputs).map(|o| at(o, i)[k].conj() * at(o, j)[k]).sum())
+            .collect()
+    };
+    let products = (0..inputs)
+        .flat_map(|i| (0..inputs).map(move |j| (i, j)))
+        .map(|(i, j)| product(i, j));
     let ones = vec![c64::new(1.0, 0.0); lines];
-    response.iter().cloned().chain(products).chain([ones]).collect()
+    response
+        .iter()
+        .cloned()
+        .chain(products)
+        .chain([ones])
+        .collect()
 }
 
 /// Divides responses by the rms of all of them.
 fn of_one_size<'a>(responses: impl Iterator<Item = &'a mut Vec<c64>>) {
     let mut responses: Vec<&mut Vec<c64>> = responses.collect();
-    let (sum, lines) = responses.iter().flat_map(|h| h.iter()).fold((0.0, 0), |(sum, lines), x| (sum + x.norm_sqr(), lines + 1));
+    let (sum, lines) = responses
+        .iter()
+        .flat_map(|h| h.iter())
+        .fold((0.0, 0), |(sum, lines), x| (sum + x.norm_sqr(), lines + 1));
     let size = (sum / f64::from(lines)).sqrt();
     if size > 0.0 {
-        responses.iter_mut().flat_map(|h| h.iter_mut()).for_each(|x| *x /= size);
+        responses
+            .iter_mut()
+            .flat_map(|h| h.iter_mut())
+            .for_each(|x| *x /= size);
     }
 }
 
@@ -43,19 +59,36 @@ const LANES: usize = 8;
 pub(super) fn both_ways(turn: &[c64], signals: &[Vec<c64>], most: usize) -> Vec<Vec<f64>> {
     let part = |from: usize| -> Vec<[f64; 2]> {
         let lines = from..(from + LINES_AT_ONCE).min(turn.len());
-        let apart = |of: &[c64]| of[lines.clone()].iter().flat_map(|x| [x.re, x.im]).collect::<Vec<f64>>();
+        let apart = |of: &[c64]| {
+            of[lines.clone()]
+                .iter()
+                .flat_map(|x| [x.re, x.im])
+                .collect::<Vec<f64>>()
+        };
         let signals: Vec<Vec<f64>> = signals.iter().map(|h| apart(h)).collect();
         let mut power = [1.0, 0.0].repeat(lines.len());
         let mut sums = Vec::with_capacity(signals.len() * (most + 1));
         for _ in 0..=most {
             sums.extend(signals.iter().map(|h| products(&power, h)));
-            for (power, z) in power.as_chunks_mut::<2>().0.iter_mut().zip(&turn[lines.clone()]) {
-                *power = [power[0] * z.re - power[1] * z.im, power[0] * z.im + power[1] * z.re];
+            for (power, z) in power
+                .as_chunks_mut::<2>()
+                .0
+                .iter_mut()
+                .zip(&turn[lines.clone()])
+            {
+                *power = [
+                    power[0] * z.re - power[1] * z.im,
+                    power[0] * z.im + power[1] * z.re,
+                ];
             }
         }
         sums
     };
-    let parts: Vec<Vec<[f64; 2]>> = (0..turn.len()).into_par_iter().step_by(LINES_AT_ONCE).map(part).collect();
+    let parts: Vec<Vec<[f64; 2]>> = (0..turn.len())
+        .into_par_iter()
+        .step_by(LINES_AT_ONCE)
+        .map(part)
+        .collect();
     let mut sums = vec![vec![0.0; 2 * most + 1]; signals.len()];
     for part in parts {
         for (index, [a, b]) in part.into_iter().enumerate() {

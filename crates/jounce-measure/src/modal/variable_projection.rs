@@ -18,7 +18,10 @@ pub(super) struct LinearSolution {
 impl LinearSolution {
     /// Of weighed columns `a` and a right side `b`. Columns are scaled to size 1: residual terms and residues differ by many powers of ten.
     pub fn new(mut a: Mat<f64>, b: &Mat<f64>) -> Self {
-        let scale: Vec<f64> = a.col_iter().map(|column| column.norm_l2().max(f64::MIN_POSITIVE)).collect();
+        let scale: Vec<f64> = a
+            .col_iter()
+            .map(|column| column.norm_l2().max(f64::MIN_POSITIVE))
+            .collect();
         for (column, scale) in a.col_iter_mut().zip(&scale) {
             column.iter_mut().for_each(|x| *x /= scale);
         }
@@ -38,8 +41,15 @@ impl LinearSolution {
     /// The problem without its linear unknowns, by the derivatives by the others.
     pub fn left(self, derivative: &Mat<f64>) -> ProjectedProblem {
         let projected = self.beyond(derivative);
-        let taken = (0..self.thin.nrows()).map(|row| self.thin.row(row).squared_norm_l2()).collect();
-        ProjectedProblem { linear: self.linear, projected, rest: self.rest, taken }
+        let taken = (0..self.thin.nrows())
+            .map(|row| self.thin.row(row).squared_norm_l2())
+            .collect();
+        ProjectedProblem {
+            linear: self.linear,
+            projected,
+            rest: self.rest,
+            taken,
+        }
     }
 }
 
@@ -63,7 +73,9 @@ mod tests {
     #[test]
     fn what_is_left_is_orthogonal_to_the_columns() {
         let x = |row: usize| 0.1 * row as f64;
-        let columns = Mat::from_fn(21, 3, |row, c| 1e6_f64.powi(c as i32) * x(row).powi(c as i32));
+        let columns = Mat::from_fn(21, 3, |row, c| {
+            1e6_f64.powi(c as i32) * x(row).powi(c as i32)
+        });
         let right = Mat::from_fn(21, 1, |row, _| 1.0 + 2.0 * x(row) + x(row).powi(3));
         let found = LinearSolution::new(columns.clone(), &right);
         let cubic = Mat::from_fn(21, 1, |row, _| x(row).powi(3));
@@ -73,6 +85,9 @@ mod tests {
             assert!((columns.col(c).transpose() * found.rest.col(0)).abs() < 1e-12 * size);
             assert!((columns.col(c).transpose() * beyond.col(0)).abs() < 1e-12 * size);
         }
-        assert!((&found.rest - &beyond).norm_l2() < 1e-11, "a parabola takes up all but the cubic");
+        assert!(
+            (&found.rest - &beyond).norm_l2() < 1e-11,
+            "a parabola takes up all but the cubic"
+        );
     }
 }

@@ -12,7 +12,10 @@ const MIN_START_DAMPING: f64 = 1e-4;
 /// The pole of a decay before a window made it die faster.
 pub(super) fn without_decay(pole: Pole, decay_per_s: f64) -> Pole {
     let p = pole.complex();
-    Pole::of(c64::new((p.re + decay_per_s).min(-MIN_START_DAMPING * p.im), p.im))
+    Pole::of(c64::new(
+        (p.re + decay_per_s).min(-MIN_START_DAMPING * p.im),
+        p.im,
+    ))
 }
 
 /// Between frequencies and warped ones.
@@ -42,13 +45,21 @@ impl Warp {
     pub fn back(&self, found: &mut Identification) {
         for mode in &mut found.modes {
             let warped_hz = mode.frequency_hz;
-            let pole = self.pole(Pole { frequency_hz: warped_hz, damping_ratio: mode.damping_ratio });
+            let pole = self.pole(Pole {
+                frequency_hz: warped_hz,
+                damping_ratio: mode.damping_ratio,
+            });
             // d(w)/d(W) = cos^2(w T / 2), to the order of the damping.
-            let slope = (TAU * pole.frequency_hz / (2.0 * self.rate_hz)).cos().powi(2);
+            let slope = (TAU * pole.frequency_hz / (2.0 * self.rate_hz))
+                .cos()
+                .powi(2);
             mode.frequency_deviation_hz *= slope;
             mode.damping_deviation *= slope * warped_hz / pole.frequency_hz;
             (mode.frequency_hz, mode.damping_ratio) = (pole.frequency_hz, pole.damping_ratio);
         }
-        found.frequency_hz.iter_mut().for_each(|frequency_hz| *frequency_hz = self.back_hz(*frequency_hz));
+        found
+            .frequency_hz
+            .iter_mut()
+            .for_each(|frequency_hz| *frequency_hz = self.back_hz(*frequency_hz));
     }
 }

@@ -30,24 +30,47 @@ impl ComplexParts {
 ///
 /// # Errors
 /// A recording over time, an odd number of real channels, or none.
-pub fn paired(recordings: Vec<Recording>, parts: ComplexParts) -> Result<Vec<Recording>, ResponseError> {
-    recordings.into_iter().map(|recording| of_pairs(recording, parts)).collect()
+pub fn paired(
+    recordings: Vec<Recording>,
+    parts: ComplexParts,
+) -> Result<Vec<Recording>, ResponseError> {
+    recordings
+        .into_iter()
+        .map(|recording| of_pairs(recording, parts))
+        .collect()
 }
 
 fn of_pairs(mut recording: Recording, parts: ComplexParts) -> Result<Recording, ResponseError> {
     if recording.over == Over::Time {
-        return Err(ResponseError::OverTime { recording: recording.name });
+        return Err(ResponseError::OverTime {
+            recording: recording.name,
+        });
     }
-    let (mut real, complex): (Vec<Channel>, Vec<Channel>) = recording.channels.into_iter().partition(|channel| channel.imaginary.is_none());
+    let (mut real, complex): (Vec<Channel>, Vec<Channel>) = recording
+        .channels
+        .into_iter()
+        .partition(|channel| channel.imaginary.is_none());
     if real.is_empty() || !real.len().is_multiple_of(2) {
         let channels = real.into_iter().map(|channel| channel.name).collect();
-        return Err(ResponseError::Unpaired { recording: recording.name, channels });
+        return Err(ResponseError::Unpaired {
+            recording: recording.name,
+            channels,
+        });
     }
     let mut found = complex;
     let mut columns = real.drain(..);
     while let (Some(first), Some(second)) = (columns.next(), columns.next()) {
-        let (re, im) = first.values.iter().zip(&second.values).map(|(one, other)| parts.complex(*one, *other)).unzip();
-        found.push(Channel { values: re, imaginary: Some(im), ..first });
+        let (re, im) = first
+            .values
+            .iter()
+            .zip(&second.values)
+            .map(|(one, other)| parts.complex(*one, *other))
+            .unzip();
+        found.push(Channel {
+            values: re,
+            imaginary: Some(im),
+            ..first
+        });
     }
     drop(columns);
     recording.channels = found;
@@ -57,9 +80,16 @@ fn of_pairs(mut recording: Recording, parts: ComplexParts) -> Result<Recording, 
 /// Recordings over frequency whose lines that are no numbers lie on straight lines between their neighbours, at the ends on the nearest one; with a
 /// finding for each channel. A channel without a number stays as it is.
 pub fn bridged(mut recordings: Vec<Recording>) -> Vec<Recording> {
-    for recording in recordings.iter_mut().filter(|recording| recording.over == Over::Frequency) {
+    for recording in recordings
+        .iter_mut()
+        .filter(|recording| recording.over == Over::Frequency)
+    {
         let places = recording.grid.places();
-        let found: Vec<Issue> = recording.channels.iter_mut().filter_map(|channel| bridge(channel, &places)).collect();
+        let found: Vec<Issue> = recording
+            .channels
+            .iter_mut()
+            .filter_map(|channel| bridge(channel, &places))
+            .collect();
         recording.findings.extend(found);
     }
     recordings
@@ -67,7 +97,8 @@ pub fn bridged(mut recordings: Vec<Recording>) -> Vec<Recording> {
 
 fn bridge(channel: &mut Channel, places: &[f64]) -> Option<Issue> {
     let imaginary = channel.imaginary.as_deref();
-    let whole = |k: &usize| channel.values[*k].is_finite() && imaginary.is_none_or(|im| im[*k].is_finite());
+    let whole =
+        |k: &usize| channel.values[*k].is_finite() && imaginary.is_none_or(|im| im[*k].is_finite());
     let known: Vec<usize> = (0..places.len()).filter(whole).collect();
     let first = (0..places.len()).find(|k| !whole(k))?;
     let (&head, &tail) = (known.first()?, known.last()?);
@@ -85,10 +116,21 @@ fn bridge(channel: &mut Channel, places: &[f64]) -> Option<Issue> {
         };
         (0..values.len()).map(at).collect()
     };
-    let (values, imaginary) = (filled(&channel.values), channel.imaginary.as_deref().map(filled));
+    let (values, imaginary) = (
+        filled(&channel.values),
+        channel.imaginary.as_deref().map(filled),
+    );
     (channel.values, channel.imaginary) = (values, imaginary);
     let about = "lines that are no numbers were bridged by straight lines".to_owned();
-    Some(Issue::new(IssueKind::Bridged, places.len() - known.len(), Some(IssuePlace::Sample(first)), about).of(&channel.name))
+    Some(
+        Issue::new(
+            IssueKind::Bridged,
+            places.len() - known.len(),
+            Some(IssuePlace::Sample(first)),
+            about,
+        )
+        .of(&channel.name),
+    )
 }
 
 #[cfg(test)]
@@ -99,9 +141,22 @@ mod tests {
     use jounce_data::recording::{Grid, Quantity};
 
     fn recording(over: Over, columns: &[[f64; 4]]) -> Recording {
-        let channel = |(k, values): (usize, &[f64; 4])| Channel::new(&format!("column {}", k + 2), Quantity::Unknown, "", values.to_vec());
+        let channel = |(k, values): (usize, &[f64; 4])| {
+            Channel::new(
+                &format!("column {}", k + 2),
+                Quantity::Unknown,
+                "",
+                values.to_vec(),
+            )
+        };
         let channels = columns.iter().enumerate().map(channel).collect();
-        Recording { name: "r".to_owned(), over, grid: Grid::Stamped(vec![1.0, 2.0, 4.0, 5.0]), channels, findings: Vec::new() }
+        Recording {
+            name: "r".to_owned(),
+            over,
+            grid: Grid::Stamped(vec![1.0, 2.0, 4.0, 5.0]),
+            channels,
+            findings: Vec::new(),
+        }
     }
 
     #[test]
@@ -109,16 +164,42 @@ mod tests {
         let (size, angle) = ([1.0, 2.0, 3.0, 4.0], [0.0, 90.0, 180.0, -90.0]);
         let of = |parts, second: [f64; 4]| {
             let found = paired(vec![recording(Over::Frequency, &[size, second])], parts).unwrap();
-            MeasuredResponses::given(&found).unwrap().functions[0].value.clone()
+            MeasuredResponses::given(&found).unwrap().functions[0]
+                .value
+                .clone()
         };
         let exact = [(1.0, 0.0), (0.0, 2.0), (-3.0, 0.0), (0.0, -4.0)];
-        for value in [of(ComplexParts::SizeDegrees, angle), of(ComplexParts::SizeRadians, angle.map(f64::to_radians))] {
-            assert!(value.iter().zip(exact).all(|(h, (re, im))| (h.re - re).hypot(h.im - im) < 1e-14), "{value:?}");
+        for value in [
+            of(ComplexParts::SizeDegrees, angle),
+            of(ComplexParts::SizeRadians, angle.map(f64::to_radians)),
+        ] {
+            assert!(
+                value
+                    .iter()
+                    .zip(exact)
+                    .all(|(h, (re, im))| (h.re - re).hypot(h.im - im) < 1e-14),
+                "{value:?}"
+            );
         }
-        assert!(of(ComplexParts::ReIm, angle).iter().zip(size.iter().zip(angle)).all(|(h, (re, im))| (h.re, h.im) == (*re, im)));
-        let odd = paired(vec![recording(Over::Frequency, &[size, angle, size])], ComplexParts::ReIm).unwrap_err().to_string();
+        assert!(
+            of(ComplexParts::ReIm, angle)
+                .iter()
+                .zip(size.iter().zip(angle))
+                .all(|(h, (re, im))| (h.re, h.im) == (*re, im))
+        );
+        let odd = paired(
+            vec![recording(Over::Frequency, &[size, angle, size])],
+            ComplexParts::ReIm,
+        )
+        .unwrap_err()
+        .to_string();
         assert!(odd.contains("column 2, column 3, column 4"), "{odd}");
-        let time = paired(vec![recording(Over::Time, &[size, angle])], ComplexParts::ReIm).unwrap_err().to_string();
+        let time = paired(
+            vec![recording(Over::Time, &[size, angle])],
+            ComplexParts::ReIm,
+        )
+        .unwrap_err()
+        .to_string();
         assert!(time.contains("over = \"frequency\""), "{time}");
     }
 
@@ -126,11 +207,24 @@ mod tests {
     #[test]
     fn lines_that_are_no_numbers_are_bridged() {
         let nan = f64::NAN;
-        let pair = recording(Over::Frequency, &[[nan, 2.0, nan, 5.0], [1.0, 4.0, 8.0, 10.0]]);
+        let pair = recording(
+            Over::Frequency,
+            &[[nan, 2.0, nan, 5.0], [1.0, 4.0, 8.0, 10.0]],
+        );
         let found = bridged(paired(vec![pair], ComplexParts::ReIm).unwrap()).remove(0);
         assert_eq!(found.channels[0].values, [2.0, 2.0, 4.0, 5.0]);
-        assert_eq!(found.channels[0].imaginary.as_deref(), Some(&[4.0, 4.0, 8.0, 10.0][..]));
-        assert_eq!((found.findings.len(), found.findings[0].count, found.findings[0].kind), (1, 2, IssueKind::Bridged));
+        assert_eq!(
+            found.channels[0].imaginary.as_deref(),
+            Some(&[4.0, 4.0, 8.0, 10.0][..])
+        );
+        assert_eq!(
+            (
+                found.findings.len(),
+                found.findings[0].count,
+                found.findings[0].kind
+            ),
+            (1, 2, IssueKind::Bridged)
+        );
         let still = bridged(vec![recording(Over::Frequency, &[[nan; 4]])]).remove(0);
         assert!(still.findings.is_empty() && still.channels[0].values.iter().all(|x| x.is_nan()));
     }

@@ -59,18 +59,29 @@ impl Decays {
     ///
     /// # Errors
     /// No record, a channel that is not there, unequal rates, fewer than 32 samples.
-    pub fn free(records: &[Recording], responses: &[String], span_s: Option<(f64, f64)>) -> Result<Self, ResponseError> {
+    pub fn free(
+        records: &[Recording],
+        responses: &[String],
+        span_s: Option<(f64, f64)>,
+    ) -> Result<Self, ResponseError> {
         let first = records.first().ok_or(ResponseError::Nothing)?;
         let (outputs, rate_hz) = (named(first, responses)?, first.rate());
         let mut of_records = Vec::new();
         for record in records {
             if (record.rate() / rate_hz - 1.0).abs() > 1e-6 {
-                return Err(SpectralError::Rates { first_hz: rate_hz, other_hz: record.rate() }.into());
+                return Err(SpectralError::Rates {
+                    first_hz: rate_hz,
+                    other_hz: record.rate(),
+                }
+                .into());
             }
             let channels = channels(record, &outputs)?;
             let samples = channels[0].len();
             let (from, to) = match span_s {
-                Some((from_s, to_s)) => ((from_s * rate_hz).round() as usize, ((to_s * rate_hz).round() as usize + 1).min(samples)),
+                Some((from_s, to_s)) => (
+                    (from_s * rate_hz).round() as usize,
+                    ((to_s * rate_hz).round() as usize + 1).min(samples),
+                ),
                 None => (largest(channels[0]), samples),
             };
             if from + MIN_DECAY_SAMPLES > to {
@@ -80,10 +91,19 @@ impl Decays {
                     needed: MIN_DECAY_SAMPLES,
                 });
             }
-            of_records.push(channels.into_iter().map(|values| values[from..to].to_vec()).collect::<Vec<_>>());
+            of_records.push(
+                channels
+                    .into_iter()
+                    .map(|values| values[from..to].to_vec())
+                    .collect::<Vec<_>>(),
+            );
         }
         let shortest = of_records.iter().flatten().map(Vec::len).min().unwrap_or(0);
-        let of_output = |o: usize| of_records.iter().map(move |record| record[o][..shortest].to_vec());
+        let of_output = |o: usize| {
+            of_records
+                .iter()
+                .map(move |record| record[o][..shortest].to_vec())
+        };
         Ok(Self {
             values: (0..outputs.len()).flat_map(of_output).collect(),
             references: records.iter().map(|record| record.name.clone()).collect(),
@@ -100,11 +120,22 @@ impl Decays {
     /// A channel that is not there, lags of more than a quarter of the record or of fewer than 32 samples.
     pub fn ambient(record: &Recording, settings: &AmbientSettings) -> Result<Self, ResponseError> {
         let outputs = named(record, &settings.responses)?;
-        let references = if settings.references.is_empty() { outputs.clone() } else { named(record, &settings.references)? };
+        let references = if settings.references.is_empty() {
+            outputs.clone()
+        } else {
+            named(record, &settings.references)?
+        };
         let (samples, rate_hz) = (record.grid.len(), record.rate());
-        let lags = settings.lags_s.map_or_else(|| usual_lags(samples), |lags_s| (lags_s * rate_hz).round() as usize);
+        let lags = settings.lags_s.map_or_else(
+            || usual_lags(samples),
+            |lags_s| (lags_s * rate_hz).round() as usize,
+        );
         if lags < MIN_DECAY_SAMPLES {
-            return Err(ResponseError::Short { recording: record.name.clone(), samples: lags, needed: MIN_DECAY_SAMPLES });
+            return Err(ResponseError::Short {
+                recording: record.name.clone(),
+                samples: lags,
+                needed: MIN_DECAY_SAMPLES,
+            });
         }
         if lags > samples / 4 {
             return Err(ResponseError::Lags {
@@ -117,14 +148,31 @@ impl Decays {
             let mean = values.iter().sum::<f64>() / values.len() as f64;
             values.iter().map(|x| x - mean).collect::<Vec<f64>>()
         };
-        let own: Vec<Vec<f64>> = channels(record, &outputs)?.into_iter().map(centred).collect();
-        let others: Vec<Vec<f64>> = channels(record, &references)?.into_iter().map(centred).collect();
+        let own: Vec<Vec<f64>> = channels(record, &outputs)?
+            .into_iter()
+            .map(centred)
+            .collect();
+        let others: Vec<Vec<f64>> = channels(record, &references)?
+            .into_iter()
+            .map(centred)
+            .collect();
         let length = (samples - lags) / RECORD_BLOCKS;
-        let pairs = || own.iter().flat_map(|output| others.iter().map(move |reference| (output, reference)));
+        let pairs = || {
+            own.iter()
+                .flat_map(|output| others.iter().map(move |reference| (output, reference)))
+        };
         let correlation = Correlation::new(length, lags);
-        let block = |b: usize| pairs().map(|(output, reference)| correlation.of(output, reference, b * length)).collect::<Vec<_>>();
+        let block = |b: usize| {
+            pairs()
+                .map(|(output, reference)| correlation.of(output, reference, b * length))
+                .collect::<Vec<_>>()
+        };
         let blocks: Vec<Vec<Vec<f64>>> = (0..RECORD_BLOCKS).map(block).collect();
-        let mean = |f: usize| (0..=lags).map(|k| blocks.iter().map(|block| block[f][k]).sum::<f64>() / RECORD_BLOCKS as f64).collect();
+        let mean = |f: usize| {
+            (0..=lags)
+                .map(|k| blocks.iter().map(|block| block[f][k]).sum::<f64>() / RECORD_BLOCKS as f64)
+                .collect()
+        };
         Ok(Self {
             values: (0..outputs.len() * references.len()).map(mean).collect(),
             outputs,
@@ -142,15 +190,31 @@ impl Decays {
     pub fn of_spectrum(spectrum: &Recording, responses: &[String]) -> Result<Self, ResponseError> {
         let outputs = named(spectrum, responses)?;
         let places = spectrum.grid.places();
-        let told = |reason: &'static str| ResponseError::NotAmplitude { recording: spectrum.name.clone(), reason };
-        if spectrum.over != Over::Frequency || spectrum.channels.iter().any(|channel| channel.imaginary.is_some()) {
+        let told = |reason: &'static str| ResponseError::NotAmplitude {
+            recording: spectrum.name.clone(),
+            reason,
+        };
+        if spectrum.over != Over::Frequency
+            || spectrum
+                .channels
+                .iter()
+                .any(|channel| channel.imaginary.is_some())
+        {
             return Err(told("it must hold amplitudes over frequency"));
         }
         let step_hz = (places[places.len() - 1] - places[0]) / (places.len().max(2) - 1) as f64;
         let before = (places[0] / step_hz).round();
-        let off = |(k, place): (usize, &f64)| ((place - step_hz * (before + k as f64)) / step_hz).abs() > 0.05;
-        if step_hz.is_nan() || step_hz <= 0.0 || !(0.0..1e6).contains(&before) || places.iter().enumerate().any(off) {
-            return Err(told("its lines must be evenly spaced, multiples of their distance"));
+        let off = |(k, place): (usize, &f64)| {
+            ((place - step_hz * (before + k as f64)) / step_hz).abs() > 0.05
+        };
+        if step_hz.is_nan()
+            || step_hz <= 0.0
+            || !(0.0..1e6).contains(&before)
+            || places.iter().enumerate().any(off)
+        {
+            return Err(told(
+                "its lines must be evenly spaced, multiples of their distance",
+            ));
         }
         let lines = before as usize + places.len();
         if lines < MIN_DECAY_SAMPLES * MAX_LAG_DIVISOR {
@@ -162,11 +226,16 @@ impl Decays {
         }
         let of = |amplitude: &[f64]| {
             let mut bins = vec![Complex::new(0.0, 0.0); lines];
-            bins[before as usize..].iter_mut().zip(amplitude).skip(usize::from(before == 0.0)).for_each(|(bin, a)| bin.re = a * a);
+            bins[before as usize..]
+                .iter_mut()
+                .zip(amplitude)
+                .skip(usize::from(before == 0.0))
+                .for_each(|(bin, a)| bin.re = a * a);
             let length = 2 * (lines - 1);
             let plan = RealFftPlanner::new().plan_fft_inverse(length);
             let mut values = plan.make_output_vec();
-            plan.process(&mut bins, &mut values).expect("the plan made the length, and the bins are real");
+            plan.process(&mut bins, &mut values)
+                .expect("the plan made the length, and the bins are real");
             values.truncate(length / MAX_LAG_DIVISOR + 1);
             values
         };
@@ -183,7 +252,13 @@ impl Decays {
     /// Name of each decay.
     pub fn names(&self) -> Vec<String> {
         let of = |output: &String| {
-            let named = |reference: &String| if self.references.len() > 1 { format!("{output} by {reference}") } else { output.clone() };
+            let named = |reference: &String| {
+                if self.references.len() > 1 {
+                    format!("{output} by {reference}")
+                } else {
+                    output.clone()
+                }
+            };
             self.references.iter().map(named).collect::<Vec<_>>()
         };
         self.outputs.iter().flat_map(of).collect()
@@ -192,17 +267,33 @@ impl Decays {
 
 fn named(recording: &Recording, wanted: &[String]) -> Result<Vec<String>, ResponseError> {
     if wanted.is_empty() {
-        return Ok(recording.channels.iter().map(|channel| channel.name.clone()).collect());
+        return Ok(recording
+            .channels
+            .iter()
+            .map(|channel| channel.name.clone())
+            .collect());
     }
-    wanted.iter().map(|name| Ok(recording.channel(name)?.name.clone())).collect()
+    wanted
+        .iter()
+        .map(|name| Ok(recording.channel(name)?.name.clone()))
+        .collect()
 }
 
-fn channels<'r>(recording: &'r Recording, names: &[String]) -> Result<Vec<&'r [f64]>, ResponseError> {
-    names.iter().map(|name| Ok(signal(recording.channel(name)?, recording.rate())?.values())).collect()
+fn channels<'r>(
+    recording: &'r Recording,
+    names: &[String],
+) -> Result<Vec<&'r [f64]>, ResponseError> {
+    names
+        .iter()
+        .map(|name| Ok(signal(recording.channel(name)?, recording.rate())?.values()))
+        .collect()
 }
 
 fn findings(records: &[Recording]) -> Vec<Issue> {
-    records.iter().flat_map(|record| record.findings.clone()).collect()
+    records
+        .iter()
+        .flat_map(|record| record.findings.clone())
+        .collect()
 }
 
 /// Long lags add more noise than they tell: a short part of the record, but enough lines.
@@ -211,7 +302,11 @@ fn usual_lags(samples: usize) -> usize {
 }
 
 fn largest(values: &[f64]) -> usize {
-    values.iter().enumerate().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs())).map_or(0, |(k, _)| k)
+    values
+        .iter()
+        .enumerate()
+        .max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))
+        .map_or(0, |(k, _)| k)
 }
 
 /// Correlations of blocks of one length, by transforms.
@@ -224,7 +319,12 @@ struct Correlation {
 
 impl Correlation {
     fn new(length: usize, lags: usize) -> Self {
-        Self { length, lags, padded: (length + lags + 1).next_power_of_two(), planner: RealFftPlanner::new().into() }
+        Self {
+            length,
+            lags,
+            padded: (length + lags + 1).next_power_of_two(),
+            planner: RealFftPlanner::new().into(),
+        }
     }
 
     /// `sum_t output(t + k) reference(t) / length` for `t` in the block that starts at a sample.
@@ -235,16 +335,26 @@ impl Correlation {
             let mut padded = values.to_vec();
             padded.resize(self.padded, 0.0);
             let mut bins = forward.make_output_vec();
-            forward.process(&mut padded, &mut bins).expect("the plan made the length");
+            forward
+                .process(&mut padded, &mut bins)
+                .expect("the plan made the length");
             bins
         };
-        let (x, y) = (transform(&reference[start..start + self.length]), transform(&output[start..start + self.length + self.lags]));
+        let (x, y) = (
+            transform(&reference[start..start + self.length]),
+            transform(&output[start..start + self.length + self.lags]),
+        );
         let mut bins: Vec<Complex<f64>> = x.iter().zip(&y).map(|(x, y)| x.conj() * y).collect();
         let last = bins.len() - 1;
         (bins[0].im, bins[last].im) = (0.0, 0.0);
         let backward = planner.plan_fft_inverse(self.padded);
         let mut values = backward.make_output_vec();
-        backward.process(&mut bins, &mut values).expect("the plan made the length");
-        values[..=self.lags].iter().map(|sum| sum / (self.padded as f64 * self.length as f64)).collect()
+        backward
+            .process(&mut bins, &mut values)
+            .expect("the plan made the length");
+        values[..=self.lags]
+            .iter()
+            .map(|sum| sum / (self.padded as f64 * self.length as f64))
+            .collect()
     }
 }

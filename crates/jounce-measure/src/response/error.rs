@@ -104,7 +104,9 @@ pub enum ResponseError {
         force: String,
     },
     /// The input as a response to itself.
-    #[error("{force} of {recording} is the input, and cannot respond to itself: name a channel beside it, or another input")]
+    #[error(
+        "{force} of {recording} is the input, and cannot respond to itself: name a channel beside it, or another input"
+    )]
     OwnResponse {
         /// The recording.
         recording: String,
@@ -161,7 +163,9 @@ pub enum ResponseError {
         needed: usize,
     },
     /// Lags too long for their record.
-    #[error("lags of {lags_s} s are too long for {recording}; at most a quarter of it will do, {most_s} s")]
+    #[error(
+        "lags of {lags_s} s are too long for {recording}; at most a quarter of it will do, {most_s} s"
+    )]
     Lags {
         /// The recording.
         recording: String,

@@ -19,60 +19,129 @@ pub enum Excitation {
 }
 
 /// What may excite a structure.
-const INPUTS: [Quantity; 6] =
-    [Quantity::Force, Quantity::Acceleration, Quantity::Velocity, Quantity::Displacement, Quantity::Voltage, Quantity::Pressure];
+const INPUTS: [Quantity; 6] = [
+    Quantity::Force,
+    Quantity::Acceleration,
+    Quantity::Velocity,
+    Quantity::Displacement,
+    Quantity::Voltage,
+    Quantity::Pressure,
+];
 
 /// The channel of a recording that excites.
-pub(super) fn input<'a>(recording: &'a Recording, chosen: &ChannelChoice) -> Result<&'a Channel, ResponseError> {
+pub(super) fn input<'a>(
+    recording: &'a Recording,
+    chosen: &ChannelChoice,
+) -> Result<&'a Channel, ResponseError> {
     let found = match &chosen.excitation {
         Excitation::Channel(name) => {
             let found = recording.channel(name)?;
-            let (recording, channel, unit) = (recording.name.clone(), found.name.clone(), found.unit.clone());
-            return if INPUTS.contains(&found.quantity) { Ok(found) } else { Err(ResponseError::NotInput { recording, channel, unit }) };
+            let (recording, channel, unit) = (
+                recording.name.clone(),
+                found.name.clone(),
+                found.unit.clone(),
+            );
+            return if INPUTS.contains(&found.quantity) {
+                Ok(found)
+            } else {
+                Err(ResponseError::NotInput {
+                    recording,
+                    channel,
+                    unit,
+                })
+            };
         }
         Excitation::Force(name) => recording.channel(name)?,
         Excitation::FirstForce => {
-            let channels = || recording.channels.iter().map(|channel| channel.name.clone()).collect();
-            let first = recording.channels.iter().find(|channel| channel.quantity == Quantity::Force);
-            first.ok_or_else(|| ResponseError::NoForce { recording: recording.name.clone(), channels: channels() })?
+            let channels = || {
+                recording
+                    .channels
+                    .iter()
+                    .map(|channel| channel.name.clone())
+                    .collect()
+            };
+            let first = recording
+                .channels
+                .iter()
+                .find(|channel| channel.quantity == Quantity::Force);
+            first.ok_or_else(|| ResponseError::NoForce {
+                recording: recording.name.clone(),
+                channels: channels(),
+            })?
         }
     };
     // A channel that tells no unit may be the force; one that tells another is not.
     if found.head().may_be(Quantity::Force) {
         return Ok(found);
     }
-    Err(ResponseError::NotForce { recording: recording.name.clone(), channel: found.name.clone(), unit: found.unit.clone() })
+    Err(ResponseError::NotForce {
+        recording: recording.name.clone(),
+        channel: found.name.clone(),
+        unit: found.unit.clone(),
+    })
 }
 
 /// What the channel measures: a force where it tells no unit.
 pub(super) fn quantity(input: &Channel) -> Quantity {
-    if input.quantity == Quantity::Unknown { Quantity::Force } else { input.quantity }
+    if input.quantity == Quantity::Unknown {
+        Quantity::Force
+    } else {
+        input.quantity
+    }
 }
 
 /// Unit of a response per input, as [`jounce_data::recording::Unit`] writes it.
 pub(super) fn unit(output: &Channel, input: &Channel) -> String {
-    let above = if output.unit.is_empty() { "1" } else { &output.unit };
+    let above = if output.unit.is_empty() {
+        "1"
+    } else {
+        &output.unit
+    };
     let below = quantity(input).si_unit();
-    if below.contains('/') { format!("{above}/({below})") } else { format!("{above}/{below}") }
+    if below.contains('/') {
+        format!("{above}/({below})")
+    } else {
+        format!("{above}/{below}")
+    }
 }
 
 /// The settings for an input: hits are those of a force, and what is none is averaged in blocks.
 ///
 /// # Errors
 /// A pulse of what is no force; recordings in which one name stands for two quantities.
-pub(super) fn settings(records: &[Recording], chosen: &ChannelChoice, asked: &ImpactSettings) -> Result<ImpactSettings, ResponseError> {
-    let Some(first) = records.first() else { return Ok(*asked) };
+pub(super) fn settings(
+    records: &[Recording],
+    chosen: &ChannelChoice,
+    asked: &ImpactSettings,
+) -> Result<ImpactSettings, ResponseError> {
+    let Some(first) = records.first() else {
+        return Ok(*asked);
+    };
     let due = quantity(input(first, chosen)?);
     for record in records {
         let found = input(record, chosen)?;
         if quantity(found) != due {
             let (channel, unit) = (found.name.clone(), found.unit.clone());
-            return Err(ResponseError::InputUnits { channel, recordings: [first.name.clone(), record.name.clone()], unit });
+            return Err(ResponseError::InputUnits {
+                channel,
+                recordings: [first.name.clone(), record.name.clone()],
+                unit,
+            });
         }
         let samples = Samples::new(&found.values, record.rate()).map_err(SpectralError::from)?;
         if due != Quantity::Force && !asked.shaker && !goes_on(&samples) {
-            return Err(ResponseError::Pulse { recording: record.name.clone(), channel: found.name.clone() });
+            return Err(ResponseError::Pulse {
+                recording: record.name.clone(),
+                channel: found.name.clone(),
+            });
         }
     }
-    Ok(if due == Quantity::Force { *asked } else { ImpactSettings { shaker: true, ..*asked } })
+    Ok(if due == Quantity::Force {
+        *asked
+    } else {
+        ImpactSettings {
+            shaker: true,
+            ..*asked
+        }
+    })
 }

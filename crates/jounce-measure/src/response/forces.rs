@@ -14,7 +14,10 @@ pub(super) struct ReferenceRecords<'a> {
 
 /// Place and direction of a sensor as one text; empty where nothing is told.
 pub(super) fn place(channel: &Channel) -> String {
-    [channel.place.as_str(), channel.direction.as_str()].join(" ").trim().to_owned()
+    [channel.place.as_str(), channel.direction.as_str()]
+        .join(" ")
+        .trim()
+        .to_owned()
 }
 
 /// The places in the order in which they first come. Where none of several recordings tells its place, or some do and tell one place, it is taken
@@ -23,32 +26,63 @@ pub(super) fn references<'a>(
     records: &'a [Recording],
     chosen: &ChannelChoice,
 ) -> Result<(Vec<ReferenceRecords<'a>>, Option<Issue>), ResponseError> {
-    let told = records.iter().map(|record| Ok(place(input(record, chosen)?))).collect::<Result<Vec<String>, ResponseError>>()?;
+    let told = records
+        .iter()
+        .map(|record| Ok(place(input(record, chosen)?)))
+        .collect::<Result<Vec<String>, ResponseError>>()?;
     let mut names: Vec<&String> = Vec::new();
     for name in told.iter().filter(|name| !name.is_empty()) {
         if !names.contains(&name) {
             names.push(name);
         }
     }
-    let silent: Vec<String> = told.iter().zip(records).filter(|(name, _)| name.is_empty()).map(|(_, record)| record.name.clone()).collect();
+    let silent: Vec<String> = told
+        .iter()
+        .zip(records)
+        .filter(|(name, _)| name.is_empty())
+        .map(|(_, record)| record.name.clone())
+        .collect();
     if names.len() > 1 && !silent.is_empty() {
-        return Err(ResponseError::Places { places: names.into_iter().cloned().collect(), silent });
+        return Err(ResponseError::Places {
+            places: names.into_iter().cloned().collect(),
+            silent,
+        });
     }
-    let about =
-        "recordings do not tell where the force acts; it is taken to act at one place in all, give the place in the notes beside them";
-    let finding = (!silent.is_empty() && records.len() > 1)
-        .then(|| Issue::new(IssueKind::Assumed, silent.len(), None, format!("{} of {} {about}", silent.len(), records.len())));
+    let about = "recordings do not tell where the force acts; it is taken to act at one place in all, give the place in the notes beside them";
+    let finding = (!silent.is_empty() && records.len() > 1).then(|| {
+        Issue::new(
+            IssueKind::Assumed,
+            silent.len(),
+            None,
+            format!("{} of {} {about}", silent.len(), records.len()),
+        )
+    });
     let numbered = || records.iter().enumerate();
     let found = match names[..] {
         [] => {
-            let name =
-                records.first().map(|record| input(record, chosen)).transpose()?.map_or_else(String::new, |input| input.name.clone());
-            vec![ReferenceRecords { name, records: numbered().collect() }]
+            let name = records
+                .first()
+                .map(|record| input(record, chosen))
+                .transpose()?
+                .map_or_else(String::new, |input| input.name.clone());
+            vec![ReferenceRecords {
+                name,
+                records: numbered().collect(),
+            }]
         }
-        [name] => vec![ReferenceRecords { name: name.clone(), records: numbered().collect() }],
+        [name] => vec![ReferenceRecords {
+            name: name.clone(),
+            records: numbered().collect(),
+        }],
         _ => {
             let of = |name: &&String| numbered().filter(|(k, _)| told[*k] == **name).collect();
-            names.iter().map(|name| ReferenceRecords { name: (*name).clone(), records: of(name) }).collect()
+            names
+                .iter()
+                .map(|name| ReferenceRecords {
+                    name: (*name).clone(),
+                    records: of(name),
+                })
+                .collect()
         }
     };
     Ok((found, finding))
@@ -63,8 +97,14 @@ pub(super) fn check_sensors(records: &[Recording], names: &[String]) -> Result<(
             match &first {
                 None if !here.is_empty() => first = Some((here, &record.name)),
                 Some((there, recording)) if !here.is_empty() && here != *there => {
-                    let places = [format!("{there} in {recording}"), format!("{here} in {}", record.name)];
-                    return Err(ResponseError::Moved { channel: name.clone(), places });
+                    let places = [
+                        format!("{there} in {recording}"),
+                        format!("{here} in {}", record.name),
+                    ];
+                    return Err(ResponseError::Moved {
+                        channel: name.clone(),
+                        places,
+                    });
                 }
                 _ => {}
             }

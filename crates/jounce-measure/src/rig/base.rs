@@ -13,11 +13,19 @@ use jounce_data::recording::Recording;
 ///
 /// # Errors
 /// [`spec::RecordingError`], and a base beside the ground.
-pub fn on_recorded_base(spec: &mut Spec, recording: &Recording, channel: &str, keep_mean: bool) -> Result<f64, RigError> {
+pub fn on_recorded_base(
+    spec: &mut Spec,
+    recording: &Recording,
+    channel: &str,
+    keep_mean: bool,
+) -> Result<f64, RigError> {
     let kind = DriveKind::BaseAcceleration;
     let record = spec::Recording::of(recording, channel, kind, (1.0, keep_mean))?;
     if let Some(base) = spec.bases().first() {
-        return Err(RigError::Bases { base: (*base).to_owned(), what: "a recorded base" });
+        return Err(RigError::Bases {
+            base: (*base).to_owned(),
+            what: "a recorded base",
+        });
     }
     (spec.run.duration_s, spec.run.average_over_s) = (record.duration_s(), record.duration_s());
     spec.run.start = spec::Start::Rest;
@@ -27,7 +35,14 @@ pub fn on_recorded_base(spec: &mut Spec, recording: &Recording, channel: &str, k
         *read = Some(Arc::new(record));
     }
     spec.drive.clear();
-    spec.drive.insert("base".to_owned(), Drive { at: String::new(), kind, signal });
+    spec.drive.insert(
+        "base".to_owned(),
+        Drive {
+            at: String::new(),
+            kind,
+            signal,
+        },
+    );
     Ok(mean)
 }
 
@@ -41,16 +56,40 @@ mod tests {
     fn of_base(values: Vec<f64>, keep_mean: bool) -> Result<f64, RigError> {
         let grid = Grid::even(0.0, 1e-3, values.len()).unwrap();
         let channels = vec![Channel::new("ax", Quantity::Acceleration, "m/s^2", values)];
-        let recording = Recording { name: "base".to_owned(), over: Over::Time, grid, channels, findings: Vec::new() };
+        let recording = Recording {
+            name: "base".to_owned(),
+            over: Over::Time,
+            grid,
+            channels,
+            findings: Vec::new(),
+        };
         on_recorded_base(&mut paper_spec(&[]).unwrap(), &recording, "ax", keep_mean)
     }
 
     #[test]
     fn a_base_at_rest_or_of_no_numbers_is_refused() {
-        for still in [of_base(vec![0.0; 100], false), of_base(vec![0.0; 100], true), of_base(vec![9.81; 100], false)] {
-            assert!(matches!(still, Err(RigError::Recording(spec::RecordingError::Still { .. }))), "{still:?}");
+        for still in [
+            of_base(vec![0.0; 100], false),
+            of_base(vec![0.0; 100], true),
+            of_base(vec![9.81; 100], false),
+        ] {
+            assert!(
+                matches!(
+                    still,
+                    Err(RigError::Recording(spec::RecordingError::Still { .. }))
+                ),
+                "{still:?}"
+            );
         }
-        assert!(of_base(vec![9.81; 100], true).is_ok(), "a steady push that is kept moves the beam");
-        assert!(of_base([vec![f64::NAN], vec![1.0; 99]].concat(), false).unwrap_err().to_string().contains("no number"));
+        assert!(
+            of_base(vec![9.81; 100], true).is_ok(),
+            "a steady push that is kept moves the beam"
+        );
+        assert!(
+            of_base([vec![f64::NAN], vec![1.0; 99]].concat(), false)
+                .unwrap_err()
+                .to_string()
+                .contains("no number")
+        );
     }
 }

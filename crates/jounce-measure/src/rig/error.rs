@@ -28,7 +28,9 @@ pub enum RigError {
         frequency_hz: f64,
     },
     /// A record with its padding that is too long.
-    #[error("{samples} samples are needed until the slowest mode has died, more than {most}; lower the rate or raise the damping")]
+    #[error(
+        "{samples} samples are needed until the slowest mode has died, more than {most}; lower the rate or raise the damping"
+    )]
     Long {
         /// Samples needed.
         samples: f64,

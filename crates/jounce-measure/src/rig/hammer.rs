@@ -60,9 +60,18 @@ const MIN_REPORTED_RINGING: f64 = 0.01;
 /// blocks of equal length it does not average out, and the coherence does not show it.
 pub fn ringing(plant: &Plant, block_s: f64) -> Option<ResidualRinging> {
     let modes = &plant.system.modes;
-    let rates = modes.frequency_rad_s.iter().zip(&modes.damping_ratio).map(|(w, zeta)| (*w, w * zeta)).filter(|(_, rate)| *rate > 0.0);
+    let rates = modes
+        .frequency_rad_s
+        .iter()
+        .zip(&modes.damping_ratio)
+        .map(|(w, zeta)| (*w, w * zeta))
+        .filter(|(_, rate)| *rate > 0.0);
     let (w, rate) = rates.min_by(|a, b| a.1.total_cmp(&b.1))?;
-    Some(ResidualRinging { frequency_hz: w / std::f64::consts::TAU, left: (-rate * block_s).exp(), block_s: 100f64.ln() / rate })
+    Some(ResidualRinging {
+        frequency_hz: w / std::f64::consts::TAU,
+        left: (-rate * block_s).exp(),
+        block_s: 100f64.ln() / rate,
+    })
 }
 
 /// The recording of a hammer test on a linear plant: `force`, then the responses under their names.
@@ -80,28 +89,61 @@ pub fn hammer_test(plant: &Plant, test: &HammerTest) -> Result<Recording, RigErr
     let mut spectrum = forward.make_output_vec();
     let mut input = force.clone();
     input.resize(padded, 0.0);
-    forward.process(&mut input, &mut spectrum).expect("the plan made the length");
-    let frequency_hz: Vec<f64> = (0..spectrum.len()).map(|k| k as f64 * test.rate_hz / padded as f64).collect();
-    let functions = frf(plant, &FrfInput::Force(test.point.clone()), &test.responses, &frequency_hz)?;
+    forward
+        .process(&mut input, &mut spectrum)
+        .expect("the plan made the length");
+    let frequency_hz: Vec<f64> = (0..spectrum.len())
+        .map(|k| k as f64 * test.rate_hz / padded as f64)
+        .collect();
+    let functions = frf(
+        plant,
+        &FrfInput::Force(test.point.clone()),
+        &test.responses,
+        &frequency_hz,
+    )?;
     let backward = planner.plan_fft_inverse(padded);
     let sensed = |truth: &[f64], stream: &mut RandomStream| test.sensor.read(truth, stream);
     let struck = Channel::new("force", Quantity::Force, "N", sensed(&force, &mut stream));
-    let mut channels = vec![Channel { place: test.point.clone(), ..struck }];
+    let mut channels = vec![Channel {
+        place: test.point.clone(),
+        ..struck
+    }];
     for function in functions {
-        let mut bins: Vec<_> = spectrum.iter().zip(&function.value).map(|(f, h)| f * h).collect();
+        let mut bins: Vec<_> = spectrum
+            .iter()
+            .zip(&function.value)
+            .map(|(f, h)| f * h)
+            .collect();
         // A real signal has real bins at both ends.
         let last = bins.len() - 1;
         (bins[0].im, bins[last].im) = (0.0, 0.0);
         let mut values = backward.make_output_vec();
-        backward.process(&mut bins, &mut values).expect("the plan made the length");
+        backward
+            .process(&mut bins, &mut values)
+            .expect("the plan made the length");
         let truth: Vec<f64> = values[..count].iter().map(|x| x / padded as f64).collect();
         let (quantity, unit) = measured(&function.response);
-        channels.push(Channel::new(&function.response.name(), quantity, unit, sensed(&truth, &mut stream)));
+        channels.push(Channel::new(
+            &function.response.name(),
+            quantity,
+            unit,
+            sensed(&truth, &mut stream),
+        ));
     }
     let grid = Grid::even(0.0, 1.0 / test.rate_hz, count)?;
-    let slowest = ringing(plant, test.block_s).filter(|slowest| test.hits > 1 && slowest.left > MIN_REPORTED_RINGING);
-    let findings = slowest.into_iter().map(|slowest| slowest.finding()).collect();
-    Ok(Recording { name: format!("hammer at {}", test.point), over: Over::Time, grid, channels, findings })
+    let slowest = ringing(plant, test.block_s)
+        .filter(|slowest| test.hits > 1 && slowest.left > MIN_REPORTED_RINGING);
+    let findings = slowest
+        .into_iter()
+        .map(|slowest| slowest.finding())
+        .collect();
+    Ok(Recording {
+        name: format!("hammer at {}", test.point),
+        over: Over::Time,
+        grid,
+        channels,
+        findings,
+    })
 }
 
 impl ResidualRinging {
@@ -120,13 +162,44 @@ impl ResidualRinging {
 fn check(test: &HammerTest) -> Result<(), RigError> {
     test.sensor.check()?;
     let settings = [
-        ("the number of hits", test.hits as f64, 1.0, 1000.0, "from 1 to 1000"),
-        ("the time from hit to hit in samples", test.block_s * test.rate_hz, 64.0, 4e6, "from 64 to 4000000"),
-        ("the contact time in samples", test.contact_time_s * test.rate_hz, 3.0, 1e5, "at least 3: raise the rate or soften the tip"),
-        ("the largest force", test.peak_force_n, f64::MIN_POSITIVE, 1e6, "above 0"),
+        (
+            "the number of hits",
+            test.hits as f64,
+            1.0,
+            1000.0,
+            "from 1 to 1000",
+        ),
+        (
+            "the time from hit to hit in samples",
+            test.block_s * test.rate_hz,
+            64.0,
+            4e6,
+            "from 64 to 4000000",
+        ),
+        (
+            "the contact time in samples",
+            test.contact_time_s * test.rate_hz,
+            3.0,
+            1e5,
+            "at least 3: raise the rate or soften the tip",
+        ),
+        (
+            "the largest force",
+            test.peak_force_n,
+            f64::MIN_POSITIVE,
+            1e6,
+            "above 0",
+        ),
     ];
-    match settings.into_iter().find(|(_, value, low, high, _)| !(*low..=*high).contains(value)) {
-        Some((name, value, _, _, allowed)) => Err(RigError::Setting { name, value, allowed }),
+    match settings
+        .into_iter()
+        .find(|(_, value, low, high, _)| !(*low..=*high).contains(value))
+    {
+        Some((name, value, _, _, allowed)) => Err(RigError::Setting {
+            name,
+            value,
+            allowed,
+        }),
         None => Ok(()),
     }
 }
@@ -137,13 +210,18 @@ fn padded(plant: &Plant, count: usize, rate_hz: f64) -> Result<usize, RigError> 
     let mut slowest = f64::INFINITY;
     for (w, zeta) in modes.frequency_rad_s.iter().zip(&modes.damping_ratio) {
         if w * zeta <= 0.0 {
-            return Err(RigError::Undamped { frequency_hz: w / std::f64::consts::TAU });
+            return Err(RigError::Undamped {
+                frequency_hz: w / std::f64::consts::TAU,
+            });
         }
         slowest = slowest.min(w * zeta);
     }
     let samples = count as f64 + DECAY_EXPONENT / slowest * rate_hz;
     if samples > MAX_SAMPLES as f64 {
-        return Err(RigError::Long { samples, most: MAX_SAMPLES });
+        return Err(RigError::Long {
+            samples,
+            most: MAX_SAMPLES,
+        });
     }
     Ok((samples.ceil() as usize).next_power_of_two())
 }

@@ -16,27 +16,66 @@ pub(super) struct SensedChannel {
 }
 
 /// Voltages of patches, forces of stops, the acceleration of the base, and accelerometers.
-pub(super) fn sensors(spec: &Spec, modes: &Modes, accelerometers: &[String]) -> Result<Vec<SensedChannel>, RigError> {
-    let patches = modes.patch.keys().enumerate().map(|(k, name)| (format!("{name}.voltage"), SensorOutput::PatchVoltage(k)));
-    let stops = spec.stop.keys().enumerate().map(|(k, name)| (format!("{name}.force"), SensorOutput::StopForce(k)));
+pub(super) fn sensors(
+    spec: &Spec,
+    modes: &Modes,
+    accelerometers: &[String],
+) -> Result<Vec<SensedChannel>, RigError> {
+    let patches = modes
+        .patch
+        .keys()
+        .enumerate()
+        .map(|(k, name)| (format!("{name}.voltage"), SensorOutput::PatchVoltage(k)));
+    let stops = spec
+        .stop
+        .keys()
+        .enumerate()
+        .map(|(k, name)| (format!("{name}.force"), SensorOutput::StopForce(k)));
     let mut all: Vec<(String, SensorOutput)> = patches.chain(stops).collect();
-    let moved = spec.drive.values().find_map(|drive| drive.base()).map(|base| SensorOutput::Base(base.to_owned()));
-    let pushed = spec.drive.values().find(|drive| drive.kind == DriveKind::Force).map(|drive| SensorOutput::Acceleration(drive.at.clone()));
-    all.extend(moved.or(pushed).map(|output| ("base.acceleration".to_owned(), output)));
+    let moved = spec
+        .drive
+        .values()
+        .find_map(|drive| drive.base())
+        .map(|base| SensorOutput::Base(base.to_owned()));
+    let pushed = spec
+        .drive
+        .values()
+        .find(|drive| drive.kind == DriveKind::Force)
+        .map(|drive| SensorOutput::Acceleration(drive.at.clone()));
+    all.extend(
+        moved
+            .or(pushed)
+            .map(|output| ("base.acceleration".to_owned(), output)),
+    );
     for point in accelerometers {
         if !modes.shape.contains_key(point) {
             let known = modes.shape.keys().cloned().collect::<Vec<_>>().join(", ");
-            return Err(RigError::UnknownPoint { point: point.clone(), known });
+            return Err(RigError::UnknownPoint {
+                point: point.clone(),
+                known,
+            });
         }
-        all.push((format!("{point}.acceleration"), SensorOutput::Acceleration(point.clone())));
+        all.push((
+            format!("{point}.acceleration"),
+            SensorOutput::Acceleration(point.clone()),
+        ));
     }
     let sensed = |(name, output): (String, SensorOutput)| {
         let (quantity, unit) = match output {
-            SensorOutput::PatchVoltage(_) | SensorOutput::LoadVoltage(_) => (Quantity::Voltage, "V"),
+            SensorOutput::PatchVoltage(_) | SensorOutput::LoadVoltage(_) => {
+                (Quantity::Voltage, "V")
+            }
             SensorOutput::StopForce(_) => (Quantity::Force, "N"),
-            SensorOutput::Acceleration(_) | SensorOutput::Base(_) => (Quantity::Acceleration, "m/s^2"),
+            SensorOutput::Acceleration(_) | SensorOutput::Base(_) => {
+                (Quantity::Acceleration, "m/s^2")
+            }
         };
-        SensedChannel { name, quantity, unit, output }
+        SensedChannel {
+            name,
+            quantity,
+            unit,
+            output,
+        }
     };
     Ok(all.into_iter().map(sensed).collect())
 }

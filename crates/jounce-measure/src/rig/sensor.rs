@@ -19,12 +19,18 @@ const FULL_SCALE_RATIO: f64 = 1.25;
 impl Sensor {
     pub(super) fn check(&self) -> Result<(), RigError> {
         if !(0.0..=10.0).contains(&self.noise_ratio) {
-            return Err(RigError::Setting { name: "the noise ratio", value: self.noise_ratio, allowed: "from 0 to 10" });
+            return Err(RigError::Setting {
+                name: "the noise ratio",
+                value: self.noise_ratio,
+                allowed: "from 0 to 10",
+            });
         }
         match self.bits {
-            Some(bits) if !(2..=32).contains(&bits) => {
-                Err(RigError::Setting { name: "the number of bits", value: f64::from(bits), allowed: "from 2 to 32" })
-            }
+            Some(bits) if !(2..=32).contains(&bits) => Err(RigError::Setting {
+                name: "the number of bits",
+                value: f64::from(bits),
+                allowed: "from 2 to 32",
+            }),
             _ => Ok(()),
         }
     }
@@ -33,11 +39,20 @@ impl Sensor {
     pub fn read(&self, truth: &[f64], stream: &mut RandomStream) -> Vec<f64> {
         let rms = (truth.iter().map(|x| x * x).sum::<f64>() / truth.len().max(1) as f64).sqrt();
         let level = self.noise_ratio * rms;
-        let noisy: Vec<f64> = truth.iter().map(|x| x + level * stream.normal_pair()[0]).collect();
+        let noisy: Vec<f64> = truth
+            .iter()
+            .map(|x| x + level * stream.normal_pair()[0])
+            .collect();
         let Some(bits) = self.bits else { return noisy };
-        let largest = noisy.iter().fold(0.0, |largest: f64, x| largest.max(x.abs()));
+        let largest = noisy
+            .iter()
+            .fold(0.0, |largest: f64, x| largest.max(x.abs()));
         let step = 2.0 * FULL_SCALE_RATIO * largest / 2f64.powi(bits as i32);
-        if step > 0.0 { noisy.iter().map(|x| (x / step).round() * step).collect() } else { noisy }
+        if step > 0.0 {
+            noisy.iter().map(|x| (x / step).round() * step).collect()
+        } else {
+            noisy
+        }
     }
 }
 
@@ -48,13 +63,29 @@ mod tests {
     /// Noise of 10 % of the rms of a sine has that rms; rounding to steps `s` adds `s / sqrt 12`. Measured within 1 % and 2 %.
     #[test]
     fn noise_and_steps_have_their_known_rms() {
-        let truth: Vec<f64> = (0..40_000).map(|k| 2.0 * (0.1 * f64::from(k)).sin()).collect();
+        let truth: Vec<f64> = (0..40_000)
+            .map(|k| 2.0 * (0.1 * f64::from(k)).sin())
+            .collect();
         let rms_of_error = |sensor: Sensor| {
             let read = sensor.read(&truth, &mut RandomStream::new(1, 0));
-            (truth.iter().zip(&read).map(|(a, b)| (a - b).powi(2)).sum::<f64>() / truth.len() as f64).sqrt()
+            (truth
+                .iter()
+                .zip(&read)
+                .map(|(a, b)| (a - b).powi(2))
+                .sum::<f64>()
+                / truth.len() as f64)
+                .sqrt()
         };
-        let noise = rms_of_error(Sensor { noise_ratio: 0.1, bits: None }) / (0.1 * 2f64.sqrt()) - 1.0;
-        let steps = rms_of_error(Sensor { noise_ratio: 0.0, bits: Some(8) }) / (5.0 / 256.0 / 12f64.sqrt()) - 1.0;
+        let noise = rms_of_error(Sensor {
+            noise_ratio: 0.1,
+            bits: None,
+        }) / (0.1 * 2f64.sqrt())
+            - 1.0;
+        let steps = rms_of_error(Sensor {
+            noise_ratio: 0.0,
+            bits: Some(8),
+        }) / (5.0 / 256.0 / 12f64.sqrt())
+            - 1.0;
         eprintln!("noise {noise:.1e}, steps {steps:.1e} off");
         assert!(noise.abs() < 0.02 && steps.abs() < 0.05, "{noise} {steps}");
     }

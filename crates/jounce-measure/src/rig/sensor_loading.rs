@@ -28,11 +28,24 @@ impl Cable {
     /// # Errors
     /// A capacitance below 0, a resistance that is not above 0.
     pub fn wire(&self, spec: &mut Spec) -> Result<(), RigError> {
-        let fault = |name, value, allowed| Err(RigError::Setting { name, value, allowed });
+        let fault = |name, value, allowed| {
+            Err(RigError::Setting {
+                name,
+                value,
+                allowed,
+            })
+        };
         if !(self.capacitance_f >= 0.0 && self.capacitance_f.is_finite()) {
-            return fault("the capacitance of the cable in farad", self.capacitance_f, "0 or more");
+            return fault(
+                "the capacitance of the cable in farad",
+                self.capacitance_f,
+                "0 or more",
+            );
         }
-        if let Some(value) = self.leakage_ohm.filter(|ohm| !(*ohm > 0.0 && ohm.is_finite())) {
+        if let Some(value) = self
+            .leakage_ohm
+            .filter(|ohm| !(*ohm > 0.0 && ohm.is_finite()))
+        {
             return fault("the resistance of the cable in ohm", value, "above 0");
         }
         for patch in spec.patch.values_mut() {
@@ -53,10 +66,17 @@ impl Cable {
 /// A mass that is not above 0.
 pub fn carry(spec: &mut Spec, points: &[String], mass_kg: f64) -> Result<(), RigError> {
     if !(mass_kg > 0.0 && mass_kg.is_finite()) {
-        return Err(RigError::Setting { name: "the mass of an accelerometer in kilogram", value: mass_kg, allowed: "above 0" });
+        return Err(RigError::Setting {
+            name: "the mass of an accelerometer in kilogram",
+            value: mass_kg,
+            allowed: "above 0",
+        });
     }
     for point in points {
-        let name = (1..).map(|k| format!("accelerometer_{k}")).find(|name| !spec.mass.contains_key(name)).unwrap_or_default();
+        let name = (1..)
+            .map(|k| format!("accelerometer_{k}"))
+            .find(|name| !spec.mass.contains_key(name))
+            .unwrap_or_default();
         let mass = Mass {
             on: point.clone(),
             mass_kg,
@@ -94,21 +114,47 @@ mod tests {
     /// One mode: voltage over displacement is the divider of the patch with its cable and its load, at every frequency. Measured 1e-12.
     #[test]
     fn a_cable_lowers_the_voltage_as_its_divider_says() {
-        let bare = SpecFile::from_text(&(BEAM.split("[reduction]").next().unwrap().to_owned() + PATCH)).spec().unwrap();
+        let bare =
+            SpecFile::from_text(&(BEAM.split("[reduction]").next().unwrap().to_owned() + PATCH))
+                .spec()
+                .unwrap();
         let mut wired = bare.clone();
-        Cable { capacitance_f: 60e-9, leakage_ohm: Some(2e6) }.wire(&mut wired).unwrap();
+        Cable {
+            capacitance_f: 60e-9,
+            leakage_ohm: Some(2e6),
+        }
+        .wire(&mut wired)
+        .unwrap();
         let hz: Vec<f64> = (1..60).map(f64::from).collect();
-        let wanted = [FrfResponse::Voltage("p".to_owned()), FrfResponse::Displacement("beam.end".to_owned())];
+        let wanted = [
+            FrfResponse::Voltage("p".to_owned()),
+            FrfResponse::Displacement("beam.end".to_owned()),
+        ];
         let per_metre = |spec: &Spec| {
-            let found = frf(&plant(spec), &FrfInput::Force("beam.end".to_owned()), &wanted, &hz).unwrap();
-            found[0].value.iter().zip(&found[1].value).map(|(v, x)| v / x).collect::<Vec<_>>()
+            let found = frf(
+                &plant(spec),
+                &FrfInput::Force("beam.end".to_owned()),
+                &wanted,
+                &hz,
+            )
+            .unwrap();
+            found[0]
+                .value
+                .iter()
+                .zip(&found[1].value)
+                .map(|(v, x)| v / x)
+                .collect::<Vec<_>>()
         };
         // The charge per metre is the same: only what it flows into differs.
         let admittance = |w: f64, farad: f64, siemens: f64| faer::c64::new(siemens, w * farad);
         for ((f, bare), wired) in hz.iter().zip(per_metre(&bare)).zip(per_metre(&wired)) {
             let w = TAU * f;
             let exact = admittance(w, 100e-9, 1e-6) / admittance(w, 160e-9, 1e-6 + 0.5e-6);
-            assert!((wired / bare / exact - 1.0).norm() < 1e-9, "{f} Hz: {}", wired / bare / exact);
+            assert!(
+                (wired / bare / exact - 1.0).norm() < 1e-9,
+                "{f} Hz: {}",
+                wired / bare / exact
+            );
         }
     }
 
@@ -121,11 +167,17 @@ mod tests {
         carry(&mut loaded, &["beam.end".to_owned()], 5e-3).unwrap();
         let share = 5e-3 / (2700.0 * 0.3 * 0.02 * 0.002);
         let root = |a: f64, from: f64, to: f64| {
-            let f = |l: f64| 1.0 + l.cos() * l.cosh() + a * l * (l.cos() * l.sinh() - l.sin() * l.cosh());
+            let f = |l: f64| {
+                1.0 + l.cos() * l.cosh() + a * l * (l.cos() * l.sinh() - l.sin() * l.cosh())
+            };
             let (mut low, mut high) = (from, to);
             for _ in 0..200 {
                 let middle = 0.5 * (low + high);
-                if f(low) * f(middle) <= 0.0 { high = middle } else { low = middle }
+                if f(low) * f(middle) <= 0.0 {
+                    high = middle
+                } else {
+                    low = middle
+                }
             }
             low
         };
@@ -133,18 +185,47 @@ mod tests {
             let w = |spec: &Spec| structure::modes(spec).unwrap().frequency_rad_s[k];
             w(&loaded) / w(&bare)
         };
-        for (k, (from, to)) in [(1.2, 2.0), (3.7, 4.75), (6.5, 7.9)].into_iter().enumerate() {
+        for (k, (from, to)) in [(1.2, 2.0), (3.7, 4.75), (6.5, 7.9)]
+            .into_iter()
+            .enumerate()
+        {
             let exact = (root(share, from, to) / root(0.0, from, to)).powi(2);
-            eprintln!("mode {}: {:.6} of the bare one, {:.1e} off", k + 1, exact, ratio(k) / exact - 1.0);
-            assert!((ratio(k) / exact - 1.0).abs() < 1e-9, "{k}: {} {exact}", ratio(k));
+            eprintln!(
+                "mode {}: {:.6} of the bare one, {:.1e} off",
+                k + 1,
+                exact,
+                ratio(k) / exact - 1.0
+            );
+            assert!(
+                (ratio(k) / exact - 1.0).abs() < 1e-9,
+                "{k}: {} {exact}",
+                ratio(k)
+            );
         }
     }
 
     #[test]
     fn impossible_instruments_are_errors() {
         let mut spec = SpecFile::from_text(BEAM).spec().unwrap();
-        assert!(matches!(Cable { capacitance_f: -1.0, leakage_ohm: None }.wire(&mut spec), Err(RigError::Setting { .. })));
-        assert!(matches!(Cable { capacitance_f: 0.0, leakage_ohm: Some(0.0) }.wire(&mut spec), Err(RigError::Setting { .. })));
-        assert!(matches!(carry(&mut spec, &[], f64::NAN), Err(RigError::Setting { .. })));
+        assert!(matches!(
+            Cable {
+                capacitance_f: -1.0,
+                leakage_ohm: None
+            }
+            .wire(&mut spec),
+            Err(RigError::Setting { .. })
+        ));
+        assert!(matches!(
+            Cable {
+                capacitance_f: 0.0,
+                leakage_ohm: Some(0.0)
+            }
+            .wire(&mut spec),
+            Err(RigError::Setting { .. })
+        ));
+        assert!(matches!(
+            carry(&mut spec, &[], f64::NAN),
+            Err(RigError::Setting { .. })
+        ));
     }
 }

@@ -40,32 +40,60 @@ pub struct ShakerTest {
 ///
 /// # Errors
 /// A setting out of its range, a name that is not there, a march that fails.
-pub fn shaker_test(spec: &Spec, modes: &Modes, test: &ShakerTest, control: &Control) -> Result<Recording, RigError> {
+pub fn shaker_test(
+    spec: &Spec,
+    modes: &Modes,
+    test: &ShakerTest,
+    control: &Control,
+) -> Result<Recording, RigError> {
     let count = check(test)?;
     let sensors = sensors(spec, modes, &test.accelerometers)?;
     let mut stream = RandomStream::new(test.seed, 0);
     let total_s = test.before_s + test.duration_s;
     let wanders = test.wander != Disturbance::NONE;
     if let Some(base) = spec.bases().first().filter(|_| wanders) {
-        return Err(RigError::Bases { base: (*base).to_owned(), what: "a shaker that wanders" });
+        return Err(RigError::Bases {
+            base: (*base).to_owned(),
+            what: "a shaker that wanders",
+        });
     }
-    let courses = if wanders { courses(spec, &test.wander, total_s, &mut RandomStream::new(test.seed, 1)) } else { Vec::new() };
+    let courses = if wanders {
+        courses(
+            spec,
+            &test.wander,
+            total_s,
+            &mut RandomStream::new(test.seed, 1),
+        )
+    } else {
+        Vec::new()
+    };
     let jumps = jumps(spec, test, &courses);
     let time_s = |k: usize| test.before_s + k as f64 / test.rate_hz;
     let (mut values, mut from) = (vec![Vec::with_capacity(count); sensors.len()], 0);
     for (number, (at_s, start)) in jumps.iter().enumerate() {
         let until_s = jumps.get(number + 1).map_or(total_s, |jump| jump.0);
         let own = disturbed(spec, &courses, *at_s);
-        let end = (from..count).find(|k| number + 1 < jumps.len() && time_s(*k) >= until_s).unwrap_or(count);
+        let end = (from..count)
+            .find(|k| number + 1 < jumps.len() && time_s(*k) >= until_s)
+            .unwrap_or(count);
         let times_s: Vec<f64> = (from..end).map(|k| time_s(k) - at_s).collect();
         let (kernel, trajectory) = marched(&own, modes, (start, until_s - at_s), control)?;
-        let wanted: Vec<SensorOutput> = sensors.iter().map(|sensor| sensor.output.clone()).collect();
+        let wanted: Vec<SensorOutput> =
+            sensors.iter().map(|sensor| sensor.output.clone()).collect();
         let read = outputs(&own, &kernel, &trajectory, &times_s, &wanted);
-        values.iter_mut().zip(read).for_each(|(all, part)| all.extend(part));
+        values
+            .iter_mut()
+            .zip(read)
+            .for_each(|(all, part)| all.extend(part));
         from = end;
     }
     let channel = |(sensor, truth): (SensedChannel, Vec<f64>)| {
-        Channel::new(&sensor.name, sensor.quantity, sensor.unit, test.sensor.read(&truth, &mut stream))
+        Channel::new(
+            &sensor.name,
+            sensor.quantity,
+            sensor.unit,
+            test.sensor.read(&truth, &mut stream),
+        )
     };
     let channels = sensors.into_iter().zip(values).map(channel).collect();
     let grid = Grid::even(0.0, 1.0 / test.rate_hz, count)?;
@@ -77,7 +105,13 @@ pub fn shaker_test(spec: &Spec, modes: &Modes, test: &ShakerTest, control: &Cont
         Issue::new(IssueKind::Simulated, 1, None, about)
     };
     let findings = jumps.iter().skip(1).map(|(at_s, _)| about(*at_s)).collect();
-    Ok(Recording { name: "shaken".to_owned(), over: Over::Time, grid, channels, findings })
+    Ok(Recording {
+        name: "shaken".to_owned(),
+        over: Over::Time,
+        grid,
+        channels,
+        findings,
+    })
 }
 
 fn check(test: &ShakerTest) -> Result<usize, RigError> {
@@ -85,10 +119,18 @@ fn check(test: &ShakerTest) -> Result<usize, RigError> {
     test.wander.check()?;
     let samples = test.duration_s * test.rate_hz;
     if !(64.0..=4e6).contains(&samples) {
-        return Err(RigError::Setting { name: "the number of samples", value: samples, allowed: "from 64 to 4000000" });
+        return Err(RigError::Setting {
+            name: "the number of samples",
+            value: samples,
+            allowed: "from 64 to 4000000",
+        });
     }
     let ordered = test.starts.windows(2).all(|pair| pair[0].0 < pair[1].0);
-    match test.starts.iter().find(|(at_s, _)| !ordered || !(0.0..test.duration_s).contains(at_s)) {
+    match test
+        .starts
+        .iter()
+        .find(|(at_s, _)| !ordered || !(0.0..test.duration_s).contains(at_s))
+    {
         Some((at_s, _)) => Err(RigError::Setting {
             name: "the time of a solution in seconds",
             value: *at_s,
@@ -99,22 +141,46 @@ fn check(test: &ShakerTest) -> Result<usize, RigError> {
 }
 
 /// When each start is taken, s of the march: the first at once, the others where a cycle of the first drive begins.
-fn jumps<'a>(spec: &Spec, test: &'a ShakerTest, courses: &[(String, super::disturbance::DriveCourse)]) -> Vec<(f64, &'a StartState)> {
+fn jumps<'a>(
+    spec: &Spec,
+    test: &'a ShakerTest,
+    courses: &[(String, super::disturbance::DriveCourse)],
+) -> Vec<(f64, &'a StartState)> {
     let cycle = |at_s: f64| match courses.first() {
         Some((_, course)) => {
-            let turns = |k: usize| (course.angle_rad[k] - course.angle_rad[0]) / std::f64::consts::TAU;
+            let turns =
+                |k: usize| (course.angle_rad[k] - course.angle_rad[0]) / std::f64::consts::TAU;
             let first = ((at_s / course.step_s) as usize).min(course.angle_rad.len() - 2);
             let whole = turns(first).ceil();
-            let k = (first..course.angle_rad.len() - 1).find(|k| turns(k + 1) >= whole).unwrap_or(first);
+            let k = (first..course.angle_rad.len() - 1)
+                .find(|k| turns(k + 1) >= whole)
+                .unwrap_or(first);
             let share = ((whole - turns(k)) / (turns(k + 1) - turns(k))).clamp(0.0, 1.0);
             (k as f64 + share) * course.step_s
         }
         None => {
-            let period_s = spec.drive.values().find_map(|drive| drive.frequency_hz()).map_or(0.0, f64::recip);
-            if period_s > 0.0 { (at_s / period_s - 1e-9).ceil() * period_s } else { at_s }
+            let period_s = spec
+                .drive
+                .values()
+                .find_map(|drive| drive.frequency_hz())
+                .map_or(0.0, f64::recip);
+            if period_s > 0.0 {
+                (at_s / period_s - 1e-9).ceil() * period_s
+            } else {
+                at_s
+            }
         }
     };
-    let at = |(number, (at_s, start)): (usize, &'a (f64, StartState))| (if number == 0 { 0.0 } else { cycle(test.before_s + at_s) }, start);
+    let at = |(number, (at_s, start)): (usize, &'a (f64, StartState))| {
+        (
+            if number == 0 {
+                0.0
+            } else {
+                cycle(test.before_s + at_s)
+            },
+            start,
+        )
+    };
     test.starts.iter().enumerate().map(at).collect()
 }
 
@@ -128,9 +194,18 @@ fn marched(
     let mut start = start.clone();
     // Drives that wander are no sinusoids any more.
     start.drive_angle_rad.truncate(system.drives.len());
-    system.drives.iter_mut().zip(&start.drive_angle_rad).for_each(|(drive, angle)| drive.phase_rad = *angle);
+    system
+        .drives
+        .iter_mut()
+        .zip(&start.drive_angle_rad)
+        .for_each(|(drive, angle)| drive.phase_rad = *angle);
     let kernel = Kernel::new(Plant::new(system)?)?.with_control(control);
-    let plan = RunPlan { duration_s, average_over_s: duration_s, tolerance: spec.run.tolerance, record_s: duration_s };
+    let plan = RunPlan {
+        duration_s,
+        average_over_s: duration_s,
+        tolerance: spec.run.tolerance,
+        record_s: duration_s,
+    };
     let answer = simulate(&kernel, &start, &plan)?;
     Ok((kernel, answer.trajectory))
 }
@@ -148,8 +223,14 @@ mod tests {
 
     /// 6 Hz, 20 N, linear steady state, 100 kohm.
     fn linear() -> (Spec, Modes) {
-        let settings = [("drive.shaker.frequency", "6 Hz"), ("drive.shaker.amplitude", "20 N"), ("stop.tip.gap", "1 m")];
-        let spec = paper_spec(&[&settings[..], &[("circuit.load.resistance", "100 kohm")]].concat()).unwrap();
+        let settings = [
+            ("drive.shaker.frequency", "6 Hz"),
+            ("drive.shaker.amplitude", "20 N"),
+            ("stop.tip.gap", "1 m"),
+        ];
+        let spec =
+            paper_spec(&[&settings[..], &[("circuit.load.resistance", "100 kohm")]].concat())
+                .unwrap();
         let modes = modes(&spec).unwrap();
         (spec, modes)
     }
@@ -159,9 +240,21 @@ mod tests {
     }
 
     fn test(start: StartState, duration_s: f64) -> ShakerTest {
-        let sensor = Sensor { noise_ratio: 0.0, bits: None };
+        let sensor = Sensor {
+            noise_ratio: 0.0,
+            bits: None,
+        };
         let (starts, accelerometers) = (vec![(0.0, start)], vec!["beam.tip".to_owned()]);
-        ShakerTest { rate_hz: 1536.0, duration_s, before_s: 0.0, starts, wander: Disturbance::NONE, accelerometers, sensor, seed: 1 }
+        ShakerTest {
+            rate_hz: 1536.0,
+            duration_s,
+            before_s: 0.0,
+            starts,
+            wander: Disturbance::NONE,
+            accelerometers,
+            sensor,
+            seed: 1,
+        }
     }
 
     fn peak(recording: &Recording, channel: &str, hz: f64) -> f64 {
@@ -175,14 +268,26 @@ mod tests {
     fn channels_are_the_frequency_responses_whether_the_drive_is_a_tone_or_a_course() {
         let (spec, modes) = linear();
         let bare = plant(&spec, &modes);
-        let wanted = [FrfResponse::Acceleration("table".to_owned()), FrfResponse::Acceleration("beam.tip".to_owned())];
+        let wanted = [
+            FrfResponse::Acceleration("table".to_owned()),
+            FrfResponse::Acceleration("beam.tip".to_owned()),
+        ];
         let wanted = [&wanted[..], &[FrfResponse::Voltage("mfc".to_owned())]].concat();
         let exact = frf(&bare, &FrfInput::Force("table".to_owned()), &wanted, &[6.0]).unwrap();
         let still = test(StartState::linear(&bare), 2.0);
-        let course = ShakerTest { wander: Disturbance { amplitude_ratio: 1e-13, ..Disturbance::NONE }, ..still.clone() };
+        let course = ShakerTest {
+            wander: Disturbance {
+                amplitude_ratio: 1e-13,
+                ..Disturbance::NONE
+            },
+            ..still.clone()
+        };
         for (test, allowed) in [(still, 1e-11), (course, 2e-4)] {
             let found = shaker_test(&spec, &modes, &test, &Control::default()).unwrap();
-            for (channel, exact) in ["base.acceleration", "beam.tip.acceleration", "mfc.voltage"].into_iter().zip(&exact) {
+            for (channel, exact) in ["base.acceleration", "beam.tip.acceleration", "mfc.voltage"]
+                .into_iter()
+                .zip(&exact)
+            {
                 let off = peak(&found, channel, 6.0) / (20.0 * exact.value[0].norm()) - 1.0;
                 eprintln!("{channel}: {off:.1e}");
                 assert!(off.abs() < allowed, "{channel}: {off:e}");
@@ -196,19 +301,36 @@ mod tests {
     fn an_acceleration_in_contact_is_the_rate_of_the_velocity() {
         let spec = paper_spec(&[("run.tolerance", "1e-9")]).unwrap();
         let modes = modes(&spec).unwrap();
-        let (kernel, trajectory) = marched(&spec, &modes, (&StartState::rest(&plant(&spec, &modes)), 1.0), &Control::default()).unwrap();
+        let (kernel, trajectory) = marched(
+            &spec,
+            &modes,
+            (&StartState::rest(&plant(&spec, &modes)), 1.0),
+            &Control::default(),
+        )
+        .unwrap();
         let times_s: Vec<f64> = (0..900).map(|k| 0.05 + 1e-3 * f64::from(k)).collect();
-        let wanted = [SensorOutput::Acceleration("beam.tip".to_owned()), SensorOutput::StopForce(0)];
+        let wanted = [
+            SensorOutput::Acceleration("beam.tip".to_owned()),
+            SensorOutput::StopForce(0),
+        ];
         let found = outputs(&spec, &kernel, &trajectory, &times_s, &wanted);
         let row = kernel.plant.velocity_row(&modes.shape["beam.tip"]);
         let velocity = |time_s: f64| {
             let at = &trajectory.at(&kernel, &[time_s])[0];
             let steady = kernel.plant.steady_at(time_s);
-            row.iter().zip(&at.state).zip(&steady).map(|((c, y), s)| c * (y + s)).sum::<f64>()
+            row.iter()
+                .zip(&at.state)
+                .zip(&steady)
+                .map(|((c, y), s)| c * (y + s))
+                .sum::<f64>()
         };
         let largest = found[0].iter().fold(0.0, |most: f64, x| most.max(x.abs()));
         let rate = |t: f64| (velocity(t + 1e-5) - velocity(t - 1e-5)) / 2e-5;
-        let off = times_s.iter().zip(&found[0]).map(|(t, a)| (a - rate(*t)).abs() / largest).fold(0.0, f64::max);
+        let off = times_s
+            .iter()
+            .zip(&found[0])
+            .map(|(t, a)| (a - rate(*t)).abs() / largest)
+            .fold(0.0, f64::max);
         let touched = found[1].iter().filter(|force| **force > 0.0).count();
         eprintln!("{touched} of 900 in contact, off by {off:.1e}");
         assert!(touched > 20 && off < 1e-4, "{touched} {off:e}");
@@ -219,27 +341,69 @@ mod tests {
     /// both. Measured 1e-6.
     #[test]
     fn a_recorded_base_moves_what_stands_on_it() {
-        let settings = [("stop.tip.gap", "1 m"), ("damping.ratios", "[0.05, 0.05, 0.05, 0.05, 0.05, 0.05, 0.05]")];
+        let settings = [
+            ("stop.tip.gap", "1 m"),
+            (
+                "damping.ratios",
+                "[0.05, 0.05, 0.05, 0.05, 0.05, 0.05, 0.05]",
+            ),
+        ];
         let mut spec = paper_spec(&settings).unwrap();
         let modes = modes_holding(&spec, &["table".to_owned()]).unwrap();
-        let value = |k: usize| 9.81 + 2.0 * (std::f64::consts::TAU * 20.0 * k as f64 / 1000.0).sin();
-        let channels = vec![Channel::new("a", Quantity::Acceleration, "m/s^2", (0..6000).map(value).collect())];
+        let value =
+            |k: usize| 9.81 + 2.0 * (std::f64::consts::TAU * 20.0 * k as f64 / 1000.0).sin();
+        let channels = vec![Channel::new(
+            "a",
+            Quantity::Acceleration,
+            "m/s^2",
+            (0..6000).map(value).collect(),
+        )];
         let grid = Grid::even(0.0, 1e-3, 6000).unwrap();
-        let recorded = Recording { name: "base".to_owned(), over: Over::Time, grid, channels, findings: Vec::new() };
+        let recorded = Recording {
+            name: "base".to_owned(),
+            over: Over::Time,
+            grid,
+            channels,
+            findings: Vec::new(),
+        };
         let mean = on_recorded_base(&mut spec, &recorded, "a", false).unwrap();
         assert!((mean - 9.81).abs() < 1e-9 && (spec.run.duration_s - 5.999).abs() < 1e-12);
         let own = plant(&spec, &modes);
-        let found = shaker_test(&spec, &modes, &test(StartState::rest(&own), 5.999), &Control::default()).unwrap();
+        let found = shaker_test(
+            &spec,
+            &modes,
+            &test(StartState::rest(&own), 5.999),
+            &Control::default(),
+        )
+        .unwrap();
         let last = |channel: &str| {
             let values = &found.channel(channel).unwrap().values;
-            Samples::new(&values[values.len() - 3072..], 1536.0).unwrap().orders(20.0, &[1.0]).unwrap().lines[0].amplitude_peak
+            Samples::new(&values[values.len() - 3072..], 1536.0)
+                .unwrap()
+                .orders(20.0, &[1.0])
+                .unwrap()
+                .lines[0]
+                .amplitude_peak
         };
-        let h = frf(&own, &FrfInput::BaseAcceleration, &[FrfResponse::Acceleration("beam.tip".to_owned())], &[20.0]).unwrap()[0].value[0];
+        let h = frf(
+            &own,
+            &FrfInput::BaseAcceleration,
+            &[FrfResponse::Acceleration("beam.tip".to_owned())],
+            &[20.0],
+        )
+        .unwrap()[0]
+            .value[0];
         let turn = std::f64::consts::PI * 0.02;
         let size = 2.0 * (turn.sin() / turn).powi(2);
-        let (base, tip) = (last("base.acceleration") / size, last("beam.tip.acceleration") / (size * (h + 1.0).norm()));
+        let (base, tip) = (
+            last("base.acceleration") / size,
+            last("beam.tip.acceleration") / (size * (h + 1.0).norm()),
+        );
         eprintln!("base {:.1e}, tip {:.1e} off", base - 1.0, tip - 1.0);
-        assert!((base - 1.0).abs() < 1e-4 && (tip - 1.0).abs() < 1e-4, "{base} {tip}");
+        assert!(
+            (base - 1.0).abs() < 1e-4 && (tip - 1.0).abs() < 1e-4,
+            "{base} {tip}"
+        );
     }
 
     #[test]
@@ -250,18 +414,47 @@ mod tests {
         let with = |change: fn(&mut ShakerTest)| {
             let mut test = good.clone();
             change(&mut test);
-            shaker_test(&spec, &modes, &test, &Control::default()).unwrap_err().to_string()
+            shaker_test(&spec, &modes, &test, &Control::default())
+                .unwrap_err()
+                .to_string()
         };
         assert!(with(|t| t.duration_s = 0.01).contains("samples"));
         assert!(with(|t| t.accelerometers = vec!["beam.tpi".to_owned()]).contains("beam.tip"));
         assert!(with(|t| t.wander.amplitude_ratio = f64::NAN).contains("amplitude"));
         for noise_ratio in [-1.0, f64::NAN, f64::INFINITY] {
-            let sensor = Sensor { noise_ratio, bits: None };
-            let fault = shaker_test(&spec, &modes, &ShakerTest { sensor, ..good.clone() }, &Control::default()).unwrap_err().to_string();
-            assert!(fault.contains("the noise ratio") && fault.contains("from 0 to 10"), "{fault}");
+            let sensor = Sensor {
+                noise_ratio,
+                bits: None,
+            };
+            let fault = shaker_test(
+                &spec,
+                &modes,
+                &ShakerTest {
+                    sensor,
+                    ..good.clone()
+                },
+                &Control::default(),
+            )
+            .unwrap_err()
+            .to_string();
+            assert!(
+                fault.contains("the noise ratio") && fault.contains("from 0 to 10"),
+                "{fault}"
+            );
         }
-        assert!(with(|t| t.sensor.bits = Some(0)).contains("from 2 to 32") && with(|t| t.sensor.bits = Some(1000)).contains("1000"));
-        let late = ShakerTest { starts: vec![(0.0, start.clone()), (3.0, start)], ..good.clone() };
-        assert!(shaker_test(&spec, &modes, &late, &Control::default()).unwrap_err().to_string().contains("within the record"));
+        assert!(
+            with(|t| t.sensor.bits = Some(0)).contains("from 2 to 32")
+                && with(|t| t.sensor.bits = Some(1000)).contains("1000")
+        );
+        let late = ShakerTest {
+            starts: vec![(0.0, start.clone()), (3.0, start)],
+            ..good.clone()
+        };
+        assert!(
+            shaker_test(&spec, &modes, &late, &Control::default())
+                .unwrap_err()
+                .to_string()
+                .contains("within the record")
+        );
     }
 }

@@ -12,7 +12,11 @@ use jounce::structure::Modes;
 ///
 /// # Errors
 /// A plant that cannot be made, a state file that cannot be read or does not fit.
-pub fn start_of_run(spec: &Spec, modes: &Modes, folder: &Path) -> Result<StartState, AnalysisError> {
+pub fn start_of_run(
+    spec: &Spec,
+    modes: &Modes,
+    folder: &Path,
+) -> Result<StartState, AnalysisError> {
     let plant = || Plant::new(System::assemble(spec, modes.clone())?);
     Ok(match spec.run.start {
         Start::Rest => StartState::rest(&plant()?),

@@ -9,22 +9,40 @@ pub(super) const CYCLES_PER_BLOCK: f64 = 6.0;
 const ORDERS: [f64; 5] = [1.0 / 3.0, 0.5, 1.0, 2.0, 3.0];
 
 /// Features of the block from `start`, of `count` samples: rms about the mean, then amplitudes at the orders.
-pub(super) fn of_block(samples: &Samples<'_>, drive_hz: f64, start: usize, count: usize) -> Vec<f64> {
+pub(super) fn of_block(
+    samples: &Samples<'_>,
+    drive_hz: f64,
+    start: usize,
+    count: usize,
+) -> Vec<f64> {
     let values = &samples.values()[start..start + count];
     let mean = values.iter().sum::<f64>() / count as f64;
-    let mut features = vec![(values.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / count as f64).sqrt()];
-    for order in ORDERS.into_iter().filter(|order| order * drive_hz < samples.rate_hz() / 2.0) {
+    let mut features =
+        vec![(values.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / count as f64).sqrt()];
+    for order in ORDERS
+        .into_iter()
+        .filter(|order| order * drive_hz < samples.rate_hz() / 2.0)
+    {
         features.push(line(values, mean, order * drive_hz / samples.rate_hz()).norm());
     }
     features
 }
 
 /// The lines of the block from `start`, of `count` samples, at the orders.
-pub(super) fn lines_of_block(samples: &Samples<'_>, drive_hz: f64, start: usize, count: usize) -> Vec<c64> {
+pub(super) fn lines_of_block(
+    samples: &Samples<'_>,
+    drive_hz: f64,
+    start: usize,
+    count: usize,
+) -> Vec<c64> {
     let values = &samples.values()[start..start + count];
     let mean = values.iter().sum::<f64>() / count as f64;
-    let orders = ORDERS.into_iter().filter(|order| order * drive_hz < samples.rate_hz() / 2.0);
-    orders.map(|order| line(values, mean, order * drive_hz / samples.rate_hz())).collect()
+    let orders = ORDERS
+        .into_iter()
+        .filter(|order| order * drive_hz < samples.rate_hz() / 2.0);
+    orders
+        .map(|order| line(values, mean, order * drive_hz / samples.rate_hz()))
+        .collect()
 }
 
 /// `2 / N sum (x_n - mean) exp(-2 pi i n turns)`: the line of a block of nearly whole periods, peak.

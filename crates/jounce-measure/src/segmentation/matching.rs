@@ -79,12 +79,23 @@ const MAX_COMMON_PERIOD: u32 = 24;
 
 /// Compares a stretch with the solutions of a model: the nearest fits where its distance is at most `limit` (0.2 is a model within 20 %).
 /// A stretch that does not repeat has no waveform: nothing fits it, whatever power the model's chaos has.
-pub fn match_segments(samples: &Samples<'_>, drive_hz: f64, stretch: &RecordSegment, solutions: &[Solution], limit: f64) -> SegmentMatches {
+pub fn match_segments(
+    samples: &Samples<'_>,
+    drive_hz: f64,
+    stretch: &RecordSegment,
+    solutions: &[Solution],
+    limit: f64,
+) -> SegmentMatches {
     let values = &samples.values()[stretch.inner.0..stretch.inner.1];
     let beside = |solution: &Solution| {
-        let waveform = solution.waveform.as_ref().filter(|_| stretch.period.cycles.is_some());
-        let found = waveform.and_then(|waveform| compare(values, samples.rate_hz(), drive_hz, stretch, waveform));
-        let square = |waveform: &Waveform| waveform.lines_v.iter().map(|c| c.norm_sqr()).sum::<f64>() / 2.0;
+        let waveform = solution
+            .waveform
+            .as_ref()
+            .filter(|_| stretch.period.cycles.is_some());
+        let found = waveform
+            .and_then(|waveform| compare(values, samples.rate_hz(), drive_hz, stretch, waveform));
+        let square =
+            |waveform: &Waveform| waveform.lines_v.iter().map(|c| c.norm_sqr()).sum::<f64>() / 2.0;
         Candidate {
             id: solution.id.clone(),
             period_cycles: solution.period_cycles,
@@ -116,32 +127,62 @@ struct WaveformDistance {
 }
 
 /// None where the stretch is too short for the common period.
-fn compare(values: &[f64], rate_hz: f64, drive_hz: f64, stretch: &RecordSegment, waveform: &Waveform) -> Option<WaveformDistance> {
+fn compare(
+    values: &[f64],
+    rate_hz: f64,
+    drive_hz: f64,
+    stretch: &RecordSegment,
+    waveform: &Waveform,
+) -> Option<WaveformDistance> {
     let own = stretch.period.cycles.unwrap_or(1) as u32;
     let common = least_common(own, waveform.period_cycles).min(MAX_COMMON_PERIOD);
     let cycle = rate_hz / drive_hz;
-    let pieces = (values.len() as f64 / (cycle * f64::from(common) * (MIN_PIECE_CYCLES / f64::from(common)).ceil())).floor().max(1.0);
+    let pieces = (values.len() as f64
+        / (cycle * f64::from(common) * (MIN_PIECE_CYCLES / f64::from(common)).ceil()))
+    .floor()
+    .max(1.0);
     // Whole common periods, as many as fit.
-    let cycles = (values.len() as f64 / pieces / cycle / f64::from(common)).floor() * f64::from(common);
+    let cycles =
+        (values.len() as f64 / pieces / cycle / f64::from(common)).floor() * f64::from(common);
     let length = (cycles * cycle).round() as usize;
     if cycles < f64::from(common) || length == 0 || length > values.len() {
         return None;
     }
-    let orders: Vec<u32> = (1..=MAX_ORDER * common).filter(|j| f64::from(*j) / f64::from(common) * drive_hz < rate_hz / 2.0).collect();
+    let orders: Vec<u32> = (1..=MAX_ORDER * common)
+        .filter(|j| f64::from(*j) / f64::from(common) * drive_hz < rate_hz / 2.0)
+        .collect();
     let model: Vec<c64> = orders.iter().map(|j| waveform.at(*j, common)).collect();
     let (mut same, mut other, mut spectra) = (0.0, 0.0, 0.0);
     for piece in 0..pieces as usize {
         let part = &values[piece * length..(piece + 1) * length];
         let mean = part.iter().sum::<f64>() / length as f64;
-        let lines: Vec<c64> = orders.iter().map(|j| line(part, mean, f64::from(*j) / f64::from(common) * drive_hz / rate_hz)).collect();
+        let lines: Vec<c64> = orders
+            .iter()
+            .map(|j| {
+                line(
+                    part,
+                    mean,
+                    f64::from(*j) / f64::from(common) * drive_hz / rate_hz,
+                )
+            })
+            .collect();
         let size = lines.iter().map(|x| x.norm_sqr()).sum::<f64>();
         same += nearest(&lines, &model, &orders, common, 1.0) / size;
         other += nearest(&lines, &model, &orders, common, -1.0) / size;
-        spectra += lines.iter().zip(&model).map(|(x, c)| (x.norm() - c.norm()).powi(2)).sum::<f64>() / size;
+        spectra += lines
+            .iter()
+            .zip(&model)
+            .map(|(x, c)| (x.norm() - c.norm()).powi(2))
+            .sum::<f64>()
+            / size;
     }
     // A waveform of odd orders is its own mirror image half a period later: only a clear difference tells the polarity.
     let inverted = other < POLARITY_RATIO * same;
-    Some(WaveformDistance { waveform: (same.min(other) / pieces).sqrt(), spectrum: (spectra / pieces).sqrt(), inverted })
+    Some(WaveformDistance {
+        waveform: (same.min(other) / pieces).sqrt(),
+        spectrum: (spectra / pieces).sqrt(),
+        inverted,
+    })
 }
 
 fn least_common(a: u32, b: u32) -> u32 {
@@ -165,8 +206,13 @@ mod tests {
 
     fn solution(id: &str, period_cycles: u32, lines: &[(usize, f64, f64)]) -> Solution {
         let mut lines_v = vec![c64::new(0.0, 0.0); (MAX_ORDER * period_cycles) as usize];
-        lines.iter().for_each(|(k, size, angle)| lines_v[k - 1] = c64::cis(*angle) * *size);
-        let waveform = Some(Waveform { period_cycles, lines_v });
+        lines
+            .iter()
+            .for_each(|(k, size, angle)| lines_v[k - 1] = c64::cis(*angle) * *size);
+        let waveform = Some(Waveform {
+            period_cycles,
+            lines_v,
+        });
         Solution {
             id: id.to_owned(),
             period_cycles: Some(period_cycles),
@@ -179,8 +225,16 @@ mod tests {
     }
 
     fn known() -> Vec<Solution> {
-        let chaos = Solution { waveform: None, period_cycles: None, ..solution("chaos", 1, &[]) };
-        vec![solution("1a", 1, &[(1, 1.0, 0.0), (4, 0.3, 1.0)]), solution("3a", 3, &[(1, 0.6, 0.5), (3, 1.2, 2.0), (12, 0.4, -1.0)]), chaos]
+        let chaos = Solution {
+            waveform: None,
+            period_cycles: None,
+            ..solution("chaos", 1, &[])
+        };
+        vec![
+            solution("1a", 1, &[(1, 1.0, 0.0), (4, 0.3, 1.0)]),
+            solution("3a", 3, &[(1, 0.6, 0.5), (3, 1.2, 2.0), (12, 0.4, -1.0)]),
+            chaos,
+        ]
     }
 
     /// A record of one waveform with another phase and, where told, the other polarity, `strength` times as large, with noise.
@@ -188,10 +242,14 @@ mod tests {
         let mut stream = RandomStream::new(8, 0);
         let value = |k: usize| {
             let cycles = k as f64 / RATE * HZ + 0.37;
-            let line = |(j, c): (usize, &c64)| (*c * c64::cis(TAU * (j + 1) as f64 / f64::from(of.period_cycles) * cycles)).re;
+            let line = |(j, c): (usize, &c64)| {
+                (*c * c64::cis(TAU * (j + 1) as f64 / f64::from(of.period_cycles) * cycles)).re
+            };
             strength * of.lines_v.iter().enumerate().map(line).sum::<f64>()
         };
-        (0..30_000).map(|k| value(k) + noise * stream.normal_pair()[0]).collect()
+        (0..30_000)
+            .map(|k| value(k) + noise * stream.normal_pair()[0])
+            .collect()
     }
 
     fn found(values: &[f64], limit: f64) -> SegmentMatches {
@@ -207,14 +265,30 @@ mod tests {
     fn each_waveform_is_known_again_at_its_distance() {
         for (k, id) in ["1a", "3a"].into_iter().enumerate() {
             let waveform = known()[k].waveform.clone().unwrap();
-            for (strength, noise, exact) in [(1.0, 0.0, 0.0), (-1.0, 0.0, 0.0), (1.1, 0.0, 0.1 / 1.1), (-1.1, 0.2, 0.1 / 1.1)] {
+            for (strength, noise, exact) in [
+                (1.0, 0.0, 0.0),
+                (-1.0, 0.0, 0.0),
+                (1.1, 0.0, 0.1 / 1.1),
+                (-1.1, 0.2, 0.1 / 1.1),
+            ] {
                 let answer = found(&record(&waveform, strength, noise), 0.2);
                 let first = &answer.candidates[0];
                 let distance = first.waveform_distance.unwrap();
-                assert_eq!((answer.id(), first.inverted), (Some(id), strength < 0.0), "{answer:?}");
+                assert_eq!(
+                    (answer.id(), first.inverted),
+                    (Some(id), strength < 0.0),
+                    "{answer:?}"
+                );
                 eprintln!("{id}, {strength}, noise {noise}: {distance:.4}, exact {exact:.4}");
-                assert!((distance - exact).abs() < if noise > 0.0 { 0.02 } else { 3e-3 }, "{distance} {exact}");
-                assert!(noise > 0.0 || (first.power_ratio.unwrap() / strength.powi(2) - 1.0).abs() < 1e-3, "{first:?}");
+                assert!(
+                    (distance - exact).abs() < if noise > 0.0 { 0.02 } else { 3e-3 },
+                    "{distance} {exact}"
+                );
+                assert!(
+                    noise > 0.0
+                        || (first.power_ratio.unwrap() / strength.powi(2) - 1.0).abs() < 1e-3,
+                    "{first:?}"
+                );
             }
         }
     }
@@ -223,17 +297,35 @@ mod tests {
     #[test]
     fn what_the_model_does_not_have_fits_nothing() {
         let waveform = known()[0].waveform.clone().unwrap();
-        assert_eq!(found(&record(&waveform, 1.5, 0.0), 0.2).fits, SegmentMatch::None);
-        let other = solution("", 2, &[(1, 1.0, 0.0), (3, 1.0, 0.0)]).waveform.unwrap();
-        assert_eq!(found(&record(&other, 1.0, 0.0), 0.2).fits, SegmentMatch::None);
+        assert_eq!(
+            found(&record(&waveform, 1.5, 0.0), 0.2).fits,
+            SegmentMatch::None
+        );
+        let other = solution("", 2, &[(1, 1.0, 0.0), (3, 1.0, 0.0)])
+            .waveform
+            .unwrap();
+        assert_eq!(
+            found(&record(&other, 1.0, 0.0), 0.2).fits,
+            SegmentMatch::None
+        );
         let mut stream = RandomStream::new(3, 0);
         let noise: Vec<f64> = (0..30_000).map(|_| stream.normal_pair()[0]).collect();
         let answer = found(&noise, 0.2);
-        assert!(answer.fits == SegmentMatch::None && answer.candidates.iter().all(|c| c.waveform_distance.is_none()), "{answer:?}");
+        assert!(
+            answer.fits == SegmentMatch::None
+                && answer
+                    .candidates
+                    .iter()
+                    .all(|c| c.waveform_distance.is_none()),
+            "{answer:?}"
+        );
         let samples_of = record(&waveform, 1.0, 0.0);
         let samples = Samples::new(&samples_of, RATE).unwrap();
         let cut = regimes(&samples, HZ).unwrap();
         let twins = [known().swap_remove(0), known().swap_remove(0)];
-        assert_eq!(match_segments(&samples, HZ, &cut.stretches[0], &twins, 0.2).fits, SegmentMatch::Several);
+        assert_eq!(
+            match_segments(&samples, HZ, &cut.stretches[0], &twins, 0.2).fits,
+            SegmentMatch::Several
+        );
     }
 }

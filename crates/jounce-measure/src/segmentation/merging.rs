@@ -60,11 +60,23 @@ impl SegmentFeatures {
     fn of(lines: &[Vec<c64>]) -> Self {
         let (count, orders) = (lines.len() as f64, lines.first().map_or(0, Vec::len));
         let steps = (lines.len().saturating_sub(1)).max(1) as f64;
-        let noise = |j: usize| lines.windows(2).map(|pair| (pair[1][j] - pair[0][j]).norm_sqr()).sum::<f64>() / (2.0 * steps);
+        let noise = |j: usize| {
+            lines
+                .windows(2)
+                .map(|pair| (pair[1][j] - pair[0][j]).norm_sqr())
+                .sum::<f64>()
+                / (2.0 * steps)
+        };
         let square = |j: usize| lines.iter().map(|block| block[j].norm_sqr()).sum::<f64>() / count;
-        let amplitude = (0..orders).map(|j| (square(j) - noise(j)).max(0.0).sqrt()).collect();
+        let amplitude = (0..orders)
+            .map(|j| (square(j) - noise(j)).max(0.0).sqrt())
+            .collect();
         let all = ((0..orders).map(noise).sum::<f64>() / orders.max(1) as f64).sqrt();
-        Self { amplitude, deviation: all / count.max(1.0).sqrt(), noise: all }
+        Self {
+            amplitude,
+            deviation: all / count.max(1.0).sqrt(),
+            noise: all,
+        }
     }
 
     fn largest(&self) -> f64 {
@@ -73,7 +85,11 @@ impl SegmentFeatures {
 
     /// The largest difference of two amplitudes.
     fn off(&self, other: &Self) -> f64 {
-        self.amplitude.iter().zip(&other.amplitude).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+        self.amplitude
+            .iter()
+            .zip(&other.amplitude)
+            .map(|(a, b)| (a - b).abs())
+            .fold(0.0, f64::max)
     }
 
     fn equals(&self, other: &Self) -> bool {
@@ -83,9 +99,17 @@ impl SegmentFeatures {
 
     /// True where the amplitudes are the same but for their common size.
     fn is_shaped_as(&self, other: &Self) -> bool {
-        let product = |a: &Self, b: &Self| a.amplitude.iter().zip(&b.amplitude).map(|(a, b)| a * b).sum::<f64>();
+        let product = |a: &Self, b: &Self| {
+            a.amplitude
+                .iter()
+                .zip(&b.amplitude)
+                .map(|(a, b)| a * b)
+                .sum::<f64>()
+        };
         let (one, two) = (product(self, self), product(other, other));
-        one * two > 0.0 && 1.0 - product(self, other).powi(2) / (one * two) < SAME_SHAPE_SHARE * SAME_SHAPE_SHARE
+        one * two > 0.0
+            && 1.0 - product(self, other).powi(2) / (one * two)
+                < SAME_SHAPE_SHARE * SAME_SHAPE_SHARE
     }
 }
 
@@ -103,8 +127,11 @@ pub(super) fn joined(
     }
     let same_period = |from: (f64, f64), to: (f64, f64)| {
         let cycles = |(from, to): (f64, f64)| {
-            let part = &samples.values()[(from.ceil() * length) as usize..((to.floor() * length) as usize).min(samples.values().len())];
-            Samples::new(part, samples.rate_hz()).ok().and_then(|part| period(&part, drive_hz).cycles)
+            let part = &samples.values()[(from.ceil() * length) as usize
+                ..((to.floor() * length) as usize).min(samples.values().len())];
+            Samples::new(part, samples.rate_hz())
+                .ok()
+                .and_then(|part| period(&part, drive_hz).cycles)
         };
         let (one, other) = (cycles(from), cycles(to));
         one.is_some() && one == other
@@ -116,13 +143,19 @@ pub(super) fn joined(
         let short = k + 1 < starts.len() && starts[k + 1] - starts[k] <= MAX_GLITCH_BLOCKS;
         let beyond = (end(k + 1), end(k + 2));
         if short && reason(lines, before, beyond).is_some() && same_period(before, beyond) {
-            joints.push(MergedChange { at_s: starts[k] * length / samples.rate_hz(), reason: MergeReason::Glitch });
+            joints.push(MergedChange {
+                at_s: starts[k] * length / samples.rate_hz(),
+                reason: MergeReason::Glitch,
+            });
             starts.drain(k..k + 2);
             continue;
         }
         match reason(lines, before, after).filter(|_| same_period(before, after)) {
             Some(reason) => {
-                joints.push(MergedChange { at_s: starts[k] * length / samples.rate_hz(), reason });
+                joints.push(MergedChange {
+                    at_s: starts[k] * length / samples.rate_hz(),
+                    reason,
+                });
                 starts.remove(k);
             }
             None => k += 1,
@@ -132,9 +165,15 @@ pub(super) fn joined(
 }
 
 /// The lines of each block of a record.
-pub(super) fn lines(samples: &Samples<'_>, drive_hz: f64, (count, length): (usize, f64)) -> Vec<Vec<c64>> {
+pub(super) fn lines(
+    samples: &Samples<'_>,
+    drive_hz: f64,
+    (count, length): (usize, f64),
+) -> Vec<Vec<c64>> {
     let first = |b: usize| (b as f64 * length).round() as usize;
-    (0..count).map(|b| lines_of_block(samples, drive_hz, first(b), length.floor() as usize)).collect()
+    (0..count)
+        .map(|b| lines_of_block(samples, drive_hz, first(b), length.floor() as usize))
+        .collect()
 }
 
 /// True where a stretch ends in another size than it began with: its first third against its last.
@@ -143,13 +182,18 @@ pub(super) fn drifts(lines: &[Vec<c64>]) -> bool {
     if third < 2 {
         return false;
     }
-    let (first, last) = (SegmentFeatures::of(&lines[..third]), SegmentFeatures::of(&lines[lines.len() - third..]));
+    let (first, last) = (
+        SegmentFeatures::of(&lines[..third]),
+        SegmentFeatures::of(&lines[lines.len() - third..]),
+    );
     !first.equals(&last) && first.is_shaped_as(&last)
 }
 
 /// Why two neighbouring stretches are one; none where they are not.
 fn reason(lines: &[Vec<c64>], before: (f64, f64), after: (f64, f64)) -> Option<MergeReason> {
-    let blocks = |(from, to): (f64, f64)| &lines[from.ceil() as usize..(to.floor() as usize).min(lines.len())];
+    let blocks = |(from, to): (f64, f64)| {
+        &lines[from.ceil() as usize..(to.floor() as usize).min(lines.len())]
+    };
     let (one, two) = (blocks(before), blocks(after));
     if one.len() < 2 || two.len() < 2 {
         return None;
@@ -159,11 +203,18 @@ fn reason(lines: &[Vec<c64>], before: (f64, f64), after: (f64, f64)) -> Option<M
         let changed = a.noise.max(b.noise) > NOISE_CHANGE_RATIO * a.noise.min(b.noise);
         let odd = |block: &Vec<c64>| {
             let sizes: Vec<f64> = block.iter().map(|x| x.norm()).collect();
-            let off = sizes.iter().zip(&a.amplitude).map(|(x, a)| (x - a).abs()).fold(0.0, f64::max);
+            let off = sizes
+                .iter()
+                .zip(&a.amplitude)
+                .map(|(x, a)| (x - a).abs())
+                .fold(0.0, f64::max);
             off > EQUAL_AMPLITUDE_SHARE * a.largest() + NOISE_DEVIATIONS * a.noise.max(b.noise)
         };
         let at = after.0.floor() as usize;
-        let glitch = lines[at.saturating_sub(TRANSITION_BLOCKS)..(at + TRANSITION_BLOCKS + 1).min(lines.len())].iter().any(odd);
+        let glitch = lines
+            [at.saturating_sub(TRANSITION_BLOCKS)..(at + TRANSITION_BLOCKS + 1).min(lines.len())]
+            .iter()
+            .any(odd);
         return Some(match (changed, glitch) {
             (_, true) => MergeReason::Glitch,
             (true, false) => MergeReason::NoiseChanged,
@@ -171,12 +222,17 @@ fn reason(lines: &[Vec<c64>], before: (f64, f64), after: (f64, f64)) -> Option<M
         });
     }
     let last = one.len().saturating_sub(TRANSITION_BLOCKS);
-    let beside =
-        (&one[last.saturating_sub(NEIGHBOUR_BLOCKS)..last], &two[TRANSITION_BLOCKS..(TRANSITION_BLOCKS + NEIGHBOUR_BLOCKS).min(two.len())]);
-    if !a.is_shaped_as(&b) || beside.0.len() < NEIGHBOUR_BLOCKS || beside.1.len() < NEIGHBOUR_BLOCKS {
+    let beside = (
+        &one[last.saturating_sub(NEIGHBOUR_BLOCKS)..last],
+        &two[TRANSITION_BLOCKS..(TRANSITION_BLOCKS + NEIGHBOUR_BLOCKS).min(two.len())],
+    );
+    if !a.is_shaped_as(&b) || beside.0.len() < NEIGHBOUR_BLOCKS || beside.1.len() < NEIGHBOUR_BLOCKS
+    {
         return None;
     }
-    (SegmentFeatures::of(beside.0).off(&SegmentFeatures::of(beside.1)) < MAX_DRIFT_STEP_SHARE * a.off(&b)).then_some(MergeReason::Drifts)
+    (SegmentFeatures::of(beside.0).off(&SegmentFeatures::of(beside.1))
+        < MAX_DRIFT_STEP_SHARE * a.off(&b))
+    .then_some(MergeReason::Drifts)
 }
 
 #[cfg(test)]
@@ -190,7 +246,9 @@ mod tests {
     /// 85 s at 1536 Hz under 13 Hz, made by `value(time, noise)`.
     fn cut(value: impl Fn(f64, f64) -> f64) -> Segmentation {
         let mut stream = RandomStream::new(21, 0);
-        let values: Vec<f64> = (0..130_560).map(|k| value(f64::from(k) / 1536.0, stream.normal_pair()[0])).collect();
+        let values: Vec<f64> = (0..130_560)
+            .map(|k| value(f64::from(k) / 1536.0, stream.normal_pair()[0]))
+            .collect();
         regimes(&Samples::new(&values, 1536.0).unwrap(), 13.0).unwrap()
     }
 
@@ -202,11 +260,27 @@ mod tests {
     fn noise_drift_and_a_glitch_are_no_solutions() {
         let noise = cut(|t, n| base(t) + n * if t < 40.0 { 0.1 } else { 0.4 });
         assert_eq!(noise.stretches.len(), 1, "{:?}", noise.joints);
-        assert!(noise.joints.iter().any(|j| j.reason == MergeReason::NoiseChanged && (j.at_s - 40.0).abs() < 0.5), "{:?}", noise.joints);
+        assert!(
+            noise
+                .joints
+                .iter()
+                .any(|j| j.reason == MergeReason::NoiseChanged && (j.at_s - 40.0).abs() < 0.5),
+            "{:?}",
+            noise.joints
+        );
         let drift = cut(|t, n| base(t) * (1.0 + 0.3 * t / 85.0) + 0.02 * n);
         assert_eq!(drift.stretches.len(), 1, "{:?}", drift.stretches);
-        assert!(!drift.joints.is_empty() && drift.joints.iter().all(|joint| joint.reason == MergeReason::Drifts), "{:?}", drift.joints);
-        let glitch = cut(|t, n| base(t) + 0.02 * n + if (40.0..40.2).contains(&t) { 3.0 } else { 0.0 });
+        assert!(
+            !drift.joints.is_empty()
+                && drift
+                    .joints
+                    .iter()
+                    .all(|joint| joint.reason == MergeReason::Drifts),
+            "{:?}",
+            drift.joints
+        );
+        let glitch =
+            cut(|t, n| base(t) + 0.02 * n + if (40.0..40.2).contains(&t) { 3.0 } else { 0.0 });
         assert_eq!(glitch.stretches.len(), 1, "{:?}", glitch.stretches);
         assert!(
             glitch.joints.iter().any(|joint| joint.reason == MergeReason::Glitch && (joint.at_s - 40.0).abs() < 0.5),
@@ -218,12 +292,26 @@ mod tests {
     /// A slow ramp of any course, up from a tenth of its end, is one stretch that drifts. Cut where the mean changes it was 18.
     #[test]
     fn a_slow_ramp_is_one_stretch() {
-        let courses = [|s: f64| 0.2 + 2.0 * s, |s: f64| 0.2 + 2.0 * s * s, |s: f64| 0.2 + 2.0 * (2.0 * s).min(1.0)];
+        let courses = [
+            |s: f64| 0.2 + 2.0 * s,
+            |s: f64| 0.2 + 2.0 * s * s,
+            |s: f64| 0.2 + 2.0 * (2.0 * s).min(1.0),
+        ];
         for (k, size) in courses.into_iter().enumerate() {
             let found = cut(|t, n| base(t) * size(t / 85.0) + 0.02 * n);
-            assert_eq!(found.stretches.len(), 1, "{k}: {:?} {:?}", found.stretches, found.joints);
+            assert_eq!(
+                found.stretches.len(),
+                1,
+                "{k}: {:?} {:?}",
+                found.stretches,
+                found.joints
+            );
             assert!(
-                !found.joints.is_empty() && found.joints.iter().all(|joint| joint.reason == MergeReason::Drifts),
+                !found.joints.is_empty()
+                    && found
+                        .joints
+                        .iter()
+                        .all(|joint| joint.reason == MergeReason::Drifts),
                 "{k}: {:?}",
                 found.joints
             );
@@ -244,16 +332,32 @@ mod tests {
                 let [noise, other] = stream.normal_pair();
                 if k % 118 == 0 {
                     let [one, two] = stream.normal_pair();
-                    sizes = [0.4 + 0.6 * sizes[0] + 0.5 * one, 0.6 * sizes[1] + 0.5 * two, 0.6 * sizes[2] + 0.5 * other];
+                    sizes = [
+                        0.4 + 0.6 * sizes[0] + 0.5 * one,
+                        0.6 * sizes[1] + 0.5 * two,
+                        0.6 * sizes[2] + 0.5 * other,
+                    ];
                 }
-                let irregular =
-                    1.5 * sizes[0] * (TAU * 13.0 * t).sin() + sizes[1] * (TAU * 6.5 * t).cos() + sizes[2] * (TAU * 13.0 / 3.0 * t).sin();
+                let irregular = 1.5 * sizes[0] * (TAU * 13.0 * t).sin()
+                    + sizes[1] * (TAU * 6.5 * t).cos()
+                    + sizes[2] * (TAU * 13.0 / 3.0 * t).sin();
                 values.push(if t < 25.0 { irregular } else { 1.5 * base(t) } + 0.02 * noise);
             }
             let found = regimes(&Samples::new(&values, 1536.0).unwrap(), 13.0).unwrap();
-            let [start, .., last] = &found.stretches[..] else { panic!("{seed}: {:?}", found.stretches) };
-            assert!(found.stretches.len() <= 3 && (last.start_s - 25.0).abs() < 2.0 * found.uncertainty_s, "{seed}: {:?}", found.stretches);
-            assert_eq!((start.period.cycles, last.period.cycles), (None, Some(1)), "{seed}");
+            let [start, .., last] = &found.stretches[..] else {
+                panic!("{seed}: {:?}", found.stretches)
+            };
+            assert!(
+                found.stretches.len() <= 3
+                    && (last.start_s - 25.0).abs() < 2.0 * found.uncertainty_s,
+                "{seed}: {:?}",
+                found.stretches
+            );
+            assert_eq!(
+                (start.period.cycles, last.period.cycles),
+                (None, Some(1)),
+                "{seed}"
+            );
             whole += u32::from(found.stretches.len() == 2);
         }
         assert!(whole >= 9, "{whole} of 10 starts are one stretch");
@@ -262,9 +366,17 @@ mod tests {
     /// A jump in size only, as at the fold of a nearly linear answer, and one of shape only, are other solutions.
     #[test]
     fn jumps_stay() {
-        for after in [|t: f64| 1.4 * base(t), |t: f64| (TAU * 13.0 * t).sin() + 0.6 * (TAU * 26.0 * t).cos()] {
+        for after in [
+            |t: f64| 1.4 * base(t),
+            |t: f64| (TAU * 13.0 * t).sin() + 0.6 * (TAU * 26.0 * t).cos(),
+        ] {
             let found = cut(|t, n| if t < 40.0 { base(t) } else { after(t) } + 0.1 * n);
-            assert_eq!((found.stretches.len(), found.joints.len()), (2, 0), "{:?}", found.joints);
+            assert_eq!(
+                (found.stretches.len(), found.joints.len()),
+                (2, 0),
+                "{:?}",
+                found.joints
+            );
         }
     }
 }

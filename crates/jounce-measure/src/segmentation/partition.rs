@@ -7,7 +7,12 @@ use jounce::integrate::Control;
 
 /// Where the pieces begin, in blocks. One block alone between two pieces is the mixture at a change: the change is put in its middle.
 /// None where the control stops it.
-pub(super) fn changes(features: &[Vec<f64>], noise: &[f64], cost: f64, control: &Control) -> Option<Vec<f64>> {
+pub(super) fn changes(
+    features: &[Vec<f64>],
+    noise: &[f64],
+    cost: f64,
+    control: &Control,
+) -> Option<Vec<f64>> {
     let mut starts = pieces(features, noise, cost, control)?;
     starts.push(features.len());
     let mut changes = vec![0.0];
@@ -38,7 +43,11 @@ struct FeatureSums {
 
 impl FeatureSums {
     fn with(self, block: usize, x: f64) -> Self {
-        Self { x: self.x + x, tx: self.tx + block as f64 * x, xx: self.xx + x * x }
+        Self {
+            x: self.x + x,
+            tx: self.tx + block as f64 * x,
+            xx: self.xx + x * x,
+        }
     }
 
     /// What a mean, and in a piece long enough a trend, leave of the squares from one block to another.
@@ -55,11 +64,20 @@ impl FeatureSums {
 }
 
 /// First blocks of the pieces. `noise` is the least deviation of each feature within a piece, `cost` what a piece more costs.
-fn pieces(features: &[Vec<f64>], noise: &[f64], cost: f64, control: &Control) -> Option<Vec<usize>> {
+fn pieces(
+    features: &[Vec<f64>],
+    noise: &[f64],
+    cost: f64,
+    control: &Control,
+) -> Option<Vec<usize>> {
     let count = features.len();
     let mut sums = vec![vec![FeatureSums::default(); noise.len()]; count + 1];
     for (b, block) in features.iter().enumerate() {
-        sums[b + 1] = sums[b].iter().zip(block.iter().zip(noise)).map(|(sums, (x, s))| sums.with(b, x / s)).collect();
+        sums[b + 1] = sums[b]
+            .iter()
+            .zip(block.iter().zip(noise))
+            .map(|(sums, (x, s))| sums.with(b, x / s))
+            .collect();
     }
     let spread = |from: usize, to: usize| {
         let length = (to - from) as f64;
@@ -93,9 +111,16 @@ fn pieces(features: &[Vec<f64>], noise: &[f64], cost: f64, control: &Control) ->
 pub(super) fn noise(features: &[Vec<f64>]) -> Vec<f64> {
     let width = features.first().map_or(0, Vec::len);
     let of = |k: usize| {
-        let mut steps: Vec<f64> = features.windows(2).map(|pair| (pair[1][k] - pair[0][k]).abs()).collect();
+        let mut steps: Vec<f64> = features
+            .windows(2)
+            .map(|pair| (pair[1][k] - pair[0][k]).abs())
+            .collect();
         let middle = steps.len() / 2;
-        let median = if steps.is_empty() { 0.0 } else { *steps.select_nth_unstable_by(middle, f64::total_cmp).1 };
+        let median = if steps.is_empty() {
+            0.0
+        } else {
+            *steps.select_nth_unstable_by(middle, f64::total_cmp).1
+        };
         // A difference of two has sqrt 2 times the deviation; the median of a normal number's size is 0.6745 of it.
         median / (0.674_489_75 * std::f64::consts::SQRT_2)
     };

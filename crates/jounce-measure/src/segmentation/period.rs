@@ -53,31 +53,63 @@ const MAX_RESIDUAL_SHARE: f64 = 0.5;
 /// The period of samples under a drive of a known frequency; samples between those of the record by cubic interpolation.
 pub fn period(samples: &Samples<'_>, drive_hz: f64) -> RepetitionPeriod {
     let unstopped = period_watched(samples, drive_hz, &Control::default());
-    unstopped.unwrap_or(RepetitionPeriod { cycles: None, mismatch: f64::INFINITY })
+    unstopped.unwrap_or(RepetitionPeriod {
+        cycles: None,
+        mismatch: f64::INFINITY,
+    })
 }
 
 /// The same under a control, which is looked at before each number of cycles; none where it stops the search.
-pub(super) fn period_watched(samples: &Samples<'_>, drive_hz: f64, control: &Control) -> Option<RepetitionPeriod> {
+pub(super) fn period_watched(
+    samples: &Samples<'_>,
+    drive_hz: f64,
+    control: &Control,
+) -> Option<RepetitionPeriod> {
     let cycles = Cycles::of(samples, drive_hz);
-    let longest = MAX_TESTED_PERIOD_CYCLES.min(cycles.windows().last().map_or(0, |window| window.len() / 2));
-    let folded: Vec<Folded> = (1..=longest).take_while(|_| !control.is_stopped()).map(|n| Folded::of(&cycles.folded(n))).collect();
+    let longest =
+        MAX_TESTED_PERIOD_CYCLES.min(cycles.windows().last().map_or(0, |window| window.len() / 2));
+    let folded: Vec<Folded> = (1..=longest)
+        .take_while(|_| !control.is_stopped())
+        .map(|n| Folded::of(&cycles.folded(n)))
+        .collect();
     if control.is_stopped() {
         return None;
     }
-    let Some((best_of, best)) = (1..).zip(&folded).min_by(|(_, a), (_, b)| a.mean.total_cmp(&b.mean)) else {
-        return Some(RepetitionPeriod { cycles: None, mismatch: f64::INFINITY });
+    let Some((best_of, best)) = (1..)
+        .zip(&folded)
+        .min_by(|(_, a), (_, b)| a.mean.total_cmp(&b.mean))
+    else {
+        return Some(RepetitionPeriod {
+            cycles: None,
+            mismatch: f64::INFINITY,
+        });
     };
     let sought = || (1..).zip(&folded).take(MAX_PERIOD_CYCLES);
-    let by_chance =
-        |(n, one): &(usize, &Folded)| one.mean <= CHANCE_FACTOR * best.mean && cycles.without(*n).is_smooth_at(best_of, longest);
-    let found = sought().find(|(_, one)| one.is_as_well_as(best, cycles.square)).or_else(|| sought().find(by_chance)).map(|(n, _)| n);
-    Some(match found.map(|n| (n, cycles.mismatch(n))).filter(|(_, mismatch)| *mismatch < MAX_RESIDUAL_SHARE) {
-        Some((n, mismatch)) => RepetitionPeriod { cycles: Some(n), mismatch },
-        None => {
-            let all = (1..=longest.min(MAX_PERIOD_CYCLES)).map(|n| cycles.mismatch(n));
-            RepetitionPeriod { cycles: None, mismatch: all.fold(f64::INFINITY, f64::min) }
-        }
-    })
+    let by_chance = |(n, one): &(usize, &Folded)| {
+        one.mean <= CHANCE_FACTOR * best.mean && cycles.without(*n).is_smooth_at(best_of, longest)
+    };
+    let found = sought()
+        .find(|(_, one)| one.is_as_well_as(best, cycles.square))
+        .or_else(|| sought().find(by_chance))
+        .map(|(n, _)| n);
+    Some(
+        match found
+            .map(|n| (n, cycles.mismatch(n)))
+            .filter(|(_, mismatch)| *mismatch < MAX_RESIDUAL_SHARE)
+        {
+            Some((n, mismatch)) => RepetitionPeriod {
+                cycles: Some(n),
+                mismatch,
+            },
+            None => {
+                let all = (1..=longest.min(MAX_PERIOD_CYCLES)).map(|n| cycles.mismatch(n));
+                RepetitionPeriod {
+                    cycles: None,
+                    mismatch: all.fold(f64::INFINITY, f64::min),
+                }
+            }
+        },
+    )
 }
 
 /// A record at equal phases of its drive, about its mean.
@@ -95,7 +127,9 @@ impl Cycles {
         let (of, length) = (samples.values(), samples.rate_hz() / drive_hz);
         // The cubic takes a sample before its place and two behind.
         let count = (of.len().saturating_sub(4) as f64 / length) as usize;
-        let width = (length.ceil() as usize).min(MAX_VALUES / count.max(1)).max(MIN_VALUES_PER_CYCLE);
+        let width = (length.ceil() as usize)
+            .min(MAX_VALUES / count.max(1))
+            .max(MIN_VALUES_PER_CYCLE);
         let at = |k: usize| {
             let place = 1.0 + k as f64 * length / width as f64;
             let whole = place.floor() as usize;
@@ -105,7 +139,11 @@ impl Cycles {
         let mean = values.iter().sum::<f64>() / values.len() as f64;
         values.iter_mut().for_each(|x| *x -= mean);
         let square = values.iter().map(|x| x * x).sum::<f64>() / values.len() as f64;
-        Self { values, width, square }
+        Self {
+            values,
+            width,
+            square,
+        }
     }
 
     fn count(&self) -> usize {
@@ -125,7 +163,12 @@ impl Cycles {
     fn middle(&self, class: impl Iterator<Item = usize> + Clone) -> (Vec<f64>, f64) {
         let members = class.clone().count() as f64;
         let mut middle = vec![0.0; self.width];
-        class.for_each(|cycle| middle.iter_mut().zip(self.row(cycle)).for_each(|(sum, x)| *sum += x / members));
+        class.for_each(|cycle| {
+            middle
+                .iter_mut()
+                .zip(self.row(cycle))
+                .for_each(|(sum, x)| *sum += x / members)
+        });
         (middle, members)
     }
 
@@ -137,7 +180,12 @@ impl Cycles {
                 let class = || (first..window.end).step_by(n);
                 let (middle, members) = self.middle(class());
                 for cycle in class() {
-                    let square: f64 = self.row(cycle).iter().zip(&middle).map(|(x, mean)| (x - mean).powi(2)).sum();
+                    let square: f64 = self
+                        .row(cycle)
+                        .iter()
+                        .zip(&middle)
+                        .map(|(x, mean)| (x - mean).powi(2))
+                        .sum();
                     left[cycle] = square / self.width as f64 * members / (members - 1.0);
                 }
             }
@@ -167,14 +215,20 @@ impl Cycles {
             .filter(|k| *k != n && (1..=longest).contains(k))
             .map(|k| self.folded(k))
             .collect();
-        let mean = |row: usize| beside.iter().map(|rows| rows[row]).sum::<f64>() / beside.len() as f64;
+        let mean =
+            |row: usize| beside.iter().map(|rows| rows[row]).sum::<f64>() / beside.len() as f64;
         let floor: Vec<f64> = (0..self.count()).map(mean).collect();
-        !beside.is_empty() && Folded::of(&floor).is_as_well_as(&Folded::of(&self.folded(n)), self.square)
+        !beside.is_empty()
+            && Folded::of(&floor).is_as_well_as(&Folded::of(&self.folded(n)), self.square)
     }
 
     fn mismatch(&self, n: usize) -> f64 {
         let later = &self.values[n * self.width..];
-        let square: f64 = later.iter().zip(&self.values).map(|(a, b)| (a - b).powi(2)).sum();
+        let square: f64 = later
+            .iter()
+            .zip(&self.values)
+            .map(|(a, b)| (a - b).powi(2))
+            .sum();
         (square / later.len() as f64 / 2.0 / self.square).sqrt()
     }
 }
@@ -191,18 +245,29 @@ impl Folded {
         let batches = BATCHES.min(rows.len() / MIN_ROWS_PER_BATCH).max(2);
         let mean = |rows: &[f64]| rows.iter().sum::<f64>() / rows.len() as f64;
         let edge = |k: usize| k * rows.len() / batches;
-        Self { mean: mean(rows), batches: (0..batches).map(|k| mean(&rows[edge(k)..edge(k + 1)])).collect() }
+        Self {
+            mean: mean(rows),
+            batches: (0..batches)
+                .map(|k| mean(&rows[edge(k)..edge(k + 1)]))
+                .collect(),
+        }
     }
 
     /// True where the best one of all does not leave less: in a record of a mean square.
     fn is_as_well_as(&self, best: &Self, square: f64) -> bool {
         let count = self.batches.len() as f64;
-        let apart: Vec<f64> = self.batches.iter().zip(&best.batches).map(|(a, b)| a - b).collect();
+        let apart: Vec<f64> = self
+            .batches
+            .iter()
+            .zip(&best.batches)
+            .map(|(a, b)| a - b)
+            .collect();
         let middle = apart.iter().sum::<f64>() / count;
         let variance = apart.iter().map(|x| (x - middle).powi(2)).sum::<f64>() / (count - 1.0);
         let more = self.mean - best.mean;
         more <= EXACT_RESIDUAL_SHARE.powi(2) * square
-            || (more <= STUDENT_QUANTILE * (variance / count).sqrt() && self.mean <= RESIDUAL_RATIO * best.mean)
+            || (more <= STUDENT_QUANTILE * (variance / count).sqrt()
+                && self.mean <= RESIDUAL_RATIO * best.mean)
     }
 }
 
@@ -234,17 +299,33 @@ mod tests {
                 (TAU * t).sin() + 0.4 * (TAU * t / cycles as f64).cos() + level * noise[k]
             };
             let values: Vec<f64> = (0..20_000).map(value).collect();
-            assert_eq!(period(&Samples::new(&values, 1536.0).unwrap(), 13.0).cycles, Some(cycles), "{cycles}");
+            assert_eq!(
+                period(&Samples::new(&values, 1536.0).unwrap(), 13.0).cycles,
+                Some(cycles),
+                "{cycles}"
+            );
         }
-        assert_eq!(period(&Samples::new(&noise, 1536.0).unwrap(), 13.0).cycles, None);
+        assert_eq!(
+            period(&Samples::new(&noise, 1536.0).unwrap(), 13.0).cycles,
+            None
+        );
     }
 
     /// Small subharmonics of orders up to the longest one sought are found; those beyond are not taken for a shorter period.
     #[test]
     fn a_period_beyond_the_longest_one_sought_is_none() {
         let mut stream = RandomStream::new(5, 0);
-        let noise: Vec<f64> = (0..60_000).map(|_| 0.01 * stream.normal_pair()[0]).collect();
-        for (cycles, expected) in [(9, Some(9)), (12, Some(12)), (13, None), (16, None), (24, None), (48, None)] {
+        let noise: Vec<f64> = (0..60_000)
+            .map(|_| 0.01 * stream.normal_pair()[0])
+            .collect();
+        for (cycles, expected) in [
+            (9, Some(9)),
+            (12, Some(12)),
+            (13, None),
+            (16, None),
+            (24, None),
+            (48, None),
+        ] {
             let value = |k: usize| {
                 let t = k as f64 / 1536.0 * 13.0;
                 (TAU * t).sin() + 0.2 * (TAU * t / f64::from(cycles)).sin() + noise[k]
@@ -263,16 +344,22 @@ mod tests {
         for (cycles, seed) in [(100, 0), (300, 1), (300, 2)] {
             let mut stream = RandomStream::new(seed, 7);
             for order in 1..=16_usize {
-                let parts: Vec<usize> = (1..=order).filter(|part| (2..=*part).all(|d| part % d > 0 || order % d > 0)).collect();
+                let parts: Vec<usize> = (1..=order)
+                    .filter(|part| (2..=*part).all(|d| part % d > 0 || order % d > 0))
+                    .collect();
                 let part = parts[(7 * order + seed as usize) % parts.len()];
                 let phase = stream.normal_pair();
                 let small = if order > 1 { 0.2 } else { 0.0 };
                 let clean = |k: usize| {
                     let turns = TAU * k as f64 / 1536.0 * 13.0;
-                    turns.sin() + 0.3 * (2.0 * turns + phase[0]).sin() + small * (turns * part as f64 / order as f64 + phase[1]).sin()
+                    turns.sin()
+                        + 0.3 * (2.0 * turns + phase[0]).sin()
+                        + small * (turns * part as f64 / order as f64 + phase[1]).sin()
                 };
                 for noise in [0.0, 0.02, 0.05] {
-                    let values: Vec<f64> = (0..cycles * 1536 / 13).map(|k| clean(k) + 0.74 * noise * stream.normal_pair()[0]).collect();
+                    let values: Vec<f64> = (0..cycles * 1536 / 13)
+                        .map(|k| clean(k) + 0.74 * noise * stream.normal_pair()[0])
+                        .collect();
                     let found = period(&Samples::new(&values, 1536.0).unwrap(), 13.0);
                     if found.cycles != Some(order).filter(|order| *order <= MAX_PERIOD_CYCLES) {
                         wrong.push((cycles, order, part, noise, found));
@@ -291,19 +378,28 @@ mod tests {
         for seed in 0..12 {
             for (order, noise) in (1..=20).flat_map(|order| [(order, 0.02), (order, 0.05)]) {
                 let mut stream = RandomStream::new(seed * 1000 + order, 23);
-                let parts: Vec<u64> = (1..=order).filter(|part| (2..=*part).all(|d| part % d > 0 || order % d > 0)).collect();
-                let turns_of = parts[(7 * order + seed) as usize % parts.len()] as f64 / order as f64;
+                let parts: Vec<u64> = (1..=order)
+                    .filter(|part| (2..=*part).all(|d| part % d > 0 || order % d > 0))
+                    .collect();
+                let turns_of =
+                    parts[(7 * order + seed) as usize % parts.len()] as f64 / order as f64;
                 let phase = stream.normal_pair();
                 let small = if order > 1 { 0.2 } else { 0.0 };
                 let mut slow = stream.normal_pair()[0];
                 let mut value = |k: usize| {
-                    slow = 0.999 * slow + (1.0_f64 - 0.999 * 0.999).sqrt() * stream.normal_pair()[0];
+                    slow =
+                        0.999 * slow + (1.0_f64 - 0.999 * 0.999).sqrt() * stream.normal_pair()[0];
                     let turns = TAU * k as f64 / 1536.0 * 13.0;
-                    turns.sin() + 0.3 * (2.0 * turns + phase[0]).sin() + small * (turns * turns_of + phase[1]).sin() + 0.74 * noise * slow
+                    turns.sin()
+                        + 0.3 * (2.0 * turns + phase[0]).sin()
+                        + small * (turns * turns_of + phase[1]).sin()
+                        + 0.74 * noise * slow
                 };
                 let values: Vec<f64> = (0..100 * 1536 / 13).map(&mut value).collect();
                 let found = period(&Samples::new(&values, 1536.0).unwrap(), 13.0);
-                if found.cycles.map(|cycles| cycles as u64) != Some(order).filter(|order| *order <= 12) {
+                if found.cycles.map(|cycles| cycles as u64)
+                    != Some(order).filter(|order| *order <= 12)
+                {
                     wrong.push((seed, order, noise, found));
                 }
             }

@@ -18,7 +18,9 @@ pub struct Section {
 pub fn section(samples: &Samples<'_>, drive_hz: f64) -> Section {
     let (values, rate_hz) = (samples.values(), samples.rate_hz());
     let place = |n: usize| 1.0 + n as f64 * rate_hz / drive_hz;
-    let inside = (0..).map(place).take_while(|x| x.floor() as usize + 2 < values.len());
+    let inside = (0..)
+        .map(place)
+        .take_while(|x| x.floor() as usize + 2 < values.len());
     let (time_s, value) = inside
         .map(|x| {
             let k = x.floor() as usize;
@@ -42,7 +44,12 @@ mod tests {
         let values: Vec<f64> = (0..20_000).map(|k| at(f64::from(k) / rate)).collect();
         let found = section(&Samples::new(&values, rate).unwrap(), hz);
         assert_eq!(found.value.len(), 176);
-        let off = found.value.iter().enumerate().map(|(n, x)| (x - at(1.0 / rate + (n % 3) as f64 / hz)).abs()).fold(0.0, f64::max);
+        let off = found
+            .value
+            .iter()
+            .enumerate()
+            .map(|(n, x)| (x - at(1.0 / rate + (n % 3) as f64 / hz)).abs())
+            .fold(0.0, f64::max);
         eprintln!("off by {off:.1e}");
         assert!(off < 1e-5, "{off:e}");
     }

@@ -49,7 +49,9 @@ pub enum SegmentationError {
     #[error(transparent)]
     Signal(#[from] SignalError),
     /// A drive that makes no sense.
-    #[error("a drive of {drive_hz} Hz does not suit a record of {rate_hz} Hz; it must be above 0 and below a quarter of the rate")]
+    #[error(
+        "a drive of {drive_hz} Hz does not suit a record of {rate_hz} Hz; it must be above 0 and below a quarter of the rate"
+    )]
     Drive {
         /// The drive, Hz.
         drive_hz: f64,
@@ -57,7 +59,9 @@ pub enum SegmentationError {
         rate_hz: f64,
     },
     /// Too few cycles.
-    #[error("the record holds {cycles:.1} drive cycles; at least {needed} are needed to tell solutions apart")]
+    #[error(
+        "the record holds {cycles:.1} drive cycles; at least {needed} are needed to tell solutions apart"
+    )]
     Short {
         /// Cycles of the record.
         cycles: f64,
@@ -91,20 +95,29 @@ pub fn regimes(samples: &Samples<'_>, drive_hz: f64) -> Result<Segmentation, Seg
 ///
 /// # Errors
 /// As [`regimes`], and [`SegmentationError::Stopped`].
-pub fn regimes_watched(samples: &Samples<'_>, drive_hz: f64, control: &Control) -> Result<Segmentation, SegmentationError> {
+pub fn regimes_watched(
+    samples: &Samples<'_>,
+    drive_hz: f64,
+    control: &Control,
+) -> Result<Segmentation, SegmentationError> {
     let rate_hz = samples.rate_hz();
     if !(drive_hz > 0.0 && drive_hz < rate_hz / 4.0) {
         return Err(SegmentationError::Drive { drive_hz, rate_hz });
     }
     let cycles = samples.duration_s() * drive_hz;
     if cycles < MIN_RECORD_BLOCKS * CYCLES_PER_BLOCK {
-        return Err(SegmentationError::Short { cycles, needed: MIN_RECORD_BLOCKS * CYCLES_PER_BLOCK });
+        return Err(SegmentationError::Short {
+            cycles,
+            needed: MIN_RECORD_BLOCKS * CYCLES_PER_BLOCK,
+        });
     }
     let length = CYCLES_PER_BLOCK * rate_hz / drive_hz;
     let blocks = (samples.values().len() as f64 / length) as usize;
     let start = |b: usize| (b as f64 * length).round() as usize;
     let features = (0..blocks).take_while(|_| !control.is_stopped());
-    let features: Vec<Vec<f64>> = features.map(|b| of_block(samples, drive_hz, start(b), length.floor() as usize)).collect();
+    let features: Vec<Vec<f64>> = features
+        .map(|b| of_block(samples, drive_hz, start(b), length.floor() as usize))
+        .collect();
     if control.is_stopped() {
         return Err(SegmentationError::Stopped);
     }
@@ -119,24 +132,50 @@ pub fn regimes_watched(samples: &Samples<'_>, drive_hz: f64, control: &Control) 
     let starts = changes(&features, &noise, cost, control).ok_or(SegmentationError::Stopped)?;
     let lines = lines(samples, drive_hz, (blocks, length));
     let (starts, mut joints) = joined(samples, drive_hz, starts, (&lines, length));
-    let edge = |k: usize| starts.get(k).map_or(samples.values().len(), |b| (b * length).round() as usize);
+    let edge = |k: usize| {
+        starts
+            .get(k)
+            .map_or(samples.values().len(), |b| (b * length).round() as usize)
+    };
     let last = starts.len().saturating_sub(1);
     let inner = |k: usize| {
         // The blocks beside a change may hold both solutions.
-        let block = if edge(k + 1) - edge(k) > (4.0 * length) as usize { length.ceil() as usize } else { 0 };
-        (edge(k) + if k > 0 { block } else { 0 }, edge(k + 1) - if k < last { block } else { 0 })
+        let block = if edge(k + 1) - edge(k) > (4.0 * length) as usize {
+            length.ceil() as usize
+        } else {
+            0
+        };
+        (
+            edge(k) + if k > 0 { block } else { 0 },
+            edge(k + 1) - if k < last { block } else { 0 },
+        )
     };
     let one = |k: usize| stretch(samples, drive_hz, (edge(k), edge(k + 1)), inner(k), control);
-    let stretches = (0..starts.len()).map(one).collect::<Result<Vec<RecordSegment>, _>>()?;
-    for (k, stretch) in stretches.iter().enumerate().filter(|(_, stretch)| stretch.period.cycles.is_some()) {
-        let told = joints.iter().any(|joint| (stretch.start_s..stretch.end_s).contains(&joint.at_s));
+    let stretches = (0..starts.len())
+        .map(one)
+        .collect::<Result<Vec<RecordSegment>, _>>()?;
+    for (k, stretch) in stretches
+        .iter()
+        .enumerate()
+        .filter(|(_, stretch)| stretch.period.cycles.is_some())
+    {
+        let told = joints
+            .iter()
+            .any(|joint| (stretch.start_s..stretch.end_s).contains(&joint.at_s));
         let end = starts.get(k + 1).map_or(blocks, |end| end.floor() as usize);
         if !told && drifts(&lines[starts[k].ceil() as usize..end]) {
-            joints.push(MergedChange { at_s: 0.5 * (stretch.start_s + stretch.end_s), reason: MergeReason::Drifts });
+            joints.push(MergedChange {
+                at_s: 0.5 * (stretch.start_s + stretch.end_s),
+                reason: MergeReason::Drifts,
+            });
         }
     }
     joints.sort_by(|a, b| a.at_s.total_cmp(&b.at_s));
-    Ok(Segmentation { stretches, joints, uncertainty_s: length / rate_hz })
+    Ok(Segmentation {
+        stretches,
+        joints,
+        uncertainty_s: length / rate_hz,
+    })
 }
 
 fn stretch(
@@ -148,10 +187,24 @@ fn stretch(
 ) -> Result<RecordSegment, SegmentationError> {
     let part = Samples::new(&samples.values()[inner.0..inner.1], samples.rate_hz())?;
     let mean = part.mean();
-    let rms = (part.values().iter().map(|x| (x - mean).powi(2)).sum::<f64>() / part.values().len() as f64).sqrt();
+    let rms = (part
+        .values()
+        .iter()
+        .map(|x| (x - mean).powi(2))
+        .sum::<f64>()
+        / part.values().len() as f64)
+        .sqrt();
     let at = |k: usize| k as f64 / samples.rate_hz();
     let period = period_watched(&part, drive_hz, control).ok_or(SegmentationError::Stopped)?;
-    Ok(RecordSegment { start_s: at(start), end_s: at(end), start, end, inner, rms, period })
+    Ok(RecordSegment {
+        start_s: at(start),
+        end_s: at(end),
+        start,
+        end,
+        inner,
+        rms,
+        period,
+    })
 }
 
 #[cfg(test)]
@@ -169,7 +222,9 @@ mod tests {
                 let t = f64::from(k) / 1536.0;
                 let large = (31.7..60.2).contains(&t);
                 let (a, b) = if large { (3.0, 1.2) } else { (1.0, 0.0) };
-                a * (TAU * 13.0 * t).sin() + b * (TAU * 6.5 * t).cos() + noise * stream.normal_pair()[0]
+                a * (TAU * 13.0 * t).sin()
+                    + b * (TAU * 6.5 * t).cos()
+                    + noise * stream.normal_pair()[0]
             })
             .collect()
     }
@@ -182,9 +237,17 @@ mod tests {
             let found = regimes(&Samples::new(&values, 1536.0).unwrap(), 13.0).unwrap();
             assert_eq!(found.stretches.len(), 3, "{noise}: {:?}", found.stretches);
             for (k, change) in [(1, 31.7), (2, 60.2)] {
-                assert!((found.stretches[k].start_s - change).abs() < found.uncertainty_s, "{noise} {}", found.stretches[k].start_s);
+                assert!(
+                    (found.stretches[k].start_s - change).abs() < found.uncertainty_s,
+                    "{noise} {}",
+                    found.stretches[k].start_s
+                );
             }
-            let cycles: Vec<_> = found.stretches.iter().map(|stretch| stretch.period.cycles).collect();
+            let cycles: Vec<_> = found
+                .stretches
+                .iter()
+                .map(|stretch| stretch.period.cycles)
+                .collect();
             assert_eq!(cycles, [Some(1), Some(2), Some(1)], "{noise}");
         }
     }
@@ -192,14 +255,28 @@ mod tests {
     #[test]
     fn noise_alone_is_one_stretch_and_faults_are_told() {
         let mut stream = RandomStream::new(2, 0);
-        let values: Vec<f64> = (0..60_000).map(|k| (TAU * 13.0 * f64::from(k) / 1536.0).sin() + 0.5 * stream.normal_pair()[0]).collect();
+        let values: Vec<f64> = (0..60_000)
+            .map(|k| (TAU * 13.0 * f64::from(k) / 1536.0).sin() + 0.5 * stream.normal_pair()[0])
+            .collect();
         let samples = Samples::new(&values, 1536.0).unwrap();
         assert_eq!(regimes(&samples, 13.0).unwrap().stretches.len(), 1);
-        assert!(matches!(regimes(&samples, 500.0), Err(SegmentationError::Drive { .. })));
-        assert!(matches!(regimes(&samples, 0.1), Err(SegmentationError::Short { .. })));
-        assert_eq!(regimes(&Samples::new(&[1.0; 9000], 100.0).unwrap(), 5.0), Err(SegmentationError::Constant));
+        assert!(matches!(
+            regimes(&samples, 500.0),
+            Err(SegmentationError::Drive { .. })
+        ));
+        assert!(matches!(
+            regimes(&samples, 0.1),
+            Err(SegmentationError::Short { .. })
+        ));
+        assert_eq!(
+            regimes(&Samples::new(&[1.0; 9000], 100.0).unwrap(), 5.0),
+            Err(SegmentationError::Constant)
+        );
         let control = Control::default();
         control.stop();
-        assert_eq!(regimes_watched(&samples, 13.0, &control), Err(SegmentationError::Stopped));
+        assert_eq!(
+            regimes_watched(&samples, 13.0, &control),
+            Err(SegmentationError::Stopped)
+        );
     }
 }

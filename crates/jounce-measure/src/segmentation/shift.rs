@@ -17,11 +17,21 @@ pub(super) fn nearest(lines: &[c64], model: &[c64], orders: &[u32], common: u32,
     };
     let count = PHASE_STEPS * common as usize;
     let at = |k: usize| k as f64 / PHASE_STEPS as f64;
-    let best = (0..count).map(|k| (sum(at(k)), at(k))).min_by(|a, b| a.0.total_cmp(&b.0)).map_or(0.0, |found| found.1);
-    let (mut low, mut high) = (best - 1.0 / PHASE_STEPS as f64, best + 1.0 / PHASE_STEPS as f64);
+    let best = (0..count)
+        .map(|k| (sum(at(k)), at(k)))
+        .min_by(|a, b| a.0.total_cmp(&b.0))
+        .map_or(0.0, |found| found.1);
+    let (mut low, mut high) = (
+        best - 1.0 / PHASE_STEPS as f64,
+        best + 1.0 / PHASE_STEPS as f64,
+    );
     for _ in 0..30 {
         let (one, two) = (low + (high - low) / 3.0, high - (high - low) / 3.0);
-        if sum(one) < sum(two) { high = two } else { low = one }
+        if sum(one) < sum(two) {
+            high = two
+        } else {
+            low = one
+        }
     }
     sum(0.5 * (low + high))
 }

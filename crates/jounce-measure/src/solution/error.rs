@@ -16,7 +16,9 @@ pub enum SolutionError {
         found: usize,
     },
     /// Nothing to look at.
-    #[error("the model has no resistor whose voltage could be compared; give it a [circuit.NAME] with a resistance")]
+    #[error(
+        "the model has no resistor whose voltage could be compared; give it a [circuit.NAME] with a resistance"
+    )]
     NoLoad,
     /// A circuit that is not there.
     #[error("the model has no circuit `{wanted}`; there are {known}")]

@@ -26,7 +26,13 @@ pub struct SolutionSearch {
 
 impl Default for SolutionSearch {
     fn default() -> Self {
-        Self { starts: 40, seed: 1, spread: 10.0, tolerance: 1e-8, load: None }
+        Self {
+            starts: 40,
+            seed: 1,
+            spread: 10.0,
+            tolerance: 1e-8,
+            load: None,
+        }
     }
 }
 
@@ -54,25 +60,64 @@ pub struct Solution {
 ///
 /// # Errors
 /// [`SolutionError`].
-pub fn solutions(spec: &Spec, search: &SolutionSearch, control: &Control) -> Result<Vec<Solution>, SolutionError> {
+pub fn solutions(
+    spec: &Spec,
+    search: &SolutionSearch,
+    control: &Control,
+) -> Result<Vec<Solution>, SolutionError> {
     let base = Model::watched(spec.clone(), control)?;
-    let drives: Vec<(&String, f64)> = base.spec.drive.iter().filter_map(|(name, drive)| Some((name, drive.frequency_hz()?))).collect();
-    let [(name, drive_hz)] = drives[..] else { return Err(SolutionError::Drives { found: drives.len() }) };
+    let drives: Vec<(&String, f64)> = base
+        .spec
+        .drive
+        .iter()
+        .filter_map(|(name, drive)| Some((name, drive.frequency_hz()?)))
+        .collect();
+    let [(name, drive_hz)] = drives[..] else {
+        return Err(SolutionError::Drives {
+            found: drives.len(),
+        });
+    };
     let load = load(&base.kernel.plant, search.load.as_deref())?;
     let key = NumericKey::find(&base.spec, &format!("drive.{name}.frequency"))?;
     let parameter = Parameter::new(&base, &key, drive_hz);
-    let starts = InitialStates::Cloud(Cloud { starts: search.starts, seed: search.seed, spread: search.spread });
-    let study = Basins { base: &base, parameter: &parameter, value: drive_hz, starts, recognition: Recognition::at(search.tolerance) };
+    let starts = InitialStates::Cloud(Cloud {
+        starts: search.starts,
+        seed: search.seed,
+        spread: search.spread,
+    });
+    let study = Basins {
+        base: &base,
+        parameter: &parameter,
+        value: drive_hz,
+        starts,
+        recognition: Recognition::at(search.tolerance),
+    };
     let answer = study.run(&|| ())?;
     if let (true, Some((_, first))) = (answer.attractors.is_empty(), answer.lost.first()) {
-        return Err(SolutionError::Lost { starts: search.starts, first: first.clone() });
+        return Err(SolutionError::Lost {
+            starts: search.starts,
+            first: first.clone(),
+        });
     }
     let solution = |attractor: jounce::analysis::Attractor| -> Result<Solution, SolutionError> {
         let of = |orbit: &Orbit| -> Result<(StartState, Waveform), SolutionError> {
-            let physical = Shooting::new(&parameter, &base.kernel, orbit.period_cycles, search.tolerance).physical(orbit.start());
+            let physical = Shooting::new(
+                &parameter,
+                &base.kernel,
+                orbit.period_cycles,
+                search.tolerance,
+            )
+            .physical(orbit.start());
             let plant = &base.kernel.plant;
             let start = StartState::from_blocks(plant, &plant.from_physical(&physical, 0.0), 0.0);
-            let waveform = Waveform::of(&base.kernel, &start, orbit.period_cycles, drive_hz, load, search.tolerance)?;
+            let waveform = Waveform::of(
+                &base.kernel,
+                &start,
+                orbit.period_cycles,
+                drive_hz,
+                load,
+                search.tolerance,
+            )?;
             Ok((start, waveform))
         };
         let (start, waveform) = attractor.orbit.as_ref().map(of).transpose()?.unzip();
@@ -92,9 +137,22 @@ pub fn solutions(spec: &Spec, search: &SolutionSearch, control: &Control) -> Res
 /// Number of the load whose voltage is looked at.
 fn load(plant: &Plant, wanted: Option<&str>) -> Result<usize, SolutionError> {
     let loads = &plant.system.loads;
-    let Some(wanted) = wanted else { return if loads.is_empty() { Err(SolutionError::NoLoad) } else { Ok(0) } };
-    loads.iter().position(|load| load.name == wanted).ok_or_else(|| SolutionError::UnknownLoad {
-        wanted: wanted.to_owned(),
-        known: loads.iter().map(|load| load.name.clone()).collect::<Vec<_>>().join(", "),
-    })
+    let Some(wanted) = wanted else {
+        return if loads.is_empty() {
+            Err(SolutionError::NoLoad)
+        } else {
+            Ok(0)
+        };
+    };
+    loads
+        .iter()
+        .position(|load| load.name == wanted)
+        .ok_or_else(|| SolutionError::UnknownLoad {
+            wanted: wanted.to_owned(),
+            known: loads
+                .iter()
+                .map(|load| load.name.clone())
+                .collect::<Vec<_>>()
+                .join(", "),
+        })
 }

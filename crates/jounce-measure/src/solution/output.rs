@@ -32,25 +32,53 @@ pub enum SensorOutput {
 
 /// How one output is read from a state.
 enum OutputReader {
-    State { row: Vec<f64>, steady: Vec<c64> },
+    State {
+        row: Vec<f64>,
+        steady: Vec<c64>,
+    },
     Force(usize),
-    Rate { row: Vec<f64>, signals: Vec<f64>, ports: Vec<f64>, steady: Vec<c64> },
+    Rate {
+        row: Vec<f64>,
+        signals: Vec<f64>,
+        ports: Vec<f64>,
+        steady: Vec<c64>,
+    },
     Base,
 }
 
 /// Each output at ascending times of a record of a march of `spec`, one row for each output.
 ///
 /// A point that is not there reads 0: names are checked where they are given.
-pub fn outputs(spec: &Spec, kernel: &Kernel, trajectory: &Trajectory, times_s: &[f64], wanted: &[SensorOutput]) -> Vec<Vec<f64>> {
+pub fn outputs(
+    spec: &Spec,
+    kernel: &Kernel,
+    trajectory: &Trajectory,
+    times_s: &[f64],
+    wanted: &[SensorOutput],
+) -> Vec<Vec<f64>> {
     let plant = &kernel.plant;
     let readers: Vec<OutputReader> = wanted.iter().map(|output| reader(plant, output)).collect();
-    let bases: Vec<Option<BaseMotion>> = wanted.iter().map(|output| BaseMotion::under(spec, plant, output)).collect();
+    let bases: Vec<Option<BaseMotion>> = wanted
+        .iter()
+        .map(|output| BaseMotion::under(spec, plant, output))
+        .collect();
     let mut rows = vec![Vec::with_capacity(times_s.len()); wanted.len()];
     for instant in trajectory.at(kernel, times_s) {
-        let turns: Vec<c64> = plant.tones.iter().map(|tone| c64::cis(tone.angular_frequency_rad_s * instant.time_s)).collect();
-        let sizes: Vec<f64> = plant.system.signals.iter().map(|signal| size(&signal.wave, instant.time_s)).collect();
+        let turns: Vec<c64> = plant
+            .tones
+            .iter()
+            .map(|tone| c64::cis(tone.angular_frequency_rad_s * instant.time_s))
+            .collect();
+        let sizes: Vec<f64> = plant
+            .system
+            .signals
+            .iter()
+            .map(|signal| size(&signal.wave, instant.time_s))
+            .collect();
         for ((row, reader), base) in rows.iter_mut().zip(&readers).zip(&bases) {
-            let moving = base.as_ref().map_or(0.0, |base| base.at(instant.time_s, &sizes));
+            let moving = base
+                .as_ref()
+                .map_or(0.0, |base| base.at(instant.time_s, &sizes));
             row.push(moving + read(reader, &instant, &turns, &sizes));
         }
     }
@@ -58,7 +86,10 @@ pub fn outputs(spec: &Spec, kernel: &Kernel, trajectory: &Trajectory, times_s: &
 }
 
 fn reader(plant: &Plant, output: &SensorOutput) -> OutputReader {
-    let state = |row: Vec<f64>| OutputReader::State { steady: plant.steady_output(&row), row };
+    let state = |row: Vec<f64>| OutputReader::State {
+        steady: plant.steady_output(&row),
+        row,
+    };
     match output {
         SensorOutput::PatchVoltage(patch) => state(plant.voltage_row(*patch)),
         SensorOutput::LoadVoltage(load) => state(plant.load_voltage_row(*load)),
@@ -66,14 +97,28 @@ fn reader(plant: &Plant, output: &SensorOutput) -> OutputReader {
         SensorOutput::Base(_) => OutputReader::Base,
         SensorOutput::Acceleration(point) => {
             let still = vec![0.0; plant.system.modes.len()];
-            let velocity = plant.velocity_row(plant.system.modes.shape.get(point).unwrap_or(&still));
-            let along = |column: &[f64]| velocity.iter().zip(column).map(|(c, b)| c * b).sum::<f64>();
-            let speeded = |(y, tone): (c64, &jounce::plant::Tone)| y * c64::new(0.0, tone.angular_frequency_rad_s);
+            let velocity =
+                plant.velocity_row(plant.system.modes.shape.get(point).unwrap_or(&still));
+            let along =
+                |column: &[f64]| velocity.iter().zip(column).map(|(c, b)| c * b).sum::<f64>();
+            let speeded = |(y, tone): (c64, &jounce::plant::Tone)| {
+                y * c64::new(0.0, tone.angular_frequency_rad_s)
+            };
             OutputReader::Rate {
                 row: plant.diagonal.block.rate_row(&velocity),
-                signals: plant.system.signals.iter().map(|signal| along(&plant.force_column(&signal.shape))).collect(),
+                signals: plant
+                    .system
+                    .signals
+                    .iter()
+                    .map(|signal| along(&plant.force_column(&signal.shape)))
+                    .collect(),
                 ports: plant.ports.iter().map(|port| along(&port.force)).collect(),
-                steady: plant.steady_output(&velocity).into_iter().zip(&plant.tones).map(speeded).collect(),
+                steady: plant
+                    .steady_output(&velocity)
+                    .into_iter()
+                    .zip(&plant.tones)
+                    .map(speeded)
+                    .collect(),
             }
         }
     }
@@ -81,12 +126,26 @@ fn reader(plant: &Plant, output: &SensorOutput) -> OutputReader {
 
 fn read(reader: &OutputReader, instant: &TrajectoryState, turns: &[c64], sizes: &[f64]) -> f64 {
     let dot = |row: &[f64], of: &[f64]| row.iter().zip(of).map(|(c, y)| c * y).sum::<f64>();
-    let turned = |steady: &[c64]| steady.iter().zip(turns).map(|(y, turn)| (*y * *turn).re).sum::<f64>();
+    let turned = |steady: &[c64]| {
+        steady
+            .iter()
+            .zip(turns)
+            .map(|(y, turn)| (*y * *turn).re)
+            .sum::<f64>()
+    };
     match reader {
         OutputReader::State { row, steady } => dot(row, &instant.state) + turned(steady),
         OutputReader::Force(stop) => instant.forces_n[*stop],
-        OutputReader::Rate { row, signals, ports, steady } => {
-            dot(row, &instant.state) + dot(signals, sizes) + dot(ports, &instant.forces_n) + turned(steady)
+        OutputReader::Rate {
+            row,
+            signals,
+            ports,
+            steady,
+        } => {
+            dot(row, &instant.state)
+                + dot(signals, sizes)
+                + dot(ports, &instant.forces_n)
+                + turned(steady)
         }
         OutputReader::Base => 0.0,
     }
@@ -109,19 +168,35 @@ impl BaseMotion {
         let base = match output {
             SensorOutput::Acceleration(point) => spec.base_under(point),
             SensorOutput::Base(base) => base,
-            SensorOutput::PatchVoltage(_) | SensorOutput::LoadVoltage(_) | SensorOutput::StopForce(_) => return None,
+            SensorOutput::PatchVoltage(_)
+            | SensorOutput::LoadVoltage(_)
+            | SensorOutput::StopForce(_) => return None,
         };
         // The plant knows at which angle its march begins.
-        let tones = plant.system.drives.iter().filter(|own| own.base.as_deref() == Some(base));
-        let signals = plant.system.signals.iter().enumerate().filter(|(_, own)| own.base.as_deref() == Some(base));
+        let tones = plant
+            .system
+            .drives
+            .iter()
+            .filter(|own| own.base.as_deref() == Some(base));
+        let signals = plant
+            .system
+            .signals
+            .iter()
+            .enumerate()
+            .filter(|(_, own)| own.base.as_deref() == Some(base));
         Some(Self {
-            tones: tones.map(|own| (own.amplitude_n, own.frequency_hz, own.phase_rad)).collect(),
+            tones: tones
+                .map(|own| (own.amplitude_n, own.frequency_hz, own.phase_rad))
+                .collect(),
             signals: signals.map(|(k, _)| k).collect(),
         })
     }
 
     fn at(&self, time_s: f64, sizes: &[f64]) -> f64 {
-        let tone = |(peak, hz, angle): &(f64, f64, f64)| peak * (TAU * (hz * time_s).fract() + angle).sin();
-        self.tones.iter().map(tone).sum::<f64>() + self.signals.iter().map(|k| sizes[*k]).sum::<f64>()
+        let tone = |(peak, hz, angle): &(f64, f64, f64)| {
+            peak * (TAU * (hz * time_s).fract() + angle).sin()
+        };
+        self.tones.iter().map(tone).sum::<f64>()
+            + self.signals.iter().map(|k| sizes[*k]).sum::<f64>()
     }
 }

@@ -6,7 +6,12 @@ use jounce::spec::{DriveSignal, Spec};
 use super::{Solution, SolutionError};
 
 /// Puts a model to the drive frequency of a record, and to its load where that is known: `load` names the circuit, by default the first.
-pub fn as_recorded(spec: &mut Spec, drive_hz: f64, resistance_ohm: Option<f64>, load: Option<&str>) {
+pub fn as_recorded(
+    spec: &mut Spec,
+    drive_hz: f64,
+    resistance_ohm: Option<f64>,
+    load: Option<&str>,
+) {
     for drive in spec.drive.values_mut() {
         if let DriveSignal::Sine { frequency_hz, .. } = &mut drive.signal {
             *frequency_hz = drive_hz;
@@ -26,7 +31,19 @@ pub fn as_recorded(spec: &mut Spec, drive_hz: f64, resistance_ohm: Option<f64>, 
 /// # Errors
 /// An id that no solution has, a solution without an orbit.
 pub fn start_of(found: &[Solution], id: &str) -> Result<StartState, SolutionError> {
-    let start = found.iter().find(|solution| solution.id == id).and_then(|solution| solution.start.clone());
-    let known = || found.iter().map(|solution| solution.id.clone()).collect::<Vec<_>>().join(", ");
-    start.ok_or_else(|| SolutionError::UnknownSolution { wanted: id.to_owned(), known: known() })
+    let start = found
+        .iter()
+        .find(|solution| solution.id == id)
+        .and_then(|solution| solution.start.clone());
+    let known = || {
+        found
+            .iter()
+            .map(|solution| solution.id.clone())
+            .collect::<Vec<_>>()
+            .join(", ")
+    };
+    start.ok_or_else(|| SolutionError::UnknownSolution {
+        wanted: id.to_owned(),
+        known: known(),
+    })
 }

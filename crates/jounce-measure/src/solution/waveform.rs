@@ -36,13 +36,32 @@ impl Waveform {
         tolerance: f64,
     ) -> Result<Self, RunError> {
         let period_s = f64::from(period_cycles) / drive_hz;
-        let plan = RunPlan { duration_s: period_s, average_over_s: period_s, tolerance, record_s: period_s };
+        let plan = RunPlan {
+            duration_s: period_s,
+            average_over_s: period_s,
+            tolerance,
+            record_s: period_s,
+        };
         let answer = simulate(kernel, start, &plan)?;
         let count = (SAMPLES_PER_CYCLE * period_cycles) as usize;
-        let times_s: Vec<f64> = (0..count).map(|k| period_s * k as f64 / count as f64).collect();
+        let times_s: Vec<f64> = (0..count)
+            .map(|k| period_s * k as f64 / count as f64)
+            .collect();
         // No output of the ground is read: an empty spec has nothing that moves it.
-        let voltage = outputs(&Spec::default(), kernel, &answer.trajectory, &times_s, &[SensorOutput::LoadVoltage(load)]).swap_remove(0);
-        Ok(Self { period_cycles, lines_v: (1..=(MAX_ORDER * period_cycles) as usize).map(|k| line(&voltage, k)).collect() })
+        let voltage = outputs(
+            &Spec::default(),
+            kernel,
+            &answer.trajectory,
+            &times_s,
+            &[SensorOutput::LoadVoltage(load)],
+        )
+        .swap_remove(0);
+        Ok(Self {
+            period_cycles,
+            lines_v: (1..=(MAX_ORDER * period_cycles) as usize)
+                .map(|k| line(&voltage, k))
+                .collect(),
+        })
     }
 
     /// The line of an order `of / cycles`; 0 where the waveform has none there.
@@ -51,12 +70,17 @@ impl Waveform {
         if !place.is_multiple_of(cycles) || place == 0 {
             return c64::new(0.0, 0.0);
         }
-        self.lines_v.get((place / cycles) as usize - 1).copied().unwrap_or(c64::new(0.0, 0.0))
+        self.lines_v
+            .get((place / cycles) as usize - 1)
+            .copied()
+            .unwrap_or(c64::new(0.0, 0.0))
     }
 }
 
 /// Line number `k` of a whole period.
 fn line(samples: &[f64], k: usize) -> c64 {
-    let turn = |(n, x): (usize, &f64)| c64::cis(-TAU * ((k * n) % samples.len()) as f64 / samples.len() as f64) * *x;
+    let turn = |(n, x): (usize, &f64)| {
+        c64::cis(-TAU * ((k * n) % samples.len()) as f64 / samples.len() as f64) * *x
+    };
     samples.iter().enumerate().map(turn).sum::<c64>() * (2.0 / samples.len() as f64)
 }

@@ -42,7 +42,11 @@ impl Density {
     ///
     /// # Errors
     /// As [`Density::welch`], and [`SpectralError::Stopped`].
-    pub fn welch_watched(samples: &Samples<'_>, segments: &Segments, control: &Control) -> Result<Self, SpectralError> {
+    pub fn welch_watched(
+        samples: &Samples<'_>,
+        segments: &Segments,
+        control: &Control,
+    ) -> Result<Self, SpectralError> {
         let mean = samples.mean();
         let frequency_hz = segments.frequency_hz(samples.rate_hz());
         let (mut sum, mut count) = (vec![0.0; frequency_hz.len()], 0);
@@ -51,19 +55,36 @@ impl Density {
                 return Err(SpectralError::Stopped);
             }
             let bins = segments.transform(samples, start, mean);
-            sum.iter_mut().zip(&bins).for_each(|(sum, bin)| *sum += bin.norm_sqr());
+            sum.iter_mut()
+                .zip(&bins)
+                .for_each(|(sum, bin)| *sum += bin.norm_sqr());
             count += 1;
         }
         let scale = 1.0 / (samples.rate_hz() * segments.power() * f64::from(count));
-        let density = sum.iter().enumerate().map(|(k, sum)| segments.sides(k) * sum * scale).collect();
+        let density = sum
+            .iter()
+            .enumerate()
+            .map(|(k, sum)| segments.sides(k) * sum * scale)
+            .collect();
         let resolution_hz = samples.rate_hz() / segments.length() as f64;
-        Ok(Self { frequency_hz, density, segments: count as usize, resolution_hz, mean })
+        Ok(Self {
+            frequency_hz,
+            density,
+            segments: count as usize,
+            resolution_hz,
+            mean,
+        })
     }
 
     /// Variance between two frequencies, unit^2.
     pub fn variance_between(&self, low_hz: f64, high_hz: f64) -> f64 {
         let inside = |f: &f64| (low_hz..=high_hz).contains(f);
-        self.frequency_hz.iter().zip(&self.density).filter(|(f, _)| inside(f)).map(|(_, s)| s * self.resolution_hz).sum()
+        self.frequency_hz
+            .iter()
+            .zip(&self.density)
+            .filter(|(f, _)| inside(f))
+            .map(|(_, s)| s * self.resolution_hz)
+            .sum()
     }
 }
 
@@ -98,10 +119,14 @@ mod tests {
     fn white_noise_is_flat_at_its_known_density() {
         let values = noise(1 << 17, 3);
         let samples = Samples::new(&values, 1000.0).unwrap();
-        let density = Density::welch(&samples, &Segments::new(512, 0.5, Window::Hann).unwrap()).unwrap();
+        let density =
+            Density::welch(&samples, &Segments::new(512, 0.5, Window::Hann).unwrap()).unwrap();
         let mean = density.density[2..255].iter().sum::<f64>() / 253.0;
         assert!((mean / 2e-3 - 1.0).abs() < 0.01, "{mean}");
-        let worst = density.density[2..255].iter().map(|s| (s / 2e-3 - 1.0).abs()).fold(0.0, f64::max);
+        let worst = density.density[2..255]
+            .iter()
+            .map(|s| (s / 2e-3 - 1.0).abs())
+            .fold(0.0, f64::max);
         // Relative deviation of a line: about 1/sqrt(511 * 18/19 ..); five of them.
         assert!(worst < 0.3, "{worst}");
         assert!((density.variance_between(0.0, 500.0) - samples.rms().powi(2)).abs() < 0.01);
@@ -119,9 +144,17 @@ mod tests {
                 state
             })
             .collect();
-        let density = Density::welch(&Samples::new(&coloured, 1.0).unwrap(), &Segments::new(512, 0.5, Window::Hann).unwrap()).unwrap();
-        let exact = |f: f64| 2.0 / (Complex::new(1.0, 0.0) - 0.9 * Complex::from_polar(1.0, -TAU * f)).norm_sqr();
-        let errors: Vec<f64> = (4..250).map(|k| density.density[k] / exact(density.frequency_hz[k]) - 1.0).collect();
+        let density = Density::welch(
+            &Samples::new(&coloured, 1.0).unwrap(),
+            &Segments::new(512, 0.5, Window::Hann).unwrap(),
+        )
+        .unwrap();
+        let exact = |f: f64| {
+            2.0 / (Complex::new(1.0, 0.0) - 0.9 * Complex::from_polar(1.0, -TAU * f)).norm_sqr()
+        };
+        let errors: Vec<f64> = (4..250)
+            .map(|k| density.density[k] / exact(density.frequency_hz[k]) - 1.0)
+            .collect();
         let rms = (errors.iter().map(|e| e * e).sum::<f64>() / errors.len() as f64).sqrt();
         assert!(rms < 0.05, "{rms}");
     }
@@ -135,8 +168,14 @@ mod tests {
 
     #[test]
     fn segments_that_do_not_fit_are_errors() {
-        assert!(matches!(Segments::new(4, 0.5, Window::Hann), Err(SpectralError::Few { samples: 4 })));
-        assert!(matches!(Segments::new(64, 1.0, Window::Hann), Err(SpectralError::Overlap { .. })));
+        assert!(matches!(
+            Segments::new(4, 0.5, Window::Hann),
+            Err(SpectralError::Few { samples: 4 })
+        ));
+        assert!(matches!(
+            Segments::new(64, 1.0, Window::Hann),
+            Err(SpectralError::Overlap { .. })
+        ));
         let values = vec![1.0; 63];
         let samples = Samples::new(&values, 1.0).unwrap();
         assert!(matches!(
@@ -145,7 +184,11 @@ mod tests {
         ));
         let control = Control::default();
         control.stop();
-        let stopped = Density::welch_watched(&samples, &Segments::new(32, 0.5, Window::Hann).unwrap(), &control);
+        let stopped = Density::welch_watched(
+            &samples,
+            &Segments::new(32, 0.5, Window::Hann).unwrap(),
+            &control,
+        );
         assert_eq!(stopped, Err(SpectralError::Stopped));
     }
 }

@@ -32,20 +32,32 @@ impl Spectra {
 
 fn peaks(density: &Density, segments: &Segments, most: usize) -> Vec<DensityPeak> {
     let s = &density.density;
-    let mut maxima: Vec<usize> = (1..s.len().saturating_sub(1)).filter(|k| s[*k] > s[k - 1] && s[*k] >= s[k + 1]).collect();
+    let mut maxima: Vec<usize> = (1..s.len().saturating_sub(1))
+        .filter(|k| s[*k] > s[k - 1] && s[*k] >= s[k + 1])
+        .collect();
     maxima.sort_by(|a, b| s[*b].total_cmp(&s[*a]));
-    let (leaks, rise) = (leakage(segments.weights()), (2.0 * SCATTER_DEVIATIONS / (density.segments.max(1) as f64).sqrt()).exp());
+    let (leaks, rise) = (
+        leakage(segments.weights()),
+        (2.0 * SCATTER_DEVIATIONS / (density.segments.max(1) as f64).sqrt()).exp(),
+    );
     let mut found: Vec<usize> = Vec::new();
     for k in maxima {
         let stands = |higher: &usize| {
-            let valley = s[k.min(*higher)..k.max(*higher)].iter().copied().fold(f64::INFINITY, f64::min);
+            let valley = s[k.min(*higher)..k.max(*higher)]
+                .iter()
+                .copied()
+                .fold(f64::INFINITY, f64::min);
             // What the peak leaks from where it is, from its mirror image beyond 0 or half the rate, and the scatter may add up in phase.
             let image = (k + higher).min(2 * (s.len() - 1) - k - higher);
             let leak = |lines: usize| leaks[lines.min(leaks.len() - 1)];
             let leaked = [k.abs_diff(*higher), image].map(|lines| s[*higher] * leak(lines));
             // Beside 0 a line and its own mirror image are one.
             let own = s[k] * leak((2 * k).min(2 * (s.len() - 1 - k)));
-            let most = leaked.into_iter().chain([own, rise * valley]).map(f64::sqrt).sum::<f64>();
+            let most = leaked
+                .into_iter()
+                .chain([own, rise * valley])
+                .map(f64::sqrt)
+                .sum::<f64>();
             s[k] > most * most
         };
         if found.iter().all(stands) {
@@ -55,7 +67,13 @@ fn peaks(density: &Density, segments: &Segments, most: usize) -> Vec<DensityPeak
             break;
         }
     }
-    found.into_iter().map(|k| DensityPeak { frequency_hz: density.frequency_hz[k], density: s[k] }).collect()
+    found
+        .into_iter()
+        .map(|k| DensityPeak {
+            frequency_hz: density.frequency_hz[k],
+            density: s[k],
+        })
+        .collect()
 }
 
 /// The most that a tone leaks to a line so many lines away, over its own line: wherever it lies between two lines, and beyond too.
@@ -64,15 +82,24 @@ fn leakage(weights: &[f64]) -> Vec<f64> {
     padded.resize(VALUES_PER_LINE * weights.len(), 0.0);
     let plan = RealFftPlanner::new().plan_fft_forward(padded.len());
     let mut bins = plan.make_output_vec();
-    plan.process(&mut padded, &mut bins).expect("the plan made the length");
+    plan.process(&mut padded, &mut bins)
+        .expect("the plan made the length");
     let size: Vec<f64> = bins.iter().map(|bin| bin.norm_sqr()).collect();
     // A peak's own line is at most half a line away from its tone.
-    let own = size.get(VALUES_PER_LINE / 2).copied().unwrap_or(1.0).max(f64::MIN_POSITIVE);
+    let own = size
+        .get(VALUES_PER_LINE / 2)
+        .copied()
+        .unwrap_or(1.0)
+        .max(f64::MIN_POSITIVE);
     let mut beyond = size.clone();
     for k in (0..beyond.len().saturating_sub(1)).rev() {
         beyond[k] = beyond[k].max(beyond[k + 1]);
     }
-    let at = |line: usize| beyond.get((line * VALUES_PER_LINE).saturating_sub(VALUES_PER_LINE / 2)).map_or(0.0, |most| most / own);
+    let at = |line: usize| {
+        beyond
+            .get((line * VALUES_PER_LINE).saturating_sub(VALUES_PER_LINE / 2))
+            .map_or(0.0, |most| most / own)
+    };
     (0..=weights.len() / 2).map(at).collect()
 }
 
@@ -86,23 +113,45 @@ mod tests {
 
     fn found(value: impl Fn(f64, f64) -> f64, window: Window) -> Vec<f64> {
         let mut stream = RandomStream::new(7, 0);
-        let values: Vec<f64> = (0..32_000).map(|k| value(f64::from(k) / 1000.0, stream.normal_pair()[0])).collect();
-        let settings = SpectraSettings { drive_hz: None, segment_s: Some(1.0), overlap: 0.5, window };
-        spectra(&Samples::new(&values, 1000.0).unwrap(), &settings).unwrap().peaks(5).into_iter().map(|peak| peak.frequency_hz).collect()
+        let values: Vec<f64> = (0..32_000)
+            .map(|k| value(f64::from(k) / 1000.0, stream.normal_pair()[0]))
+            .collect();
+        let settings = SpectraSettings {
+            drive_hz: None,
+            segment_s: Some(1.0),
+            overlap: 0.5,
+            window,
+        };
+        spectra(&Samples::new(&values, 1000.0).unwrap(), &settings)
+            .unwrap()
+            .peaks(5)
+            .into_iter()
+            .map(|peak| peak.frequency_hz)
+            .collect()
     }
 
     /// Tones between two lines, the smaller one 40 dB below and 37 lines away: two peaks, the larger first, under every window that leaks less
     /// than that; the side lobes of a rectangular one, which reach -37 dB there, hide it.
     #[test]
     fn tones_are_peaks_by_height_and_side_lobes_none() {
-        let tones = |t: f64, n: f64| (TAU * 100.3 * t).sin() + 0.01 * (TAU * 63.4 * t).sin() + 1e-4 * n;
+        let tones =
+            |t: f64, n: f64| (TAU * 100.3 * t).sin() + 0.01 * (TAU * 63.4 * t).sin() + 1e-4 * n;
         for window in [Window::Hann, Window::FlatTop] {
             assert_eq!(found(tones, window), [100.0, 63.0], "{window:?}");
         }
         assert_eq!(found(tones, Window::Rectangular), [100.0]);
-        let three = |t: f64, n: f64| (TAU * 50.0 * t).sin() + 3.0 * (TAU * 210.2 * t).sin() + 2.0 * (TAU * 120.7 * t).sin() + 0.1 * n;
+        let three = |t: f64, n: f64| {
+            (TAU * 50.0 * t).sin()
+                + 3.0 * (TAU * 210.2 * t).sin()
+                + 2.0 * (TAU * 120.7 * t).sin()
+                + 0.1 * n
+        };
         let of_three = found(three, Window::Hann);
-        assert_eq!((of_three[0], of_three[1], of_three[2]), (210.0, 121.0, 50.0), "{of_three:?}");
+        assert_eq!(
+            (of_three[0], of_three[1], of_three[2]),
+            (210.0, 121.0, 50.0),
+            "{of_three:?}"
+        );
     }
 
     /// The scatter of white noise is no row of peaks.

@@ -10,7 +10,9 @@ pub enum SpectralError {
     #[error(transparent)]
     Signal(#[from] SignalError),
     /// A channel that never moves.
-    #[error("all {samples} samples of {channel} are {value}: there is no signal; is it the right channel, and was its sensor connected?")]
+    #[error(
+        "all {samples} samples of {channel} are {value}: there is no signal; is it the right channel, and was its sensor connected?"
+    )]
     Constant {
         /// The channel.
         channel: String,
@@ -20,7 +22,9 @@ pub enum SpectralError {
         value: f64,
     },
     /// A segment that does not fit.
-    #[error("segments of {segment} samples cannot be cut from {samples}; give a length of 8 to {samples} samples")]
+    #[error(
+        "segments of {segment} samples cannot be cut from {samples}; give a length of 8 to {samples} samples"
+    )]
     Segment {
         /// Length asked for.
         segment: usize,
@@ -28,7 +32,9 @@ pub enum SpectralError {
         samples: usize,
     },
     /// Fewer samples than a segment has at least.
-    #[error("{samples} samples are too few for a spectrum: a segment, and so the record, has 8 samples at least")]
+    #[error(
+        "{samples} samples are too few for a spectrum: a segment, and so the record, has 8 samples at least"
+    )]
     Few {
         /// Samples of the segment, or of the record.
         samples: usize,
@@ -48,7 +54,9 @@ pub enum SpectralError {
         response: usize,
     },
     /// Records of unequal rate.
-    #[error("one record was sampled at {first_hz} Hz and another at {other_hz} Hz; all must have one rate")]
+    #[error(
+        "one record was sampled at {first_hz} Hz and another at {other_hz} Hz; all must have one rate"
+    )]
     Rates {
         /// Rate of the first, Hz.
         first_hz: f64,
@@ -59,7 +67,9 @@ pub enum SpectralError {
     #[error("no block was averaged; at least one is needed, two for a coherence")]
     Nothing,
     /// A record without a hit.
-    #[error("no hit: the largest force is {largest_n:.4} N against a noise of {noise_n:.4} N; is this the channel of the hammer?")]
+    #[error(
+        "no hit: the largest force is {largest_n:.4} N against a noise of {noise_n:.4} N; is this the channel of the hammer?"
+    )]
     NoHit {
         /// Largest sample, N.
         largest_n: f64,
@@ -73,7 +83,9 @@ pub enum SpectralError {
     )]
     HitWindow,
     /// A record too short for an interval.
-    #[error("{samples} samples are too few for a mean with an interval; at least {needed} are needed")]
+    #[error(
+        "{samples} samples are too few for a mean with an interval; at least {needed} are needed"
+    )]
     Short {
         /// Samples of the record.
         samples: usize,

@@ -20,7 +20,12 @@ pub struct HitSearch {
 
 impl Default for HitSearch {
     fn default() -> Self {
-        Self { trigger: 0.3, edge: 0.1, double: 0.05, apart_s: 0.05 }
+        Self {
+            trigger: 0.3,
+            edge: 0.1,
+            double: 0.05,
+            apart_s: 0.05,
+        }
     }
 }
 
@@ -77,8 +82,12 @@ pub enum HitWarning {
 impl std::fmt::Display for HitWarning {
     fn fmt(&self, to: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
-            Self::Double { after_s, force_n } => write!(to, "is double: {force_n:.4} N again after {after_s:.4e} s"),
-            Self::Clipped { samples } => write!(to, "is clipped: {samples} equal samples at the top"),
+            Self::Double { after_s, force_n } => {
+                write!(to, "is double: {force_n:.4} N again after {after_s:.4e} s")
+            }
+            Self::Clipped { samples } => {
+                write!(to, "is clipped: {samples} equal samples at the top")
+            }
             Self::Coarse { samples } => write!(to, "is coarse: {samples} samples only"),
             Self::Cut => write!(to, "is cut by the record's end"),
             Self::Ringing { share } => write!(
@@ -112,13 +121,21 @@ pub fn hits(force: &Samples<'_>, search: HitSearch) -> Result<Vec<Hit>, Spectral
     let apart = (search.apart_s * force.rate_hz()).round() as usize;
     let mut found: Vec<Hit> = Vec::new();
     for (start, peak, end) in pulses {
-        match found.last_mut().filter(|before| peak - before.peak <= apart) {
+        match found
+            .last_mut()
+            .filter(|before| peak - before.peak <= apart)
+        {
             Some(before) if values[peak] >= search.double * before.peak_force_n => {
                 let after_s = (peak - before.peak) as f64 / force.rate_hz();
-                before.warnings.push(HitWarning::Double { after_s, force_n: values[peak] });
+                before.warnings.push(HitWarning::Double {
+                    after_s,
+                    force_n: values[peak],
+                });
             }
             Some(_) => {}
-            None if values[peak] >= search.trigger * largest_n => found.push(hit(force, search, start, peak, end)),
+            None if values[peak] >= search.trigger * largest_n => {
+                found.push(hit(force, search, start, peak, end))
+            }
             None => {}
         }
     }
@@ -136,7 +153,12 @@ fn noise(values: &[f64]) -> f64 {
 }
 
 /// First sample, peak and end of every stretch above the edge of its own peak.
-fn pulses(values: &[f64], search: HitSearch, largest_n: f64, noise_n: f64) -> Vec<(usize, usize, usize)> {
+fn pulses(
+    values: &[f64],
+    search: HitSearch,
+    largest_n: f64,
+    noise_n: f64,
+) -> Vec<(usize, usize, usize)> {
     let floor = (search.double * search.trigger * largest_n).max(MIN_NOISE_RATIO * noise_n);
     let mut found: Vec<(usize, usize, usize)> = Vec::new();
     let mut k = 0;
@@ -157,13 +179,27 @@ fn pulses(values: &[f64], search: HitSearch, largest_n: f64, noise_n: f64) -> Ve
 
 /// First sample, highest one and end of the pulse that some samples belong to. Noise may let a rise cross the floor more than once: the highest
 /// sample up to the end is taken until there is no higher one.
-fn pulse(values: &[f64], (first, last): (usize, usize), share: f64, floor: f64) -> (usize, usize, usize) {
-    let highest = |from: usize, to: usize| (from..to).max_by(|a, b| values[*a].total_cmp(&values[*b])).unwrap_or(from);
+fn pulse(
+    values: &[f64],
+    (first, last): (usize, usize),
+    share: f64,
+    floor: f64,
+) -> (usize, usize, usize) {
+    let highest = |from: usize, to: usize| {
+        (from..to)
+            .max_by(|a, b| values[*a].total_cmp(&values[*b]))
+            .unwrap_or(from)
+    };
     let mut peak = highest(first, last);
     loop {
         let edge = (share * values[peak]).min(floor);
-        let start = (0..peak).rev().find(|i| values[*i] < edge).map_or(0, |i| i + 1);
-        let end = (peak..values.len()).find(|i| values[*i] < edge).unwrap_or(values.len());
+        let start = (0..peak)
+            .rev()
+            .find(|i| values[*i] < edge)
+            .map_or(0, |i| i + 1);
+        let end = (peak..values.len())
+            .find(|i| values[*i] < edge)
+            .unwrap_or(values.len());
         let top = highest(start, end);
         if values[top] <= values[peak] {
             return (start, peak, end);
@@ -178,10 +214,17 @@ fn hit(force: &Samples<'_>, search: HitSearch, start: usize, peak: usize, end: u
     let first = (0..peak).rev().find(|i| values[*i] < edge);
     let last = (peak..values.len()).find(|i| values[*i] < edge);
     // Straight lines between the samples on both sides of the edge.
-    let rise = first.map_or(0.0, |i| i as f64 + (edge - values[i]) / (values[i + 1] - values[i]));
-    let fall = last.map_or(values.len() as f64, |i| i as f64 - (edge - values[i]) / (values[i - 1] - values[i]));
+    let rise = first.map_or(0.0, |i| {
+        i as f64 + (edge - values[i]) / (values[i + 1] - values[i])
+    });
+    let fall = last.map_or(values.len() as f64, |i| {
+        i as f64 - (edge - values[i]) / (values[i - 1] - values[i])
+    });
     let mut warnings = Vec::new();
-    let flat = values[start..end].iter().filter(|x| **x == values[peak]).count();
+    let flat = values[start..end]
+        .iter()
+        .filter(|x| **x == values[peak])
+        .count();
     if flat >= MIN_FLAT_SAMPLES {
         warnings.push(HitWarning::Clipped { samples: flat });
     }
@@ -229,9 +272,16 @@ mod tests {
         assert_eq!(found.len(), 2);
         let time = 1e-3 * (1.0 - 2.0 * 0.1_f64.asin() / PI);
         for (hit, peak) in found.iter().zip([80.0, 60.0]) {
-            assert!((hit.contact_time_s / time - 1.0).abs() < 1e-4, "{}", hit.contact_time_s / time);
+            assert!(
+                (hit.contact_time_s / time - 1.0).abs() < 1e-4,
+                "{}",
+                hit.contact_time_s / time
+            );
             assert!((hit.peak_force_n / peak - 1.0).abs() < 1e-3);
-            assert!((hit.impulse_n_s / (2.0 * peak * 1e-3 / PI) - 1.0).abs() < 1e-3, "{hit:?}");
+            assert!(
+                (hit.impulse_n_s / (2.0 * peak * 1e-3 / PI) - 1.0).abs() < 1e-3,
+                "{hit:?}"
+            );
             assert!(hit.warnings.is_empty(), "{hit:?}");
         }
     }
@@ -241,14 +291,32 @@ mod tests {
         let double = with_pulses(&[(5_000, 80.0), (5_900, 12.0)]);
         let found = hits(&Samples::new(&double, RATE).unwrap(), HitSearch::default()).unwrap();
         assert_eq!(found.len(), 1);
-        let [HitWarning::Double { after_s, force_n }] = found[0].warnings[..] else { panic!("{found:?}") };
+        let [HitWarning::Double { after_s, force_n }] = found[0].warnings[..] else {
+            panic!("{found:?}")
+        };
         assert!((after_s - 9e-3).abs() < 2e-5 && (force_n - 12.0).abs() < 0.1);
-        let clipped: Vec<f64> = with_pulses(&[(5_000, 80.0)]).into_iter().map(|x| x.min(60.0)).collect();
+        let clipped: Vec<f64> = with_pulses(&[(5_000, 80.0)])
+            .into_iter()
+            .map(|x| x.min(60.0))
+            .collect();
         let found = hits(&Samples::new(&clipped, RATE).unwrap(), HitSearch::default()).unwrap();
-        assert!(matches!(found[0].warnings[..], [HitWarning::Clipped { samples }] if samples > 30), "{found:?}");
-        let coarse: Vec<f64> = with_pulses(&[(5_000, 80.0)]).into_iter().step_by(40).collect();
-        let found = hits(&Samples::new(&coarse, RATE / 40.0).unwrap(), HitSearch::default()).unwrap();
-        assert!(matches!(found[0].warnings[..], [HitWarning::Coarse { .. }]), "{found:?}");
+        assert!(
+            matches!(found[0].warnings[..], [HitWarning::Clipped { samples }] if samples > 30),
+            "{found:?}"
+        );
+        let coarse: Vec<f64> = with_pulses(&[(5_000, 80.0)])
+            .into_iter()
+            .step_by(40)
+            .collect();
+        let found = hits(
+            &Samples::new(&coarse, RATE / 40.0).unwrap(),
+            HitSearch::default(),
+        )
+        .unwrap();
+        assert!(
+            matches!(found[0].warnings[..], [HitWarning::Coarse { .. }]),
+            "{found:?}"
+        );
     }
 
     /// A slow rise under noise of 2 % of the peak crosses the floor many times: the pulse is found whole in each of 40 records, its peak within
@@ -262,14 +330,24 @@ mod tests {
             (0..500).for_each(|k| values[5_000 + k] += 150.0 * (PI * k as f64 / 500.0).sin());
             let found = hits(&Samples::new(&values, RATE).unwrap(), HitSearch::default()).unwrap();
             assert_eq!(found.len(), 1, "{seed}: {found:?}");
-            assert!((found[0].peak_force_n - 150.0).abs() < 12.0, "{seed}: {found:?}");
-            assert!((found[0].contact_time_s / time - 1.0).abs() < 0.15, "{seed}: {}", found[0].contact_time_s / time);
+            assert!(
+                (found[0].peak_force_n - 150.0).abs() < 12.0,
+                "{seed}: {found:?}"
+            );
+            assert!(
+                (found[0].contact_time_s / time - 1.0).abs() < 0.15,
+                "{seed}: {}",
+                found[0].contact_time_s / time
+            );
         }
     }
 
     #[test]
     fn noise_is_no_hit() {
         let values = with_pulses(&[]);
-        assert!(matches!(hits(&Samples::new(&values, RATE).unwrap(), HitSearch::default()), Err(SpectralError::NoHit { .. })));
+        assert!(matches!(
+            hits(&Samples::new(&values, RATE).unwrap(), HitSearch::default()),
+            Err(SpectralError::NoHit { .. })
+        ));
     }
 }

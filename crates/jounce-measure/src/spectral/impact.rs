@@ -7,8 +7,8 @@ use serde::Serialize;
 use super::pre_trigger_check::ringing;
 use super::shaker::{goes_on, shaken};
 use super::{
-    Estimator, FrequencyResponse, Hit, HitSearch, Segments, SpectralError, SpectrumAverages, WindowBias, exponential_window, force_window,
-    hits,
+    Estimator, FrequencyResponse, Hit, HitSearch, Segments, SpectralError, SpectrumAverages,
+    WindowBias, exponential_window, force_window, hits,
 };
 
 /// How the blocks are cut and weighed.
@@ -29,7 +29,13 @@ pub struct ImpactSettings {
 
 impl Default for ImpactSettings {
     fn default() -> Self {
-        Self { estimator: Estimator::H1, block_s: None, force_window: false, end_ratio: None, shaker: false }
+        Self {
+            estimator: Estimator::H1,
+            block_s: None,
+            force_window: false,
+            end_ratio: None,
+            shaker: false,
+        }
     }
 }
 
@@ -78,33 +84,57 @@ const WINDOW_SLOPE_RATIO: f64 = 1.0;
 ///
 /// # Errors
 /// No record, records of unequal rate or number of responses, one without a hit, a block longer than its record.
-pub fn impact(records: &[ImpactRecord<'_>], settings: &ImpactSettings) -> Result<ImpactResponses, SpectralError> {
+pub fn impact(
+    records: &[ImpactRecord<'_>],
+    settings: &ImpactSettings,
+) -> Result<ImpactResponses, SpectralError> {
     let first = records.first().ok_or(SpectralError::Nothing)?;
     let rate_hz = first.force.rate_hz();
     for record in records {
-        let unequal = record.responses.iter().find(|response| response.values().len() != record.force.values().len());
+        let unequal = record
+            .responses
+            .iter()
+            .find(|response| response.values().len() != record.force.values().len());
         if let Some(response) = unequal {
-            return Err(SpectralError::Lengths { force: record.force.values().len(), response: response.values().len() });
+            return Err(SpectralError::Lengths {
+                force: record.force.values().len(),
+                response: response.values().len(),
+            });
         }
         if (record.force.rate_hz() / rate_hz - 1.0).abs() > 1e-6 {
-            return Err(SpectralError::Rates { first_hz: rate_hz, other_hz: record.force.rate_hz() });
+            return Err(SpectralError::Rates {
+                first_hz: rate_hz,
+                other_hz: record.force.rate_hz(),
+            });
         }
         if record.responses.len() != first.responses.len() {
-            return Err(SpectralError::Lengths { force: first.responses.len(), response: record.responses.len() });
+            return Err(SpectralError::Lengths {
+                force: first.responses.len(),
+                response: record.responses.len(),
+            });
         }
     }
     if settings.shaker || records.iter().all(|record| goes_on(&record.force)) {
         return shaken(records, settings);
     }
-    let found = records.iter().map(|record| hits(&record.force, HitSearch::default())).collect::<Result<Vec<_>, _>>()?;
+    let found = records
+        .iter()
+        .map(|record| hits(&record.force, HitSearch::default()))
+        .collect::<Result<Vec<_>, _>>()?;
     let samples = first.force.values().len();
     let length = match settings.block_s {
         Some(block_s) => (block_s * rate_hz).round() as usize,
         None => usual(records, &found),
     };
     let segments = Segments::new(length, 0.0, Window::Rectangular)?;
-    if records.iter().any(|record| record.force.values().len() < length) {
-        return Err(SpectralError::Segment { segment: length, samples });
+    if records
+        .iter()
+        .any(|record| record.force.values().len() < length)
+    {
+        return Err(SpectralError::Segment {
+            segment: length,
+            samples,
+        });
     }
     let (decay, window_decay_per_s) = match settings.end_ratio {
         Some(end_ratio) => exponential_window(length, rate_hz, end_ratio),
@@ -115,25 +145,45 @@ pub fn impact(records: &[ImpactRecord<'_>], settings: &ImpactSettings) -> Result
     for (number, (record, found)) in records.iter().zip(found).enumerate() {
         let whole = found.len() == 1 && record.force.values().len() == length;
         for mut hit in found {
-            let start = if whole { 0 } else { hit.start.saturating_sub((PRE_TRIGGER_SHARE * length as f64) as usize) };
+            let start = if whole {
+                0
+            } else {
+                hit.start
+                    .saturating_sub((PRE_TRIGGER_SHARE * length as f64) as usize)
+            };
             let used = start + length <= record.force.values().len();
             if used {
                 tails_s.push((start + length - hit.peak) as f64 / rate_hz);
-                hit.warnings.extend(ringing(&record.responses, (start, hit.start), length));
+                hit.warnings
+                    .extend(ringing(&record.responses, (start, hit.start), length));
                 let weights = force_weights(settings, &hit, start, &decay);
                 let force = transform(&segments, &record.force, start, &weights)?;
                 for (average, response) in averages.iter_mut().zip(&record.responses) {
                     average.add(&force, &transform(&segments, response, start, &decay)?)?;
                 }
             }
-            listed.push(ImpactHit { record: number, hit, used });
+            listed.push(ImpactHit {
+                record: number,
+                hit,
+                used,
+            });
         }
     }
     let frequency_hz = segments.frequency_hz(rate_hz);
-    let sight = WindowBias::Cut { length_s: tails_s.iter().sum::<f64>() / tails_s.len().max(1) as f64 };
-    let response = |average: &SpectrumAverages| average.response(frequency_hz.clone(), settings.estimator, sight);
+    let sight = WindowBias::Cut {
+        length_s: tails_s.iter().sum::<f64>() / tails_s.len().max(1) as f64,
+    };
+    let response = |average: &SpectrumAverages| {
+        average.response(frequency_hz.clone(), settings.estimator, sight)
+    };
     let responses = averages.iter().map(response).collect::<Result<_, _>>()?;
-    Ok(ImpactResponses { responses, hits: listed, swept: false, block_s: length as f64 / rate_hz, window_decay_per_s })
+    Ok(ImpactResponses {
+        responses,
+        hits: listed,
+        swept: false,
+        block_s: length as f64 / rate_hz,
+        window_decay_per_s,
+    })
 }
 
 /// A whole record where each holds one hit, else the shortest distance of two hits or of the last one to the end.
@@ -144,10 +194,20 @@ fn usual(records: &[ImpactRecord<'_>], found: &[Vec<Hit>]) -> usize {
     }
     let apart = |(hits, length): (&Vec<Hit>, usize)| {
         let starts: Vec<usize> = hits.iter().map(|hit| hit.start).chain([length]).collect();
-        starts.windows(2).map(|pair| pair[1] - pair[0]).collect::<Vec<_>>()
+        starts
+            .windows(2)
+            .map(|pair| pair[1] - pair[0])
+            .collect::<Vec<_>>()
     };
     // What lies before a hit is taken from the distance to the hit before.
-    found.iter().zip(lengths()).flat_map(apart).min().unwrap_or(0) / 2 * 2
+    found
+        .iter()
+        .zip(lengths())
+        .flat_map(apart)
+        .min()
+        .unwrap_or(0)
+        / 2
+        * 2
 }
 
 fn force_weights(settings: &ImpactSettings, hit: &Hit, start: usize, decay: &[f64]) -> Vec<f64> {
@@ -155,11 +215,24 @@ fn force_weights(settings: &ImpactSettings, hit: &Hit, start: usize, decay: &[f6
         return decay.to_vec();
     }
     let slope = (WINDOW_SLOPE_RATIO * (hit.end - hit.start) as f64).ceil() as usize;
-    force_window(decay.len(), hit.end - start, slope).iter().zip(decay).map(|(a, b)| a * b).collect()
+    force_window(decay.len(), hit.end - start, slope)
+        .iter()
+        .zip(decay)
+        .map(|(a, b)| a * b)
+        .collect()
 }
 
-fn transform(segments: &Segments, samples: &Samples<'_>, start: usize, weights: &[f64]) -> Result<Vec<Complex<f64>>, SpectralError> {
-    let weighed: Vec<f64> = samples.values()[start..start + weights.len()].iter().zip(weights).map(|(x, w)| x * w).collect();
+fn transform(
+    segments: &Segments,
+    samples: &Samples<'_>,
+    start: usize,
+    weights: &[f64],
+) -> Result<Vec<Complex<f64>>, SpectralError> {
+    let weighed: Vec<f64> = samples.values()[start..start + weights.len()]
+        .iter()
+        .zip(weights)
+        .map(|(x, w)| x * w)
+        .collect();
     Ok(segments.transform(&Samples::new(&weighed, samples.rate_hz())?, 0, 0.0))
 }
 
@@ -175,7 +248,9 @@ mod tests {
     fn struck(at: &[usize], length: usize) -> Vec<f64> {
         let mut force = vec![0.0; length];
         for start in at {
-            (0..8).for_each(|k| force[start + k] += 50.0 * (std::f64::consts::PI * (k as f64 + 0.5) / 8.0).sin());
+            (0..8).for_each(|k| {
+                force[start + k] += 50.0 * (std::f64::consts::PI * (k as f64 + 0.5) / 8.0).sin()
+            });
         }
         force
     }
@@ -186,13 +261,22 @@ mod tests {
         let oscillator = Oscillator::new(40.0, 0.05, RATE);
         let force = struck(&[200, 2400, 4800], 8000);
         let response = oscillator.answer(&force);
-        let record = ImpactRecord { force: Samples::new(&force, RATE).unwrap(), responses: vec![Samples::new(&response, RATE).unwrap()] };
+        let record = ImpactRecord {
+            force: Samples::new(&force, RATE).unwrap(),
+            responses: vec![Samples::new(&response, RATE).unwrap()],
+        };
         let found = impact(&[record], &ImpactSettings::default()).unwrap();
         assert_eq!((found.hits.len(), found.block_s), (3, 2.2));
         let answer = &found.responses[0];
         let peak = oscillator.exact(0.04).norm();
-        let error = answer.frequency_hz.iter().zip(&answer.value).filter(|(f, _)| **f < 170.0);
-        let error = error.map(|(f, h)| (h - oscillator.exact(f / RATE)).norm() / peak).fold(0.0, f64::max);
+        let error = answer
+            .frequency_hz
+            .iter()
+            .zip(&answer.value)
+            .filter(|(f, _)| **f < 170.0);
+        let error = error
+            .map(|(f, h)| (h - oscillator.exact(f / RATE)).norm() / peak)
+            .fold(0.0, f64::max);
         assert!(error < 1e-10, "{error:e}");
         assert!(answer.coherence[100] > 1.0 - 1e-9);
     }
@@ -202,16 +286,45 @@ mod tests {
     fn a_structure_that_still_rings_is_told() {
         let mut stream = jounce::drive::RandomStream::new(5, 0);
         let noise: Vec<f64> = (0..8000).map(|_| stream.normal_pair()[0]).collect();
-        for (damping_ratio, level, ringing) in [(0.002, 0.0, true), (0.002, 1e-2, true), (0.05, 1e-2, false), (0.05, 0.0, false)] {
+        for (damping_ratio, level, ringing) in [
+            (0.002, 0.0, true),
+            (0.002, 1e-2, true),
+            (0.05, 1e-2, false),
+            (0.05, 0.0, false),
+        ] {
             let force = struck(&[200, 4200], 8000);
             let clean = Oscillator::new(40.0, damping_ratio, RATE).answer(&force);
             let rms = (clean.iter().map(|x| x * x).sum::<f64>() / 8000.0).sqrt();
-            let response: Vec<f64> = clean.iter().zip(&noise).map(|(x, n)| x + level * rms * n).collect();
-            let record =
-                ImpactRecord { force: Samples::new(&force, RATE).unwrap(), responses: vec![Samples::new(&response, RATE).unwrap()] };
-            let found = impact(&[record], &ImpactSettings { block_s: Some(3.5), ..ImpactSettings::default() }).unwrap();
-            let told = |k: usize| found.hits[k].hit.warnings.iter().any(|w| matches!(w, HitWarning::Ringing { .. }));
-            assert_eq!((told(0), told(1)), (false, ringing), "{damping_ratio} {level}: {:?}", found.hits);
+            let response: Vec<f64> = clean
+                .iter()
+                .zip(&noise)
+                .map(|(x, n)| x + level * rms * n)
+                .collect();
+            let record = ImpactRecord {
+                force: Samples::new(&force, RATE).unwrap(),
+                responses: vec![Samples::new(&response, RATE).unwrap()],
+            };
+            let found = impact(
+                &[record],
+                &ImpactSettings {
+                    block_s: Some(3.5),
+                    ..ImpactSettings::default()
+                },
+            )
+            .unwrap();
+            let told = |k: usize| {
+                found.hits[k]
+                    .hit
+                    .warnings
+                    .iter()
+                    .any(|w| matches!(w, HitWarning::Ringing { .. }))
+            };
+            assert_eq!(
+                (told(0), told(1)),
+                (false, ringing),
+                "{damping_ratio} {level}: {:?}",
+                found.hits
+            );
         }
     }
 
@@ -222,28 +335,68 @@ mod tests {
         let oscillator = Oscillator::new(40.0, 0.001, RATE);
         let force = struck(&[20], 2000);
         let response = oscillator.answer(&force);
-        let record = ImpactRecord { force: Samples::new(&force, RATE).unwrap(), responses: vec![Samples::new(&response, RATE).unwrap()] };
-        let settings = ImpactSettings { end_ratio: Some(1e-4), ..ImpactSettings::default() };
+        let record = ImpactRecord {
+            force: Samples::new(&force, RATE).unwrap(),
+            responses: vec![Samples::new(&response, RATE).unwrap()],
+        };
+        let settings = ImpactSettings {
+            end_ratio: Some(1e-4),
+            ..ImpactSettings::default()
+        };
         let found = impact(&[record], &settings).unwrap();
         // exp(-a k) x_k is the response of the oscillator whose poles are moved by a.
         let damped = 0.001 + found.window_decay_per_s / (std::f64::consts::TAU * 40.0);
-        let highest = found.responses[0].value[60..100].iter().map(|h| h.norm()).fold(0.0, f64::max);
+        let highest = found.responses[0].value[60..100]
+            .iter()
+            .map(|h| h.norm())
+            .fold(0.0, f64::max);
         let expected = Oscillator::new(40.0, damped, RATE).exact(0.04).norm();
-        assert!((highest / expected - 1.0).abs() < 0.03, "{}", highest / expected);
+        assert!(
+            (highest / expected - 1.0).abs() < 0.03,
+            "{}",
+            highest / expected
+        );
     }
 
     #[test]
     fn records_that_do_not_fit_are_errors() {
         let force = struck(&[20], 2000);
         let short = vec![0.0; 1999];
-        let (force, short) = (Samples::new(&force, RATE).unwrap(), Samples::new(&short, RATE).unwrap());
-        let unequal = ImpactRecord { force, responses: vec![short] };
-        assert!(matches!(impact(&[unequal], &ImpactSettings::default()), Err(SpectralError::Lengths { .. })));
-        let record = ImpactRecord { force, responses: vec![force] };
-        let long = ImpactSettings { block_s: Some(3.0), ..ImpactSettings::default() };
-        assert!(matches!(impact(std::slice::from_ref(&record), &long), Err(SpectralError::Segment { .. })));
-        assert!(matches!(impact(&[], &ImpactSettings::default()), Err(SpectralError::Nothing)));
-        let silent = ImpactRecord { force: short, responses: vec![short] };
-        assert!(matches!(impact(&[silent], &ImpactSettings::default()), Err(SpectralError::NoHit { .. })));
+        let (force, short) = (
+            Samples::new(&force, RATE).unwrap(),
+            Samples::new(&short, RATE).unwrap(),
+        );
+        let unequal = ImpactRecord {
+            force,
+            responses: vec![short],
+        };
+        assert!(matches!(
+            impact(&[unequal], &ImpactSettings::default()),
+            Err(SpectralError::Lengths { .. })
+        ));
+        let record = ImpactRecord {
+            force,
+            responses: vec![force],
+        };
+        let long = ImpactSettings {
+            block_s: Some(3.0),
+            ..ImpactSettings::default()
+        };
+        assert!(matches!(
+            impact(std::slice::from_ref(&record), &long),
+            Err(SpectralError::Segment { .. })
+        ));
+        assert!(matches!(
+            impact(&[], &ImpactSettings::default()),
+            Err(SpectralError::Nothing)
+        ));
+        let silent = ImpactRecord {
+            force: short,
+            responses: vec![short],
+        };
+        assert!(matches!(
+            impact(&[silent], &ImpactSettings::default()),
+            Err(SpectralError::NoHit { .. })
+        ));
     }
 }

@@ -48,7 +48,11 @@ pub(super) fn long_run(values: &[f64]) -> LongRunVariance {
     let row: Vec<f64> = values.iter().map(|x| x - middle).collect();
     let variance = row.iter().map(|x| x * x).sum::<f64>() / count;
     if variance <= 0.0 {
-        return LongRunVariance { effective: count, variance, half_width: 0.0 };
+        return LongRunVariance {
+            effective: count,
+            variance,
+            half_width: 0.0,
+        };
     }
     let at_zero = density_at_zero(&row, variance);
     let independent = count * variance / at_zero;
@@ -70,15 +74,22 @@ fn density_at_zero(row: &[f64], variance: f64) -> f64 {
     let (mut least, mut found) = (count * variance.ln(), variance);
     for order in 1..=MAX_ORDER.min(row.len() / 4) {
         let pairs = || forward[1..].iter().zip(&backward);
-        let (both, squares) = pairs().fold((0.0, 0.0), |(both, squares), (f, b)| (both + f * b, squares + f * f + b * b));
+        let (both, squares) = pairs().fold((0.0, 0.0), |(both, squares), (f, b)| {
+            (both + f * b, squares + f * f + b * b)
+        });
         if squares <= 0.0 {
             break;
         }
         let reflection = -2.0 * both / squares;
-        (forward, backward) = pairs().map(|(f, b)| (f + reflection * b, b + reflection * f)).unzip();
+        (forward, backward) = pairs()
+            .map(|(f, b)| (f + reflection * b, b + reflection * f))
+            .unzip();
         coefficients.push(0.0);
         let turned: Vec<f64> = coefficients.iter().rev().copied().collect();
-        coefficients.iter_mut().zip(turned).for_each(|(a, b)| *a += reflection * b);
+        coefficients
+            .iter_mut()
+            .zip(turned)
+            .for_each(|(a, b)| *a += reflection * b);
         left = (left * (1.0 - reflection * reflection)).max(PERIODIC_VARIANCE_SHARE * variance);
         let cost = count * left.ln() + count.ln() * order as f64;
         if cost < least {
@@ -106,7 +117,10 @@ mod tests {
                 .collect();
             all[100..].to_vec()
         };
-        let worth = (0..200).map(|seed| long_run(&row(seed)).effective).sum::<f64>() / 200.0;
+        let worth = (0..200)
+            .map(|seed| long_run(&row(seed)).effective)
+            .sum::<f64>()
+            / 200.0;
         eprintln!("worth {worth:.1}");
         assert!((worth / 100.0 - 1.0).abs() < 0.1, "{worth}");
     }

@@ -66,19 +66,33 @@ const SIGNIFICANT_DEVIATIONS: f64 = 1.645;
 ///
 /// # Errors
 /// A record too short for batches.
-pub fn mean_power(voltage: &Samples<'_>, resistance_ohm: f64, remove_mean: bool) -> Result<MeanPower, SpectralError> {
+pub fn mean_power(
+    voltage: &Samples<'_>,
+    resistance_ohm: f64,
+    remove_mean: bool,
+) -> Result<MeanPower, SpectralError> {
     let mean_voltage_v = voltage.mean();
     let offset = if remove_mean { mean_voltage_v } else { 0.0 };
     let samples = voltage.values();
-    let short = SpectralError::Short { samples: samples.len(), needed: BATCHES[0].0 * MIN_BATCH_SAMPLES };
+    let short = SpectralError::Short {
+        samples: samples.len(),
+        needed: BATCHES[0].0 * MIN_BATCH_SAMPLES,
+    };
     if samples.len() < BATCHES[0].0 * MIN_BATCH_SAMPLES {
         return Err(short);
     }
-    let power_w = |part: &[f64]| part.iter().map(|v| (v - offset).powi(2) / resistance_ohm).sum::<f64>() / part.len() as f64;
+    let power_w = |part: &[f64]| {
+        part.iter()
+            .map(|v| (v - offset).powi(2) / resistance_ohm)
+            .sum::<f64>()
+            / part.len() as f64
+    };
     let mean_power_w = power_w(samples);
     let of = |(batches, quantile): (usize, f64)| {
         let edge = |k: usize| k * samples.len() / batches;
-        let means: Vec<f64> = (0..batches).map(|k| power_w(&samples[edge(k)..edge(k + 1)])).collect();
+        let means: Vec<f64> = (0..batches)
+            .map(|k| power_w(&samples[edge(k)..edge(k + 1)]))
+            .collect();
         let (middle, count) = (mean(&means), batches as f64);
         let variance = means.iter().map(|x| (x - middle).powi(2)).sum::<f64>() / (count - 1.0);
         let batch_correlation = correlation(&means);
@@ -89,23 +103,40 @@ pub fn mean_power(voltage: &Samples<'_>, resistance_ohm: f64, remove_mean: bool)
             batch_correlation,
             effective_samples: MEMORY_MEANS as f64,
             // Means that differ by roundoff only are those of a periodic record: their correlation says nothing.
-            correlated: batch_correlation > SIGNIFICANT_DEVIATIONS / count.sqrt() && variance > (POWER_ROUNDOFF * middle).powi(2),
+            correlated: batch_correlation > SIGNIFICANT_DEVIATIONS / count.sqrt()
+                && variance > (POWER_ROUNDOFF * middle).powi(2),
             mean_voltage_v,
         }
     };
     let tried = BATCHES.map(of);
-    let found = tried.into_iter().find(|found| !found.correlated).or(tried.last().copied()).ok_or(short)?;
+    let found = tried
+        .into_iter()
+        .find(|found| !found.correlated)
+        .or(tried.last().copied())
+        .ok_or(short)?;
     let count = MEMORY_MEANS.min(samples.len());
-    let means: Vec<f64> = (0..count).map(|k| power_w(&samples[k * samples.len() / count..(k + 1) * samples.len() / count])).collect();
+    let means: Vec<f64> = (0..count)
+        .map(|k| power_w(&samples[k * samples.len() / count..(k + 1) * samples.len() / count]))
+        .collect();
     let row = long_run(&means);
     let effective_samples = row.effective;
-    if effective_samples >= MANY_INDEPENDENT_VALUES || row.variance <= (POWER_ROUNDOFF * mean_power_w).powi(2) {
-        return Ok(MeanPower { effective_samples, ..found });
+    if effective_samples >= MANY_INDEPENDENT_VALUES
+        || row.variance <= (POWER_ROUNDOFF * mean_power_w).powi(2)
+    {
+        return Ok(MeanPower {
+            effective_samples,
+            ..found
+        });
     }
     let relative = row.half_width / mean_power_w;
     let half_width_w = row.half_width * (1.0 + SKEW_FACTOR * relative.min(1.0));
     let correlated = effective_samples < MIN_INDEPENDENT_VALUES;
-    Ok(MeanPower { effective_samples, half_width_w: found.half_width_w.max(half_width_w), correlated, ..found })
+    Ok(MeanPower {
+        effective_samples,
+        half_width_w: found.half_width_w.max(half_width_w),
+        correlated,
+        ..found
+    })
 }
 
 fn mean(values: &[f64]) -> f64 {
@@ -116,7 +147,10 @@ fn mean(values: &[f64]) -> f64 {
 fn correlation(values: &[f64]) -> f64 {
     let mean = mean(values);
     let variance: f64 = values.iter().map(|x| (x - mean).powi(2)).sum();
-    let both: f64 = values.windows(2).map(|pair| (pair[0] - mean) * (pair[1] - mean)).sum();
+    let both: f64 = values
+        .windows(2)
+        .map(|pair| (pair[0] - mean) * (pair[1] - mean))
+        .sum();
     if variance > 0.0 { both / variance } else { 0.0 }
 }
 
@@ -124,7 +158,11 @@ fn correlation(values: &[f64]) -> f64 {
 ///
 /// # Errors
 /// As [`mean_power`] but for a record too short.
-pub fn mean_power_if_long(samples: &Samples<'_>, resistance_ohm: f64, remove_mean: bool) -> Result<Option<MeanPower>, SpectralError> {
+pub fn mean_power_if_long(
+    samples: &Samples<'_>,
+    resistance_ohm: f64,
+    remove_mean: bool,
+) -> Result<Option<MeanPower>, SpectralError> {
     match mean_power(samples, resistance_ohm, remove_mean) {
         Err(SpectralError::Short { .. }) => Ok(None),
         found => found.map(Some),
@@ -144,7 +182,9 @@ mod tests {
         let mut stream = RandomStream::new(seed, 1);
         let mut state = 0.0;
         let start = 200;
-        let noise: Vec<f64> = (0..(count + start) / 2).flat_map(|_| stream.normal_pair()).collect();
+        let noise: Vec<f64> = (0..(count + start) / 2)
+            .flat_map(|_| stream.normal_pair())
+            .collect();
         noise
             .iter()
             .map(|x| {
@@ -188,10 +228,17 @@ mod tests {
 
     /// Share of 1000 records whose interval holds the truth, and of those that are told to be too short.
     fn shares(truth: f64, record: impl Fn(u64) -> Vec<f64> + Sync) -> (f64, f64) {
-        let found = |seed: u64| mean_power(&Samples::new(&record(seed), 100.0).unwrap(), 1.0, false).unwrap();
+        let found = |seed: u64| {
+            mean_power(&Samples::new(&record(seed), 100.0).unwrap(), 1.0, false).unwrap()
+        };
         let all: Vec<MeanPower> = (0..RECORDS).into_par_iter().map(found).collect();
-        let share = |of: &dyn Fn(&&MeanPower) -> bool| all.iter().filter(of).count() as f64 / RECORDS as f64;
-        (share(&|one| (one.mean_power_w - truth).abs() <= one.half_width_w), share(&|one| one.correlated))
+        let share = |of: &dyn Fn(&&MeanPower) -> bool| {
+            all.iter().filter(of).count() as f64 / RECORDS as f64
+        };
+        (
+            share(&|one| (one.mean_power_w - truth).abs() <= one.half_width_w),
+            share(&|one| one.correlated),
+        )
     }
 
     /// Records whose memory is a tenth of them and less: those of `0.9^k` by `N (1 - 0.81) / (1 + 0.81)`, those of a narrow band by
@@ -204,41 +251,71 @@ mod tests {
         for number in [10.0, 20.0, 50.0, 100.0] {
             let one = shares(1.0 / 0.19, |seed| voltage(seed, samples(number)));
             let other = shares(1.0, |seed| narrow_band(seed, 4000, zeta(number)));
-            for (all, (name, (inside, told))) in all.iter_mut().zip([("forgets", one), ("narrow band", other)]) {
+            for (all, (name, (inside, told))) in all
+                .iter_mut()
+                .zip([("forgets", one), ("narrow band", other)])
+            {
                 eprintln!("{name}, worth {number}: inside {inside:.3}, told {told:.3}");
                 assert!((0.92..=0.98).contains(&inside), "{name} {number}: {inside}");
                 *all += inside / 4.0;
             }
         }
-        assert!(all.iter().all(|inside| (0.92..=0.98).contains(inside)), "{all:?}");
+        assert!(
+            all.iter().all(|inside| (0.92..=0.98).contains(inside)),
+            "{all:?}"
+        );
     }
 
     /// Beyond a tenth of the record a doubt is told, and hardly ever well within.
     #[test]
     fn a_memory_beyond_a_tenth_of_the_record_is_told() {
         for (number, least, most) in [(5.0, 0.7, 1.0), (50.0, 0.0, 0.1)] {
-            let (inside, told) = shares(1.0, |seed| narrow_band(seed, 4000, number / (4000.0 * 2.0 * TAU * 0.05)));
+            let (inside, told) = shares(1.0, |seed| {
+                narrow_band(seed, 4000, number / (4000.0 * 2.0 * TAU * 0.05))
+            });
             eprintln!("worth {number}: inside {inside:.3}, told {told:.3}");
             assert!((least..=most).contains(&told), "{number}: {told}");
         }
-        let long = mean_power(&Samples::new(&voltage(1, 80_000), 100.0).unwrap(), 50.0, false).unwrap();
-        assert!(long.effective_samples > 150.0 && !long.correlated, "{long:?}");
+        let long = mean_power(
+            &Samples::new(&voltage(1, 80_000), 100.0).unwrap(),
+            50.0,
+            false,
+        )
+        .unwrap();
+        assert!(
+            long.effective_samples > 150.0 && !long.correlated,
+            "{long:?}"
+        );
     }
 
     #[test]
     fn a_sine_has_its_mean_power_and_an_offset_is_kept_or_not() {
-        let values: Vec<f64> = (0..16_000).map(|k| 1.0 + 3.0 * (TAU * f64::from(k) * 13.0 / 1000.0).sin()).collect();
+        let values: Vec<f64> = (0..16_000)
+            .map(|k| 1.0 + 3.0 * (TAU * f64::from(k) * 13.0 / 1000.0).sin())
+            .collect();
         let samples = Samples::new(&values, 1000.0).unwrap();
         let kept = mean_power(&samples, 2.0, false).unwrap();
         let removed = mean_power(&samples, 2.0, true).unwrap();
-        assert!((kept.mean_power_w - 2.75).abs() < 1e-9 && (removed.mean_power_w - 2.25).abs() < 1e-9, "{kept:?}");
+        assert!(
+            (kept.mean_power_w - 2.75).abs() < 1e-9 && (removed.mean_power_w - 2.25).abs() < 1e-9,
+            "{kept:?}"
+        );
         assert!(kept.half_width_w < 1e-3 * kept.mean_power_w && !kept.correlated);
     }
 
     #[test]
     fn a_drift_longer_than_the_batches_is_told() {
-        let values: Vec<f64> = (0..10_000).map(|k| 1.0 + (TAU * f64::from(k) / 10_000.0).sin()).collect();
-        assert!(mean_power(&Samples::new(&values, 100.0).unwrap(), 1.0, false).unwrap().correlated);
-        assert!(matches!(mean_power(&Samples::new(&values[..20], 100.0).unwrap(), 1.0, false), Err(SpectralError::Short { .. })));
+        let values: Vec<f64> = (0..10_000)
+            .map(|k| 1.0 + (TAU * f64::from(k) / 10_000.0).sin())
+            .collect();
+        assert!(
+            mean_power(&Samples::new(&values, 100.0).unwrap(), 1.0, false)
+                .unwrap()
+                .correlated
+        );
+        assert!(matches!(
+            mean_power(&Samples::new(&values[..20], 100.0).unwrap(), 1.0, false),
+            Err(SpectralError::Short { .. })
+        ));
     }
 }

@@ -14,8 +14,13 @@ const MIN_RINGING_SHARE: f64 = 1e-3;
 const MIN_NOISE_RATIO: f64 = 2.0;
 
 /// A response that moves before its hit, the one that moves most. Noise, known from the third differences, is no motion.
-pub(super) fn ringing(responses: &[Samples<'_>], (start, hit): (usize, usize), length: usize) -> Option<HitWarning> {
-    let end = hit.saturating_sub((SKIPPED_SHARE * hit.saturating_sub(start) as f64).ceil() as usize);
+pub(super) fn ringing(
+    responses: &[Samples<'_>],
+    (start, hit): (usize, usize),
+    length: usize,
+) -> Option<HitWarning> {
+    let end =
+        hit.saturating_sub((SKIPPED_SHARE * hit.saturating_sub(start) as f64).ceil() as usize);
     if end < start + MIN_QUIET_SAMPLES {
         return None;
     }
@@ -26,10 +31,17 @@ pub(super) fn ringing(responses: &[Samples<'_>], (start, hit): (usize, usize), l
     };
     let share = |response: &Samples<'_>| {
         let before = &response.values()[start..end];
-        let thirds = before.windows(4).map(|x| (x[3] - 3.0 * x[2] + 3.0 * x[1] - x[0]).powi(2)).sum::<f64>();
+        let thirds = before
+            .windows(4)
+            .map(|x| (x[3] - 3.0 * x[2] + 3.0 * x[1] - x[0]).powi(2))
+            .sum::<f64>();
         let noise = (thirds / 20.0 / (before.len() - 3) as f64).sqrt();
         let (motion, block) = (rms(before), rms(&response.values()[start..start + length]));
-        if motion > MIN_NOISE_RATIO * noise { motion / block } else { 0.0 }
+        if motion > MIN_NOISE_RATIO * noise {
+            motion / block
+        } else {
+            0.0
+        }
     };
     let largest = responses.iter().map(share).fold(0.0, f64::max);
     (largest > MIN_RINGING_SHARE).then_some(HitWarning::Ringing { share: largest })

@@ -55,7 +55,12 @@ struct SpectrumSums {
 
 impl SpectrumSums {
     fn new(lines: usize) -> Self {
-        Self { xx: vec![0.0; lines], yy: vec![0.0; lines], xy: vec![Complex::new(0.0, 0.0); lines], blocks: 0 }
+        Self {
+            xx: vec![0.0; lines],
+            yy: vec![0.0; lines],
+            xy: vec![Complex::new(0.0, 0.0); lines],
+            blocks: 0,
+        }
     }
 
     fn add(&mut self, force: &[Complex<f64>], response: &[Complex<f64>]) {
@@ -77,7 +82,9 @@ impl SpectrumSums {
     }
 
     fn values(&self, estimator: Estimator) -> Vec<Complex<f64>> {
-        (0..self.xx.len()).map(|k| self.value(k, estimator)).collect()
+        (0..self.xx.len())
+            .map(|k| self.value(k, estimator))
+            .collect()
     }
 
     fn value(&self, k: usize, estimator: Estimator) -> Complex<f64> {
@@ -87,7 +94,9 @@ impl SpectrumSums {
             Estimator::H2 => yy / yx,
             Estimator::Hv { noise_ratio } => {
                 let difference = noise_ratio * xx - yy;
-                (yy - noise_ratio * xx + (difference.powi(2) + 4.0 * noise_ratio * yx.norm_sqr()).sqrt()) / (2.0 * yx)
+                (yy - noise_ratio * xx
+                    + (difference.powi(2) + 4.0 * noise_ratio * yx.norm_sqr()).sqrt())
+                    / (2.0 * yx)
             }
         }
     }
@@ -122,20 +131,35 @@ pub struct LeaveOneOutResponse {
 impl SpectrumAverages {
     /// No block yet, for spectra of so many lines.
     pub fn new(lines: usize) -> Self {
-        Self { all: SpectrumSums::new(lines), parts: Vec::new(), each: 1 }
+        Self {
+            all: SpectrumSums::new(lines),
+            parts: Vec::new(),
+            each: 1,
+        }
     }
 
     /// Adds the transforms of one block of force and response.
     ///
     /// # Errors
     /// Another number of lines.
-    pub fn add(&mut self, force: &[Complex<f64>], response: &[Complex<f64>]) -> Result<(), SpectralError> {
+    pub fn add(
+        &mut self,
+        force: &[Complex<f64>],
+        response: &[Complex<f64>],
+    ) -> Result<(), SpectralError> {
         let lines = self.all.xx.len();
         if force.len() != lines || response.len() != lines {
-            return Err(SpectralError::Lengths { force: force.len(), response: response.len() });
+            return Err(SpectralError::Lengths {
+                force: force.len(),
+                response: response.len(),
+            });
         }
         self.all.add(force, response);
-        if self.parts.last().is_none_or(|part| part.blocks == self.each) {
+        if self
+            .parts
+            .last()
+            .is_none_or(|part| part.blocks == self.each)
+        {
             if self.parts.len() == 2 * MAX_PARTS {
                 self.halve();
             }
@@ -164,23 +188,42 @@ impl SpectrumAverages {
     ///
     /// # Errors
     /// No block was added.
-    pub fn response(&self, frequency_hz: Vec<f64>, estimator: Estimator, sight: WindowBias) -> Result<FrequencyResponse, SpectralError> {
+    pub fn response(
+        &self,
+        frequency_hz: Vec<f64>,
+        estimator: Estimator,
+        sight: WindowBias,
+    ) -> Result<FrequencyResponse, SpectralError> {
         let all = &self.all;
         if all.blocks == 0 {
             return Err(SpectralError::Nothing);
         }
         let coherence = (0..all.xx.len()).map(|k| {
             let both = all.xx[k] * all.yy[k];
-            if both > 0.0 { (all.xy[k].norm_sqr() / both).min(1.0) } else { 0.0 }
+            if both > 0.0 {
+                (all.xy[k].norm_sqr() / both).min(1.0)
+            } else {
+                0.0
+            }
         });
         let without = |part: &SpectrumSums| {
             let mut others = all.clone();
             others.join(part, -1.0);
-            LeaveOneOutResponse { share: part.blocks as f64 / all.blocks as f64, value: others.values(estimator) }
+            LeaveOneOutResponse {
+                share: part.blocks as f64 / all.blocks as f64,
+                value: others.values(estimator),
+            }
         };
         let several = self.parts.iter().filter(|_| self.parts.len() > 1);
         let (coherence, without) = (coherence.collect(), several.map(without).collect());
-        Ok(FrequencyResponse { frequency_hz, value: all.values(estimator), coherence, blocks: all.blocks, sight, without })
+        Ok(FrequencyResponse {
+            frequency_hz,
+            value: all.values(estimator),
+            coherence,
+            blocks: all.blocks,
+            sight,
+            without,
+        })
     }
 }
 
@@ -213,14 +256,22 @@ pub(super) mod tests {
         pub fn new(frequency_hz: f64, damping_ratio: f64, rate_hz: f64) -> Self {
             let (w, c) = (TAU * frequency_hz, 2.0 * rate_hz);
             let a0 = c * c + 2.0 * damping_ratio * w * c + w * w;
-            let a = [(2.0 * w * w - 2.0 * c * c) / a0, (c * c - 2.0 * damping_ratio * w * c + w * w) / a0];
-            Self { b: [1.0 / a0, 2.0 / a0, 1.0 / a0], a }
+            let a = [
+                (2.0 * w * w - 2.0 * c * c) / a0,
+                (c * c - 2.0 * damping_ratio * w * c + w * w) / a0,
+            ];
+            Self {
+                b: [1.0 / a0, 2.0 / a0, 1.0 / a0],
+                a,
+            }
         }
 
         pub fn answer(&self, force: &[f64]) -> Vec<f64> {
             let (mut x, mut y) = ([0.0; 2], [0.0; 2]);
             let step = |f: &f64| {
-                let out = self.b[0] * f + self.b[1] * x[0] + self.b[2] * x[1] - self.a[0] * y[0] - self.a[1] * y[1];
+                let out = self.b[0] * f + self.b[1] * x[0] + self.b[2] * x[1]
+                    - self.a[0] * y[0]
+                    - self.a[1] * y[1];
                 (x, y) = ([*f, x[0]], [out, y[0]]);
                 out
             };
@@ -230,7 +281,8 @@ pub(super) mod tests {
         /// Displacement per force for exp(+jwt), mass 1.
         pub fn exact(&self, turns: f64) -> Complex<f64> {
             let z = Complex::from_polar(1.0, -TAU * turns);
-            (self.b[0] + self.b[1] * z + self.b[2] * z * z) / (1.0 + self.a[0] * z + self.a[1] * z * z)
+            (self.b[0] + self.b[1] * z + self.b[2] * z * z)
+                / (1.0 + self.a[0] * z + self.a[1] * z * z)
         }
     }
 
@@ -239,12 +291,25 @@ pub(super) mod tests {
         (0..count / 2).flat_map(|_| stream.normal_pair()).collect()
     }
 
-    fn averaged(force: &[f64], response: &[f64], length: usize, window: Window) -> (SpectrumAverages, Vec<f64>) {
-        let (x, y) = (Samples::new(force, 1000.0).unwrap(), Samples::new(response, 1000.0).unwrap());
+    fn averaged(
+        force: &[f64],
+        response: &[f64],
+        length: usize,
+        window: Window,
+    ) -> (SpectrumAverages, Vec<f64>) {
+        let (x, y) = (
+            Samples::new(force, 1000.0).unwrap(),
+            Samples::new(response, 1000.0).unwrap(),
+        );
         let segments = Segments::new(length, 0.5, window).unwrap();
         let mut averages = SpectrumAverages::new(length / 2 + 1);
         for start in segments.starts(force.len()).unwrap() {
-            averages.add(&segments.transform(&x, start, 0.0), &segments.transform(&y, start, 0.0)).unwrap();
+            averages
+                .add(
+                    &segments.transform(&x, start, 0.0),
+                    &segments.transform(&y, start, 0.0),
+                )
+                .unwrap();
         }
         (averages, segments.frequency_hz(1000.0))
     }
@@ -260,14 +325,27 @@ pub(super) mod tests {
         let response = oscillator.answer(&force);
         let (averages, frequency_hz) = averaged(&force, &response, 4096, Window::Rectangular);
         let peak = oscillator.exact(0.04).norm();
-        for estimator in [Estimator::H1, Estimator::H2, Estimator::Hv { noise_ratio: 1e-10 }] {
-            let found = averages.response(frequency_hz.clone(), estimator, WindowBias::Whole).unwrap();
+        for estimator in [
+            Estimator::H1,
+            Estimator::H2,
+            Estimator::Hv { noise_ratio: 1e-10 },
+        ] {
+            let found = averages
+                .response(frequency_hz.clone(), estimator, WindowBias::Whole)
+                .unwrap();
             // The half sine of 8 samples has no force at line 768.
-            let error = (0..700).map(|k| (found.value[k] - oscillator.exact(frequency_hz[k] / 1000.0)).norm() / peak).fold(0.0, f64::max);
+            let error = (0..700)
+                .map(|k| {
+                    (found.value[k] - oscillator.exact(frequency_hz[k] / 1000.0)).norm() / peak
+                })
+                .fold(0.0, f64::max);
             eprintln!("{estimator:?}: {error:.1e} of the peak");
             assert!(error < 1e-12, "{estimator:?} {error:e}");
             // The sign convention: below resonance in phase, at resonance -90 degrees, for exp(+jwt).
-            assert!(found.value[4].arg().abs() < 0.02 && (found.value[163].arg() + std::f64::consts::FRAC_PI_2).abs() < 0.05);
+            assert!(
+                found.value[4].arg().abs() < 0.02
+                    && (found.value[163].arg() + std::f64::consts::FRAC_PI_2).abs() < 0.05
+            );
         }
     }
 
@@ -279,25 +357,52 @@ pub(super) mod tests {
         let force = noise(1 << 17, 1);
         let clean = oscillator.answer(&force);
         let level = (clean.iter().map(|x| x * x).sum::<f64>() / clean.len() as f64).sqrt();
-        let noisy: Vec<f64> = clean.iter().zip(noise(1 << 17, 2)).map(|(y, n)| y + 0.5 * level * n).collect();
+        let noisy: Vec<f64> = clean
+            .iter()
+            .zip(noise(1 << 17, 2))
+            .map(|(y, n)| y + 0.5 * level * n)
+            .collect();
         let (averages, frequency_hz) = averaged(&force, &noisy, 512, Window::Hann);
         let (h1, h2) = (
-            averages.response(frequency_hz.clone(), Estimator::H1, WindowBias::Whole).unwrap(),
-            averages.response(frequency_hz.clone(), Estimator::H2, WindowBias::Whole).unwrap(),
+            averages
+                .response(frequency_hz.clone(), Estimator::H1, WindowBias::Whole)
+                .unwrap(),
+            averages
+                .response(frequency_hz.clone(), Estimator::H2, WindowBias::Whole)
+                .unwrap(),
         );
         let (mut one, mut two, mut lines) = (0.0, 0.0, 0.0);
         for (k, f) in frequency_hz.iter().enumerate().take(120).skip(10) {
             let exact = oscillator.exact(f / 1000.0).norm();
-            (one, two, lines) = (one + h1.value[k].norm() / exact, two + h2.value[k].norm() * h2.coherence[k] / exact, lines + 1.0);
-            assert!((h1.value[k].norm() / exact - 1.0).abs() < 6.0 * h1.relative_deviation(k), "{k}");
+            (one, two, lines) = (
+                one + h1.value[k].norm() / exact,
+                two + h2.value[k].norm() * h2.coherence[k] / exact,
+                lines + 1.0,
+            );
+            assert!(
+                (h1.value[k].norm() / exact - 1.0).abs() < 6.0 * h1.relative_deviation(k),
+                "{k}"
+            );
         }
-        eprintln!("H1 {:.4}, H2 by its coherence {:.4} of the exact response", one / lines, two / lines);
-        assert!((one / lines - 1.0).abs() < 0.02 && (two / lines - 1.0).abs() < 0.02, "{} {}", one / lines, two / lines);
+        eprintln!(
+            "H1 {:.4}, H2 by its coherence {:.4} of the exact response",
+            one / lines,
+            two / lines
+        );
+        assert!(
+            (one / lines - 1.0).abs() < 0.02 && (two / lines - 1.0).abs() < 0.02,
+            "{} {}",
+            one / lines,
+            two / lines
+        );
     }
 
     #[test]
     fn nothing_averaged_is_an_error() {
-        assert_eq!(SpectrumAverages::new(4).response(vec![0.0; 4], Estimator::H1, WindowBias::Whole), Err(SpectralError::Nothing));
+        assert_eq!(
+            SpectrumAverages::new(4).response(vec![0.0; 4], Estimator::H1, WindowBias::Whole),
+            Err(SpectralError::Nothing)
+        );
         assert!(SpectrumAverages::new(4).add(&[], &[]).is_err());
     }
 }

@@ -22,7 +22,11 @@ pub struct Segments {
 
 impl std::fmt::Debug for Segments {
     fn fmt(&self, to: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(to, "Segments {{ length: {}, step: {} }}", self.length, self.step)
+        write!(
+            to,
+            "Segments {{ length: {}, step: {} }}",
+            self.length, self.step
+        )
     }
 }
 
@@ -39,7 +43,12 @@ impl Segments {
             return Err(SpectralError::Overlap { overlap });
         }
         let step = ((length as f64 * (1.0 - overlap)).round() as usize).max(1);
-        Ok(Self { length, step, weights: window.values(length), plan: RealFftPlanner::new().plan_fft_forward(length) })
+        Ok(Self {
+            length,
+            step,
+            weights: window.values(length),
+            plan: RealFftPlanner::new().plan_fft_forward(length),
+        })
     }
 
     /// Samples of a segment.
@@ -71,12 +80,18 @@ impl Segments {
     ///
     /// # Errors
     /// A record shorter than one segment.
-    pub fn starts(&self, samples: usize) -> Result<impl Iterator<Item = usize> + use<>, SpectralError> {
+    pub fn starts(
+        &self,
+        samples: usize,
+    ) -> Result<impl Iterator<Item = usize> + use<>, SpectralError> {
         if samples < MIN_SEGMENT_SAMPLES {
             return Err(SpectralError::Few { samples });
         }
         if samples < self.length {
-            return Err(SpectralError::Segment { segment: self.length, samples });
+            return Err(SpectralError::Segment {
+                segment: self.length,
+                samples,
+            });
         }
         Ok((0..=samples - self.length).step_by(self.step))
     }
@@ -84,20 +99,32 @@ impl Segments {
     /// The transform of the segment that starts at a sample, `mean` taken away first.
     pub fn transform(&self, samples: &Samples<'_>, start: usize, mean: f64) -> Vec<Complex<f64>> {
         let values = &samples.values()[start..start + self.length];
-        let mut weighted: Vec<f64> = values.iter().zip(&self.weights).map(|(x, w)| (x - mean) * w).collect();
+        let mut weighted: Vec<f64> = values
+            .iter()
+            .zip(&self.weights)
+            .map(|(x, w)| (x - mean) * w)
+            .collect();
         let mut bins = self.plan.make_output_vec();
-        self.plan.process(&mut weighted, &mut bins).expect("the plan made both buffers' lengths");
+        self.plan
+            .process(&mut weighted, &mut bins)
+            .expect("the plan made both buffers' lengths");
         bins
     }
 
     /// Frequencies of the lines at a sample rate, Hz.
     pub fn frequency_hz(&self, rate_hz: f64) -> Vec<f64> {
-        (0..=self.length / 2).map(|k| k as f64 * rate_hz / self.length as f64).collect()
+        (0..=self.length / 2)
+            .map(|k| k as f64 * rate_hz / self.length as f64)
+            .collect()
     }
 
     /// 2 for lines that stand for two frequencies, 1 at zero and at half the rate.
     pub fn sides(&self, line: usize) -> f64 {
-        if line == 0 || 2 * line == self.length { 1.0 } else { 2.0 }
+        if line == 0 || 2 * line == self.length {
+            1.0
+        } else {
+            2.0
+        }
     }
 }
 
@@ -108,9 +135,16 @@ mod tests {
     #[test]
     fn too_few_samples_are_told_by_their_number() {
         let told = |error: SpectralError| error.to_string();
-        let asked = Segments::new(3, 0.5, Window::Hann).map_err(told).err().unwrap_or_default();
-        assert_eq!(asked, "3 samples are too few for a spectrum: a segment, and so the record, has 8 samples at least");
-        let record = Segments::new(8, 0.5, Window::Hann).and_then(|segments| segments.starts(3).map(Iterator::count));
+        let asked = Segments::new(3, 0.5, Window::Hann)
+            .map_err(told)
+            .err()
+            .unwrap_or_default();
+        assert_eq!(
+            asked,
+            "3 samples are too few for a spectrum: a segment, and so the record, has 8 samples at least"
+        );
+        let record = Segments::new(8, 0.5, Window::Hann)
+            .and_then(|segments| segments.starts(3).map(Iterator::count));
         assert_eq!(record, Err(SpectralError::Few { samples: 3 }));
     }
 }

@@ -11,7 +11,10 @@
 
 use jounce::signal::{Samples, Window};
 
-use super::{ImpactRecord, ImpactResponses, ImpactSettings, Segments, SpectralError, SpectrumAverages, WindowBias};
+use super::{
+    ImpactRecord, ImpactResponses, ImpactSettings, Segments, SpectralError, SpectrumAverages,
+    WindowBias,
+};
 
 /// A hammer's record has a peak above this many times its rms.
 const MIN_HAMMER_CREST: f64 = 10.0;
@@ -35,22 +38,41 @@ fn sweeps(force: &Samples<'_>) -> Result<bool, SpectralError> {
         return Ok(false);
     }
     let segments = Segments::new(length, 0.5, Window::Hann)?;
-    let (mut powers, mut squares, mut totals) = (vec![0.0; length / 2 + 1], vec![0.0; length / 2 + 1], Vec::new());
+    let (mut powers, mut squares, mut totals) = (
+        vec![0.0; length / 2 + 1],
+        vec![0.0; length / 2 + 1],
+        Vec::new(),
+    );
     for start in segments.starts(force.values().len())? {
         let before: f64 = powers.iter().sum();
-        for (k, x) in segments.transform(force, start, force.mean()).iter().enumerate() {
+        for (k, x) in segments
+            .transform(force, start, force.mean())
+            .iter()
+            .enumerate()
+        {
             powers[k] += x.norm_sqr();
             squares[k] += x.norm_sqr().powi(2);
         }
         totals.push(powers.iter().sum::<f64>() - before);
     }
     let share = |power: f64, square: f64| power * power / (square * totals.len() as f64);
-    let steady = share(totals.iter().sum(), totals.iter().map(|total| total * total).sum());
+    let steady = share(
+        totals.iter().sum(),
+        totals.iter().map(|total| total * total).sum(),
+    );
     let strongest = powers.iter().copied().fold(0.0, f64::max);
-    let driven = powers.iter().zip(&squares).filter(|(power, _)| **power > MIN_DRIVEN_SHARE * strongest);
-    let mut shares: Vec<f64> = driven.map(|(power, square)| share(*power, *square)).collect();
+    let driven = powers
+        .iter()
+        .zip(&squares)
+        .filter(|(power, _)| **power > MIN_DRIVEN_SHARE * strongest);
+    let mut shares: Vec<f64> = driven
+        .map(|(power, square)| share(*power, *square))
+        .collect();
     shares.sort_by(f64::total_cmp);
-    Ok(steady > MIN_STEADY_SHARE && shares.get(shares.len() / 2).is_some_and(|share| *share < MAX_SWEEP_SHARE))
+    Ok(steady > MIN_STEADY_SHARE
+        && shares
+            .get(shares.len() / 2)
+            .is_some_and(|share| *share < MAX_SWEEP_SHARE))
 }
 
 /// True for a force that goes on, both ways, instead of striking: its peak is near its rms, and it pulls as well as it pushes.
@@ -62,22 +84,46 @@ pub(crate) fn goes_on(force: &Samples<'_>) -> bool {
         (push, pull) = (push.max(x), pull.max(-x));
     }
     let rms = f64::sqrt(squares / force.values().len() as f64);
-    rms > 0.0 && push.max(pull) < MIN_HAMMER_CREST * rms && push.min(pull) > MAX_PULL_SHARE * push.max(pull)
+    rms > 0.0
+        && push.max(pull) < MIN_HAMMER_CREST * rms
+        && push.min(pull) > MAX_PULL_SHARE * push.max(pull)
 }
 
 /// Averages the blocks of all records, which are of one rate and number of responses.
-pub(super) fn shaken(records: &[ImpactRecord<'_>], settings: &ImpactSettings) -> Result<ImpactResponses, SpectralError> {
+pub(super) fn shaken(
+    records: &[ImpactRecord<'_>],
+    settings: &ImpactSettings,
+) -> Result<ImpactResponses, SpectralError> {
     if settings.force_window || settings.end_ratio.is_some() {
         return Err(SpectralError::HitWindow);
     }
     let first = records.first().ok_or(SpectralError::Nothing)?;
     let rate_hz = first.force.rate_hz();
-    let shortest = records.iter().map(|record| record.force.values().len()).min().unwrap_or(0);
-    let swept = records.iter().map(|record| sweeps(&record.force)).collect::<Result<Vec<_>, _>>()?.into_iter().all(|swept| swept);
+    let shortest = records
+        .iter()
+        .map(|record| record.force.values().len())
+        .min()
+        .unwrap_or(0);
+    let swept = records
+        .iter()
+        .map(|record| sweeps(&record.force))
+        .collect::<Result<Vec<_>, _>>()?
+        .into_iter()
+        .all(|swept| swept);
     let whole = swept && settings.block_s.is_none();
-    let usual = if whole { shortest / 2 * 2 } else { shortest / RECORD_PARTS / 2 * 2 };
-    let length = settings.block_s.map_or(usual, |block_s| (block_s * rate_hz).round() as usize);
-    let (overlap, window) = if whole { (0.0, Window::Rectangular) } else { (0.5, Window::Hann) };
+    let usual = if whole {
+        shortest / 2 * 2
+    } else {
+        shortest / RECORD_PARTS / 2 * 2
+    };
+    let length = settings
+        .block_s
+        .map_or(usual, |block_s| (block_s * rate_hz).round() as usize);
+    let (overlap, window) = if whole {
+        (0.0, Window::Rectangular)
+    } else {
+        (0.5, Window::Hann)
+    };
     let segments = Segments::new(length, overlap, window)?;
     let mut averages = vec![SpectrumAverages::new(length / 2 + 1); first.responses.len()];
     for record in records {
@@ -87,17 +133,31 @@ pub(super) fn shaken(records: &[ImpactRecord<'_>], settings: &ImpactSettings) ->
         let means: Vec<f64> = record.responses.iter().map(mean).collect();
         for start in segments.starts(record.force.values().len())? {
             let force = segments.transform(&record.force, start, force_mean);
-            for ((average, response), mean) in averages.iter_mut().zip(&record.responses).zip(&means) {
+            for ((average, response), mean) in
+                averages.iter_mut().zip(&record.responses).zip(&means)
+            {
                 average.add(&force, &segments.transform(response, start, *mean))?;
             }
         }
     }
     let frequency_hz = segments.frequency_hz(rate_hz);
     let block_s = length as f64 / rate_hz;
-    let sight = if whole { WindowBias::Whole } else { WindowBias::Hann { length_s: block_s } };
-    let response = |average: &SpectrumAverages| average.response(frequency_hz.clone(), settings.estimator, sight);
+    let sight = if whole {
+        WindowBias::Whole
+    } else {
+        WindowBias::Hann { length_s: block_s }
+    };
+    let response = |average: &SpectrumAverages| {
+        average.response(frequency_hz.clone(), settings.estimator, sight)
+    };
     let responses = averages.iter().map(response).collect::<Result<_, _>>()?;
-    Ok(ImpactResponses { responses, hits: Vec::new(), swept, block_s, window_decay_per_s: 0.0 })
+    Ok(ImpactResponses {
+        responses,
+        hits: Vec::new(),
+        swept,
+        block_s,
+        window_decay_per_s: 0.0,
+    })
 }
 
 #[cfg(test)]
@@ -115,9 +175,19 @@ mod tests {
         (0..count / 2).flat_map(|_| stream.normal_pair()).collect()
     }
 
-    fn answer(force: &[f64], response: &[f64], settings: &ImpactSettings) -> Result<ImpactResponses, SpectralError> {
+    fn answer(
+        force: &[f64],
+        response: &[f64],
+        settings: &ImpactSettings,
+    ) -> Result<ImpactResponses, SpectralError> {
         let samples = |values| Samples::new(values, RATE).unwrap();
-        impact(&[ImpactRecord { force: samples(force), responses: vec![samples(response)] }], settings)
+        impact(
+            &[ImpactRecord {
+                force: samples(force),
+                responses: vec![samples(response)],
+            }],
+            settings,
+        )
     }
 
     /// Random force and bursts of it: each is seen to go on, and the response is that of the oscillator at
@@ -127,17 +197,46 @@ mod tests {
     fn forces_that_go_on_give_the_response_of_the_system() {
         let oscillator = Oscillator::new(40.0, 0.05, RATE);
         let random = noise(120_000, 3);
-        let bursts: Vec<f64> = random.iter().enumerate().map(|(k, x)| if k % 4000 < 2000 { *x } else { 0.0 }).collect();
+        let bursts: Vec<f64> = random
+            .iter()
+            .enumerate()
+            .map(|(k, x)| if k % 4000 < 2000 { *x } else { 0.0 })
+            .collect();
         let peak = oscillator.exact(0.04).norm();
         for (name, force) in [("random", random), ("bursts", bursts)] {
-            let response: Vec<f64> = oscillator.answer(&force).iter().map(|x| x + 0.1 * peak).collect();
+            let response: Vec<f64> = oscillator
+                .answer(&force)
+                .iter()
+                .map(|x| x + 0.1 * peak)
+                .collect();
             let offset: Vec<f64> = force.iter().map(|x| x + 0.5).collect();
-            let found = answer(&offset, &response, &ImpactSettings { block_s: Some(4.0), ..ImpactSettings::default() }).unwrap();
-            assert!(found.hits.is_empty() && found.responses[0].blocks == 59, "{name}");
-            let lines = found.responses[0].frequency_hz.iter().zip(&found.responses[0].value).filter(|(f, _)| (5.0..170.0).contains(*f));
-            let error = lines.map(|(f, h)| (h - oscillator.exact(f / RATE)).norm() / peak).fold(0.0, f64::max);
+            let found = answer(
+                &offset,
+                &response,
+                &ImpactSettings {
+                    block_s: Some(4.0),
+                    ..ImpactSettings::default()
+                },
+            )
+            .unwrap();
+            assert!(
+                found.hits.is_empty() && found.responses[0].blocks == 59,
+                "{name}"
+            );
+            let lines = found.responses[0]
+                .frequency_hz
+                .iter()
+                .zip(&found.responses[0].value)
+                .filter(|(f, _)| (5.0..170.0).contains(*f));
+            let error = lines
+                .map(|(f, h)| (h - oscillator.exact(f / RATE)).norm() / peak)
+                .fold(0.0, f64::max);
             assert!(error < 0.03, "{name}: {error:.4}");
-            assert!(found.responses[0].coherence[160] > 0.99, "{name}: {}", found.responses[0].coherence[160]);
+            assert!(
+                found.responses[0].coherence[160] > 0.99,
+                "{name}: {}",
+                found.responses[0].coherence[160]
+            );
         }
     }
 
@@ -147,12 +246,29 @@ mod tests {
         let oscillator = Oscillator::new(40.0, 0.05, RATE);
         let force = noise(400_000, 3);
         let response = oscillator.answer(&force);
-        let noisy: Vec<f64> = force.iter().zip(noise(400_000, 4)).map(|(f, n)| f + 0.5 * n).collect();
-        for (estimator, share) in [(super::super::Estimator::H1, 0.8), (super::super::Estimator::H2, 1.0)] {
-            let settings = ImpactSettings { estimator, block_s: Some(4.0), ..ImpactSettings::default() };
+        let noisy: Vec<f64> = force
+            .iter()
+            .zip(noise(400_000, 4))
+            .map(|(f, n)| f + 0.5 * n)
+            .collect();
+        for (estimator, share) in [
+            (super::super::Estimator::H1, 0.8),
+            (super::super::Estimator::H2, 1.0),
+        ] {
+            let settings = ImpactSettings {
+                estimator,
+                block_s: Some(4.0),
+                ..ImpactSettings::default()
+            };
             let found = answer(&noisy, &response, &settings).unwrap();
-            let lines = found.responses[0].frequency_hz.iter().zip(&found.responses[0].value).filter(|(f, _)| (20.0..80.0).contains(*f));
-            let ratios: Vec<f64> = lines.map(|(f, h)| (h / oscillator.exact(f / RATE)).re).collect();
+            let lines = found.responses[0]
+                .frequency_hz
+                .iter()
+                .zip(&found.responses[0].value)
+                .filter(|(f, _)| (20.0..80.0).contains(*f));
+            let ratios: Vec<f64> = lines
+                .map(|(f, h)| (h / oscillator.exact(f / RATE)).re)
+                .collect();
             let mean = ratios.iter().sum::<f64>() / ratios.len() as f64;
             assert!((mean - share).abs() < 0.01, "{estimator:?}: {mean}");
         }
@@ -164,34 +280,72 @@ mod tests {
     fn a_sweep_is_one_block_without_a_window() {
         let oscillator = Oscillator::new(40.0, 0.005, RATE);
         let turns = |t: f64| 10.0 * t + 0.5 * 90.0 / 60.0 * t * t;
-        let force: Vec<f64> = (0..60_000).map(|k| (std::f64::consts::TAU * turns(f64::from(k) / RATE)).sin()).collect();
+        let force: Vec<f64> = (0..60_000)
+            .map(|k| (std::f64::consts::TAU * turns(f64::from(k) / RATE)).sin())
+            .collect();
         let response = oscillator.answer(&force);
         let peak = oscillator.exact(0.04).norm();
         let error = |settings: &ImpactSettings| {
             let found = answer(&force, &response, settings).unwrap();
             assert!(found.swept);
-            let lines = found.responses[0].frequency_hz.iter().zip(&found.responses[0].value).filter(|(f, _)| (15.0..90.0).contains(*f));
-            lines.map(|(f, h)| (h - oscillator.exact(f / RATE)).norm() / peak).fold(0.0, f64::max)
+            let lines = found.responses[0]
+                .frequency_hz
+                .iter()
+                .zip(&found.responses[0].value)
+                .filter(|(f, _)| (15.0..90.0).contains(*f));
+            lines
+                .map(|(f, h)| (h - oscillator.exact(f / RATE)).norm() / peak)
+                .fold(0.0, f64::max)
         };
-        let (whole, blocks) =
-            (error(&ImpactSettings::default()), error(&ImpactSettings { block_s: Some(4.0), ..ImpactSettings::default() }));
+        let (whole, blocks) = (
+            error(&ImpactSettings::default()),
+            error(&ImpactSettings {
+                block_s: Some(4.0),
+                ..ImpactSettings::default()
+            }),
+        );
         eprintln!("whole {whole:.1e}, Hann blocks {blocks:.1e} of the peak");
         assert!(whole < 0.01 && blocks > 0.1, "{whole:e} {blocks:e}");
         let random = noise(60_000, 3);
-        assert!(!answer(&random, &random, &ImpactSettings::default()).unwrap().swept);
+        assert!(
+            !answer(&random, &random, &ImpactSettings::default())
+                .unwrap()
+                .swept
+        );
     }
 
     #[test]
     fn windows_of_hits_are_refused_and_a_hammer_may_be_called_a_shaker() {
         let force = noise(8_000, 5);
-        let windowed = ImpactSettings { end_ratio: Some(0.01), ..ImpactSettings::default() };
-        assert_eq!(answer(&force, &force, &windowed), Err(SpectralError::HitWindow));
+        let windowed = ImpactSettings {
+            end_ratio: Some(0.01),
+            ..ImpactSettings::default()
+        };
+        assert_eq!(
+            answer(&force, &force, &windowed),
+            Err(SpectralError::HitWindow)
+        );
         let sine: Vec<f64> = (0..8_000).map(|k| (0.1 * f64::from(k)).sin()).collect();
-        assert!(goes_on(&Samples::new(&sine, RATE).unwrap()) && !goes_on(&Samples::new(&[0.0; 100], RATE).unwrap()));
+        assert!(
+            goes_on(&Samples::new(&sine, RATE).unwrap())
+                && !goes_on(&Samples::new(&[0.0; 100], RATE).unwrap())
+        );
         let mut struck = vec![0.0; 8_000];
         (0..8).for_each(|k| struck[200 + k] = 50.0);
-        assert_eq!(answer(&struck, &struck, &ImpactSettings::default()).unwrap().hits.len(), 1);
-        let called = ImpactSettings { shaker: true, ..ImpactSettings::default() };
-        assert_eq!(answer(&struck, &struck, &called).unwrap().responses[0].blocks, 15);
+        assert_eq!(
+            answer(&struck, &struck, &ImpactSettings::default())
+                .unwrap()
+                .hits
+                .len(),
+            1
+        );
+        let called = ImpactSettings {
+            shaker: true,
+            ..ImpactSettings::default()
+        };
+        assert_eq!(
+            answer(&struck, &struck, &called).unwrap().responses[0].blocks,
+            15
+        );
     }
 }

@@ -12,9 +12,11 @@ use jounce_data::recording::{Channel, Quantity, Recording};
 pub fn signal(channel: &Channel, rate_hz: f64) -> Result<Samples<'_>, SpectralError> {
     let samples = Samples::new(&channel.values, rate_hz)?;
     match samples.values() {
-        [first, rest @ ..] if rest.iter().all(|x| x == first) => {
-            Err(SpectralError::Constant { channel: channel.name.clone(), samples: channel.values.len(), value: *first })
-        }
+        [first, rest @ ..] if rest.iter().all(|x| x == first) => Err(SpectralError::Constant {
+            channel: channel.name.clone(),
+            samples: channel.values.len(),
+            value: *first,
+        }),
         _ => Ok(samples),
     }
 }
@@ -24,7 +26,12 @@ pub fn first_live(record: &Recording, quantity: Quantity) -> Option<&Channel> {
     let live = |channel: &&Channel| signal(channel, record.rate()).is_ok();
     let all = || record.channels.iter();
     let of_quantity = |channel: &&Channel| channel.quantity == quantity;
-    all().filter(of_quantity).find(live).or_else(|| all().find(live)).or_else(|| all().find(of_quantity)).or(record.channels.first())
+    all()
+        .filter(of_quantity)
+        .find(live)
+        .or_else(|| all().find(live))
+        .or_else(|| all().find(of_quantity))
+        .or(record.channels.first())
 }
 
 #[cfg(test)]
@@ -36,25 +43,55 @@ mod tests {
     #[test]
     fn the_first_live_channel_is_the_default() {
         let of = |channels: &[(&str, Quantity, f64)]| {
-            let channel = |(name, quantity, last): &(&str, Quantity, f64)| Channel::new(name, *quantity, "", vec![1.0, 1.0, *last]);
+            let channel = |(name, quantity, last): &(&str, Quantity, f64)| {
+                Channel::new(name, *quantity, "", vec![1.0, 1.0, *last])
+            };
             let channels = channels.iter().map(channel).collect();
             let grid = Grid::even(0.0, 1.0, 3).unwrap();
-            let record = Recording { name: "r".to_owned(), over: Over::Time, grid, channels, findings: Vec::new() };
+            let record = Recording {
+                name: "r".to_owned(),
+                over: Over::Time,
+                grid,
+                channels,
+                findings: Vec::new(),
+            };
             first_live(&record, Quantity::Voltage).map(|channel| channel.name.clone())
         };
         let (volts, motion) = (Quantity::Voltage, Quantity::Acceleration);
-        assert_eq!(of(&[("a", motion, 2.0), ("dead", volts, 1.0), ("v", volts, 3.0)]).as_deref(), Some("v"));
-        assert_eq!(of(&[("dead", volts, 1.0), ("a", motion, 2.0)]).as_deref(), Some("a"));
-        assert_eq!(of(&[("a", motion, 1.0), ("dead", volts, 1.0)]).as_deref(), Some("dead"));
+        assert_eq!(
+            of(&[("a", motion, 2.0), ("dead", volts, 1.0), ("v", volts, 3.0)]).as_deref(),
+            Some("v")
+        );
+        assert_eq!(
+            of(&[("dead", volts, 1.0), ("a", motion, 2.0)]).as_deref(),
+            Some("a")
+        );
+        assert_eq!(
+            of(&[("a", motion, 1.0), ("dead", volts, 1.0)]).as_deref(),
+            Some("dead")
+        );
         assert_eq!(of(&[]), None);
     }
 
     #[test]
     fn a_channel_that_never_moves_is_no_signal() {
         let channel = |values: Vec<f64>| Channel::new("mfc", Quantity::Voltage, "V", values);
-        assert_eq!(signal(&channel(vec![1.5, 1.5, 1.25]), 10.0).unwrap().values(), [1.5, 1.5, 1.25]);
-        let told = signal(&channel(vec![1.5; 300]), 10.0).unwrap_err().to_string();
-        assert_eq!(told, "all 300 samples of mfc are 1.5: there is no signal; is it the right channel, and was its sensor connected?");
-        assert!(matches!(signal(&channel(Vec::new()), 10.0), Err(SpectralError::Signal(_))));
+        assert_eq!(
+            signal(&channel(vec![1.5, 1.5, 1.25]), 10.0)
+                .unwrap()
+                .values(),
+            [1.5, 1.5, 1.25]
+        );
+        let told = signal(&channel(vec![1.5; 300]), 10.0)
+            .unwrap_err()
+            .to_string();
+        assert_eq!(
+            told,
+            "all 300 samples of mfc are 1.5: there is no signal; is it the right channel, and was its sensor connected?"
+        );
+        assert!(matches!(
+            signal(&channel(Vec::new()), 10.0),
+            Err(SpectralError::Signal(_))
+        ));
     }
 }

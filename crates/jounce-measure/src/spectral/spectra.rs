@@ -42,7 +42,10 @@ pub struct Spectra {
 ///
 /// # Errors
 /// A segment that does not fit the record, an overlap out of its range, a record too short to tell the lines of the drive apart.
-pub fn spectra(samples: &Samples<'_>, settings: &SpectraSettings) -> Result<Spectra, SpectralError> {
+pub fn spectra(
+    samples: &Samples<'_>,
+    settings: &SpectraSettings,
+) -> Result<Spectra, SpectralError> {
     spectra_watched(samples, settings, &Control::default())
 }
 
@@ -50,20 +53,43 @@ pub fn spectra(samples: &Samples<'_>, settings: &SpectraSettings) -> Result<Spec
 ///
 /// # Errors
 /// As [`spectra`], and [`SpectralError::Stopped`].
-pub fn spectra_watched(samples: &Samples<'_>, settings: &SpectraSettings, control: &Control) -> Result<Spectra, SpectralError> {
+pub fn spectra_watched(
+    samples: &Samples<'_>,
+    settings: &SpectraSettings,
+    control: &Control,
+) -> Result<Spectra, SpectralError> {
     let (count, rate_hz) = (samples.values().len(), samples.rate_hz());
-    let usual = || (count / DEFAULT_SEGMENTS).max(MIN_DEFAULT_SEGMENT).min(count);
-    let cycles_s = settings.drive_hz.map(|f| DEFAULT_SEGMENT_CYCLES / f).filter(|s| s * rate_hz <= count as f64);
-    let length = settings.segment_s.or(cycles_s).map_or_else(usual, |s| (s * rate_hz).round() as usize) / 2 * 2;
+    let usual = || {
+        (count / DEFAULT_SEGMENTS)
+            .max(MIN_DEFAULT_SEGMENT)
+            .min(count)
+    };
+    let cycles_s = settings
+        .drive_hz
+        .map(|f| DEFAULT_SEGMENT_CYCLES / f)
+        .filter(|s| s * rate_hz <= count as f64);
+    let length = settings
+        .segment_s
+        .or(cycles_s)
+        .map_or_else(usual, |s| (s * rate_hz).round() as usize)
+        / 2
+        * 2;
     let segments = Segments::new(length, settings.overlap, settings.window)?;
     let orders = match settings.drive_hz {
         None => Vec::new(),
         Some(drive_hz) => {
-            let inside: Vec<f64> = REPORTED_ORDERS.into_iter().filter(|order| order * drive_hz < 0.5 * rate_hz).collect();
+            let inside: Vec<f64> = REPORTED_ORDERS
+                .into_iter()
+                .filter(|order| order * drive_hz < 0.5 * rate_hz)
+                .collect();
             samples.orders(drive_hz, &inside)?.lines
         }
     };
-    Ok(Spectra { density: Density::welch_watched(samples, &segments, control)?, segments, orders })
+    Ok(Spectra {
+        density: Density::welch_watched(samples, &segments, control)?,
+        segments,
+        orders,
+    })
 }
 
 #[cfg(test)]
@@ -73,20 +99,40 @@ mod tests {
     use std::f64::consts::TAU;
 
     fn settings() -> SpectraSettings {
-        SpectraSettings { drive_hz: None, segment_s: None, overlap: 0.5, window: Window::Hann }
+        SpectraSettings {
+            drive_hz: None,
+            segment_s: None,
+            overlap: 0.5,
+            window: Window::Hann,
+        }
     }
 
     /// 2 V at 12 Hz and 1 V at 6 Hz for 20 s at 1 kHz: a segment is 24 cycles of the drive, the order lines are the amplitudes, and the integral
     /// of the density is the variance, 2.5 V^2.
     #[test]
     fn a_tone_shows_its_lines_and_its_variance() {
-        let value = |k: i32| 2.0 * (TAU * 0.012 * f64::from(k)).sin() + (TAU * 0.006 * f64::from(k)).sin();
+        let value =
+            |k: i32| 2.0 * (TAU * 0.012 * f64::from(k)).sin() + (TAU * 0.006 * f64::from(k)).sin();
         let values: Vec<f64> = (0..20_000).map(value).collect();
         let samples = Samples::new(&values, 1000.0).unwrap();
-        let found = spectra(&samples, &SpectraSettings { drive_hz: Some(12.0), ..settings() }).unwrap();
-        assert_eq!((found.segments.length(), found.segments.step()), (2000, 1000));
+        let found = spectra(
+            &samples,
+            &SpectraSettings {
+                drive_hz: Some(12.0),
+                ..settings()
+            },
+        )
+        .unwrap();
+        assert_eq!(
+            (found.segments.length(), found.segments.step()),
+            (2000, 1000)
+        );
         for line in &found.orders {
-            let exact = if line.order == 1.0 { 2.0 } else { f64::from(u8::from(line.order == 0.5)) };
+            let exact = if line.order == 1.0 {
+                2.0
+            } else {
+                f64::from(u8::from(line.order == 0.5))
+            };
             assert!((line.amplitude_peak - exact).abs() < 1e-9, "{line:?}");
         }
         assert!((found.density.variance_between(0.0, 500.0) - 2.5).abs() < 0.01);
@@ -98,7 +144,25 @@ mod tests {
     fn segments_that_do_not_fit_are_errors() {
         let values = [1.0; 300];
         let samples = Samples::new(&values, 100.0).unwrap();
-        assert!(matches!(spectra(&samples, &SpectraSettings { segment_s: Some(4.0), ..settings() }), Err(SpectralError::Segment { .. })));
-        assert!(matches!(spectra(&samples, &SpectraSettings { overlap: 1.0, ..settings() }), Err(SpectralError::Overlap { .. })));
+        assert!(matches!(
+            spectra(
+                &samples,
+                &SpectraSettings {
+                    segment_s: Some(4.0),
+                    ..settings()
+                }
+            ),
+            Err(SpectralError::Segment { .. })
+        ));
+        assert!(matches!(
+            spectra(
+                &samples,
+                &SpectraSettings {
+                    overlap: 1.0,
+                    ..settings()
+                }
+            ),
+            Err(SpectralError::Overlap { .. })
+        ));
     }
 }

@@ -34,7 +34,10 @@ pub struct Spectrogram {
 ///
 /// # Errors
 /// A segment longer than the record.
-pub fn spectrogram(samples: &Samples<'_>, segments: &Segments) -> Result<Spectrogram, SpectralError> {
+pub fn spectrogram(
+    samples: &Samples<'_>,
+    segments: &Segments,
+) -> Result<Spectrogram, SpectralError> {
     spectrogram_watched(samples, segments, &Control::default())
 }
 
@@ -42,7 +45,11 @@ pub fn spectrogram(samples: &Samples<'_>, segments: &Segments) -> Result<Spectro
 ///
 /// # Errors
 /// As [`spectrogram`], and [`SpectralError::Stopped`].
-pub fn spectrogram_watched(samples: &Samples<'_>, segments: &Segments, control: &Control) -> Result<Spectrogram, SpectralError> {
+pub fn spectrogram_watched(
+    samples: &Samples<'_>,
+    segments: &Segments,
+    control: &Control,
+) -> Result<Spectrogram, SpectralError> {
     let gain = segments.gain();
     let starts: Vec<usize> = segments.starts(samples.values().len())?.collect();
     let spectrum = |start: &usize| -> Result<Vec<f64>, SpectralError> {
@@ -50,9 +57,14 @@ pub fn spectrogram_watched(samples: &Samples<'_>, segments: &Segments, control: 
             return Err(SpectralError::Stopped);
         }
         let bins = segments.transform(samples, *start, 0.0);
-        Ok(bins.iter().enumerate().map(|(k, bin)| segments.sides(k) * bin.norm() / gain).collect())
+        Ok(bins
+            .iter()
+            .enumerate()
+            .map(|(k, bin)| segments.sides(k) * bin.norm() / gain)
+            .collect())
     };
-    let middle = |start: &usize| (*start as f64 + segments.length() as f64 / 2.0) / samples.rate_hz();
+    let middle =
+        |start: &usize| (*start as f64 + segments.length() as f64 / 2.0) / samples.rate_hz();
     Ok(Spectrogram {
         time_s: starts.iter().map(middle).collect(),
         frequency_hz: segments.frequency_hz(samples.rate_hz()),
@@ -84,14 +96,22 @@ mod tests {
         let samples = Samples::new(&values, rate).unwrap();
         for (window, most) in [(Window::FlatTop, 0.01), (Window::Hann, 0.17)] {
             let found = spectrogram(&samples, &Segments::new(512, 0.75, window).unwrap()).unwrap();
-            assert_eq!((found.segment_s, found.step_s, found.resolution_hz), (1.0, 0.25, 1.0));
+            assert_eq!(
+                (found.segment_s, found.step_s, found.resolution_hz),
+                (1.0, 0.25, 1.0)
+            );
             let (mut off_hz, mut low): (f64, f64) = (0.0, 0.0);
             for (time_s, spectrum) in found.time_s.iter().zip(&found.amplitude_peak) {
-                let line = (0..spectrum.len()).max_by(|a, b| spectrum[*a].total_cmp(&spectrum[*b])).unwrap();
+                let line = (0..spectrum.len())
+                    .max_by(|a, b| spectrum[*a].total_cmp(&spectrum[*b]))
+                    .unwrap();
                 off_hz = off_hz.max((found.frequency_hz[line] - (10.0 + 0.5 * time_s)).abs());
                 low = low.max((spectrum[line] / 2.0 - 1.0).abs());
             }
-            eprintln!("{window:?}: frequency off by at most {off_hz:.3} Hz, amplitude by {:.2} %", 100.0 * low);
+            eprintln!(
+                "{window:?}: frequency off by at most {off_hz:.3} Hz, amplitude by {:.2} %",
+                100.0 * low
+            );
             assert!(off_hz < 0.55 && low < most, "{window:?} {off_hz} {low}");
         }
     }
@@ -99,12 +119,31 @@ mod tests {
     /// A tone that changes its frequency in the middle is seen at each, with its amplitude.
     #[test]
     fn a_tone_is_seen_where_and_when_it_is() {
-        let tone = |k: i32| if k < 5_000 { 2.0 * (TAU * 0.05 * f64::from(k)).sin() } else { 3.0 * (TAU * 0.2 * f64::from(k)).sin() };
+        let tone = |k: i32| {
+            if k < 5_000 {
+                2.0 * (TAU * 0.05 * f64::from(k)).sin()
+            } else {
+                3.0 * (TAU * 0.2 * f64::from(k)).sin()
+            }
+        };
         let values: Vec<f64> = (0..10_000).map(tone).collect();
-        let found = spectrogram(&Samples::new(&values, 1000.0).unwrap(), &Segments::new(400, 0.5, Window::FlatTop).unwrap()).unwrap();
-        for (time, spectrum) in found.time_s.iter().zip(&found.amplitude_peak).filter(|(t, _)| (**t - 5.0).abs() > 0.4) {
+        let found = spectrogram(
+            &Samples::new(&values, 1000.0).unwrap(),
+            &Segments::new(400, 0.5, Window::FlatTop).unwrap(),
+        )
+        .unwrap();
+        for (time, spectrum) in found
+            .time_s
+            .iter()
+            .zip(&found.amplitude_peak)
+            .filter(|(t, _)| (**t - 5.0).abs() > 0.4)
+        {
             let (line, peak) = if *time < 5.0 { (20, 2.0) } else { (80, 3.0) };
-            assert!((spectrum[line] - peak).abs() < 1e-3, "{time}: {}", spectrum[line]);
+            assert!(
+                (spectrum[line] - peak).abs() < 1e-3,
+                "{time}: {}",
+                spectrum[line]
+            );
         }
     }
 }

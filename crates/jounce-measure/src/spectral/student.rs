@@ -9,17 +9,37 @@ const MAX_NORMAL_DEVIATIONS: f64 = 9.0;
 /// `t = sqrt(n) tan(a)` the distribution of `a` is `cos(a)^(n - 1)`.
 pub(crate) fn student_95(freedom: f64) -> f64 {
     let end = (MAX_NORMAL_DEVIATIONS / freedom.sqrt()).min(std::f64::consts::FRAC_PI_2);
-    let density = |a: f64| if freedom == 1.0 { 1.0 } else { a.cos().max(0.0).powf(freedom - 1.0) };
+    let density = |a: f64| {
+        if freedom == 1.0 {
+            1.0
+        } else {
+            a.cos().max(0.0).powf(freedom - 1.0)
+        }
+    };
     let integral = |to: f64| {
         let step = to / SIMPSON_PANELS as f64;
-        let weight = |k: usize| if k == 0 || k == SIMPSON_PANELS { 1.0 } else { 2.0 + 2.0 * (k % 2) as f64 };
-        (0..=SIMPSON_PANELS).map(|k| weight(k) * density(k as f64 * step)).sum::<f64>() * step / 3.0
+        let weight = |k: usize| {
+            if k == 0 || k == SIMPSON_PANELS {
+                1.0
+            } else {
+                2.0 + 2.0 * (k % 2) as f64
+            }
+        };
+        (0..=SIMPSON_PANELS)
+            .map(|k| weight(k) * density(k as f64 * step))
+            .sum::<f64>()
+            * step
+            / 3.0
     };
     let wanted = 0.95 * integral(end);
     let (mut low, mut high) = (0.0, end);
     for _ in 0..60 {
         let middle = (low + high) / 2.0;
-        if integral(middle) < wanted { low = middle } else { high = middle }
+        if integral(middle) < wanted {
+            low = middle
+        } else {
+            high = middle
+        }
     }
     freedom.sqrt() * low.tan()
 }
@@ -31,13 +51,23 @@ mod tests {
     /// Table 26.10 of Abramowitz and Stegun, and `tan(0.475 pi)`; equal to all digits that are given.
     #[test]
     fn quantiles_are_those_of_the_table() {
-        let table =
-            [(1.0, 12.706_204_7), (2.0, 4.302_652_7), (3.0, 3.182_446_3), (5.0, 2.570_581_8), (15.0, 2.131_449_5), (1e6, 1.959_966_4)];
+        let table = [
+            (1.0, 12.706_204_7),
+            (2.0, 4.302_652_7),
+            (3.0, 3.182_446_3),
+            (5.0, 2.570_581_8),
+            (15.0, 2.131_449_5),
+            (1e6, 1.959_966_4),
+        ];
         for (freedom, exact) in table {
             let off = student_95(freedom) / exact - 1.0;
             eprintln!("{freedom}: {off:.1e}");
             assert!(off.abs() < 3e-7, "{freedom} {off}");
         }
-        assert!((student_95(2.5) - 3.558).abs() < 0.3 && student_95(2.5) < student_95(2.0) && student_95(2.5) > student_95(3.0));
+        assert!(
+            (student_95(2.5) - 3.558).abs() < 0.3
+                && student_95(2.5) < student_95(2.0)
+                && student_95(2.5) > student_95(3.0)
+        );
     }
 }

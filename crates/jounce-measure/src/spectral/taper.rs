@@ -20,7 +20,12 @@ pub fn force_window(samples: usize, until: usize, slope: usize) -> Vec<f64> {
 /// a mode at `w` rad/s identified from windowed records has a damping ratio too high by `a / w`.
 pub fn exponential_window(samples: usize, rate_hz: f64, end_ratio: f64) -> (Vec<f64>, f64) {
     let decay_per_s = -end_ratio.ln() * rate_hz / (samples.max(2) - 1) as f64;
-    ((0..samples).map(|k| (-decay_per_s * k as f64 / rate_hz).exp()).collect(), decay_per_s)
+    (
+        (0..samples)
+            .map(|k| (-decay_per_s * k as f64 / rate_hz).exp())
+            .collect(),
+        decay_per_s,
+    )
 }
 
 #[cfg(test)]
@@ -30,7 +35,12 @@ mod tests {
     #[test]
     fn windows_have_their_ends() {
         let force = force_window(100, 20, 10);
-        assert!(force[20] == 1.0 && (force[25] - 0.5).abs() < 1e-15 && force[30] == 0.0 && force[99] == 0.0);
+        assert!(
+            force[20] == 1.0
+                && (force[25] - 0.5).abs() < 1e-15
+                && force[30] == 0.0
+                && force[99] == 0.0
+        );
         let (decay, rate) = exponential_window(101, 100.0, 0.01);
         assert!((decay[100] - 0.01).abs() < 1e-15 && (rate - 100f64.ln()).abs() < 1e-12);
     }

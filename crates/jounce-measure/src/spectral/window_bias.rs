@@ -56,7 +56,11 @@ impl WindowBias {
     }
 
     /// As [`WindowBias::transform`] where `exp(-s T)` is known.
-    pub(crate) fn transform_from(self, s: Complex<f64>, end: Complex<f64>) -> (Complex<f64>, Complex<f64>) {
+    pub(crate) fn transform_from(
+        self,
+        s: Complex<f64>,
+        end: Complex<f64>,
+    ) -> (Complex<f64>, Complex<f64>) {
         match self {
             Self::Whole => {
                 let inverse = s.inv();
@@ -67,10 +71,16 @@ impl WindowBias {
                 // A turn in the length of a block leaves the end as it is.
                 let turn = Complex::new(0.0, TAU / length_s);
                 let of = |s: Complex<f64>| (linear(s, length_s, end), constant(s, length_s, end));
-                let (falling, (below, one), (above, two)) = (linear(s, length_s, end), of(s - turn), of(s + turn));
+                let (falling, (below, one), (above, two)) =
+                    (linear(s, length_s, end), of(s - turn), of(s + turn));
                 let sine = Complex::new(0.0, -1.0 / (2.0 * TAU));
-                let sum = |falling, below, above, one, two| falling * (2.0 / 3.0) + (below + above) / 6.0 + (one - two) * sine;
-                (sum(falling.0, below.0, above.0, one.0, two.0), sum(falling.1, below.1, above.1, one.1, two.1))
+                let sum = |falling, below, above, one, two| {
+                    falling * (2.0 / 3.0) + (below + above) / 6.0 + (one - two) * sine
+                };
+                (
+                    sum(falling.0, below.0, above.0, one.0, two.0),
+                    sum(falling.1, below.1, above.1, one.1, two.1),
+                )
             }
         }
     }
@@ -93,7 +103,10 @@ fn linear(s: Complex<f64>, t: f64, end: Complex<f64>) -> (Complex<f64>, Complex<
     }
     let (inverse, past) = (s.inv(), 1.0 - end);
     let square = inverse * inverse;
-    (inverse - past * square / t, past * square * inverse * (2.0 / t) - square - end * square)
+    (
+        inverse - past * square / t,
+        past * square * inverse * (2.0 / t) - square - end * square,
+    )
 }
 
 fn is_small(s: Complex<f64>, t: f64) -> bool {
@@ -124,20 +137,56 @@ mod tests {
     fn transforms_are_those_of_the_windows() {
         let length_s = 2.0;
         let count = 4000_usize;
-        let window: Vec<f64> = (0..=count).map(|k| (std::f64::consts::PI * k as f64 / count as f64).sin().powi(2)).collect();
+        let window: Vec<f64> = (0..=count)
+            .map(|k| {
+                (std::f64::consts::PI * k as f64 / count as f64)
+                    .sin()
+                    .powi(2)
+            })
+            .collect();
         let power: f64 = window.iter().map(|w| w * w).sum();
-        let hann: Vec<f64> = (0..=count).map(|lag| window[lag..].iter().zip(&window).map(|(a, b)| a * b).sum::<f64>() / power).collect();
-        let numbers = [(0.3, 0.05), (0.1, 4.0), (2.0, -30.0), (0.02, 3.15), (5.0, 0.0)].map(|(re, im)| Complex::new(re, im));
+        let hann: Vec<f64> = (0..=count)
+            .map(|lag| {
+                window[lag..]
+                    .iter()
+                    .zip(&window)
+                    .map(|(a, b)| a * b)
+                    .sum::<f64>()
+                    / power
+            })
+            .collect();
+        let numbers = [
+            (0.3, 0.05),
+            (0.1, 4.0),
+            (2.0, -30.0),
+            (0.02, 3.15),
+            (5.0, 0.0),
+        ]
+        .map(|(re, im)| Complex::new(re, im));
         for s in numbers {
-            for (sight, left) in [(WindowBias::Hann { length_s }, hann.clone()), (WindowBias::Cut { length_s }, vec![1.0; count + 1])] {
+            for (sight, left) in [
+                (WindowBias::Hann { length_s }, hann.clone()),
+                (WindowBias::Cut { length_s }, vec![1.0; count + 1]),
+            ] {
                 let step = length_s / count as f64;
                 let integral = |moment: i32| -> Complex<f64> {
-                    let at = |k: usize| (-(k as f64) * step).powi(moment) * left[k] * (-s * (k as f64 * step)).exp();
-                    let weight = |k: usize| if k == 0 || k == count { 1.0 } else { 2.0 + 2.0 * (k % 2) as f64 };
+                    let at = |k: usize| {
+                        (-(k as f64) * step).powi(moment) * left[k] * (-s * (k as f64 * step)).exp()
+                    };
+                    let weight = |k: usize| {
+                        if k == 0 || k == count {
+                            1.0
+                        } else {
+                            2.0 + 2.0 * (k % 2) as f64
+                        }
+                    };
                     (0..=count).map(|k| at(k) * weight(k)).sum::<Complex<f64>>() * (step / 3.0)
                 };
                 let (value, slope) = sight.transform(s);
-                let off = [(value - integral(0)).norm() / value.norm(), (slope - integral(1)).norm() / slope.norm()];
+                let off = [
+                    (value - integral(0)).norm() / value.norm(),
+                    (slope - integral(1)).norm() / slope.norm(),
+                ];
                 assert!(off[0] < 1e-6 && off[1] < 1e-6, "{sight:?} {s}: {off:?}");
             }
         }
@@ -146,7 +195,10 @@ mod tests {
             let (below, above) = (Complex::new(0.2, 0.149_999), Complex::new(0.2, 0.150_001));
             let ((a, da), (b, db)) = (sight.transform(below), sight.transform(above));
             let slope = Complex::new(0.0, 2e-6) * da;
-            assert!((b - a - slope).norm() < 1e-10 && (db - da).norm() < 1e-4, "{sight:?}");
+            assert!(
+                (b - a - slope).norm() < 1e-10 && (db - da).norm() < 1e-4,
+                "{sight:?}"
+            );
         }
     }
 }

@@ -3,7 +3,9 @@
 use jounce::table::{Column, Manifest, Table};
 
 use super::WriteError;
-use jounce_data::read::{ChannelSummary, ColumnNumbers, DIRECTION, PLACE, REFERENCE, RecordingSummary};
+use jounce_data::read::{
+    ChannelSummary, ColumnNumbers, DIRECTION, PLACE, REFERENCE, RecordingSummary,
+};
 use jounce_data::recording::{Over, PIECE, Series};
 
 /// Numbers in a table, of all columns together.
@@ -11,21 +13,58 @@ const NUMBERS: usize = 1 << 20;
 
 /// `time_s` or `frequency_hz`, then the channels; complex ones as `NAME.re` and `NAME.im`. Where the format keeps no units of its own, they
 /// stand behind the names: `NAME [UNIT]`.
-pub(super) fn tables(recording: &RecordingSummary, units_in_names: bool) -> impl Iterator<Item = Result<Table, WriteError>> {
-    let width = 1 + recording.channels.iter().map(|channel| 1 + usize::from(channel.imaginary.is_some())).sum::<usize>();
+pub(super) fn tables(
+    recording: &RecordingSummary,
+    units_in_names: bool,
+) -> impl Iterator<Item = Result<Table, WriteError>> {
+    let width = 1 + recording
+        .channels
+        .iter()
+        .map(|channel| 1 + usize::from(channel.imaginary.is_some()))
+        .sum::<usize>();
     let pieces = recording.places.count().div_ceil(PIECE).max(1);
     let together = (NUMBERS / width / PIECE).max(1);
-    (0..pieces).step_by(together).map(move |first| table(recording, units_in_names, first..(first + together).min(pieces)))
+    (0..pieces).step_by(together).map(move |first| {
+        table(
+            recording,
+            units_in_names,
+            first..(first + together).min(pieces),
+        )
+    })
 }
 
-fn table(recording: &RecordingSummary, units_in_names: bool, pieces: std::ops::Range<usize>) -> Result<Table, WriteError> {
-    let named = |name: &str, unit: &str| if units_in_names && !unit.is_empty() { format!("{name} [{unit}]") } else { name.to_owned() };
-    let (name, unit) = if recording.over == Over::Time { ("time_s", "s") } else { ("frequency_hz", "Hz") };
-    let mut table = Table::new(vec![Column::new(name, unit, "where the sample lies", rows(&recording.places, &pieces)?)])?;
+fn table(
+    recording: &RecordingSummary,
+    units_in_names: bool,
+    pieces: std::ops::Range<usize>,
+) -> Result<Table, WriteError> {
+    let named = |name: &str, unit: &str| {
+        if units_in_names && !unit.is_empty() {
+            format!("{name} [{unit}]")
+        } else {
+            name.to_owned()
+        }
+    };
+    let (name, unit) = if recording.over == Over::Time {
+        ("time_s", "s")
+    } else {
+        ("frequency_hz", "Hz")
+    };
+    let mut table = Table::new(vec![Column::new(
+        name,
+        unit,
+        "where the sample lies",
+        rows(&recording.places, &pieces)?,
+    )])?;
     for channel in &recording.channels {
         let about = [channel.place.as_str(), channel.direction.as_str()].join(" ");
         let mut push = |name: &str, numbers: &ColumnNumbers| -> Result<(), WriteError> {
-            Ok(table.push(Column::new(&named(name, &channel.unit), &channel.unit, about.trim(), rows(numbers, &pieces)?))?)
+            Ok(table.push(Column::new(
+                &named(name, &channel.unit),
+                &channel.unit,
+                about.trim(),
+                rows(numbers, &pieces)?,
+            ))?)
         };
         match &channel.imaginary {
             None => push(&channel.name, &channel.values)?,
@@ -38,7 +77,10 @@ fn table(recording: &RecordingSummary, units_in_names: bool, pieces: std::ops::R
     Ok(table)
 }
 
-fn rows(numbers: &impl Series<Fault = std::io::Error>, pieces: &std::ops::Range<usize>) -> Result<Vec<f64>, WriteError> {
+fn rows(
+    numbers: &impl Series<Fault = std::io::Error>,
+    pieces: &std::ops::Range<usize>,
+) -> Result<Vec<f64>, WriteError> {
     let mut rows = Vec::new();
     for index in pieces.clone() {
         rows.extend_from_slice(&numbers.piece(index)?);
@@ -49,11 +91,21 @@ fn rows(numbers: &impl Series<Fault = std::io::Error>, pieces: &std::ops::Range<
 /// The recording and what was found in it, where its channels were measured, which way, and against what.
 pub(super) fn manifest(recording: &RecordingSummary) -> Manifest {
     let findings: Vec<String> = recording.findings.iter().map(ToString::to_string).collect();
-    let manifest = Manifest::new("").with("recording", &recording.name).with("findings", findings.join("; "));
+    let manifest = Manifest::new("")
+        .with("recording", &recording.name)
+        .with("findings", findings.join("; "));
     let told = |channel: &ChannelSummary| {
-        let told = [(PLACE, &channel.place), (DIRECTION, &channel.direction), (REFERENCE, &channel.reference)];
+        let told = [
+            (PLACE, &channel.place),
+            (DIRECTION, &channel.direction),
+            (REFERENCE, &channel.reference),
+        ];
         told.map(|(key, told)| (format!("{key}{}", channel.name), told.clone()))
     };
-    let told = recording.channels.iter().flat_map(told).filter(|(_, told)| !told.is_empty());
+    let told = recording
+        .channels
+        .iter()
+        .flat_map(told)
+        .filter(|(_, told)| !told.is_empty());
     told.fold(manifest, |manifest, (key, told)| manifest.with(&key, told))
 }

@@ -20,7 +20,9 @@ pub enum WriteError {
         path: PathBuf,
     },
     /// A recording with samples that the format cannot hold.
-    #[error("sample {sample} of {channel} is {value}; UFF holds finite numbers only: bridge it first, or write Parquet or CSV")]
+    #[error(
+        "sample {sample} of {channel} is {value}; UFF holds finite numbers only: bridge it first, or write Parquet or CSV"
+    )]
     NotFinite {
         /// The channel.
         channel: String,
@@ -88,10 +90,14 @@ pub fn write(recording: &Recording, path: &Path) -> Result<(), WriteError> {
 pub fn write_surveyed(recording: &RecordingSummary, path: &Path) -> Result<(), WriteError> {
     match path.extension().and_then(|ending| ending.to_str()) {
         Some("uff" | "unv") => uff(recording, path),
-        Some(ending @ ("parquet" | "csv")) => {
-            Table::write_joined(path, &columns::manifest(recording), columns::tables(recording, ending == "csv"))
-        }
-        _ => Err(WriteError::Format { path: path.to_owned() }),
+        Some(ending @ ("parquet" | "csv")) => Table::write_joined(
+            path,
+            &columns::manifest(recording),
+            columns::tables(recording, ending == "csv"),
+        ),
+        _ => Err(WriteError::Format {
+            path: path.to_owned(),
+        }),
     }
 }
 

@@ -17,7 +17,12 @@ pub(super) fn encode(recording: &RecordingSummary, mut to: impl Write) -> Result
         fits(&channel.name, "name", &channel.name, LINE)?;
         fits(&channel.name, "unit", &channel.unit, LABEL)?;
         fits(&channel.name, "place", place(channel, 0).0, PLACE)?;
-        fits(&channel.name, "place of the force", reference(channel).0, PLACE)?;
+        fits(
+            &channel.name,
+            "place of the force",
+            reference(channel).0,
+            PLACE,
+        )?;
         writeln!(to, "    -1\n    58")?;
         header(&mut to, recording, channel, k + 1)?;
         data(&mut to, recording, channel)?;
@@ -34,10 +39,25 @@ const PLACE: usize = 10;
 /// Refuses a text that would become another one.
 fn fits(of: &str, what: &'static str, text: &str, most: usize) -> Result<(), WriteError> {
     if let Some(letter) = text.chars().find(|c| !(c.is_ascii_graphic() || *c == ' ')) {
-        return Err(WriteError::NotAscii { channel: of.to_owned(), what, text: text.to_owned(), letter });
+        return Err(WriteError::NotAscii {
+            channel: of.to_owned(),
+            what,
+            text: text.to_owned(),
+            letter,
+        });
     }
     let length = text.chars().count();
-    if length <= most { Ok(()) } else { Err(WriteError::Long { channel: of.to_owned(), what, text: text.to_owned(), length, most }) }
+    if length <= most {
+        Ok(())
+    } else {
+        Err(WriteError::Long {
+            channel: of.to_owned(),
+            what,
+            text: text.to_owned(),
+            length,
+            most,
+        })
+    }
 }
 
 /// Refuses a channel with a sample that is no finite number.
@@ -49,13 +69,22 @@ fn finite(channel: &ChannelSummary) -> Result<(), WriteError> {
             sample += 1;
         })?;
         if let Some((sample, value)) = odd {
-            return Err(WriteError::NotFinite { channel: channel.name.clone(), sample, value });
+            return Err(WriteError::NotFinite {
+                channel: channel.name.clone(),
+                sample,
+                value,
+            });
         }
     }
     Ok(())
 }
 
-fn header(to: &mut impl Write, recording: &RecordingSummary, channel: &ChannelSummary, number: usize) -> std::io::Result<()> {
+fn header(
+    to: &mut impl Write,
+    recording: &RecordingSummary,
+    channel: &ChannelSummary,
+    number: usize,
+) -> std::io::Result<()> {
     let over_time = recording.over == Over::Time;
     let function = match (over_time, channel.quantity) {
         (true, _) => 1,
@@ -69,7 +98,11 @@ fn header(to: &mut impl Write, recording: &RecordingSummary, channel: &ChannelSu
         SamplePlaces::Stamped { .. } => (0.0, 0.0, 0),
     };
     let (place, node) = place(channel, number);
-    writeln!(to, "{:<80}\n{:<80}\n{:<80}\n{:<80}\n{:<80}", recording.name, "NONE", "NONE", channel.name, "NONE")?;
+    writeln!(
+        to,
+        "{:<80}\n{:<80}\n{:<80}\n{:<80}\n{:<80}",
+        recording.name, "NONE", "NONE", channel.name, "NONE"
+    )?;
     let (to_place, to_node, to_direction) = reference(channel);
     let direction = direction(&channel.direction);
     writeln!(
@@ -77,8 +110,19 @@ fn header(to: &mut impl Write, recording: &RecordingSummary, channel: &ChannelSu
         "{function:>5}{number:>10}{:>5}{:>10} {:<10}{node:>10}{direction:>4} {to_place:<10}{to_node:>10}{to_direction:>4}",
         0, 0, place,
     )?;
-    writeln!(to, "{kind:>10}{:>10}{even:>10} {} {} {}", channel.values.count(), e12(start), e12(step), e12(0.0))?;
-    let (abscissa, label, unit) = if over_time { (17, "Time", "s") } else { (18, "Frequency", "Hz") };
+    writeln!(
+        to,
+        "{kind:>10}{:>10}{even:>10} {} {} {}",
+        channel.values.count(),
+        e12(start),
+        e12(step),
+        e12(0.0)
+    )?;
+    let (abscissa, label, unit) = if over_time {
+        (17, "Time", "s")
+    } else {
+        (18, "Frequency", "Hz")
+    };
     axis(to, abscissa, label, unit)?;
     axis(to, specific(channel.quantity), &channel.name, &channel.unit)?;
     axis(to, 0, "NONE", "NONE")?;
@@ -87,10 +131,22 @@ fn header(to: &mut impl Write, recording: &RecordingSummary, channel: &ChannelSu
 
 fn axis(to: &mut impl Write, kind: u32, label: &str, unit: &str) -> std::io::Result<()> {
     let unit = if unit.is_empty() { "NONE" } else { unit };
-    writeln!(to, "{kind:>10}{:>5}{:>5}{:>5} {:<20} {:<20}", 0, 0, 0, label.chars().take(LABEL).collect::<String>(), unit)
+    writeln!(
+        to,
+        "{kind:>10}{:>5}{:>5}{:>5} {:<20} {:<20}",
+        0,
+        0,
+        0,
+        label.chars().take(LABEL).collect::<String>(),
+        unit
+    )
 }
 
-fn data(to: &mut impl Write, recording: &RecordingSummary, channel: &ChannelSummary) -> std::io::Result<()> {
+fn data(
+    to: &mut impl Write,
+    recording: &RecordingSummary,
+    channel: &ChannelSummary,
+) -> std::io::Result<()> {
     let stamped = matches!(recording.places, SamplePlaces::Stamped { .. });
     let points_in_line = match (stamped, channel.imaginary.is_some()) {
         (false, false) => 4,
@@ -100,7 +156,11 @@ fn data(to: &mut impl Write, recording: &RecordingSummary, channel: &ChannelSumm
     let count = channel.values.count();
     for index in 0..count.div_ceil(PIECE) {
         let (places, values) = (recording.places.piece(index)?, channel.values.piece(index)?);
-        let imaginary = channel.imaginary.as_ref().map(|imaginary| imaginary.piece(index)).transpose()?;
+        let imaginary = channel
+            .imaginary
+            .as_ref()
+            .map(|imaginary| imaginary.piece(index))
+            .transpose()?;
         for (k, value) in values.iter().enumerate() {
             if let (true, Some(place)) = (stamped, places.get(k)) {
                 write!(to, " {}", e12(*place))?;
@@ -125,7 +185,10 @@ fn e20(value: f64) -> String {
 
 /// 12 columns: as many digits as fit beside the sign.
 fn e12(value: f64) -> String {
-    format!("{:>12}", fortran(value, if value.is_sign_negative() { 5 } else { 6 }))
+    format!(
+        "{:>12}",
+        fortran(value, if value.is_sign_negative() { 5 } else { 6 })
+    )
 }
 
 /// `1.23400E+01` from Rust's `1.23400e1`.
@@ -133,7 +196,11 @@ fn fortran(value: f64, digits: usize) -> String {
     let text = format!("{value:.digits$e}");
     let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
     let exponent: i32 = exponent.parse().unwrap_or(0);
-    format!("{mantissa}E{}{:02}", if exponent < 0 { '-' } else { '+' }, exponent.abs())
+    format!(
+        "{mantissa}E{}{:02}",
+        if exponent < 0 { '-' } else { '+' },
+        exponent.abs()
+    )
 }
 
 /// The code of what is measured.
@@ -167,7 +234,9 @@ fn place(channel: &ChannelSummary, number: usize) -> (&str, usize) {
 /// Name, node and direction of the force that a response function refers to.
 fn reference(channel: &ChannelSummary) -> (&str, usize, i32) {
     let text = channel.reference.as_str();
-    let (place, way) = text.rsplit_once(' ').map_or((text, 0), |(place, way)| (place, direction(way)));
+    let (place, way) = text
+        .rsplit_once(' ')
+        .map_or((text, 0), |(place, way)| (place, direction(way)));
     let place = if way == 0 { text } else { place };
     match (place, node(place)) {
         ("", _) => ("NONE", 0, 0),

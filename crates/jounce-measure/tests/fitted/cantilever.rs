@@ -35,26 +35,63 @@ const KEYS: [(&str, f64); 2] = [("beam.beam.root_stiffness", 1.0), ("mass.sensor
 const NOTED_HZ: [f64; 3] = [6.57, 41.47, 117.93];
 
 fn features(frequency_hz: &[f64]) -> Features {
-    let mode =
-        |(k, hz): (usize, &f64)| ModeFeature { number: k + 1, frequency: Some((*hz, Deviation::Residuals)), ..ModeFeature::default() };
-    Features { free: free(&KEYS), modes: frequency_hz.iter().enumerate().map(mode).collect(), ..Features::default() }
+    let mode = |(k, hz): (usize, &f64)| ModeFeature {
+        number: k + 1,
+        frequency: Some((*hz, Deviation::Residuals)),
+        ..ModeFeature::default()
+    };
+    Features {
+        free: free(&KEYS),
+        modes: frequency_hz.iter().enumerate().map(mode).collect(),
+        ..Features::default()
+    }
 }
 
 fn fitted(frequency_hz: &[f64]) -> (FitResult, Vec<f64>) {
     let (file, spec) = spec(CANTILEVER, &[]);
-    let (answer, fitted) =
-        fit(&file, &spec, &features(frequency_hz), Path::new("."), &Control::default()).unwrap_or_else(|fault| panic!("{fault}"));
+    let (answer, fitted) = fit(
+        &file,
+        &spec,
+        &features(frequency_hz),
+        Path::new("."),
+        &Control::default(),
+    )
+    .unwrap_or_else(|fault| panic!("{fault}"));
     let modes = structure::modes(&fitted).expect("modes");
-    (answer, modes.frequency_rad_s.iter().map(|w| w / TAU).collect())
+    (
+        answer,
+        modes.frequency_rad_s.iter().map(|w| w / TAU).collect(),
+    )
 }
 
 /// Clamp and tip mass of a model with both come back from its frequencies, though both lower every frequency by nearly the same share.
 #[test]
 fn clamp_and_tip_mass_come_back_from_five_frequencies() {
-    let (_, truth) = spec(CANTILEVER, &[("beam.beam.root_stiffness", "2 kN m/rad"), ("mass.sensor.mass", "20 g")]);
-    let hz: Vec<f64> = structure::modes(&truth).expect("modes").frequency_rad_s.iter().map(|w| w / TAU).collect();
-    let answer = recovered(CANTILEVER, &features(&noisy(&hz, 1e-4, 2)), &[2000.0, 0.020], 0.1);
-    assert!(answer.features.iter().all(|feature| feature.errors().1.abs() < 1e-3));
+    let (_, truth) = spec(
+        CANTILEVER,
+        &[
+            ("beam.beam.root_stiffness", "2 kN m/rad"),
+            ("mass.sensor.mass", "20 g"),
+        ],
+    );
+    let hz: Vec<f64> = structure::modes(&truth)
+        .expect("modes")
+        .frequency_rad_s
+        .iter()
+        .map(|w| w / TAU)
+        .collect();
+    let answer = recovered(
+        CANTILEVER,
+        &features(&noisy(&hz, 1e-4, 2)),
+        &[2000.0, 0.020],
+        0.1,
+    );
+    assert!(
+        answer
+            .features
+            .iter()
+            .all(|feature| feature.errors().1.abs() < 1e-3)
+    );
 }
 
 /// Measured: the noted frequencies are met within 0.42 %, those found in the spectrum within 0.64 %: the first of them lies 0.49 % above the
@@ -62,13 +99,21 @@ fn clamp_and_tip_mass_come_back_from_five_frequencies() {
 /// comes out between 0.1 g and 0.6 kg. Two more modes show in the recording, which the fit has not seen: 1.2 % and 1.8 % off.
 #[test]
 fn a_real_cantilever_is_met_within_half_a_percent() {
-    let spectrum = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/data/hrshm_cantilever/impulse_FFT_data.lvm");
+    let spectrum = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("../../../shared/data/hrshm_cantilever/impulse_FFT_data.lvm");
     let mut cases = vec![(NOTED_HZ.to_vec(), 0.5)];
     if spectrum.exists() {
-        let recording = read::file(&spectrum).unwrap_or_else(|fault| panic!("{fault}")).recordings.remove(0);
+        let recording = read::file(&spectrum)
+            .unwrap_or_else(|fault| panic!("{fault}"))
+            .recordings
+            .remove(0);
         let decays = Decays::of_spectrum(&recording, &[]).expect("amplitudes over even lines");
-        let found = identify_decays(&decays, (2.0, 160.0), ModalSettings { order: 20 }).expect("modes");
-        cases.push((found.modes.iter().map(|mode| mode.frequency_hz).collect(), 0.7));
+        let found =
+            identify_decays(&decays, (2.0, 160.0), ModalSettings { order: 20 }).expect("modes");
+        cases.push((
+            found.modes.iter().map(|mode| mode.frequency_hz).collect(),
+            0.7,
+        ));
     } else {
         eprintln!(
             "SKIPPED: the recording hrshm_cantilever/impulse_FFT_data.lvm is not beside the repository; its noted frequencies are used"
@@ -77,12 +122,30 @@ fn a_real_cantilever_is_met_within_half_a_percent() {
     for (measured, most) in cases {
         let (answer, model_hz) = fitted(&measured);
         for key in &answer.keys {
-            eprintln!("{}: {:.4e} {}, from {:.3e} to {:.3e}", key.key, key.after, key.unit, key.low, key.high);
+            eprintln!(
+                "{}: {:.4e} {}, from {:.3e} to {:.3e}",
+                key.key, key.after, key.unit, key.low, key.high
+            );
         }
-        let off: Vec<f64> = answer.features.iter().map(|feature| 100.0 * feature.errors().1).collect();
-        let unseen = [model_hz[3] / 229.97 - 1.0, model_hz[4] / 380.33 - 1.0].map(|off| 100.0 * off);
-        eprintln!("{measured:.3?} Hz: {off:.3?} % off; unseen modes {unseen:.2?} % off; {:#?}", answer.warnings);
+        let off: Vec<f64> = answer
+            .features
+            .iter()
+            .map(|feature| 100.0 * feature.errors().1)
+            .collect();
+        let unseen =
+            [model_hz[3] / 229.97 - 1.0, model_hz[4] / 380.33 - 1.0].map(|off| 100.0 * off);
+        eprintln!(
+            "{measured:.3?} Hz: {off:.3?} % off; unseen modes {unseen:.2?} % off; {:#?}",
+            answer.warnings
+        );
         assert!(off.iter().all(|off| off.abs() < most), "{off:?}");
-        assert!(answer.warnings.iter().any(|warning| warning.contains("tell 1 combinations of the 2 keys")), "{:?}", answer.warnings);
+        assert!(
+            answer
+                .warnings
+                .iter()
+                .any(|warning| warning.contains("tell 1 combinations of the 2 keys")),
+            "{:?}",
+            answer.warnings
+        );
     }
 }

@@ -28,29 +28,54 @@ beyond = 0.01
 modes = 4
 mesh_tolerance = 1e-6
 "#;
-const KEYS: [(&str, f64); 4] =
-    [("beam.beam.youngs_modulus", 0.05), ("beam.beam.root_stiffness", 0.3), ("mass.sensor.mass", 0.3), ("damping.beyond", 0.4)];
+const KEYS: [(&str, f64); 4] = [
+    ("beam.beam.youngs_modulus", 0.05),
+    ("beam.beam.root_stiffness", 0.3),
+    ("mass.sensor.mass", 0.3),
+    ("damping.beyond", 0.4),
+];
 const FREQUENCY: f64 = 0.002;
 const DAMPING: f64 = 0.1;
 
 fn modes(keys: &[f64]) -> Vec<(f64, f64)> {
     let (_, mut spec) = spec(CANTILEVER, &[]);
-    KEYS.iter().zip(keys).for_each(|((key, _), value)| spec.set_si(key, *value).unwrap_or_else(|fault| panic!("{fault}")));
+    KEYS.iter().zip(keys).for_each(|((key, _), value)| {
+        spec.set_si(key, *value)
+            .unwrap_or_else(|fault| panic!("{fault}"))
+    });
     let found = structure::modes(&spec).expect("modes");
-    found.frequency_rad_s.iter().map(|w| w / TAU).zip(found.damping_ratio).collect()
+    found
+        .frequency_rad_s
+        .iter()
+        .map(|w| w / TAU)
+        .zip(found.damping_ratio)
+        .collect()
 }
 
 /// In every trial the keys are drawn from their priors, and four frequencies and two damping ratios are measured with noise. The share of the
 /// trials in which the interval of each key holds the truth, and last that of further measurements within theirs.
 fn shares(trials: u64) -> [f64; 5] {
     let (file, spec) = spec(CANTILEVER, &[]);
-    let start: Vec<f64> = KEYS.iter().map(|(key, _)| file.numeric_key(key).expect("a key").get(&spec).expect("a value")).collect();
+    let start: Vec<f64> = KEYS
+        .iter()
+        .map(|(key, _)| {
+            file.numeric_key(key)
+                .expect("a key")
+                .get(&spec)
+                .expect("a value")
+        })
+        .collect();
     let mut inside = [0_u32; 4];
     let (mut further, mut all) = (0, 0);
     for seed in 0..trials {
         let mut stream = RandomStream::new(seed, 11);
-        let mut moved = |value: f64, deviation: f64| value * (deviation * stream.normal_pair()[0]).exp();
-        let truth: Vec<f64> = start.iter().zip(KEYS).map(|(value, (_, prior))| moved(*value, prior)).collect();
+        let mut moved =
+            |value: f64, deviation: f64| value * (deviation * stream.normal_pair()[0]).exp();
+        let truth: Vec<f64> = start
+            .iter()
+            .zip(KEYS)
+            .map(|(value, (_, prior))| moved(*value, prior))
+            .collect();
         let true_modes = modes(&truth);
         let mode = |(k, (hz, ratio)): (usize, &(f64, f64))| ModeFeature {
             number: k + 1,
@@ -59,13 +84,20 @@ fn shares(trials: u64) -> [f64; 5] {
             ..ModeFeature::default()
         };
         let measured = true_modes.iter().enumerate().map(mode).collect();
-        let features = Features { free: free(&KEYS), modes: measured, ..Features::default() };
-        let (answer, _) =
-            fit(&file, &spec, &features, Path::new("."), &Control::default()).unwrap_or_else(|fault| panic!("{seed}: {fault}"));
+        let features = Features {
+            free: free(&KEYS),
+            modes: measured,
+            ..Features::default()
+        };
+        let (answer, _) = fit(&file, &spec, &features, Path::new("."), &Control::default())
+            .unwrap_or_else(|fault| panic!("{seed}: {fault}"));
         for (inside, (key, truth)) in inside.iter_mut().zip(answer.keys.iter().zip(&truth)) {
             *inside += u32::from((key.low..=key.high).contains(truth));
         }
-        let frequencies = answer.features.iter().filter(|feature| feature.unit == "Hz");
+        let frequencies = answer
+            .features
+            .iter()
+            .filter(|feature| feature.unit == "Hz");
         for (feature, (hz, _)) in frequencies.zip(&true_modes) {
             further += u32::from((feature.low..=feature.high).contains(&moved(*hz, FREQUENCY)));
             all += 1;

@@ -29,7 +29,12 @@ const DAMPING: f64 = 0.05;
 
 fn features(keys: &[(&str, f64)], ratios: &[f64]) -> Features {
     let (_, truth) = spec(CANTILEVER, &[("beam.beam.youngs_modulus", "72 GPa")]);
-    let hz: Vec<f64> = structure::modes(&truth).expect("modes").frequency_rad_s.iter().map(|w| w / TAU).collect();
+    let hz: Vec<f64> = structure::modes(&truth)
+        .expect("modes")
+        .frequency_rad_s
+        .iter()
+        .map(|w| w / TAU)
+        .collect();
     let (hz, ratios) = (noisy(&hz, FREQUENCY, 3), noisy(ratios, DAMPING, 4));
     let mode = |(k, (hz, ratio)): (usize, (&f64, &f64))| ModeFeature {
         number: k + 1,
@@ -37,7 +42,11 @@ fn features(keys: &[(&str, f64)], ratios: &[f64]) -> Features {
         damping_ratio: Some((*ratio, given(DAMPING))),
         ..ModeFeature::default()
     };
-    Features { free: free(keys), modes: hz.iter().zip(&ratios).enumerate().map(mode).collect(), ..Features::default() }
+    Features {
+        free: free(keys),
+        modes: hz.iter().zip(&ratios).enumerate().map(mode).collect(),
+        ..Features::default()
+    }
 }
 
 /// One line frees all four, each with a row of its own in the correlation. Every ratio hangs on its own measurement alone, so that its deviation is
@@ -45,33 +54,69 @@ fn features(keys: &[(&str, f64)], ratios: &[f64]) -> Features {
 #[test]
 fn a_list_of_damping_ratios_comes_back_by_one_line() {
     let truth = [72e9, TRUTH[0], TRUTH[1], TRUTH[2], TRUTH[3]];
-    let answer = recovered(CANTILEVER, &features(&[("beam.beam.youngs_modulus", 0.05), ("damping.ratios", 0.6)], &TRUTH), &truth, 0.15);
+    let answer = recovered(
+        CANTILEVER,
+        &features(
+            &[("beam.beam.youngs_modulus", 0.05), ("damping.ratios", 0.6)],
+            &TRUTH,
+        ),
+        &truth,
+        0.15,
+    );
     let keys: Vec<&str> = answer.keys.iter().map(|key| key.key.as_str()).collect();
-    let wanted = ["beam.beam.youngs_modulus", "damping.ratios.1", "damping.ratios.2", "damping.ratios.3", "damping.ratios.4"];
+    let wanted = [
+        "beam.beam.youngs_modulus",
+        "damping.ratios.1",
+        "damping.ratios.2",
+        "damping.ratios.3",
+        "damping.ratios.4",
+    ];
     assert_eq!(keys, wanted);
     assert!(answer.correlation.len() == 5 && answer.correlation.iter().all(|row| row.len() == 5));
     let deviation = 1.0 / (DAMPING.powi(-2) + 0.6_f64.powi(-2)).sqrt();
     for key in &answer.keys[1..] {
-        assert!((key.deviation / deviation - 1.0).abs() < 1e-3, "{key:?} {deviation}");
+        assert!(
+            (key.deviation / deviation - 1.0).abs() < 1e-3,
+            "{key:?} {deviation}"
+        );
     }
 }
 
 /// One number of the list moves, and the others stay as they are in the spec.
 #[test]
 fn one_damping_ratio_of_a_list_comes_back() {
-    let keys = [("beam.beam.youngs_modulus", 0.05), ("damping.ratios.3", 0.6)];
+    let keys = [
+        ("beam.beam.youngs_modulus", 0.05),
+        ("damping.ratios.3", 0.6),
+    ];
     let features = features(&keys, &[0.01, 0.01, TRUTH[2], 0.01]);
     recovered(CANTILEVER, &features, &[72e9, TRUTH[2]], 0.15);
     let (file, spec) = spec(CANTILEVER, &[]);
-    let (_, fitted) = fit(&file, &spec, &features, Path::new("."), &Control::default()).expect("a fit");
-    assert_eq!([fitted.damping.ratios[0], fitted.damping.ratios[1], fitted.damping.ratios[3]], [0.01; 3]);
+    let (_, fitted) =
+        fit(&file, &spec, &features, Path::new("."), &Control::default()).expect("a fit");
+    assert_eq!(
+        [
+            fitted.damping.ratios[0],
+            fitted.damping.ratios[1],
+            fitted.damping.ratios[3]
+        ],
+        [0.01; 3]
+    );
 }
 
 #[test]
 fn a_number_beyond_the_list_or_named_twice_is_told() {
     let told = |keys: &[(&str, f64)]| {
         let (file, spec) = spec(CANTILEVER, &[]);
-        fit(&file, &spec, &features(keys, &TRUTH), Path::new("."), &Control::default()).expect_err("a fault").to_string()
+        fit(
+            &file,
+            &spec,
+            &features(keys, &TRUTH),
+            Path::new("."),
+            &Control::default(),
+        )
+        .expect_err("a fault")
+        .to_string()
     };
     let beyond = "free.damping.ratios.5: damping.ratios.5: damping.ratios holds 4 numbers; name one of them, from damping.ratios.1 to damping.ratios.4";
     assert_eq!(told(&[("damping.ratios.5", 0.3)]), beyond);

@@ -30,7 +30,13 @@ average_over = \"0.1 s\"
 
 /// The first 0.16 s from rest of the harvester with another stop, which it strikes, recorded with noise of 3 %.
 fn recorded(text: &str) -> Recording {
-    let (_, spec) = spec(text, &[("stop.tip.gap", "0.21 mm"), ("stop.tip.stiffness", "5000 N/m")]);
+    let (_, spec) = spec(
+        text,
+        &[
+            ("stop.tip.gap", "0.21 mm"),
+            ("stop.tip.stiffness", "5000 N/m"),
+        ],
+    );
     let prepared = Model::new(spec).expect("a harvester");
     let start = prepared.start(Path::new(".")).expect("a start");
     let kernel = prepared.from_state(&start).expect("a kernel");
@@ -44,10 +50,19 @@ fn recorded(text: &str) -> Recording {
         starts: vec![(0.0, start)],
         wander: Disturbance::NONE,
         accelerometers: Vec::new(),
-        sensor: Sensor { noise_ratio: 0.03, bits: Some(14) },
+        sensor: Sensor {
+            noise_ratio: 0.03,
+            bits: Some(14),
+        },
         seed: 2,
     };
-    shaker_test(&prepared.spec, &kernel.plant.system.modes, &test, &Control::default()).expect("a record")
+    shaker_test(
+        &prepared.spec,
+        &kernel.plant.system.modes,
+        &test,
+        &Control::default(),
+    )
+    .expect("a record")
 }
 
 /// A voltage in `run.csv` of a folder, and the stop to be found from it.
@@ -73,11 +88,30 @@ fn gap_and_stiffness_of_a_stop_come_back_from_a_voltage() {
     let text = format!("{HARVESTER}{RUN}");
     let folder = tempfile::tempdir().expect("a folder");
     write(&recorded(&text), &folder.path().join("run.csv")).expect("a file");
-    let answer = recovered(&text, &features(folder.path(), None), &[0.21e-3, 5000.0], 0.05);
+    let answer = recovered(
+        &text,
+        &features(folder.path(), None),
+        &[0.21e-3, 5000.0],
+        0.05,
+    );
     let (before, after) = answer.curves[0].errors();
-    eprintln!("{:.2} % off before, {:.2} % after, rms", 100.0 * before, 100.0 * after);
-    assert!(before > 0.05 && (0.02..0.04).contains(&after), "{before} {after}");
-    assert!(answer.warnings.iter().all(|warning| !warning.contains("begins")), "{:?}", answer.warnings);
+    eprintln!(
+        "{:.2} % off before, {:.2} % after, rms",
+        100.0 * before,
+        100.0 * after
+    );
+    assert!(
+        before > 0.05 && (0.02..0.04).contains(&after),
+        "{before} {after}"
+    );
+    assert!(
+        answer
+            .warnings
+            .iter()
+            .all(|warning| !warning.contains("begins")),
+        "{:?}",
+        answer.warnings
+    );
 }
 
 /// The same without its first 50 ms: by its stamps it is met as well, which is said; a clock that was not set needs a word, and with it gives the
@@ -88,27 +122,58 @@ fn a_record_that_begins_later_is_met_at_its_own_times() {
     let whole = recorded(&text);
     let cut = |clock_s: f64| {
         let folder = tempfile::tempdir().expect("a folder");
-        let mut part = Recording { grid: Grid::even(clock_s + 0.05, 1e-3, whole.grid.len() - 50).expect("a grid"), ..whole.clone() };
-        part.channels.iter_mut().for_each(|channel| drop(channel.values.drain(..50)));
+        let mut part = Recording {
+            grid: Grid::even(clock_s + 0.05, 1e-3, whole.grid.len() - 50).expect("a grid"),
+            ..whole.clone()
+        };
+        part.channels
+            .iter_mut()
+            .for_each(|channel| drop(channel.values.drain(..50)));
         write(&part, &folder.path().join("run.csv")).expect("a file");
         folder
     };
     let here = cut(0.0);
-    let answer = recovered(&text, &features(here.path(), None), &[0.21e-3, 5000.0], 0.05);
+    let answer = recovered(
+        &text,
+        &features(here.path(), None),
+        &[0.21e-3, 5000.0],
+        0.05,
+    );
     assert!(answer.warnings.iter().any(|warning| warning.contains("its first stamp is 0.05 s, and is taken as that time")), "{answer:?}");
-    assert!((answer.curves[0].at[0] - 0.05).abs() < 1e-12 && answer.curves[0].errors().1 < 0.04, "{answer:?}");
+    assert!(
+        (answer.curves[0].at[0] - 0.05).abs() < 1e-12 && answer.curves[0].errors().1 < 0.04,
+        "{answer:?}"
+    );
     let (file, spec) = spec(&text, &[]);
-    let fitted = |features: &Features| fit(&file, &spec, features, Path::new("."), &Control::default()).map(|(answer, _)| answer);
+    let fitted = |features: &Features| {
+        fit(&file, &spec, features, Path::new("."), &Control::default()).map(|(answer, _)| answer)
+    };
     let clock = cut(3600.0);
-    let told = fitted(&features(clock.path(), None)).expect_err("beyond the run").to_string();
-    assert!(told.contains("from 3600.05 to") && told.contains("run.duration = 0.16 s") && told.contains("begins = \"0 s\""), "{told}");
-    let early = fitted(&features(cut(-1.0).path(), None)).expect_err("before the run").to_string();
-    assert!(early.contains("its first stamp is -0.95 s, before the run starts"), "{early}");
+    let told = fitted(&features(clock.path(), None))
+        .expect_err("beyond the run")
+        .to_string();
+    assert!(
+        told.contains("from 3600.05 to")
+            && told.contains("run.duration = 0.16 s")
+            && told.contains("begins = \"0 s\""),
+        "{told}"
+    );
+    let early = fitted(&features(cut(-1.0).path(), None))
+        .expect_err("before the run")
+        .to_string();
+    assert!(
+        early.contains("its first stamp is -0.95 s, before the run starts"),
+        "{early}"
+    );
     let said = fitted(&features(clock.path(), Some(0.05))).expect("a fit");
     for (key, by_stamps) in said.keys.iter().zip(&answer.keys) {
-        assert!((key.after / by_stamps.after - 1.0).abs() < 1e-6, "{key:?} {by_stamps:?}");
+        assert!(
+            (key.after / by_stamps.after - 1.0).abs() < 1e-6,
+            "{key:?} {by_stamps:?}"
+        );
     }
-    let wrong = fitted(&features(here.path(), Some(0.0))).map_or(f64::INFINITY, |answer| answer.curves[0].errors().1);
+    let wrong = fitted(&features(here.path(), Some(0.0)))
+        .map_or(f64::INFINITY, |answer| answer.curves[0].errors().1);
     eprintln!("taken from the start of the run: {wrong:.2} off");
     assert!(wrong > 0.1, "{wrong}");
 }

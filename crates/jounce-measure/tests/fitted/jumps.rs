@@ -55,6 +55,10 @@ fn the_stiffness_of_a_stop_comes_back_from_a_jump() {
         deviation: given(0.001),
         set: Vec::new(),
     };
-    let features = Features { free: free(&[("stop.tip.stiffness", 0.3)]), jumps: vec![feature], ..Features::default() };
+    let features = Features {
+        free: free(&[("stop.tip.stiffness", 0.3)]),
+        jumps: vec![feature],
+        ..Features::default()
+    };
     recovered(&text, &features, &[330.0], 0.05);
 }

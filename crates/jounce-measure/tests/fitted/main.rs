@@ -20,7 +20,10 @@ pub const HARVESTER: &str = include_str!("harvester.toml");
 /// A spec file with keys set.
 pub fn spec(text: &str, set: &[(&str, &str)]) -> (SpecFile, Spec) {
     let mut file = SpecFile::from_text(text);
-    set.iter().for_each(|(key, value)| file.set(key, value).unwrap_or_else(|fault| panic!("{fault}")));
+    set.iter().for_each(|(key, value)| {
+        file.set(key, value)
+            .unwrap_or_else(|fault| panic!("{fault}"))
+    });
     let spec = file.spec().unwrap_or_else(|faults| panic!("{faults}"));
     (file, spec)
 }
@@ -29,7 +32,8 @@ pub fn spec(text: &str, set: &[(&str, &str)]) -> (SpecFile, Spec) {
 /// them, and within `most`, relative.
 pub fn recovered(text: &str, features: &Features, truth: &[f64], most: f64) -> FitResult {
     let (file, spec) = spec(text, &[]);
-    let (answer, _) = fit(&file, &spec, features, Path::new("."), &Control::default()).unwrap_or_else(|fault| panic!("{fault}"));
+    let (answer, _) = fit(&file, &spec, features, Path::new("."), &Control::default())
+        .unwrap_or_else(|fault| panic!("{fault}"));
     for (key, truth) in answer.keys.iter().zip(truth) {
         let off = key.after / truth - 1.0;
         eprintln!(
@@ -39,7 +43,10 @@ pub fn recovered(text: &str, features: &Features, truth: &[f64], most: f64) -> F
             off / key.deviation,
             answer.evaluations
         );
-        assert!(off.abs() < most && off.abs() < 4.0 * key.deviation, "{key:?} {truth}");
+        assert!(
+            off.abs() < most && off.abs() < 4.0 * key.deviation,
+            "{key:?} {truth}"
+        );
         assert!(key.deviation < 0.5 * key.prior_deviation, "{key:?}");
     }
     answer
@@ -48,12 +55,17 @@ pub fn recovered(text: &str, features: &Features, truth: &[f64], most: f64) -> F
 /// Numbers with noise of a relative deviation.
 pub fn noisy(values: &[f64], deviation: f64, seed: u64) -> Vec<f64> {
     let mut stream = RandomStream::new(seed, 0);
-    values.iter().map(|value| value * (deviation * stream.normal_pair()[0]).exp()).collect()
+    values
+        .iter()
+        .map(|value| value * (deviation * stream.normal_pair()[0]).exp())
+        .collect()
 }
 
 /// Free keys.
 pub fn free(keys: &[(&str, f64)]) -> Vec<(String, f64)> {
-    keys.iter().map(|(key, deviation)| ((*key).to_owned(), *deviation)).collect()
+    keys.iter()
+        .map(|(key, deviation)| ((*key).to_owned(), *deviation))
+        .collect()
 }
 
 /// A deviation that is known.

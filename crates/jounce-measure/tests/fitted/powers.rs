@@ -24,12 +24,20 @@ const LOADS: [&str; 5] = ["5 kohm", "20 kohm", "50 kohm", "150 kohm", "600 kohm"
 fn coupling_and_capacitance_come_back_from_powers_over_the_load() {
     let text = format!("{HARVESTER}{RUN}");
     let power = |load: &&str| {
-        let (_, spec) =
-            spec(&text, &[("patch.mfc.d31", "-190 pC/N"), ("patch.mfc.capacitance", "50 nF"), ("circuit.load.resistance", load)]);
+        let (_, spec) = spec(
+            &text,
+            &[
+                ("patch.mfc.d31", "-190 pC/N"),
+                ("patch.mfc.capacitance", "50 nF"),
+                ("circuit.load.resistance", load),
+            ],
+        );
         let prepared = Model::new(spec).expect("a harvester");
         let start = prepared.start(Path::new(".")).expect("a start");
         let kernel = prepared.from_state(&start).expect("a kernel");
-        simulate(&kernel, &start, &RunPlan::of(&prepared.spec.run, 0.0)).expect("a run").mean_power_w
+        simulate(&kernel, &start, &RunPlan::of(&prepared.spec.run, 0.0))
+            .expect("a run")
+            .mean_power_w
     };
     let truth: Vec<f64> = LOADS.iter().map(power).collect();
     let feature = PowerFeature {
@@ -39,12 +47,19 @@ fn coupling_and_capacitance_come_back_from_powers_over_the_load() {
         deviation: given(0.02),
         set: vec![("drive.shaker.frequency".to_owned(), "60 Hz".to_owned())],
     };
-    let features =
-        Features { free: free(&[("patch.mfc.d31", 0.3), ("patch.mfc.capacitance", 0.3)]), powers: vec![feature], ..Features::default() };
+    let features = Features {
+        free: free(&[("patch.mfc.d31", 0.3), ("patch.mfc.capacitance", 0.3)]),
+        powers: vec![feature],
+        ..Features::default()
+    };
     let answer = recovered(&text, &features, &[-190e-12, 50e-9], 0.05);
     assert_eq!(answer.features.len(), 5);
     assert!(
-        answer.features[2].name.contains("50 kohm") && answer.features.iter().all(|feature| feature.errors().1.abs() < 0.06),
+        answer.features[2].name.contains("50 kohm")
+            && answer
+                .features
+                .iter()
+                .all(|feature| feature.errors().1.abs() < 0.06),
         "{answer:?}"
     );
 }

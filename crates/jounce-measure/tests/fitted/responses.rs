@@ -10,23 +10,56 @@ use jounce::structure;
 use jounce_measure::fit::{Deviation, Features, MeasuredLines, ResponseFeature, fit};
 use std::path::Path;
 
-const KEYS: [(&str, f64); 3] = [("beam.beam.youngs_modulus", 0.1), ("patch.mfc.capacitance", 0.2), ("damping.beyond", 0.5)];
+const KEYS: [(&str, f64); 3] = [
+    ("beam.beam.youngs_modulus", 0.1),
+    ("patch.mfc.capacitance", 0.2),
+    ("damping.beyond", 0.5),
+];
 const TRUTH: [f64; 3] = [72.5e9, 66e-9, 0.016];
 
 /// Voltage over the load per acceleration of the base, of the true harvester.
 fn voltage() -> (Vec<f64>, Vec<c64>) {
-    let (_, spec) =
-        spec(HARVESTER, &[("beam.beam.youngs_modulus", "72.5 GPa"), ("patch.mfc.capacitance", "66 nF"), ("damping.beyond", "0.016")]);
-    let plant = Plant::new(System::assemble(&spec, structure::modes(&spec).expect("modes")).expect("system")).expect("plant");
+    let (_, spec) = spec(
+        HARVESTER,
+        &[
+            ("beam.beam.youngs_modulus", "72.5 GPa"),
+            ("patch.mfc.capacitance", "66 nF"),
+            ("damping.beyond", "0.016"),
+        ],
+    );
+    let plant = Plant::new(
+        System::assemble(&spec, structure::modes(&spec).expect("modes")).expect("system"),
+    )
+    .expect("plant");
     let frequency_hz: Vec<f64> = (0..40).map(|k| 40.0 + 1.5 * f64::from(k)).collect();
-    let found = frf(&plant, &FrfInput::BaseAcceleration, &[FrfResponse::Voltage("mfc".to_owned())], &frequency_hz).expect("responses");
+    let found = frf(
+        &plant,
+        &FrfInput::BaseAcceleration,
+        &[FrfResponse::Voltage("mfc".to_owned())],
+        &frequency_hz,
+    )
+    .expect("responses");
     (frequency_hz, found[0].value.clone())
 }
 
 fn features(lines: MeasuredLines, deviation: Deviation) -> Features {
-    let (input, output) = (FrfInput::BaseAcceleration, FrfResponse::Voltage("mfc".to_owned()));
-    let feature = ResponseFeature { input, output, lines, absolute: false, deviation, set: Vec::new() };
-    Features { free: free(&KEYS), responses: vec![feature], ..Features::default() }
+    let (input, output) = (
+        FrfInput::BaseAcceleration,
+        FrfResponse::Voltage("mfc".to_owned()),
+    );
+    let feature = ResponseFeature {
+        input,
+        output,
+        lines,
+        absolute: false,
+        deviation,
+        set: Vec::new(),
+    };
+    Features {
+        free: free(&KEYS),
+        responses: vec![feature],
+        ..Features::default()
+    }
 }
 
 /// Noise of 2 % on every line. The deviation that residuals tell is the one that was put in, within its own: measured 2.0e-2.
@@ -34,16 +67,33 @@ fn features(lines: MeasuredLines, deviation: Deviation) -> Features {
 fn keys_come_back_from_sizes_and_their_deviation_from_residuals() {
     let (frequency_hz, value) = voltage();
     let sizes: Vec<f64> = value.iter().map(|h| h.norm()).collect();
-    let answer =
-        recovered(HARVESTER, &features(MeasuredLines::Magnitude(frequency_hz, noisy(&sizes, 0.02, 1)), Deviation::Residuals), &TRUTH, 0.05);
+    let answer = recovered(
+        HARVESTER,
+        &features(
+            MeasuredLines::Magnitude(frequency_hz, noisy(&sizes, 0.02, 1)),
+            Deviation::Residuals,
+        ),
+        &TRUTH,
+        0.05,
+    );
     let found = &answer.deviations[0];
-    eprintln!("deviation {:.2e} with {:.1?} degrees of freedom", found.deviation, found.degrees_of_freedom);
-    assert!((found.deviation / 0.02 - 1.0).abs() < 0.3 && found.degrees_of_freedom.is_some_and(|freedom| (freedom - 37.0).abs() < 1.0));
+    eprintln!(
+        "deviation {:.2e} with {:.1?} degrees of freedom",
+        found.deviation, found.degrees_of_freedom
+    );
+    assert!(
+        (found.deviation / 0.02 - 1.0).abs() < 0.3
+            && found
+                .degrees_of_freedom
+                .is_some_and(|freedom| (freedom - 37.0).abs() < 1.0)
+    );
     let curve = &answer.curves[0];
     let (before, after) = curve.errors();
     assert!(before > 0.2 && after < 0.03, "{before} {after}");
     // 95 % of the measurements lie within the interval for a further one, more or less.
-    let inside = (0..curve.at.len()).filter(|k| (curve.low[*k]..=curve.high[*k]).contains(&curve.measured[*k])).count();
+    let inside = (0..curve.at.len())
+        .filter(|k| (curve.low[*k]..=curve.high[*k]).contains(&curve.measured[*k]))
+        .count();
     assert!((34..=40).contains(&inside), "{inside}");
 }
 
@@ -56,10 +106,19 @@ fn keys_come_back_from_complex_values() {
         h + c64::new(re, im) * (0.02 * h.norm())
     };
     let value = value.iter().map(noisy).collect();
-    let answer = recovered(HARVESTER, &features(MeasuredLines::Complex(frequency_hz, value), given(0.02)), &TRUTH, 0.03);
+    let answer = recovered(
+        HARVESTER,
+        &features(MeasuredLines::Complex(frequency_hz, value), given(0.02)),
+        &TRUTH,
+        0.03,
+    );
     assert_eq!((answer.curves.len(), answer.features.len()), (2, 0));
     eprintln!("chi square {:.1} for 80 numbers", answer.chi_square);
-    assert!((40.0..125.0).contains(&answer.chi_square) && answer.warnings.is_empty(), "{:?}", answer.warnings);
+    assert!(
+        (40.0..125.0).contains(&answer.chi_square) && answer.warnings.is_empty(),
+        "{:?}",
+        answer.warnings
+    );
 }
 
 /// A sensor on the tip moves with the base too: its transmissibility, 1 and what the tip does relative to the base, gives the keys back where it is
@@ -67,38 +126,104 @@ fn keys_come_back_from_complex_values() {
 #[test]
 fn a_sensor_on_the_structure_and_the_unit_of_a_file_are_minded() {
     let (file, model) = spec(HARVESTER, &[]);
-    let (_, truth) = spec(HARVESTER, &[("beam.beam.youngs_modulus", "72.5 GPa"), ("damping.beyond", "0.016")]);
-    let plant = Plant::new(System::assemble(&truth, structure::modes(&truth).expect("modes")).expect("system")).expect("plant");
+    let (_, truth) = spec(
+        HARVESTER,
+        &[
+            ("beam.beam.youngs_modulus", "72.5 GPa"),
+            ("damping.beyond", "0.016"),
+        ],
+    );
+    let plant = Plant::new(
+        System::assemble(&truth, structure::modes(&truth).expect("modes")).expect("system"),
+    )
+    .expect("plant");
     let frequency_hz: Vec<f64> = (0..40).map(|k| 40.0 + 1.5 * f64::from(k)).collect();
     let output = FrfResponse::Acceleration("beam.end".to_owned());
-    let found = frf(&plant, &FrfInput::BaseAcceleration, std::slice::from_ref(&output), &frequency_hz).expect("responses");
+    let found = frf(
+        &plant,
+        &FrfInput::BaseAcceleration,
+        std::slice::from_ref(&output),
+        &frequency_hz,
+    )
+    .expect("responses");
     let riding = found[0].value.iter().map(|h| h + 1.0).collect();
     let lines = MeasuredLines::Complex(frequency_hz.clone(), riding);
-    let feature =
-        ResponseFeature { input: FrfInput::BaseAcceleration, output, lines, absolute: true, deviation: given(0.001), set: Vec::new() };
+    let feature = ResponseFeature {
+        input: FrfInput::BaseAcceleration,
+        output,
+        lines,
+        absolute: true,
+        deviation: given(0.001),
+        set: Vec::new(),
+    };
     let keys = [("beam.beam.youngs_modulus", 0.1), ("damping.beyond", 0.5)];
-    let riding = Features { free: free(&keys), responses: vec![feature], ..Features::default() };
-    let (answer, _) = fit(&file, &model, &riding, Path::new("."), &Control::default()).expect("a fit");
-    let off = [answer.keys[0].after / 72.5e9 - 1.0, answer.keys[1].after / 0.016 - 1.0];
+    let riding = Features {
+        free: free(&keys),
+        responses: vec![feature],
+        ..Features::default()
+    };
+    let (answer, _) =
+        fit(&file, &model, &riding, Path::new("."), &Control::default()).expect("a fit");
+    let off = [
+        answer.keys[0].after / 72.5e9 - 1.0,
+        answer.keys[1].after / 0.016 - 1.0,
+    ];
     eprintln!("absolute: {:.1e} {:.1e} off", off[0], off[1]);
-    assert!(off.iter().all(|off| off.abs() < 1e-4) && answer.warnings.is_empty(), "{off:?} {:?}", answer.warnings);
+    assert!(
+        off.iter().all(|off| off.abs() < 1e-4) && answer.warnings.is_empty(),
+        "{off:?} {:?}",
+        answer.warnings
+    );
     let folder = tempfile::tempdir().expect("a folder");
     for (unit, fits) in [("V/g", true), ("V/N", false), ("V", false), ("", true)] {
         let (_, value) = voltage();
-        let row = |(hz, h): (&f64, &c64)| format!("{hz},{:e},{:e}\n", h.re * 9.80665, h.im * 9.80665);
+        let row =
+            |(hz, h): (&f64, &c64)| format!("{hz},{:e},{:e}\n", h.re * 9.80665, h.im * 9.80665);
         let rows: String = frequency_hz.iter().zip(&value).map(row).collect();
-        let unit = if unit.is_empty() { String::new() } else { format!(" [{unit}]") };
-        std::fs::write(folder.path().join("frf.csv"), format!("frequency [Hz],mfc.re{unit},mfc.im{unit}\n{rows}")).expect("a file");
-        let lines = MeasuredLines::File { path: "frf.csv".into(), channel: "mfc".to_owned(), between_hz: (0.0, 1e3) };
-        let features = Features { folder: folder.path().to_owned(), ..features(lines, given(0.01)) };
-        match fit(&file, &model, &features, Path::new("."), &Control::default()) {
+        let unit = if unit.is_empty() {
+            String::new()
+        } else {
+            format!(" [{unit}]")
+        };
+        std::fs::write(
+            folder.path().join("frf.csv"),
+            format!("frequency [Hz],mfc.re{unit},mfc.im{unit}\n{rows}"),
+        )
+        .expect("a file");
+        let lines = MeasuredLines::File {
+            path: "frf.csv".into(),
+            channel: "mfc".to_owned(),
+            between_hz: (0.0, 1e3),
+        };
+        let features = Features {
+            folder: folder.path().to_owned(),
+            ..features(lines, given(0.01))
+        };
+        match fit(
+            &file,
+            &model,
+            &features,
+            Path::new("."),
+            &Control::default(),
+        ) {
             Ok((answer, _)) => {
                 assert!(fits, "{unit}");
-                assert_eq!(answer.warnings.iter().any(|told| told.contains("tells no unit")), unit.is_empty(), "{:?}", answer.warnings);
+                assert_eq!(
+                    answer
+                        .warnings
+                        .iter()
+                        .any(|told| told.contains("tells no unit")),
+                    unit.is_empty(),
+                    "{:?}",
+                    answer.warnings
+                );
                 let off = answer.keys[1].after / TRUTH[1] - 1.0;
                 assert!(unit.is_empty() || off.abs() < 1e-3, "{off:e}");
             }
-            Err(fault) => assert!(!fits && fault.to_string().contains("is in V/(m/s^2)"), "{unit}: {fault}"),
+            Err(fault) => assert!(
+                !fits && fault.to_string().contains("is in V/(m/s^2)"),
+                "{unit}: {fault}"
+            ),
         }
     }
 }

@@ -7,18 +7,42 @@ use jounce_measure::recording::IssueKind;
 
 #[test]
 fn arrays_need_notes_where_they_tell_no_time() {
-    let rows = vec![(0..50).map(|k| f64::from(k) * 1e-3).collect(), (0..50).map(|k| f64::from(k).sin()).collect::<Vec<f64>>()];
+    let rows = vec![
+        (0..50).map(|k| f64::from(k) * 1e-3).collect(),
+        (0..50).map(|k| f64::from(k).sin()).collect::<Vec<f64>>(),
+    ];
     let found = one("a.npy", &npy(&rows), None);
-    assert_eq!((found.channels.len(), found.channels[0].values.len()), (1, 50));
+    assert_eq!(
+        (found.channels.len(), found.channels[0].values.len()),
+        (1, 50)
+    );
     assert!((found.rate() - 1000.0).abs() < 1e-9);
     let only = vec![rows[1].clone(), rows[1].clone()];
-    assert!(matches!(read("b.npy", &npy(&only), None), Err(ReadError::NoTime { .. })));
+    assert!(matches!(
+        read("b.npy", &npy(&only), None),
+        Err(ReadError::NoTime { .. })
+    ));
     let notes = "rate = \"2 kHz\"\n[channel.1]\nname = \"hammer\"\nunit = \"lbf\"\nscale = 10\n[channel.2]\nuse = false\n";
     let noted = one("b.npy", &npy(&only), Some(notes));
-    assert_eq!((noted.channels.len(), noted.channels[0].name.as_str(), noted.rate()), (1, "hammer", 2000.0));
+    assert_eq!(
+        (
+            noted.channels.len(),
+            noted.channels[0].name.as_str(),
+            noted.rate()
+        ),
+        (1, "hammer", 2000.0)
+    );
     assert!((noted.channels[0].values[1] / (only[0][1] * 44.482_216_152_605) - 1.0).abs() < 1e-14);
-    let wrong = read("c.npy", &npy(&only), Some("rate = \"1 Hz\"\n[channel.hamster]\nunit = \"N\"\n")).expect_err("no such channel");
-    assert!(wrong.to_string().contains("hamster") && wrong.to_string().contains("channel 1"), "{wrong}");
+    let wrong = read(
+        "c.npy",
+        &npy(&only),
+        Some("rate = \"1 Hz\"\n[channel.hamster]\nunit = \"N\"\n"),
+    )
+    .expect_err("no such channel");
+    assert!(
+        wrong.to_string().contains("hamster") && wrong.to_string().contains("channel 1"),
+        "{wrong}"
+    );
     let matrix = one("a.mat", &mat("m", &rows), None);
     assert_eq!(matrix.channels[0].name, "m(2)");
     assert_eq!(matrix.channels[0].values, rows[1]);
@@ -30,7 +54,9 @@ fn arrays_of_two_bytes_are_read_and_complex_ones_refused_with_a_way_out() {
     let header = |dtype: &str| {
         let bytes = npy(&[vec![0.0; 3]]);
         let text = String::from_utf8_lossy(&bytes[10..]).replace("'<f8'", &format!("'{dtype}'"));
-        let line = text[..text.find('\n').expect("a header")].trim_end().to_owned();
+        let line = text[..text.find('\n').expect("a header")]
+            .trim_end()
+            .to_owned();
         let mut bytes = b"\x93NUMPY\x01\x00".to_vec();
         bytes.extend(118_u16.to_le_bytes());
         bytes.extend(format!("{line:<117}\n").bytes());
@@ -42,37 +68,76 @@ fn arrays_of_two_bytes_are_read_and_complex_ones_refused_with_a_way_out() {
     let big: Vec<u8> = halves.iter().flat_map(|half| half.to_be_bytes()).collect();
     for (dtype, numbers) in [("<f2", little), (">f2", big)] {
         let found = one("a.npy", &[header(dtype), numbers].concat(), notes);
-        assert_eq!(found.channels[0].values, [1.5, -5.0, 2.0_f64.powi(-24)], "{dtype}");
+        assert_eq!(
+            found.channels[0].values,
+            [1.5, -5.0, 2.0_f64.powi(-24)],
+            "{dtype}"
+        );
     }
     for dtype in ["<c8", "<c16"] {
-        let told = read("a.npy", &[header(dtype), vec![0; 48]].concat(), notes).expect_err("complex").to_string();
-        assert!(told.contains(&format!("complex ({dtype})")) && told.contains("NAME.re and NAME.im"), "{told}");
+        let told = read("a.npy", &[header(dtype), vec![0; 48]].concat(), notes)
+            .expect_err("complex")
+            .to_string();
+        assert!(
+            told.contains(&format!("complex ({dtype})")) && told.contains("NAME.re and NAME.im"),
+            "{told}"
+        );
     }
 }
 
 /// A rate or a step beside the arrays stands for a time; a time wins, and a number that says something else is told; so is one against the notes.
 #[test]
 fn a_single_number_of_a_matrix_file_tells_the_rate() {
-    let (ramp, tip): (Vec<f64>, Vec<f64>) = (0..50).map(|k| (f64::from(k) * 1e-3, f64::from(k).sin())).unzip();
+    let (ramp, tip): (Vec<f64>, Vec<f64>) = (0..50)
+        .map(|k| (f64::from(k) * 1e-3, f64::from(k).sin()))
+        .unzip();
     let with = |numbers: &[(&str, f64)], time: bool| {
         let mut bytes = mat("tip", std::slice::from_ref(&tip));
-        numbers.iter().for_each(|(name, x)| bytes.extend(mat(name, &[vec![*x]]).split_off(128)));
+        numbers
+            .iter()
+            .for_each(|(name, x)| bytes.extend(mat(name, &[vec![*x]]).split_off(128)));
         if time {
             bytes.extend(mat("t", std::slice::from_ref(&ramp)).split_off(128));
         }
         bytes
     };
-    for (name, number) in [("fs", 2000.0), ("Fs", 2000.0), ("sample_rate", 2000.0), ("dt", 5e-4)] {
+    for (name, number) in [
+        ("fs", 2000.0),
+        ("Fs", 2000.0),
+        ("sample_rate", 2000.0),
+        ("dt", 5e-4),
+    ] {
         let found = one("a.mat", &with(&[(name, number)], false), None);
-        assert!((found.rate() / 2000.0 - 1.0).abs() < 1e-12 && found.grid.at(0) == 0.0, "{name}: {}", found.rate());
-        assert_eq!((found.channels.len(), &found.channels[0].values, kinds(&found)), (1, &tip, vec![IssueKind::Assumed]), "{name}");
-        assert!(found.findings[0].to_string().contains(&format!("at 2000 Hz from 0 s on, by {name} = {number} ")), "{:?}", found.findings);
+        assert!(
+            (found.rate() / 2000.0 - 1.0).abs() < 1e-12 && found.grid.at(0) == 0.0,
+            "{name}: {}",
+            found.rate()
+        );
+        assert_eq!(
+            (
+                found.channels.len(),
+                &found.channels[0].values,
+                kinds(&found)
+            ),
+            (1, &tip, vec![IssueKind::Assumed]),
+            "{name}"
+        );
+        assert!(
+            found.findings[0]
+                .to_string()
+                .contains(&format!("at 2000 Hz from 0 s on, by {name} = {number} ")),
+            "{:?}",
+            found.findings
+        );
     }
     let told = |bytes: &[u8], notes: Option<&str>, rate: f64, words: &str| {
         let found = one("a.mat", bytes, notes);
         assert!((found.rate() / rate - 1.0).abs() < 1e-9, "{}", found.rate());
         let found: Vec<String> = found.findings.iter().map(ToString::to_string).collect();
-        assert!(found.iter().any(|told| told.contains(words)), "{found:?} {words}");
+        assert!(
+            found.iter().any(|told| told.contains(words)),
+            "{found:?} {words}"
+        );
     };
     told(
         &with(&[("fs", 2000.0)], true),
@@ -80,16 +145,47 @@ fn a_single_number_of_a_matrix_file_tells_the_rate() {
         1000.0,
         "fs = 2000 in the file is 2000 Hz, the stamps say 1000.000000 Hz; the stamps are used",
     );
-    told(&with(&[("fs", 2000.0)], false), Some("rate = \"500 Hz\"\n"), 500.0, "the notes say 500.000000 Hz; the notes are used");
-    told(&with(&[("fs", 2000.0), ("dt", 1e-3)], false), None, 2000.0, "dt = 0.001 one of 1000 Hz; the first is taken");
-    assert!(!kinds(&one("a.mat", &with(&[("fs", 1000.0), ("dt", 1e-3)], true), None)).contains(&IssueKind::HeaderDisagrees));
+    told(
+        &with(&[("fs", 2000.0)], false),
+        Some("rate = \"500 Hz\"\n"),
+        500.0,
+        "the notes say 500.000000 Hz; the notes are used",
+    );
+    told(
+        &with(&[("fs", 2000.0), ("dt", 1e-3)], false),
+        None,
+        2000.0,
+        "dt = 0.001 one of 1000 Hz; the first is taken",
+    );
+    assert!(
+        !kinds(&one(
+            "a.mat",
+            &with(&[("fs", 1000.0), ("dt", 1e-3)], true),
+            None
+        ))
+        .contains(&IssueKind::HeaderDisagrees)
+    );
     // The first column of a matrix is its time where it has that rate.
-    let both = |ramp: Vec<f64>| [mat("m", &[ramp, tip.clone()]), mat("fs", &[vec![1000.0]]).split_off(128)].concat();
+    let both = |ramp: Vec<f64>| {
+        [
+            mat("m", &[ramp, tip.clone()]),
+            mat("fs", &[vec![1000.0]]).split_off(128),
+        ]
+        .concat()
+    };
     assert_eq!(one("a.mat", &both(ramp.clone()), None).channels.len(), 1);
-    assert_eq!(one("a.mat", &both(ramp.iter().map(|t| 7.0 * t).collect()), None).channels.len(), 2);
+    assert_eq!(
+        one("a.mat", &both(ramp.iter().map(|t| 7.0 * t).collect()), None)
+            .channels
+            .len(),
+        2
+    );
     for (name, number) in [("fs", 0.0), ("fs", f64::NAN), ("gain", 2000.0)] {
         let refused = read("a.mat", &with(&[(name, number)], false), None);
-        assert!(matches!(refused, Err(ReadError::NoTime { .. })), "{name} = {number}: {refused:?}");
+        assert!(
+            matches!(refused, Err(ReadError::NoTime { .. })),
+            "{name} = {number}: {refused:?}"
+        );
     }
 }
 
@@ -100,15 +196,25 @@ fn a_matrix_file_is_read_element_by_element() {
     let second = mat("tip", &[ramp.iter().map(|t| t.sin()).collect()]).split_off(128);
     let both = [mat("t", std::slice::from_ref(&ramp)), second.clone()].concat();
     let whole = one("a.mat", &both, None);
-    assert_eq!((whole.channels.len(), whole.channels[0].name.as_str()), (1, "tip"));
-    let told = read("a.mat", &both[..both.len() - 8], None).expect_err("it is cut").to_string();
+    assert_eq!(
+        (whole.channels.len(), whole.channels[0].name.as_str()),
+        (1, "tip")
+    );
+    let told = read("a.mat", &both[..both.len() - 8], None)
+        .expect_err("it is cut")
+        .to_string();
     let begin = both.len() - second.len();
-    assert!(told.contains(&format!("byte {begin}")) && told.contains("was the file cut?"), "{told}");
+    assert!(
+        told.contains(&format!("byte {begin}")) && told.contains("was the file cut?"),
+        "{told}"
+    );
     let mut odd = both.clone();
     // The class of the second array becomes that of an object.
     odd[begin + 16] = 17;
     let rate = Some("rate = \"1 kHz\"\n");
-    let told = read("a.mat", &odd, rate).expect_err("only a time is left").to_string();
+    let told = read("a.mat", &odd, rate)
+        .expect_err("only a time is left")
+        .to_string();
     assert!(told.contains("was left out"), "{told}");
 }
 
@@ -117,6 +223,12 @@ fn a_matrix_file_is_read_element_by_element() {
 fn a_matrix_file_without_a_channel_as_long_as_its_time_is_refused() {
     let ramp: Vec<f64> = (0..50).map(|k| f64::from(k) * 1e-3).collect();
     let short = mat("tip", &[ramp[..40].to_vec()]).split_off(128);
-    let told = read("a.mat", &[mat("t", &[ramp]), short].concat(), None).expect_err("no channel").to_string();
-    assert!(told.contains("no channel is left") && told.contains("tip has 40 samples where the record has 50"), "{told}");
+    let told = read("a.mat", &[mat("t", &[ramp]), short].concat(), None)
+        .expect_err("no channel")
+        .to_string();
+    assert!(
+        told.contains("no channel is left")
+            && told.contains("tip has 40 samples where the record has 50"),
+        "{told}"
+    );
 }

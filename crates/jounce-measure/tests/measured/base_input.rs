@@ -13,7 +13,9 @@ const MODES: [(f64, f64, f64); 3] = [(40.0, 0.01, 1.5), (150.0, 0.015, -0.7), (2
 /// Acceleration of the tip relative to the base, per acceleration of the base.
 fn relative(hz: f64) -> Complex<f64> {
     let w = TAU * hz;
-    let of = |(f, z, part): &(f64, f64, f64)| *part * w * w / Complex::new((TAU * f).powi(2) - w * w, 2.0 * z * TAU * f * w);
+    let of = |(f, z, part): &(f64, f64, f64)| {
+        *part * w * w / Complex::new((TAU * f).powi(2) - w * w, 2.0 * z * TAU * f * w)
+    };
     MODES.iter().map(of).sum()
 }
 
@@ -29,7 +31,10 @@ fn transferred(output: Quantity, input: Quantity, hz: f64) -> Complex<f64> {
 
 fn responses(output: Quantity, input: Quantity) -> MeasuredResponses {
     let frequency_hz: Vec<f64> = (40..1400).map(|k| f64::from(k) * 0.25).collect();
-    let value: Vec<_> = frequency_hz.iter().map(|hz| transferred(output, input, *hz)).collect();
+    let value: Vec<_> = frequency_hz
+        .iter()
+        .map(|hz| transferred(output, input, *hz))
+        .collect();
     let coherence = vec![1.0; value.len()];
     MeasuredResponses {
         outputs: vec!["tip".to_owned()],
@@ -39,7 +44,14 @@ fn responses(output: Quantity, input: Quantity) -> MeasuredResponses {
         quantities: vec![output],
         input: "base".to_owned(),
         inputs: vec![input],
-        functions: vec![FrequencyResponse { frequency_hz, value, coherence, blocks: 1, sight: WindowBias::Whole, without: Vec::new() }],
+        functions: vec![FrequencyResponse {
+            frequency_hz,
+            value,
+            coherence,
+            blocks: 1,
+            sight: WindowBias::Whole,
+            without: Vec::new(),
+        }],
         hits: Vec::new(),
         block_s: None,
         window_decay_per_s: 0.0,
@@ -51,15 +63,39 @@ fn responses(output: Quantity, input: Quantity) -> MeasuredResponses {
 /// 1e-15.
 #[test]
 fn every_motion_of_tip_and_base_gives_the_same_modes_and_participation() {
-    let kinds = [Quantity::Displacement, Quantity::Velocity, Quantity::Acceleration];
-    for (output, input) in kinds.iter().flat_map(|output| kinds.iter().map(move |input| (*output, *input))) {
+    let kinds = [
+        Quantity::Displacement,
+        Quantity::Velocity,
+        Quantity::Acceleration,
+    ];
+    for (output, input) in kinds
+        .iter()
+        .flat_map(|output| kinds.iter().map(move |input| (*output, *input)))
+    {
         let responses = responses(output, input);
-        let found = identify(&Band::of(&responses, (10.0, 349.0)).expect("a band"), ModalSettings { order: 16 }).expect("modes");
-        assert_eq!(found.modes.len(), 3, "{output:?} {input:?}: {:?}", found.modes);
+        let found = identify(
+            &Band::of(&responses, (10.0, 349.0)).expect("a band"),
+            ModalSettings { order: 16 },
+        )
+        .expect("modes");
+        assert_eq!(
+            found.modes.len(),
+            3,
+            "{output:?} {input:?}: {:?}",
+            found.modes
+        );
         for (mode, (hz, ratio, part)) in found.modes.iter().zip(MODES) {
             let told = mode.base_participation(&responses).expect("a base")[0];
-            let off = [mode.frequency_hz / hz - 1.0, mode.damping_ratio / ratio - 1.0, told.re / part - 1.0, told.im / part];
-            eprintln!("{output:?} per {input:?}, {hz} Hz: {:.1e} {:.1e} {:.1e}", off[0], off[1], off[2]);
+            let off = [
+                mode.frequency_hz / hz - 1.0,
+                mode.damping_ratio / ratio - 1.0,
+                told.re / part - 1.0,
+                told.im / part,
+            ];
+            eprintln!(
+                "{output:?} per {input:?}, {hz} Hz: {:.1e} {:.1e} {:.1e}",
+                off[0], off[1], off[2]
+            );
             assert!(off.iter().all(|off| off.abs() < 1e-12), "{off:?}");
         }
     }
@@ -68,15 +104,28 @@ fn every_motion_of_tip_and_base_gives_the_same_modes_and_participation() {
 
 fn found_under_a_force() -> Option<usize> {
     let responses = responses(Quantity::Acceleration, Quantity::Force);
-    let found = identify(&Band::of(&responses, (10.0, 349.0)).expect("a band"), ModalSettings { order: 16 }).expect("modes");
-    found.modes[0].base_participation(&responses).map(|parts| parts.len())
+    let found = identify(
+        &Band::of(&responses, (10.0, 349.0)).expect("a band"),
+        ModalSettings { order: 16 },
+    )
+    .expect("modes");
+    found.modes[0]
+        .base_participation(&responses)
+        .map(|parts| parts.len())
 }
 
 /// A signal of noise-like turns and twice of it as the response, in some units.
-fn shaken(input: (Quantity, &str), output: (Quantity, &str), turns: impl Fn(u32) -> f64) -> Recording {
+fn shaken(
+    input: (Quantity, &str),
+    output: (Quantity, &str),
+    turns: impl Fn(u32) -> f64,
+) -> Recording {
     let values: Vec<f64> = (0..8000).map(turns).collect();
     let twice = values.iter().map(|x| 2.0 * x).collect();
-    let channels = vec![Channel::new("in", input.0, input.1, values), Channel::new("out", output.0, output.1, twice)];
+    let channels = vec![
+        Channel::new("in", input.0, input.1, values),
+        Channel::new("out", output.0, output.1, twice),
+    ];
     Recording {
         name: "shaken".to_owned(),
         over: Over::Time,
@@ -91,29 +140,72 @@ fn going_on(k: u32) -> f64 {
 }
 
 fn of(record: &Recording, settings: &ImpactSettings) -> Result<MeasuredResponses, ResponseError> {
-    let chosen = ChannelChoice { excitation: Excitation::Channel("in".to_owned()), ..ChannelChoice::default() };
+    let chosen = ChannelChoice {
+        excitation: Excitation::Channel("in".to_owned()),
+        ..ChannelChoice::default()
+    };
     MeasuredResponses::of_hits(std::slice::from_ref(record), &chosen, settings)
 }
 
-const PLAIN: ImpactSettings =
-    ImpactSettings { estimator: Estimator::H1, block_s: None, force_window: false, end_ratio: None, shaker: false };
+const PLAIN: ImpactSettings = ImpactSettings {
+    estimator: Estimator::H1,
+    block_s: None,
+    force_window: false,
+    end_ratio: None,
+    shaker: false,
+};
 
 #[test]
 fn units_are_those_of_output_and_input() {
     use Quantity::{Acceleration, Displacement, Force, Velocity, Voltage};
     let cases = [
-        ((Acceleration, "m/s^2"), (Voltage, "V"), "V/(m/s^2)", Some("V/g"), false),
-        ((Acceleration, "m/s^2"), (Acceleration, "m/s^2"), "m/s^2/(m/s^2)", None, true),
-        ((Acceleration, "m/s^2"), (Displacement, "m"), "m/(m/s^2)", Some("m/g"), false),
+        (
+            (Acceleration, "m/s^2"),
+            (Voltage, "V"),
+            "V/(m/s^2)",
+            Some("V/g"),
+            false,
+        ),
+        (
+            (Acceleration, "m/s^2"),
+            (Acceleration, "m/s^2"),
+            "m/s^2/(m/s^2)",
+            None,
+            true,
+        ),
+        (
+            (Acceleration, "m/s^2"),
+            (Displacement, "m"),
+            "m/(m/s^2)",
+            Some("m/g"),
+            false,
+        ),
         ((Displacement, "m"), (Displacement, "m"), "m/m", None, true),
         ((Velocity, "m/s"), (Voltage, "V"), "V/(m/s)", None, false),
         ((Voltage, "V"), (Velocity, "m/s"), "m/s/V", None, false),
-        ((Force, "N"), (Acceleration, "m/s^2"), "m/s^2/N", None, false),
+        (
+            (Force, "N"),
+            (Acceleration, "m/s^2"),
+            "m/s^2/N",
+            None,
+            false,
+        ),
     ];
     for (input, output, unit, per_g, transmits) in cases {
-        let found = of(&shaken(input, output, going_on), &PLAIN).unwrap_or_else(|fault| panic!("{fault}"));
-        assert_eq!((found.units[0].as_str(), found.inputs[0], found.references[0].as_str()), (unit, input.0, "in"));
-        assert_eq!(found.per_g(0), per_g.map(|unit| (9.806_65, unit.to_owned())));
+        let found =
+            of(&shaken(input, output, going_on), &PLAIN).unwrap_or_else(|fault| panic!("{fault}"));
+        assert_eq!(
+            (
+                found.units[0].as_str(),
+                found.inputs[0],
+                found.references[0].as_str()
+            ),
+            (unit, input.0, "in")
+        );
+        assert_eq!(
+            found.per_g(0),
+            per_g.map(|unit| (9.806_65, unit.to_owned()))
+        );
         assert_eq!(found.is_transmissibility(0), transmits);
         assert!((found.functions[0].value[112] - 2.0).norm() < 1e-9);
         // What it writes is what a file of responses is read as.
@@ -125,22 +217,58 @@ fn units_are_those_of_output_and_input() {
 fn what_cannot_be_an_input_is_refused() {
     let volts = (Quantity::Voltage, "V");
     let told = |record: &Recording, chosen: &ChannelChoice| {
-        MeasuredResponses::of_hits(std::slice::from_ref(record), chosen, &PLAIN).expect_err("a refusal").to_string()
+        MeasuredResponses::of_hits(std::slice::from_ref(record), chosen, &PLAIN)
+            .expect_err("a refusal")
+            .to_string()
     };
-    let channel = |name: &str| ChannelChoice { excitation: Excitation::Channel(name.to_owned()), ..ChannelChoice::default() };
+    let channel = |name: &str| ChannelChoice {
+        excitation: Excitation::Channel(name.to_owned()),
+        ..ChannelChoice::default()
+    };
     let silent = shaken((Quantity::Unknown, ""), volts, going_on);
     assert!(told(&silent, &channel("in")).contains("tells no unit"));
     let counts = shaken((Quantity::Unknown, "counts"), volts, going_on);
     assert!(told(&counts, &channel("in")).contains("the unit counts"));
     let base = shaken((Quantity::Acceleration, "m/s^2"), volts, going_on);
     assert!(told(&base, &ChannelChoice::default()).contains("--input"));
-    assert!(told(&base, &ChannelChoice { excitation: Excitation::Force("in".to_owned()), ..ChannelChoice::default() }).contains("--input"));
+    assert!(
+        told(
+            &base,
+            &ChannelChoice {
+                excitation: Excitation::Force("in".to_owned()),
+                ..ChannelChoice::default()
+            }
+        )
+        .contains("--input")
+    );
     assert!(told(&base, &channel("nowhere")).contains("nowhere"));
-    assert!(told(&base, &ChannelChoice { responses: vec!["in".to_owned()], ..channel("in") }).contains("cannot respond to itself"));
-    let pulse = shaken((Quantity::Acceleration, "m/s^2"), volts, |k| if (20..30).contains(&k) { 50.0 } else { 0.0 });
+    assert!(
+        told(
+            &base,
+            &ChannelChoice {
+                responses: vec!["in".to_owned()],
+                ..channel("in")
+            }
+        )
+        .contains("cannot respond to itself")
+    );
+    let pulse = shaken((Quantity::Acceleration, "m/s^2"), volts, |k| {
+        if (20..30).contains(&k) { 50.0 } else { 0.0 }
+    });
     assert!(told(&pulse, &channel("in")).contains("--shaker"));
-    assert!(of(&pulse, &ImpactSettings { shaker: true, ..PLAIN }).is_ok());
+    assert!(
+        of(
+            &pulse,
+            &ImpactSettings {
+                shaker: true,
+                ..PLAIN
+            }
+        )
+        .is_ok()
+    );
     let other = shaken((Quantity::Velocity, "m/s"), volts, going_on);
-    let fault = MeasuredResponses::of_hits(&[base, other], &channel("in"), &PLAIN).expect_err("a refusal").to_string();
+    let fault = MeasuredResponses::of_hits(&[base, other], &channel("in"), &PLAIN)
+        .expect_err("a refusal")
+        .to_string();
     assert!(fault.contains("one kind of input"), "{fault}");
 }

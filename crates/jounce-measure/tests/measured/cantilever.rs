@@ -10,8 +10,10 @@ const NOTED_HZ: [f64; 3] = [6.57, 41.47, 117.93];
 
 /// Natural frequencies of the recording.
 fn found_hz() -> Option<Vec<f64>> {
-    let spectrum =
-        read::file(&real("hrshm_cantilever/impulse_FFT_data.lvm")?).unwrap_or_else(|fault| panic!("{fault}")).recordings.remove(0);
+    let spectrum = read::file(&real("hrshm_cantilever/impulse_FFT_data.lvm")?)
+        .unwrap_or_else(|fault| panic!("{fault}"))
+        .recordings
+        .remove(0);
     let decays = Decays::of_spectrum(&spectrum, &[]).expect("amplitudes over even lines");
     let found = identify_decays(&decays, (2.0, 160.0), ModalSettings { order: 20 }).expect("modes");
     Some(found.modes.iter().map(|mode| mode.frequency_hz).collect())

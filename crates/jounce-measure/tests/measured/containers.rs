@@ -14,11 +14,17 @@ fn ramp(count: u32, step: f64) -> Vec<f64> {
 }
 
 fn sine(count: u32, phase: f64) -> Vec<f64> {
-    (0..count).map(|k| (f64::from(k) * 0.1 + phase).sin()).collect()
+    (0..count)
+        .map(|k| (f64::from(k) * 0.1 + phase).sin())
+        .collect()
 }
 
 fn names(recording: &Recording) -> Vec<(&str, &str)> {
-    recording.channels.iter().map(|channel| (channel.name.as_str(), channel.unit.as_str())).collect()
+    recording
+        .channels
+        .iter()
+        .map(|channel| (channel.name.as_str(), channel.unit.as_str()))
+        .collect()
 }
 
 fn all(name: &str, bytes: &[u8]) -> Contents {
@@ -27,57 +33,117 @@ fn all(name: &str, bytes: &[u8]) -> Contents {
 
 /// As laboratories save: `data.time`, `data.signal(1).values` with names and units beside them.
 fn nested() -> Value {
-    let signal = |name, unit, phase| vec![column(&sine(200, phase)), Value::Text(name), Value::Text(unit)];
-    let signals = Value::Structs(vec!["values", "label", "unit"], vec![signal("tip", "g", 0.0), signal("drive", "mV", 1.0)]);
-    fields(vec![("time", column(&ramp(200, 1e-3))), ("signal", signals), ("comment", Value::Text("run 3")), ("gain", column(&[3.0]))])
+    let signal = |name, unit, phase| {
+        vec![
+            column(&sine(200, phase)),
+            Value::Text(name),
+            Value::Text(unit),
+        ]
+    };
+    let signals = Value::Structs(
+        vec!["values", "label", "unit"],
+        vec![signal("tip", "g", 0.0), signal("drive", "mV", 1.0)],
+    );
+    fields(vec![
+        ("time", column(&ramp(200, 1e-3))),
+        ("signal", signals),
+        ("comment", Value::Text("run 3")),
+        ("gain", column(&[3.0])),
+    ])
 }
 
 #[test]
 fn structs_and_cells_of_any_depth_are_read() {
     for compressed in [false, true] {
         let found = one("a.mat", &file(&[("data", nested())], compressed), None);
-        assert_eq!(names(&found), [("tip", "m/s^2"), ("drive", "V")], "{compressed}");
+        assert_eq!(
+            names(&found),
+            [("tip", "m/s^2"), ("drive", "V")],
+            "{compressed}"
+        );
         assert!((found.rate() - 1000.0).abs() < 1e-9);
-        assert_eq!(found.channels[0].values, sine(200, 0.0).iter().map(|x| x * 9.806_65).collect::<Vec<f64>>());
-        let deep = (0..30).fold(nested(), |inside, _| Value::Cell(vec![fields(vec![("x", inside)])]));
+        assert_eq!(
+            found.channels[0].values,
+            sine(200, 0.0)
+                .iter()
+                .map(|x| x * 9.806_65)
+                .collect::<Vec<f64>>()
+        );
+        let deep = (0..30).fold(nested(), |inside, _| {
+            Value::Cell(vec![fields(vec![("x", inside)])])
+        });
         let found = one("a.mat", &file(&[("deep", deep)], compressed), None);
         assert_eq!(names(&found), [("tip", "m/s^2"), ("drive", "V")]);
         let cell = Value::Cell(vec![column(&ramp(50, 0.5)), column(&sine(50, 0.0))]);
-        let found = one("a.mat", &file(&[("c", cell), ("time", column(&ramp(50, 0.01)))], compressed), None);
+        let found = one(
+            "a.mat",
+            &file(
+                &[("c", cell), ("time", column(&ramp(50, 0.01)))],
+                compressed,
+            ),
+            None,
+        );
         assert_eq!(names(&found), [("c{1}", ""), ("c{2}", "")]);
     }
     let too_deep = (0..200).fold(nested(), |inside, _| Value::Cell(vec![inside]));
-    let told = read("a.mat", &file(&[("deep", too_deep)], false), None).expect_err("too deep").to_string();
+    let told = read("a.mat", &file(&[("deep", too_deep)], false), None)
+        .expect_err("too deep")
+        .to_string();
     assert!(told.contains("more than 100 structs"), "{told}");
 }
 
 /// Each array goes to the time or frequency of its length that lies nearest; equal times are one recording.
 #[test]
 fn several_grids_in_one_file_are_several_recordings() {
-    let run = |count, step, phase| fields(vec![("t", column(&ramp(count, step))), ("acc", column(&sine(count, phase)))]);
+    let run = |count, step, phase| {
+        fields(vec![
+            ("t", column(&ramp(count, step))),
+            ("acc", column(&sine(count, phase))),
+        ])
+    };
     let response = Value::Complex(vec![100, 2, 2], sine(400, 0.0), sine(400, 1.0));
     let bytes = file(
         &[
             ("run1", run(200, 1e-3, 0.0)),
             ("run2", run(200, 2e-3, 1.0)),
             ("run3", run(200, 1e-3, 2.0)),
-            ("frf", fields(vec![("freq", column(&ramp(100, 0.25))), ("h", response)])),
+            (
+                "frf",
+                fields(vec![("freq", column(&ramp(100, 0.25))), ("h", response)]),
+            ),
             ("odd", column(&ramp(77, 1.0))),
         ],
         true,
     );
     let found = all("a.mat", &bytes);
-    let told: Vec<_> = found.recordings.iter().map(|one| (one.over, names(one))).collect();
+    let told: Vec<_> = found
+        .recordings
+        .iter()
+        .map(|one| (one.over, names(one)))
+        .collect();
     let h = ["frf.h(1,1)", "frf.h(2,1)", "frf.h(1,2)", "frf.h(2,2)"].map(|name| (name, ""));
-    let due = [(Over::Time, vec![("run1.acc", ""), ("run3.acc", "")]), (Over::Time, vec![("run2.acc", "")]), (Over::Frequency, h.to_vec())];
+    let due = [
+        (Over::Time, vec![("run1.acc", ""), ("run3.acc", "")]),
+        (Over::Time, vec![("run2.acc", "")]),
+        (Over::Frequency, h.to_vec()),
+    ];
     assert_eq!(told, due);
     assert_eq!(found.recordings[1].channels[0].values, sine(200, 1.0));
     let h12 = &found.recordings[2].channels[2];
     assert_eq!(h12.values, sine(400, 0.0)[200..300]);
     assert_eq!(h12.imaginary.as_deref(), Some(&sine(400, 1.0)[200..300]));
     let about: Vec<String> = found.findings.iter().map(ToString::to_string).collect();
-    assert!(about.iter().any(|about| about.contains("odd has 77 samples")), "{about:?}");
-    assert!(found.recordings[0].name.ends_with("1: run1"), "{}", found.recordings[0].name);
+    assert!(
+        about
+            .iter()
+            .any(|about| about.contains("odd has 77 samples")),
+        "{about:?}"
+    );
+    assert!(
+        found.recordings[0].name.ends_with("1: run1"),
+        "{}",
+        found.recordings[0].name
+    );
 }
 
 /// As Simcenter Testlab exports: a start, a step and the quantity of each axis.
@@ -85,37 +151,99 @@ fn several_grids_in_one_file_are_several_recordings() {
 fn an_axis_may_be_told_by_numbers() {
     let axis = |step, unit| {
         let quantity = fields(vec![("label", Value::Text(unit))]);
-        fields(vec![("start_value", column(&[0.5])), ("increment", column(&[step])), ("quantity", quantity)])
+        fields(vec![
+            ("start_value", column(&[0.5])),
+            ("increment", column(&[step])),
+            ("quantity", quantity),
+        ])
     };
     let signal = |step, axis_unit, unit| {
-        let y = fields(vec![("values", column(&sine(90, 0.0))), ("quantity", fields(vec![("label", Value::Text(unit))]))]);
+        let y = fields(vec![
+            ("values", column(&sine(90, 0.0))),
+            ("quantity", fields(vec![("label", Value::Text(unit))])),
+        ]);
         fields(vec![("x_values", axis(step, axis_unit)), ("y_values", y)])
     };
-    let found = all("a.mat", &file(&[("Signal", signal(1e-3, "s", "g")), ("PSD", signal(0.25, "Hz", "V"))], true));
-    let told: Vec<_> = found.recordings.iter().map(|one| (one.over, one.grid.at(0), one.grid.at(89), names(one))).collect();
-    assert_eq!(told[0], (Over::Time, 0.5, 0.5 + 89.0 * 1e-3, vec![("Signal.y_values.values", "m/s^2")]));
-    assert_eq!(told[1], (Over::Frequency, 0.5, 0.5 + 89.0 * 0.25, vec![("PSD.y_values.values", "V")]));
+    let found = all(
+        "a.mat",
+        &file(
+            &[
+                ("Signal", signal(1e-3, "s", "g")),
+                ("PSD", signal(0.25, "Hz", "V")),
+            ],
+            true,
+        ),
+    );
+    let told: Vec<_> = found
+        .recordings
+        .iter()
+        .map(|one| (one.over, one.grid.at(0), one.grid.at(89), names(one)))
+        .collect();
+    assert_eq!(
+        told[0],
+        (
+            Over::Time,
+            0.5,
+            0.5 + 89.0 * 1e-3,
+            vec![("Signal.y_values.values", "m/s^2")]
+        )
+    );
+    assert_eq!(
+        told[1],
+        (
+            Over::Frequency,
+            0.5,
+            0.5 + 89.0 * 0.25,
+            vec![("PSD.y_values.values", "V")]
+        )
+    );
 }
 
 #[test]
 fn whole_numbers_and_objects_in_matlab_files() {
     let short: Vec<i16> = (-20..20).map(|k| k * 7 % 40 * 800).collect();
-    let found = one("a.mat", &file(&[("x", Value::Short(short.clone())), ("fs", column(&[100.0]))], false), None);
-    assert!(found.channels[0].values.iter().zip(&short).all(|(a, b)| *a == f64::from(*b)));
+    let found = one(
+        "a.mat",
+        &file(
+            &[("x", Value::Short(short.clone())), ("fs", column(&[100.0]))],
+            false,
+        ),
+        None,
+    );
+    assert!(
+        found.channels[0]
+            .values
+            .iter()
+            .zip(&short)
+            .all(|(a, b)| *a == f64::from(*b))
+    );
     assert!(kinds(&found).contains(&IssueKind::RawCounts));
 }
 
 #[test]
 fn an_archive_of_arrays_is_read_by_their_names() {
     let entry = |name: &'static str, values: Vec<f64>| (name, npy(&[values]));
-    let entries = [entry("time.npy", ramp(64, 1e-3)), entry("tip_mv.npy", sine(64, 0.0)), entry("gain.npy", vec![2.0])];
+    let entries = [
+        entry("time.npy", ramp(64, 1e-3)),
+        entry("tip_mv.npy", sine(64, 0.0)),
+        entry("gain.npy", vec![2.0]),
+    ];
     for compressed in [false, true] {
         let found = one("a.npz", &zip::file(&entries, compressed), None);
         assert_eq!(names(&found), [("tip_mv", "V")]);
         assert!((found.rate() - 1000.0).abs() < 1e-9);
-        assert_eq!(found.channels[0].values, sine(64, 0.0).iter().map(|x| x * 1e-3).collect::<Vec<f64>>());
+        assert_eq!(
+            found.channels[0].values,
+            sine(64, 0.0).iter().map(|x| x * 1e-3).collect::<Vec<f64>>()
+        );
     }
-    let told = read("a.zip", &zip::file(&[("a.txt", b"hello".to_vec())], false), None).expect_err("no array").to_string();
+    let told = read(
+        "a.zip",
+        &zip::file(&[("a.txt", b"hello".to_vec())], false),
+        None,
+    )
+    .expect_err("no array")
+    .to_string();
     assert!(told.contains("ZIP archive without arrays"), "{told}");
     let mut damaged = zip::file(&entries, true);
     damaged[150] ^= 0x55;
@@ -125,9 +253,20 @@ fn an_archive_of_arrays_is_read_by_their_names() {
 fn hdf5(matlab: bool) -> Vec<u8> {
     let mut file = FileBuilder::new();
     let mut group = file.create_group("run");
-    group.create_dataset("time").with_f64_data(&ramp(300, 1e-3)).with_shape(&[300, 1]);
-    let tip = group.create_dataset("tip").with_f32_data(&sine(300, 0.0).iter().map(|x| *x as f32).collect::<Vec<f32>>());
-    tip.with_shape(&[300, 1]).with_chunks(&[64, 1]).with_deflate(6).set_attr("units", AttrValue::String("mV".into()));
+    group
+        .create_dataset("time")
+        .with_f64_data(&ramp(300, 1e-3))
+        .with_shape(&[300, 1]);
+    let tip = group.create_dataset("tip").with_f32_data(
+        &sine(300, 0.0)
+            .iter()
+            .map(|x| *x as f32)
+            .collect::<Vec<f32>>(),
+    );
+    tip.with_shape(&[300, 1])
+        .with_chunks(&[64, 1])
+        .with_deflate(6)
+        .set_attr("units", AttrValue::String("mV".into()));
     if matlab {
         tip.set_attr("MATLAB_class", AttrValue::AsciiString("single".into()));
     }
@@ -142,7 +281,13 @@ fn hdf5_groups_and_chunks_are_read() {
         let name = if matlab { "a.mat" } else { "a.h5" };
         let found = one(name, &bytes, None);
         assert_eq!(names(&found), [("run.tip", "V")]);
-        assert!(found.channels[0].values.iter().zip(sine(300, 0.0)).all(|(a, b)| *a == f64::from(b as f32) * 1e-3));
+        assert!(
+            found.channels[0]
+                .values
+                .iter()
+                .zip(sine(300, 0.0))
+                .all(|(a, b)| *a == f64::from(b as f32) * 1e-3)
+        );
         assert_eq!(found.channels[0].quantity, Quantity::Voltage);
         bytes.truncate(bytes.len() / 2);
         let told = read(name, &bytes, None).expect_err("it is cut").to_string();
@@ -152,7 +297,15 @@ fn hdf5_groups_and_chunks_are_read() {
 
 fn channel(path: &'static str, values: Vec<f64>) -> Channel {
     let unit = Property::Text("unit_string", "mV");
-    Channel { path, values, properties: vec![unit, Property::Number("wf_increment", 1e-3), Property::Number("wf_start_offset", 0.25)] }
+    Channel {
+        path,
+        values,
+        properties: vec![
+            unit,
+            Property::Number("wf_increment", 1e-3),
+            Property::Number("wf_start_offset", 0.25),
+        ],
+    }
 }
 
 #[test]
@@ -160,42 +313,90 @@ fn tdms_channels_run_through_all_segments() {
     let (a, b) = (sine(200, 0.0), sine(200, 1.0));
     for interleaved in [false, true] {
         let part = |from: usize, to: usize, closed| {
-            let channels = [channel("/'run'/'a'", a[from..to].to_vec()), channel("/'run'/'b'", b[from..to].to_vec())];
+            let channels = [
+                channel("/'run'/'a'", a[from..to].to_vec()),
+                channel("/'run'/'b'", b[from..to].to_vec()),
+            ];
             segment(&channels, interleaved, closed)
         };
-        let found = one("a.tdms", &[part(0, 70, true), part(70, 200, true)].concat(), None);
-        assert_eq!((names(&found), found.grid.at(0)), (vec![("a", "V"), ("b", "V")], 0.25));
+        let found = one(
+            "a.tdms",
+            &[part(0, 70, true), part(70, 200, true)].concat(),
+            None,
+        );
+        assert_eq!(
+            (names(&found), found.grid.at(0)),
+            (vec![("a", "V"), ("b", "V")], 0.25)
+        );
         assert!((found.rate() - 1000.0).abs() < 1e-9);
-        assert_eq!(found.channels[1].values, b.iter().map(|x| x * 1e-3).collect::<Vec<f64>>());
-        let open = one("a.tdms", &[part(0, 70, true), part(70, 200, false)].concat(), None);
+        assert_eq!(
+            found.channels[1].values,
+            b.iter().map(|x| x * 1e-3).collect::<Vec<f64>>()
+        );
+        let open = one(
+            "a.tdms",
+            &[part(0, 70, true), part(70, 200, false)].concat(),
+            None,
+        );
         assert_eq!(open.channels, found.channels);
         assert!(kinds(&open).contains(&IssueKind::HeaderDisagrees));
         let whole = part(0, 200, true);
-        let told = read("a.tdms", &whole[..whole.len() - 8], None).expect_err("it is cut").to_string();
+        let told = read("a.tdms", &whole[..whole.len() - 8], None)
+            .expect_err("it is cut")
+            .to_string();
         assert!(told.contains("was the file cut?"), "{told}");
     }
-    let groups = [channel("/'x'/'a'", a.clone()), channel("/'y'/'a'", b.clone())];
-    assert_eq!(names(&one("a.tdms", &segment(&groups, false, true), None)), [("x.a", "V"), ("y.a", "V")]);
+    let groups = [
+        channel("/'x'/'a'", a.clone()),
+        channel("/'y'/'a'", b.clone()),
+    ];
+    assert_eq!(
+        names(&one("a.tdms", &segment(&groups, false, true), None)),
+        [("x.a", "V"), ("y.a", "V")]
+    );
 }
 
 #[test]
 fn wav_samples_of_every_size_are_read() {
     let counts: Vec<i32> = (0..300).map(|k| (k * 37) % 251 - 125).collect();
-    let whole = |size: usize| -> Vec<u8> { counts.iter().flat_map(|x| x.to_le_bytes()[..size].to_vec()).collect() };
+    let whole = |size: usize| -> Vec<u8> {
+        counts
+            .iter()
+            .flat_map(|x| x.to_le_bytes()[..size].to_vec())
+            .collect()
+    };
     let floats = |wide: bool| -> Vec<u8> {
-        let each = |x: &i32| if wide { f64::from(*x).to_le_bytes().to_vec() } else { (*x as f32).to_le_bytes().to_vec() };
+        let each = |x: &i32| {
+            if wide {
+                f64::from(*x).to_le_bytes().to_vec()
+            } else {
+                (*x as f32).to_le_bytes().to_vec()
+            }
+        };
         counts.iter().flat_map(each).collect()
     };
     let bytes: Vec<u8> = counts.iter().map(|x| (x + 128) as u8).collect();
-    for (kind, size, samples) in
-        [(1, 1, bytes), (1, 2, whole(2)), (1, 3, whole(3)), (1, 4, whole(4)), (3, 4, floats(false)), (3, 8, floats(true))]
-    {
+    for (kind, size, samples) in [
+        (1, 1, bytes),
+        (1, 2, whole(2)),
+        (1, 3, whole(3)),
+        (1, 4, whole(4)),
+        (3, 4, floats(false)),
+        (3, 8, floats(true)),
+    ] {
         let found = one("a.wav", &wav::file(kind, size, 2, 48_000, &samples), None);
         assert_eq!((found.channels.len(), found.rate().round()), (2, 48_000.0));
-        let due: Vec<f64> = counts.iter().skip(1).step_by(2).map(|x| f64::from(*x)).collect();
+        let due: Vec<f64> = counts
+            .iter()
+            .skip(1)
+            .step_by(2)
+            .map(|x| f64::from(*x))
+            .collect();
         assert_eq!(found.channels[1].values, due, "{kind} {size}");
     }
-    let told = read("a.wav", &wav::file(6, 1, 1, 8000, &[0; 100]), None).expect_err("A-law").to_string();
+    let told = read("a.wav", &wav::file(6, 1, 1, 8000, &[0; 100]), None)
+        .expect_err("A-law")
+        .to_string();
     assert!(told.contains("kind 6"), "{told}");
 }
 

@@ -14,7 +14,10 @@ fn whole() -> Vec<(&'static str, Vec<u8>)> {
         write(recording, &path).unwrap_or_else(|fault| panic!("{fault}"));
         std::fs::read(&path).expect("it was written")
     };
-    let rows = vec![(0..50).map(|k| f64::from(k) * 1e-3).collect(), (0..50).map(|k| f64::from(k).sin()).collect::<Vec<f64>>()];
+    let rows = vec![
+        (0..50).map(|k| f64::from(k) * 1e-3).collect(),
+        (0..50).map(|k| f64::from(k).sin()).collect::<Vec<f64>>(),
+    ];
     let shapes = b"    -1\n    55\nNONE\nNONE\nNONE\nNONE\nNONE\n         1         2         2         8         2         3\n         2         4         1         1\n  1.0e+01  0.0e+00  1.0e-02  0.0e+00\n         1\n -1.4e+00 -1.4e+00 -1.4e+00\n    -1\n";
     vec![
         ("a.csv", written(&record(), "a.csv")),
@@ -73,10 +76,20 @@ fn a_text_that_ends_inside_a_row_keeps_its_whole_rows() {
         let seems_whole = last.matches('\t').count() == 2 && !last.ends_with(['\t', '-', '.']);
         let (least, most) = (rows, rows + usize::from(last.matches('\t').count() == 2));
         let count = found.channels[0].values.len();
-        assert!((least..=most).contains(&count) && (!seems_whole || count == most), "cut at {end}: {count} of {rows}");
-        let cut = found.findings.iter().any(|finding| finding.about.contains("ends inside a row"));
+        assert!(
+            (least..=most).contains(&count) && (!seems_whole || count == most),
+            "cut at {end}: {count} of {rows}"
+        );
+        let cut = found
+            .findings
+            .iter()
+            .any(|finding| finding.about.contains("ends inside a row"));
         assert_eq!(cut, !last.is_empty() && count == rows, "cut at {end}");
-        assert!((found.rate() - 800.0).abs() < 1e-6, "cut at {end}: {} Hz", found.rate());
+        assert!(
+            (found.rate() - 800.0).abs() < 1e-6,
+            "cut at {end}: {} Hz",
+            found.rate()
+        );
     }
 }
 

@@ -12,23 +12,42 @@ use std::f64::consts::TAU;
 #[test]
 fn a_response_is_what_its_unit_says() {
     let (w0, zeta) = (TAU * 20.0, 0.01);
-    for (unit, si, scale, acceleration) in [("mm/kN", "m/N", 1e6, false), ("(g)/(lbf)", "m/s^2/N", 4.448_221_615_260_5 / 9.80665, true)] {
+    for (unit, si, scale, acceleration) in [
+        ("mm/kN", "m/N", 1e6, false),
+        ("(g)/(lbf)", "m/s^2/N", 4.448_221_615_260_5 / 9.80665, true),
+    ] {
         let mut text = format!("frequency [Hz];H [{unit}]\n");
         for k in 1..400 {
             let w = TAU * 0.1 * f64::from(k);
             let (a, b) = (w0 * w0 - w * w, 2.0 * zeta * w0 * w);
             let size = scale * if acceleration { -w * w } else { 1.0 } / (a * a + b * b);
-            text.push_str(&format!("{};({:e}{:+e}j)\n", 0.1 * f64::from(k), a * size, -b * size));
+            text.push_str(&format!(
+                "{};({:e}{:+e}j)\n",
+                0.1 * f64::from(k),
+                a * size,
+                -b * size
+            ));
         }
         let found = one("h.csv", text.as_bytes(), None);
-        assert_eq!((found.channels[0].quantity, found.channels[0].unit.as_str()), (Quantity::Response, si));
+        assert_eq!(
+            (found.channels[0].quantity, found.channels[0].unit.as_str()),
+            (Quantity::Response, si)
+        );
         let responses = MeasuredResponses::given(&[found]).expect("responses");
         let band = Band::of(&responses, (10.0, 30.0)).expect("a band");
-        let modes = identify(&band, ModalSettings { order: 10 }).expect("modes").modes;
+        let modes = identify(&band, ModalSettings { order: 10 })
+            .expect("modes")
+            .modes;
         assert_eq!(modes.len(), 1, "{unit}");
-        let (f, damping) = (modes[0].frequency_hz / 20.0 - 1.0, modes[0].damping_ratio / zeta - 1.0);
+        let (f, damping) = (
+            modes[0].frequency_hz / 20.0 - 1.0,
+            modes[0].damping_ratio / zeta - 1.0,
+        );
         eprintln!("{unit}: frequency off by {f:.1e}, damping by {damping:.1e}");
-        assert!(f.abs() < 1e-9 && damping.abs() < 1e-7, "{unit}: {f:e} {damping:e}");
+        assert!(
+            f.abs() < 1e-9 && damping.abs() < 1e-7,
+            "{unit}: {f:e} {damping:e}"
+        );
     }
 }
 
@@ -39,32 +58,78 @@ fn a_text_with_units_gaps_and_words_is_read_and_told() {
     assert!((found.rate() - 1000.0).abs() < 1e-9);
     assert_eq!(found.channels.len(), 3);
     assert!((found.channels[0].values[1] + 1.5 * 9.80665).abs() < 1e-14);
-    assert_eq!((found.channels[1].quantity, found.channels[1].name.as_str()), (Quantity::Force, "Kraft"));
+    assert_eq!(
+        (found.channels[1].quantity, found.channels[1].name.as_str()),
+        (Quantity::Force, "Kraft")
+    );
     let kinds = kinds(&found);
-    for kind in [IssueKind::Converted, IssueKind::NotANumber, IssueKind::Ragged, IssueKind::Skipped] {
+    for kind in [
+        IssueKind::Converted,
+        IssueKind::NotANumber,
+        IssueKind::Ragged,
+        IssueKind::Skipped,
+    ] {
         assert!(kinds.contains(&kind), "{kind:?} is missing in {kinds:?}");
     }
     let latin = one("b.csv", b"t [s],a [m/s\xb2]\n0,1\n1,2\n2,3\n", None);
     assert_eq!(latin.channels[0].quantity, Quantity::Acceleration);
     assert!(
-        latin.findings.iter().any(|f| f.kind == IssueKind::Encoding) && latin.findings.iter().any(|f| f.kind == IssueKind::NonAsciiUnit)
+        latin.findings.iter().any(|f| f.kind == IssueKind::Encoding)
+            && latin
+                .findings
+                .iter()
+                .any(|f| f.kind == IssueKind::NonAsciiUnit)
     );
 }
 
 /// A unit in round brackets that is not known is told, as one in square brackets; a place in them belongs to the name.
 #[test]
 fn a_unit_that_is_not_known_is_told_in_brackets_of_any_kind() {
-    for head in ["U (furlong)", "U [furlong]", "U (pC)", "U (mA)", "U (dBm)", "U [dBm]", "U (dB re 1 furlong)"] {
-        let found = one("a.csv", format!("t (s),{head}\n0,1\n1,20\n2,3\n").as_bytes(), None);
-        assert_eq!((kinds(&found), found.channels[0].name.as_str()), (vec![IssueKind::UnknownUnit], "U"), "{head}");
-        assert_eq!((found.channels[0].quantity, &found.channels[0].values[..]), (Quantity::Unknown, &[1.0, 20.0, 3.0][..]), "{head}");
+    for head in [
+        "U (furlong)",
+        "U [furlong]",
+        "U (pC)",
+        "U (mA)",
+        "U (dBm)",
+        "U [dBm]",
+        "U (dB re 1 furlong)",
+    ] {
+        let found = one(
+            "a.csv",
+            format!("t (s),{head}\n0,1\n1,20\n2,3\n").as_bytes(),
+            None,
+        );
+        assert_eq!(
+            (kinds(&found), found.channels[0].name.as_str()),
+            (vec![IssueKind::UnknownUnit], "U"),
+            "{head}"
+        );
+        assert_eq!(
+            (found.channels[0].quantity, &found.channels[0].values[..]),
+            (Quantity::Unknown, &[1.0, 20.0, 3.0][..]),
+            "{head}"
+        );
     }
     for head in ["sensor (top)", "channel (1)", "a (ch2)"] {
-        let found = one("a.csv", format!("t (s),{head}\n0,1\n1,20\n2,3\n").as_bytes(), None);
-        assert_eq!((kinds(&found), found.channels[0].name.as_str(), found.channels[0].unit.as_str()), (Vec::new(), head, ""));
+        let found = one(
+            "a.csv",
+            format!("t (s),{head}\n0,1\n1,20\n2,3\n").as_bytes(),
+            None,
+        );
+        assert_eq!(
+            (
+                kinds(&found),
+                found.channels[0].name.as_str(),
+                found.channels[0].unit.as_str()
+            ),
+            (Vec::new(), head, "")
+        );
     }
     let named = one("a.csv", b"t/s,a/g\n0,1\n1,2\n2,3\n", None);
-    assert_eq!((named.channels[0].name.as_str(), named.channels[0].values[1]), ("a", 2.0 * 9.80665));
+    assert_eq!(
+        (named.channels[0].name.as_str(), named.channels[0].values[1]),
+        ("a", 2.0 * 9.80665)
+    );
 }
 
 /// One letter in brackets behind a sensor or channel may be a label as well as a unit: how it is read is told, and no more where notes say it.
@@ -73,14 +138,38 @@ fn a_unit_that_is_not_known_is_told_in_brackets_of_any_kind() {
 fn a_letter_that_may_be_a_label_is_told() {
     let text = b"t (s),sensor (A),channel (V),channel (B)\n0,1,2,3\n1,20,2.5,3.5\n2,3,2,3\n";
     let found = one("a.csv", text, None);
-    let names: Vec<(&str, &str)> = found.channels.iter().map(|channel| (channel.name.as_str(), channel.unit.as_str())).collect();
-    assert_eq!(names, [("sensor (A)", ""), ("channel", "V"), ("channel (B)", "")]);
+    let names: Vec<(&str, &str)> = found
+        .channels
+        .iter()
+        .map(|channel| (channel.name.as_str(), channel.unit.as_str()))
+        .collect();
+    assert_eq!(
+        names,
+        [("sensor (A)", ""), ("channel", "V"), ("channel (B)", "")]
+    );
     let told: Vec<String> = found.findings.iter().map(ToString::to_string).collect();
-    assert!(kinds(&found) == [IssueKind::Assumed; 2] && told[0].contains("as a label") && told[1].contains("as the unit V"), "{told:?}");
+    assert!(
+        kinds(&found) == [IssueKind::Assumed; 2]
+            && told[0].contains("as a label")
+            && told[1].contains("as the unit V"),
+        "{told:?}"
+    );
     let notes = "[channel.\"sensor (A)\"]\nname = \"sensor A\"\n[channel.channel]\nunit = \"V\"\n";
     assert_eq!(kinds(&one("a.csv", text, Some(notes))), []);
-    let labelled = one("a.lvm", lvm().replace("X_Value\tVoltage\t", "X_Value\tsensor (A)\t").as_bytes(), None);
-    assert_eq!((labelled.channels[0].name.as_str(), labelled.channels[0].unit.as_str()), ("sensor (A)", "V"));
+    let labelled = one(
+        "a.lvm",
+        lvm()
+            .replace("X_Value\tVoltage\t", "X_Value\tsensor (A)\t")
+            .as_bytes(),
+        None,
+    );
+    assert_eq!(
+        (
+            labelled.channels[0].name.as_str(),
+            labelled.channels[0].unit.as_str()
+        ),
+        ("sensor (A)", "V")
+    );
 }
 
 /// 20 dB is ten times an amplitude, and a hundred times a density.
@@ -95,10 +184,18 @@ fn decibels_are_told_of_their_reference() {
         ("a (dB re 1e-6 m/s^2)", 1e-5, "m/s^2"),
         ("a (dB re 1e-6)", 1e-5, ""),
         ("a (dB)", 10.0, ""),
-        ("S (dB re 1 g^2/Hz)", 100.0 * 9.80665 * 9.80665, "(m/s^2)^2/Hz"),
+        (
+            "S (dB re 1 g^2/Hz)",
+            100.0 * 9.80665 * 9.80665,
+            "(m/s^2)^2/Hz",
+        ),
     ];
     for (head, due, unit) in cases {
-        let found = one("a.csv", format!("t (s),{head}\n0,0\n1,20\n2,3\n").as_bytes(), None);
+        let found = one(
+            "a.csv",
+            format!("t (s),{head}\n0,0\n1,20\n2,3\n").as_bytes(),
+            None,
+        );
         let value = found.channels[0].values[1];
         assert!((value / due - 1.0).abs() < 1e-13, "{head}: {value}");
         assert_eq!(found.channels[0].unit, unit, "{head}");
@@ -111,9 +208,17 @@ fn decibels_are_told_of_their_reference() {
 fn a_last_line_without_an_end_is_told() {
     let open = one("a.csv", b"t [s],a [m/s^2]\n0,1\n1,20\n2,3", None);
     let told: Vec<String> = open.findings.iter().map(ToString::to_string).collect();
-    assert!(told.len() == 1 && told[0].starts_with("the last line has no end") && told[0].ends_with("(at line 4)"), "{told:?}");
+    assert!(
+        told.len() == 1
+            && told[0].starts_with("the last line has no end")
+            && told[0].ends_with("(at line 4)"),
+        "{told:?}"
+    );
     assert_eq!(open.channels[0].values, [1.0, 20.0, 3.0]);
-    assert_eq!(kinds(&one("a.csv", b"t [s],a [m/s^2]\n0,1\n1,20\n2,3\n", None)), []);
+    assert_eq!(
+        kinds(&one("a.csv", b"t [s],a [m/s^2]\n0,1\n1,20\n2,3\n", None)),
+        []
+    );
 }
 
 /// Two sets over grids of their own: the first is taken, and the other is told.
@@ -122,17 +227,30 @@ fn the_record_that_is_taken_of_several_is_told() {
     let folder = tempfile::tempdir().expect("a folder");
     let written = |name: &str, rate: f64| {
         let path = folder.path().join(name);
-        let recording = Recording { grid: Grid::even(0.0, 1.0 / rate, 301).expect("a grid"), ..record() };
+        let recording = Recording {
+            grid: Grid::even(0.0, 1.0 / rate, 301).expect("a grid"),
+            ..record()
+        };
         write(&recording, &path).unwrap_or_else(|fault| panic!("{fault}"));
         std::fs::read(&path).expect("it was written")
     };
     let path = folder.path().join("both.uff");
-    std::fs::write(&path, [written("a.uff", 1000.0), written("b.uff", 500.0)].concat()).expect("a file");
-    for found in [read::record(&path), read::survey_record(&path).map(|taken| taken.into_recording().expect("in memory"))] {
+    std::fs::write(
+        &path,
+        [written("a.uff", 1000.0), written("b.uff", 500.0)].concat(),
+    )
+    .expect("a file");
+    for found in [
+        read::record(&path),
+        read::survey_record(&path).map(|taken| taken.into_recording().expect("in memory")),
+    ] {
         let found = found.unwrap_or_else(|fault| panic!("{fault}"));
         assert!((found.rate() - 1000.0).abs() < 1e-6);
         let told = found.findings.last().expect("a finding").to_string();
-        assert!(told.contains("is taken") && told.contains("left out: both 2"), "{told}");
+        assert!(
+            told.contains("is taken") && told.contains("left out: both 2"),
+            "{told}"
+        );
     }
 }
 
@@ -140,38 +258,84 @@ fn the_record_that_is_taken_of_several_is_told() {
 fn the_stamps_of_an_lvm_win_over_its_header() {
     let found = one("a.lvm", lvm().as_bytes(), None);
     assert!((found.rate() - 800.0).abs() < 1e-9);
-    assert_eq!(found.channels.iter().map(|c| c.quantity).collect::<Vec<_>>(), [Quantity::Voltage, Quantity::Force]);
+    assert_eq!(
+        found
+            .channels
+            .iter()
+            .map(|c| c.quantity)
+            .collect::<Vec<_>>(),
+        [Quantity::Voltage, Quantity::Force]
+    );
     let kinds = kinds(&found);
-    assert!(kinds.contains(&IssueKind::RescaledStamps) && kinds.contains(&IssueKind::HeaderDisagrees), "{kinds:?}");
+    assert!(
+        kinds.contains(&IssueKind::RescaledStamps) && kinds.contains(&IssueKind::HeaderDisagrees),
+        "{kinds:?}"
+    );
 }
 
 /// The header of a second segment is no data: it is told where it ends.
 #[test]
 fn a_second_segment_is_refused_at_its_place() {
-    let segment = lvm().split_once("***End_of_Header***\t\n\t\n").expect("a header").1.to_owned();
-    let wrong = read("a.lvm", format!("{}\n{segment}", lvm()).as_bytes(), None).expect_err("two segments").to_string();
-    let line = lvm().lines().count() + 1 + segment.lines().position(|line| line.starts_with("***")).expect("a header") + 1;
-    assert!(wrong.contains(&format!("line {line}")) && wrong.contains("segment"), "{wrong}");
+    let segment = lvm()
+        .split_once("***End_of_Header***\t\n\t\n")
+        .expect("a header")
+        .1
+        .to_owned();
+    let wrong = read("a.lvm", format!("{}\n{segment}", lvm()).as_bytes(), None)
+        .expect_err("two segments")
+        .to_string();
+    let line = lvm().lines().count()
+        + 1
+        + segment
+            .lines()
+            .position(|line| line.starts_with("***"))
+            .expect("a header")
+        + 1;
+    assert!(
+        wrong.contains(&format!("line {line}")) && wrong.contains("segment"),
+        "{wrong}"
+    );
 }
 
 /// Numbers written one after the other in lines of unequal length are no columns, whatever rate is given; a few odd lines are harmless.
 #[test]
 fn a_text_whose_lines_differ_is_no_table() {
     let text = "1 2\n3 4\n5 6\n".to_owned() + &"1 2 3\n".repeat(30);
-    let wrong = read("a.txt", text.as_bytes(), Some("rate = \"10 Hz\"\n")).expect_err("no table").to_string();
-    assert!(wrong.contains("line 4") && wrong.contains("29 more of 33 lines") && wrong.contains(".channels.toml"), "{wrong}");
+    let wrong = read("a.txt", text.as_bytes(), Some("rate = \"10 Hz\"\n"))
+        .expect_err("no table")
+        .to_string();
+    assert!(
+        wrong.contains("line 4")
+            && wrong.contains("29 more of 33 lines")
+            && wrong.contains(".channels.toml"),
+        "{wrong}"
+    );
     let odd = "t a\n".to_owned() + &"1 2\n3 4\n5 6\n".repeat(10) + "1 2 3\n";
-    assert!(kinds(&one("a.txt", odd.as_bytes(), Some("rate = \"10 Hz\"\n"))).contains(&IssueKind::Ragged));
+    assert!(
+        kinds(&one("a.txt", odd.as_bytes(), Some("rate = \"10 Hz\"\n")))
+            .contains(&IssueKind::Ragged)
+    );
 }
 
 #[test]
 fn binary_functions_of_every_order_and_size_are_read() {
     for (double, little) in [(false, false), (false, true), (true, false), (true, true)] {
         let found = one("a.uff", &uff58b(double, little), None);
-        let Grid::Stamped(stamps) = &found.grid else { panic!("stamped") };
+        let Grid::Stamped(stamps) = &found.grid else {
+            panic!("stamped")
+        };
         assert_eq!(stamps[19], 361.0);
-        assert!((found.channels[0].values[19] - 15.5 * 9.80665).abs() < 1e-5, "{double} {little}");
-        assert_eq!((found.channels[0].place.as_str(), found.channels[0].direction.as_str()), ("node 5", "+z"));
+        assert!(
+            (found.channels[0].values[19] - 15.5 * 9.80665).abs() < 1e-5,
+            "{double} {little}"
+        );
+        assert_eq!(
+            (
+                found.channels[0].place.as_str(),
+                found.channels[0].direction.as_str()
+            ),
+            ("node 5", "+z")
+        );
     }
 }
 
@@ -179,7 +343,9 @@ fn binary_functions_of_every_order_and_size_are_read() {
 #[test]
 fn an_endless_line_is_refused() {
     let text = ["1,2\n3,4\n5,6\n".to_owned(), "7,".repeat(9 << 20)].concat();
-    let told = read("a.csv", text.as_bytes(), Some("rate = \"1 Hz\"\n")).expect_err("too long").to_string();
+    let told = read("a.csv", text.as_bytes(), Some("rate = \"1 Hz\"\n"))
+        .expect_err("too long")
+        .to_string();
     assert!(told.contains("line 4") && told.contains("16 MiB"), "{told}");
 }
 
@@ -188,12 +354,20 @@ fn what_is_no_recording_is_refused_with_its_reason() {
     let cases: [(&str, &[u8], &str); 8] = [
         ("a.csv", b"", "empty"),
         ("a.csv", b"no numbers\nat all\n", "no rows of numbers"),
-        ("a.csv", b"a,b\n5,1\n3,2\n4,3\n", "no column has a unit of time"),
+        (
+            "a.csv",
+            b"a,b\n5,1\n3,2\n4,3\n",
+            "no column has a unit of time",
+        ),
         ("a.csv", b"t [s],b\n0,1\n2,2\n1,3\n", "before"),
         ("a.h5", b"\x89HDF\r\n\x1a\n", "was the file cut?"),
         ("a.bin", b"\x01\x02\x00\x00", "binary"),
         ("a.txt", b"\xff\xfet\x00", "UTF-16"),
-        ("a.uff", b"    -1\n   164\n         1  SI\n    -1\n", "no data set 55 or 58"),
+        (
+            "a.uff",
+            b"    -1\n   164\n         1  SI\n    -1\n",
+            "no data set 55 or 58",
+        ),
     ];
     for (name, bytes, why) in cases {
         let told = read(name, bytes, None).expect_err(why).to_string();

@@ -7,11 +7,21 @@ use jounce_measure::modal::{Band, ModalSettings, ResponseQuantity, identify};
 use jounce_measure::read;
 use jounce_measure::recording::Recording;
 use jounce_measure::response::{ChannelChoice, Excitation, MeasuredResponses};
-use jounce_measure::spectral::{Estimator, FrequencyResponse, HitSearch, ImpactSettings, Segments, SpectrumAverages, WindowBias, hits};
+use jounce_measure::spectral::{
+    Estimator, FrequencyResponse, HitSearch, ImpactSettings, Segments, SpectrumAverages,
+    WindowBias, hits,
+};
 
 fn records() -> Option<Vec<Recording>> {
-    let paths: Option<Vec<_>> = (1..=5).map(|k| real(&format!("pyfrf_hammer/measurements_{k}.npy"))).collect();
-    let first = |path| read::file(path).unwrap_or_else(|fault| panic!("{fault}")).recordings.remove(0);
+    let paths: Option<Vec<_>> = (1..=5)
+        .map(|k| real(&format!("pyfrf_hammer/measurements_{k}.npy")))
+        .collect();
+    let first = |path| {
+        read::file(path)
+            .unwrap_or_else(|fault| panic!("{fault}"))
+            .recordings
+            .remove(0)
+    };
     Some(paths?.iter().map(|path| first(path)).collect())
 }
 
@@ -19,11 +29,22 @@ fn averaged(records: &[Recording], estimator: Estimator) -> FrequencyResponse {
     let segments = Segments::new(25_600, 0.0, Window::Rectangular).expect("segments");
     let mut averages = SpectrumAverages::new(12_801);
     for record in records {
-        let transform =
-            |channel: usize| segments.transform(&Samples::new(&record.channels[channel].values, 25_600.0).expect("samples"), 0, 0.0);
+        let transform = |channel: usize| {
+            segments.transform(
+                &Samples::new(&record.channels[channel].values, 25_600.0).expect("samples"),
+                0,
+                0.0,
+            )
+        };
         averages.add(&transform(0), &transform(1)).expect("lines");
     }
-    averages.response(segments.frequency_hz(25_600.0), estimator, WindowBias::Whole).expect("five blocks")
+    averages
+        .response(
+            segments.frequency_hz(25_600.0),
+            estimator,
+            WindowBias::Whole,
+        )
+        .expect("five blocks")
 }
 
 /// Values of pyFRF 1.5.0 (`FRF(25600, exc, resp, window="none", fft_len=25600)`, `get_FRF(estimator, "accelerance")`, `get_coherence()`), lines
@@ -68,9 +89,17 @@ fn responses_and_coherence_are_those_of_an_independent_package() {
         }
     }
     let coherence = averaged(&records, Estimator::H1).coherence;
-    for (line, expected) in [(900, 0.9998096507882533), (2640, 0.9998726688805711), (3669, 0.9985586674318991), (4128, 0.9982736212081619)]
-    {
-        assert!((coherence[line] - expected).abs() < 1e-9 && coherence[line] >= 0.998, "{line}: {}", coherence[line]);
+    for (line, expected) in [
+        (900, 0.9998096507882533),
+        (2640, 0.9998726688805711),
+        (3669, 0.9985586674318991),
+        (4128, 0.9982736212081619),
+    ] {
+        assert!(
+            (coherence[line] - expected).abs() < 1e-9 && coherence[line] >= 0.998,
+            "{line}: {}",
+            coherence[line]
+        );
     }
 }
 
@@ -81,12 +110,25 @@ fn hits_have_their_noted_peaks_and_contact_times() {
         let force = Samples::new(&record.channels[0].values, 25_600.0).expect("samples");
         let found = hits(&force, HitSearch::default()).expect("a hit");
         assert_eq!(found.len(), 1);
-        assert!((found[0].peak_force_n - peak).abs() < 0.06, "{peak}: {:?}", found[0]);
-        assert!((0.26e-3..0.32e-3).contains(&found[0].contact_time_s), "{:?}", found[0]);
+        assert!(
+            (found[0].peak_force_n - peak).abs() < 0.06,
+            "{peak}: {:?}",
+            found[0]
+        );
+        assert!(
+            (0.26e-3..0.32e-3).contains(&found[0].contact_time_s),
+            "{:?}",
+            found[0]
+        );
         // Seven samples of a pulse: Hertz's law is not what they show (exponents 0.64 to 0.97, deviation 0.11 to 0.22), but they are few, and the
         // filter of the amplifier is in them. Restitution 0.66 to 0.71 by the asymmetry.
         let law = contact::fit(&force, &found[0], None).unwrap_or_else(|fault| panic!("{fault}"));
-        assert!(law.exponent < 1.2 && law.exponent_deviation > 0.1 && (0.6..0.8).contains(&law.restitution), "{law:?}");
+        assert!(
+            law.exponent < 1.2
+                && law.exponent_deviation > 0.1
+                && (0.6..0.8).contains(&law.restitution),
+            "{law:?}"
+        );
     }
 }
 
@@ -95,7 +137,9 @@ fn hits_have_their_noted_peaks_and_contact_times() {
 fn bands_far_from_zero_hold_the_same_modes() {
     let Some(records) = records() else { return };
     let found = averaged(&records, Estimator::H1);
-    let deviation: Vec<f64> = (0..found.value.len()).map(|k| found.relative_deviation(k)).collect();
+    let deviation: Vec<f64> = (0..found.value.len())
+        .map(|k| found.relative_deviation(k))
+        .collect();
     let bands = [
         ((500.0, 1500.0), vec![900.0]),
         ((800.0, 1000.0), vec![900.0]),
@@ -103,14 +147,37 @@ fn bands_far_from_zero_hold_the_same_modes() {
         ((3500.0, 4300.0), vec![3668.7, 4127.5]),
     ];
     for (between_hz, resonances) in bands {
-        let (value, deviation) = (std::slice::from_ref(&found.value), std::slice::from_ref(&deviation));
-        let band = Band::new(&found.frequency_hz, value, deviation, 1, ResponseQuantity::Acceleration, between_hz).expect("a band");
-        let identified = identify(&band, ModalSettings::default()).unwrap_or_else(|fault| panic!("{fault}"));
+        let (value, deviation) = (
+            std::slice::from_ref(&found.value),
+            std::slice::from_ref(&deviation),
+        );
+        let band = Band::new(
+            &found.frequency_hz,
+            value,
+            deviation,
+            1,
+            ResponseQuantity::Acceleration,
+            between_hz,
+        )
+        .expect("a band");
+        let identified =
+            identify(&band, ModalSettings::default()).unwrap_or_else(|fault| panic!("{fault}"));
         for expected in resonances {
             let off = |hz: f64| (hz / expected - 1.0).abs();
-            let nearest = identified.modes.iter().map(|mode| mode.frequency_hz).min_by(|a, b| off(*a).total_cmp(&off(*b)));
-            eprintln!("{between_hz:?} Hz, {} modes: {nearest:?} Hz", identified.modes.len());
-            assert!(nearest.is_some_and(|hz| off(hz) < 1e-3), "no mode at {expected} Hz: {:?}", identified.modes);
+            let nearest = identified
+                .modes
+                .iter()
+                .map(|mode| mode.frequency_hz)
+                .min_by(|a, b| off(*a).total_cmp(&off(*b)));
+            eprintln!(
+                "{between_hz:?} Hz, {} modes: {nearest:?} Hz",
+                identified.modes.len()
+            );
+            assert!(
+                nearest.is_some_and(|hz| off(hz) < 1e-3),
+                "no mode at {expected} Hz: {:?}",
+                identified.modes
+            );
         }
     }
 }
@@ -122,7 +189,9 @@ fn bands_far_from_zero_hold_the_same_modes() {
 fn modes_are_those_of_an_independent_package() {
     let Some(records) = records() else { return };
     let found = averaged(&records, Estimator::H1);
-    let deviation: Vec<f64> = (0..found.value.len()).map(|k| found.relative_deviation(k)).collect();
+    let deviation: Vec<f64> = (0..found.value.len())
+        .map(|k| found.relative_deviation(k))
+        .collect();
     let band = Band::new(
         &found.frequency_hz,
         std::slice::from_ref(&found.value),
@@ -131,25 +200,54 @@ fn modes_are_those_of_an_independent_package() {
         ResponseQuantity::Acceleration,
         (500.0, 4300.0),
     );
-    let identified = identify(&band.expect("a band"), ModalSettings::default()).unwrap_or_else(|fault| panic!("{fault}"));
+    let identified = identify(&band.expect("a band"), ModalSettings::default())
+        .unwrap_or_else(|fault| panic!("{fault}"));
     for expected in [900.020, 2640.196, 3668.706, 4128.050] {
-        let near = identified.modes.iter().any(|mode| (mode.frequency_hz / expected - 1.0).abs() < 1e-3);
+        let near = identified
+            .modes
+            .iter()
+            .any(|mode| (mode.frequency_hz / expected - 1.0).abs() < 1e-3);
         assert!(near, "no mode at {expected} Hz: {:?}", identified.modes);
     }
     // One sensor, hits that are not all alike: the model's misfit is far above the coherence's variance, and the deviations are widened by it.
-    assert!(identified.misfit > 1.0 && identified.modes.iter().all(|mode| mode.frequency_deviation_hz > 0.01));
+    assert!(
+        identified.misfit > 1.0
+            && identified
+                .modes
+                .iter()
+                .all(|mode| mode.frequency_deviation_hz > 0.01)
+    );
 }
 
 /// In the whole band up to 12.8 kHz there are more modes than an order of 40 holds: those that its poles leave are found at their peaks.
 #[test]
 fn modes_are_found_in_the_whole_band() {
     let Some(records) = records() else { return };
-    let chosen = ChannelChoice { excitation: Excitation::Force("channel 2".to_owned()), responses: Vec::new() };
-    let responses = MeasuredResponses::of_hits(&records, &chosen, &ImpactSettings::default()).unwrap_or_else(|fault| panic!("{fault}"));
-    let found = identify(&Band::of(&responses, (0.0, 12_800.0)).expect("a band"), ModalSettings::default()).expect("modes");
-    let told: Vec<(f64, f64)> = found.modes.iter().map(|mode| (mode.frequency_hz, mode.frequency_half_width_hz())).collect();
-    eprintln!("{told:.2?}, misfit {:.1}, unexplained {:?}", found.misfit, found.unexplained);
+    let chosen = ChannelChoice {
+        excitation: Excitation::Force("channel 2".to_owned()),
+        responses: Vec::new(),
+    };
+    let responses = MeasuredResponses::of_hits(&records, &chosen, &ImpactSettings::default())
+        .unwrap_or_else(|fault| panic!("{fault}"));
+    let found = identify(
+        &Band::of(&responses, (0.0, 12_800.0)).expect("a band"),
+        ModalSettings::default(),
+    )
+    .expect("modes");
+    let told: Vec<(f64, f64)> = found
+        .modes
+        .iter()
+        .map(|mode| (mode.frequency_hz, mode.frequency_half_width_hz()))
+        .collect();
+    eprintln!(
+        "{told:.2?}, misfit {:.1}, unexplained {:?}",
+        found.misfit, found.unexplained
+    );
     for expected in [900.020, 2640.196, 3668.706, 4128.050] {
-        assert!(told.iter().any(|(hz, _)| (hz / expected - 1.0).abs() < 1e-3), "no mode at {expected} Hz: {told:?}");
+        assert!(
+            told.iter()
+                .any(|(hz, _)| (hz / expected - 1.0).abs() < 1e-3),
+            "no mode at {expected} Hz: {told:?}"
+        );
     }
 }

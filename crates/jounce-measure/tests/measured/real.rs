@@ -12,17 +12,26 @@ fn recording(file: &str) -> Option<Recording> {
 }
 
 fn kinds(recording: &Recording) -> Vec<(IssueKind, Option<&str>, usize)> {
-    recording.findings.iter().map(|finding| (finding.kind, finding.channel.as_deref(), finding.count)).collect()
+    recording
+        .findings
+        .iter()
+        .map(|finding| (finding.kind, finding.channel.as_deref(), finding.count))
+        .collect()
 }
 
 fn peak(recording: &Recording, channel: usize) -> f64 {
-    recording.channels[channel].values.iter().fold(0.0, |peak: f64, x| peak.max(x.abs()))
+    recording.channels[channel]
+        .values
+        .iter()
+        .fold(0.0, |peak: f64, x| peak.max(x.abs()))
 }
 
 /// Peak of the published record: 210.142 cm/s^2 at 11.44 s.
 #[test]
 fn el_centro_has_its_published_peak() {
-    let Some(found) = recording("elcentro_1940/elcentro_1940_s90w_si.csv") else { return };
+    let Some(found) = recording("elcentro_1940/elcentro_1940_s90w_si.csv") else {
+        return;
+    };
     assert!((peak(&found, 0) - 2.101_42).abs() < 1e-5);
     assert!((found.rate() - 50.0).abs() < 1e-9 && found.channels[0].values.len() == 2674);
     assert_eq!(kinds(&found), []);
@@ -31,40 +40,81 @@ fn el_centro_has_its_published_peak() {
 #[test]
 fn the_hammer_arrays_need_notes_and_have_their_peak_forces() {
     for (number, force) in [(1, 68.64), (2, 83.67), (3, 85.41), (4, 88.88), (5, 76.48)] {
-        let Some(found) = recording(&format!("pyfrf_hammer/measurements_{number}.npy")) else { return };
+        let Some(found) = recording(&format!("pyfrf_hammer/measurements_{number}.npy")) else {
+            return;
+        };
         let highest = found.channels[0].values.iter().copied().fold(0.0, f64::max);
-        assert!((highest - force).abs() < 0.01 && (found.rate() - 25_600.0).abs() < 1e-6, "{number}: {highest}");
+        assert!(
+            (highest - force).abs() < 0.01 && (found.rate() - 25_600.0).abs() < 1e-6,
+            "{number}: {highest}"
+        );
     }
 }
 
 #[test]
 fn the_wrong_header_of_the_thinned_lvm_is_noticed() {
-    let Some(found) = recording("hrshm_cantilever/test1_downsampled_by_64.lvm") else { return };
+    let Some(found) = recording("hrshm_cantilever/test1_downsampled_by_64.lvm") else {
+        return;
+    };
     assert!((found.rate() - 800.0).abs() < 1e-6, "{}", found.rate());
     let found_kinds = kinds(&found);
-    assert!(found_kinds.iter().any(|(kind, ..)| *kind == IssueKind::RescaledStamps), "{found_kinds:?}");
-    assert!(found_kinds.iter().any(|(kind, ..)| *kind == IssueKind::HeaderDisagrees), "{found_kinds:?}");
-    assert!(found_kinds.iter().any(|(kind, channel, _)| *kind == IssueKind::Converted && *channel == Some("Force")));
+    assert!(
+        found_kinds
+            .iter()
+            .any(|(kind, ..)| *kind == IssueKind::RescaledStamps),
+        "{found_kinds:?}"
+    );
+    assert!(
+        found_kinds
+            .iter()
+            .any(|(kind, ..)| *kind == IssueKind::HeaderDisagrees),
+        "{found_kinds:?}"
+    );
+    assert!(
+        found_kinds
+            .iter()
+            .any(|(kind, channel, _)| *kind == IssueKind::Converted && *channel == Some("Force"))
+    );
 }
 
 #[test]
 fn the_spectrum_in_decibels_becomes_amplitudes_over_frequency() {
-    let Some(found) = recording("hrshm_cantilever/impulse_FFT_data.lvm") else { return };
+    let Some(found) = recording("hrshm_cantilever/impulse_FFT_data.lvm") else {
+        return;
+    };
     assert_eq!(found.over, Over::Frequency);
-    assert!(found.findings.iter().any(|finding| finding.kind == IssueKind::Decibels));
-    let highest =
-        (20..150_000).map(|k| (found.channels[0].values[k], found.grid.at(k))).filter(|(_, f)| *f < 8.0).max_by(|a, b| a.0.total_cmp(&b.0));
-    assert!((highest.expect("lines").1 - 6.57).abs() < 0.05, "{highest:?}");
+    assert!(
+        found
+            .findings
+            .iter()
+            .any(|finding| finding.kind == IssueKind::Decibels)
+    );
+    let highest = (20..150_000)
+        .map(|k| (found.channels[0].values[k], found.grid.at(k)))
+        .filter(|(_, f)| *f < 8.0)
+        .max_by(|a, b| a.0.total_cmp(&b.0));
+    assert!(
+        (highest.expect("lines").1 - 6.57).abs() < 0.05,
+        "{highest:?}"
+    );
 }
 
 /// The three modes that its README notes, among all that a high order finds; the first lies within half a line, 0.0427 Hz. All others are told
 /// to be doubtful: noise beside the steep peaks makes them.
 #[test]
 fn doubt_leaves_the_three_modes_of_the_cantilever() {
-    let Some(found) = recording("hrshm_cantilever/impulse_FFT_data.lvm") else { return };
+    let Some(found) = recording("hrshm_cantilever/impulse_FFT_data.lvm") else {
+        return;
+    };
     let decays = Decays::of_spectrum(&found, &[]).expect("amplitudes over even lines");
-    let modes = identify_decays(&decays, (3.0, 150.0), ModalSettings { order: 40 }).expect("modes").modes;
-    let sure: Vec<f64> = modes.iter().filter(|mode| !mode.is_doubtful()).map(|mode| mode.frequency_hz).collect();
+    let modes = identify_decays(&decays, (3.0, 150.0), ModalSettings { order: 40 })
+        .expect("modes")
+        .modes;
+    let sure: Vec<f64> = modes
+        .iter()
+        .filter(|mode| !mode.is_doubtful())
+        .map(|mode| mode.frequency_hz)
+        .collect();
     eprintln!("{sure:?} Hz of {}", modes.len());
     assert!(sure.len() == 3 && modes.len() > 3, "{modes:?}");
     for (hz, noted) in sure.iter().zip([6.57, 41.47, 117.93]) {
@@ -75,28 +125,53 @@ fn doubt_leaves_the_three_modes_of_the_cantilever() {
 /// The first 598 rows are zeros, and so are three columns throughout.
 #[test]
 fn the_zero_padding_of_the_gait_is_found() {
-    let Some(found) = recording("human_gait/foot_data.mat") else { return };
+    let Some(found) = recording("human_gait/foot_data.mat") else {
+        return;
+    };
     assert!((found.rate() - 100.0).abs() < 1e-6);
-    let constant = found.findings.iter().filter(|finding| finding.kind == IssueKind::Constant).count();
+    let constant = found
+        .findings
+        .iter()
+        .filter(|finding| finding.kind == IssueKind::Constant)
+        .count();
     assert_eq!(constant, 3);
-    let padding = found.findings.iter().find(|finding| finding.kind == IssueKind::ZeroPadding).expect("padding");
+    let padding = found
+        .findings
+        .iter()
+        .find(|finding| finding.kind == IssueKind::ZeroPadding)
+        .expect("padding");
     assert!(padding.count >= 598, "{padding}");
 }
 
 #[test]
 fn jitter_and_raw_counts_of_the_tree_are_found() {
-    let Some(found) = recording("tree_vibration/chainsaw_1.csv") else { return };
+    let Some(found) = recording("tree_vibration/chainsaw_1.csv") else {
+        return;
+    };
     let kinds: Vec<IssueKind> = found.findings.iter().map(|finding| finding.kind).collect();
-    assert!(kinds.contains(&IssueKind::Jitter) && kinds.contains(&IssueKind::RawCounts), "{kinds:?}");
+    assert!(
+        kinds.contains(&IssueKind::Jitter) && kinds.contains(&IssueKind::RawCounts),
+        "{kinds:?}"
+    );
     let even = found.even().expect("even");
-    assert!(even.findings.iter().any(|finding| finding.kind == IssueKind::Resampled));
+    assert!(
+        even.findings
+            .iter()
+            .any(|finding| finding.kind == IssueKind::Resampled)
+    );
     assert!((even.rate() - 333.33).abs() < 1.0);
 }
 
 #[test]
 fn the_shaker_records_are_read_with_their_jitter() {
-    let Some(found) = recording("endaq_ide/ssx70065_si.csv") else { return };
-    assert!((found.rate() / 3071.8 - 1.0).abs() < 0.01, "{}", found.rate());
+    let Some(found) = recording("endaq_ide/ssx70065_si.csv") else {
+        return;
+    };
+    assert!(
+        (found.rate() / 3071.8 - 1.0).abs() < 0.01,
+        "{}",
+        found.rate()
+    );
     let values = &found.channels[1].values;
     let mean = values.iter().sum::<f64>() / values.len() as f64;
     let rms = (values.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / values.len() as f64).sqrt();
@@ -105,17 +180,46 @@ fn the_shaker_records_are_read_with_their_jitter() {
 
 #[test]
 fn every_universal_file_is_read_or_refused_with_its_reason() {
-    let Some(sound) = recording("uff/Sample_UFF58b_bin.uff") else { return };
-    assert_eq!((sound.channels[0].values.len(), sound.channels[0].unit.as_str()), (79_292, "Pa"));
+    let Some(sound) = recording("uff/Sample_UFF58b_bin.uff") else {
+        return;
+    };
+    assert_eq!(
+        (
+            sound.channels[0].values.len(),
+            sound.channels[0].unit.as_str()
+        ),
+        (79_292, "Pa")
+    );
     let sine = recording("uff/binary8byte.uff").expect("there");
     assert!((sine.rate() - 100.0).abs() < 1e-6 && (peak(&sine, 0) - 9.80665).abs() < 1e-6);
     let psd = recording("uff/sample_dataset58_psd.uff").expect("there");
     assert_eq!(psd.over, Over::Frequency);
-    assert!(psd.findings.iter().any(|finding| finding.kind == IssueKind::NonAsciiUnit), "{:?}", kinds(&psd));
-    let shapes = read::file(&real("uff/uff55_translation.uff").expect("there")).expect("shapes").shapes;
-    assert_eq!((shapes.len(), shapes[0].nodes.len(), shapes[0].real[1][2]), (3, 4, 0.150_162));
-    let refused = read::file(&real("uff/groups_test.uff").expect("there")).expect_err("geometry only").to_string();
-    assert!(refused.contains("2411") && refused.contains("2467"), "{refused}");
-    let refused = read::file(&real("uff/meas_point_1.txt").expect("there")).expect_err("no time").to_string();
-    assert!(refused.contains("no column has a unit of time"), "{refused}");
+    assert!(
+        psd.findings
+            .iter()
+            .any(|finding| finding.kind == IssueKind::NonAsciiUnit),
+        "{:?}",
+        kinds(&psd)
+    );
+    let shapes = read::file(&real("uff/uff55_translation.uff").expect("there"))
+        .expect("shapes")
+        .shapes;
+    assert_eq!(
+        (shapes.len(), shapes[0].nodes.len(), shapes[0].real[1][2]),
+        (3, 4, 0.150_162)
+    );
+    let refused = read::file(&real("uff/groups_test.uff").expect("there"))
+        .expect_err("geometry only")
+        .to_string();
+    assert!(
+        refused.contains("2411") && refused.contains("2467"),
+        "{refused}"
+    );
+    let refused = read::file(&real("uff/meas_point_1.txt").expect("there"))
+        .expect_err("no time")
+        .to_string();
+    assert!(
+        refused.contains("no column has a unit of time"),
+        "{refused}"
+    );
 }

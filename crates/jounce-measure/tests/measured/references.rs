@@ -35,11 +35,19 @@ fn acceleration(modes: &[(f64, f64)], place: usize, force: usize, frequency_hz: 
 }
 
 /// The responses at sensors to forces, each with white noise of a share of its rms.
-fn responses(modes: &[(f64, f64)], sensors: &[usize], forces: &[usize], noise: f64) -> MeasuredResponses {
+fn responses(
+    modes: &[(f64, f64)],
+    sensors: &[usize],
+    forces: &[usize],
+    noise: f64,
+) -> MeasuredResponses {
     let frequency_hz: Vec<f64> = (160..=880).map(|k| 0.25 * f64::from(k)).collect();
     let mut stream = RandomStream::new(7, 0);
     let mut function = |o: usize, i: usize| {
-        let exact: Vec<c64> = frequency_hz.iter().map(|hz| acceleration(modes, o, i, *hz)).collect();
+        let exact: Vec<c64> = frequency_hz
+            .iter()
+            .map(|hz| acceleration(modes, o, i, *hz))
+            .collect();
         let rms = (exact.iter().map(|h| h.norm_sqr()).sum::<f64>() / exact.len() as f64).sqrt();
         let mut noisy = |h: c64| {
             let [re, im] = stream.normal_pair();
@@ -55,11 +63,17 @@ fn responses(modes: &[(f64, f64)], sensors: &[usize], forces: &[usize], noise: f
             without: Vec::new(),
         }
     };
-    let pairs: Vec<(usize, usize)> = sensors.iter().flat_map(|o| forces.iter().map(move |i| (*o, *i))).collect();
+    let pairs: Vec<(usize, usize)> = sensors
+        .iter()
+        .flat_map(|o| forces.iter().map(move |i| (*o, *i)))
+        .collect();
     MeasuredResponses {
         outputs: sensors.iter().map(|o| format!("a{o}")).collect(),
         references: forces.iter().map(|i| format!("point {i}")).collect(),
-        names: pairs.iter().map(|(o, i)| format!("a{o} from point {i}")).collect(),
+        names: pairs
+            .iter()
+            .map(|(o, i)| format!("a{o} from point {i}"))
+            .collect(),
         units: vec!["m/s^2/N".to_owned(); pairs.len()],
         quantities: vec![Quantity::Acceleration; pairs.len()],
         input: "force".to_owned(),
@@ -78,22 +92,59 @@ fn modes_of(responses: &MeasuredResponses, order: usize) -> Identification {
 }
 
 fn of_shape(mode: usize, places: &[usize]) -> Vec<c64> {
-    places.iter().map(|place| c64::new(shape(mode, *place), 0.0)).collect()
+    places
+        .iter()
+        .map(|place| c64::new(shape(mode, *place), 0.0))
+        .collect()
 }
 
 /// Largest relative errors of frequency and damping ratio, and the largest distance of a shape's MAC from 1, over sensors and forces.
-fn worst(found: &Identification, modes: &[(f64, f64)], sensors: &[usize], forces: &[usize]) -> [f64; 3] {
-    assert_eq!(found.modes.len(), modes.len(), "{:?}", found.modes.iter().map(|m| (m.frequency_hz, m.damping_ratio)).collect::<Vec<_>>());
+fn worst(
+    found: &Identification,
+    modes: &[(f64, f64)],
+    sensors: &[usize],
+    forces: &[usize],
+) -> [f64; 3] {
+    assert_eq!(
+        found.modes.len(),
+        modes.len(),
+        "{:?}",
+        found
+            .modes
+            .iter()
+            .map(|m| (m.frequency_hz, m.damping_ratio))
+            .collect::<Vec<_>>()
+    );
     let mut worst = [0.0_f64; 3];
     for (r, (mode, (hz, zeta))) in found.modes.iter().zip(modes).enumerate() {
-        let (at_sensors, at_forces) = (mac(&mode.residue, &of_shape(r, sensors)), mac(&mode.participation, &of_shape(r, forces)));
-        let off = [mode.frequency_hz / hz - 1.0, mode.damping_ratio / zeta - 1.0, 1.0 - at_sensors.min(at_forces)];
-        worst.iter_mut().zip(off).for_each(|(worst, off)| *worst = worst.max(off.abs()));
-        assert_eq!((mode.residue.len(), mode.participation.len()), (sensors.len(), forces.len()));
-        let largest = mode.participation.iter().map(|b| b.norm()).fold(0.0, f64::max);
+        let (at_sensors, at_forces) = (
+            mac(&mode.residue, &of_shape(r, sensors)),
+            mac(&mode.participation, &of_shape(r, forces)),
+        );
+        let off = [
+            mode.frequency_hz / hz - 1.0,
+            mode.damping_ratio / zeta - 1.0,
+            1.0 - at_sensors.min(at_forces),
+        ];
+        worst
+            .iter_mut()
+            .zip(off)
+            .for_each(|(worst, off)| *worst = worst.max(off.abs()));
+        assert_eq!(
+            (mode.residue.len(), mode.participation.len()),
+            (sensors.len(), forces.len())
+        );
+        let largest = mode
+            .participation
+            .iter()
+            .map(|b| b.norm())
+            .fold(0.0, f64::max);
         assert!((largest - 1.0).abs() < 1e-12, "{largest}");
     }
-    eprintln!("frequencies {:.1e}, damping ratios {:.1e}, shapes {:.1e} off", worst[0], worst[1], worst[2]);
+    eprintln!(
+        "frequencies {:.1e}, damping ratios {:.1e}, shapes {:.1e} off",
+        worst[0], worst[1], worst[2]
+    );
     worst
 }
 
@@ -109,10 +160,22 @@ fn two_references_separate_two_close_modes() {
         assert!(off[0] < 1e-6 && off[1] < 1e-6 && off[2] < 1e-3, "{off:?}");
         // What the modes give stands beside what was measured, in the order of the responses.
         for (k, function) in given.functions.iter().enumerate() {
-            let (hz, at) = (found.frequency_hz[100], function.frequency_hz.iter().position(|hz| *hz == found.frequency_hz[100]));
+            let (hz, at) = (
+                found.frequency_hz[100],
+                function
+                    .frequency_hz
+                    .iter()
+                    .position(|hz| *hz == found.frequency_hz[100]),
+            );
             let displacement = function.value[at.expect("the line")] / -(TAU * hz).powi(2);
-            assert!((found.measured[k][100] - displacement).norm() < 1e-12 * displacement.norm(), "{k}");
-            assert!((found.model[k][100] - displacement).norm() < 1e-6 * displacement.norm(), "{k}");
+            assert!(
+                (found.measured[k][100] - displacement).norm() < 1e-12 * displacement.norm(),
+                "{k}"
+            );
+            assert!(
+                (found.model[k][100] - displacement).norm() < 1e-6 * displacement.norm(),
+                "{k}"
+            );
         }
     }
 }
@@ -128,14 +191,20 @@ fn two_references_separate_two_close_modes_in_noise() {
     let one = modes_of(&responses(&CLOSE, &many, &few[..1], 0.005), 16);
     assert_eq!(one.modes.len(), 3, "{:?}", one.modes);
     for (mode, (hz, zeta)) in found.modes.iter().zip(CLOSE) {
-        let (by, damped_by) =
-            ((mode.frequency_hz - hz) / mode.frequency_deviation_hz, (mode.damping_ratio - zeta) / mode.damping_deviation);
+        let (by, damped_by) = (
+            (mode.frequency_hz - hz) / mode.frequency_deviation_hz,
+            (mode.damping_ratio - zeta) / mode.damping_deviation,
+        );
         assert!(by.abs() < 4.0 && damped_by.abs() < 4.0, "{by} {damped_by}");
     }
 }
 
 /// The responses as channels over frequency, each with its sensor, and with where the force acts.
-fn recording(given: &MeasuredResponses, (sensors, forces): (&[usize], &[usize]), reference: impl Fn(usize) -> String) -> Recording {
+fn recording(
+    given: &MeasuredResponses,
+    (sensors, forces): (&[usize], &[usize]),
+    reference: impl Fn(usize) -> String,
+) -> Recording {
     let hz = &given.functions[0].frequency_hz;
     let channel = |(k, function): (usize, &FrequencyResponse)| {
         let real = function.value.iter().map(|h| h.re).collect();
@@ -149,7 +218,13 @@ fn recording(given: &MeasuredResponses, (sensors, forces): (&[usize], &[usize]),
     };
     let grid = Grid::even(hz[0], hz[1] - hz[0], hz.len()).expect("a grid");
     let channels = given.functions.iter().enumerate().map(channel).collect();
-    Recording { name: "test".to_owned(), over: Over::Frequency, grid, channels, findings: Vec::new() }
+    Recording {
+        name: "test".to_owned(),
+        over: Over::Frequency,
+        grid,
+        channels,
+        findings: Vec::new(),
+    }
 }
 
 /// Functions to two references, written and read again: the references are those of the file, and the modes those of the functions as they were
@@ -162,7 +237,12 @@ fn references_of_a_file_of_response_functions_are_used() {
     let folder = tempfile::tempdir().expect("a folder");
     let node = |force: usize| format!("node {} -z", 10 + force);
     let named = |force: usize| format!("hit {force}");
-    let references: [(&str, &dyn Fn(usize) -> String); 4] = [("uff", &node), ("uff", &named), ("parquet", &node), ("csv", &named)];
+    let references: [(&str, &dyn Fn(usize) -> String); 4] = [
+        ("uff", &node),
+        ("uff", &named),
+        ("parquet", &node),
+        ("csv", &named),
+    ];
     for (ending, reference) in references {
         let path = folder.path().join(format!("frf.{ending}"));
         // In an order of their own.
@@ -173,18 +253,34 @@ fn references_of_a_file_of_response_functions_are_used() {
         let given = MeasuredResponses::given(&read).expect("responses");
         assert_eq!(given.references, [reference(3), reference(0)], "{ending}");
         assert_eq!((given.outputs.len(), given.functions.len()), (6, 12));
-        assert_eq!(given.names[1], format!("{} from {}", given.outputs[0], reference(0)));
+        assert_eq!(
+            given.names[1],
+            format!("{} from {}", given.outputs[0], reference(0))
+        );
         let found = modes_of(&given, 16);
         assert_eq!(found.modes.len(), expected.modes.len());
         let mut off = [0.0_f64; 3];
         for (a, b) in found.modes.iter().zip(&expected.modes) {
             let reversed = |of: &[c64]| of.iter().rev().copied().collect::<Vec<_>>();
-            let shapes = mac(&reversed(&a.residue), &b.residue).min(mac(&reversed(&a.participation), &b.participation));
-            let apart = [a.frequency_hz / b.frequency_hz - 1.0, a.damping_ratio / b.damping_ratio - 1.0, 1.0 - shapes];
-            off.iter_mut().zip(apart).for_each(|(off, apart)| *off = off.max(apart.abs()));
+            let shapes = mac(&reversed(&a.residue), &b.residue)
+                .min(mac(&reversed(&a.participation), &b.participation));
+            let apart = [
+                a.frequency_hz / b.frequency_hz - 1.0,
+                a.damping_ratio / b.damping_ratio - 1.0,
+                1.0 - shapes,
+            ];
+            off.iter_mut()
+                .zip(apart)
+                .for_each(|(off, apart)| *off = off.max(apart.abs()));
         }
-        eprintln!("{ending}: frequencies {:.1e}, damping ratios {:.1e}, shapes {:.1e} apart", off[0], off[1], off[2]);
-        assert!(off[0] < 1e-9 && off[1] < 1e-7 && off[2] < 1e-9, "{ending}: {off:?}");
+        eprintln!(
+            "{ending}: frequencies {:.1e}, damping ratios {:.1e}, shapes {:.1e} apart",
+            off[0], off[1], off[2]
+        );
+        assert!(
+            off[0] < 1e-9 && off[1] < 1e-7 && off[2] < 1e-9,
+            "{ending}: {off:?}"
+        );
     }
 }
 
@@ -193,23 +289,41 @@ fn references_of_a_file_of_response_functions_are_used() {
 fn references_without_all_their_functions_are_told() {
     let (sensors, forces) = (&[0, 1, 2][..], &[0, 3][..]);
     let computed = responses(&CLOSE, sensors, forces, 0.0);
-    let whole = recording(&computed, (sensors, forces), |force| format!("node {force} +z"));
+    let whole = recording(&computed, (sensors, forces), |force| {
+        format!("node {force} +z")
+    });
     let mut without = whole.clone();
     without.channels.remove(3);
     let mut twice = whole.clone();
     twice.channels.push(whole.channels[2].clone());
     let mut silent = whole.clone();
     silent.channels[5].reference.clear();
-    for (odd, told) in
-        [(without, "0 of output node 11 +z to node 3 +z"), (twice, "2 of output node 11 +z to node 0 +z"), (silent, "not told")]
-    {
+    for (odd, told) in [
+        (without, "0 of output node 11 +z to node 3 +z"),
+        (twice, "2 of output node 11 +z to node 0 +z"),
+        (silent, "not told"),
+    ] {
         let count = odd.channels.len();
         let given = MeasuredResponses::given(&[odd]).expect("responses");
-        assert!(given.references.is_empty() && given.outputs.len() == count, "{told}");
-        assert!(given.findings.len() == 1 && given.findings[0].about.contains(told), "{:?}", given.findings);
+        assert!(
+            given.references.is_empty() && given.outputs.len() == count,
+            "{told}"
+        );
+        assert!(
+            given.findings.len() == 1 && given.findings[0].about.contains(told),
+            "{:?}",
+            given.findings
+        );
     }
     let given = MeasuredResponses::given(&[whole]).expect("responses");
-    assert_eq!((given.references.len(), given.outputs.len(), given.findings.len()), (2, 3, 0));
+    assert_eq!(
+        (
+            given.references.len(),
+            given.outputs.len(),
+            given.findings.len()
+        ),
+        (2, 3, 0)
+    );
 }
 
 /// A hammer that goes from place to place with one fixed sensor gives what sensors at all these places give under one hammer.
@@ -217,17 +331,30 @@ fn references_without_all_their_functions_are_told() {
 fn a_roving_hammer_gives_the_modes_of_roving_sensors() {
     let apart = [CLOSE[0], CLOSE[1], (120.0, 0.01), CLOSE[3]];
     let all = [0, 1, 2, 3, 4, 5];
-    let (sensors, hammer) = (responses(&apart, &all, &[4], 0.0), responses(&apart, &[4], &all, 0.0));
+    let (sensors, hammer) = (
+        responses(&apart, &all, &[4], 0.0),
+        responses(&apart, &[4], &all, 0.0),
+    );
     let (one, other) = (modes_of(&sensors, 30), modes_of(&hammer, 30));
     worst(&one, &apart, &all, &[4]);
     let off = worst(&other, &apart, &[4], &all);
     assert!(off.iter().all(|off| *off < 1e-9), "{off:?}");
     for (a, b) in one.modes.iter().zip(&other.modes) {
         assert!(
-            (a.frequency_hz / b.frequency_hz - 1.0).abs() < 1e-12 && (a.damping_ratio / b.damping_ratio - 1.0).abs() < 1e-10,
+            (a.frequency_hz / b.frequency_hz - 1.0).abs() < 1e-12
+                && (a.damping_ratio / b.damping_ratio - 1.0).abs() < 1e-10,
             "{a:?} {b:?}"
         );
-        assert!(a.shape().iter().zip(&b.participation).all(|(a, b)| (a - b).norm() < 1e-9));
-        assert!((a.residue.iter().map(|x| x.norm()).fold(0.0, f64::max) / b.residue[0].norm() - 1.0).abs() < 1e-9);
+        assert!(
+            a.shape()
+                .iter()
+                .zip(&b.participation)
+                .all(|(a, b)| (a - b).norm() < 1e-9)
+        );
+        assert!(
+            (a.residue.iter().map(|x| x.norm()).fold(0.0, f64::max) / b.residue[0].norm() - 1.0)
+                .abs()
+                < 1e-9
+        );
     }
 }

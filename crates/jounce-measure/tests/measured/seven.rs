@@ -10,11 +10,25 @@ use std::f64::consts::TAU;
 use std::time::Instant;
 
 /// Frequencies and damping ratios: every peak several lines wide.
-const MODES: [(f64, f64); 7] =
-    [(60.0, 0.01), (110.0, 0.009), (170.0, 0.008), (260.0, 0.006), (380.0, 0.005), (560.0, 0.005), (840.0, 0.004)];
+const MODES: [(f64, f64); 7] = [
+    (60.0, 0.01),
+    (110.0, 0.009),
+    (170.0, 0.008),
+    (260.0, 0.006),
+    (380.0, 0.005),
+    (560.0, 0.005),
+    (840.0, 0.004),
+];
 /// Those of a slender beam (Table 2 of the 2019 paper): the first peak is half a line wide, and its acceleration small beside the others.
-const SLENDER: [(f64, f64); 7] =
-    [(9.01, 0.00194), (49.7, 0.00925), (133.2, 0.00864), (262.8, 0.00359), (436.2, 0.00126), (651.3, 0.00274), (918.1, 0.00160)];
+const SLENDER: [(f64, f64); 7] = [
+    (9.01, 0.00194),
+    (49.7, 0.00925),
+    (133.2, 0.00864),
+    (262.8, 0.00359),
+    (436.2, 0.00126),
+    (651.3, 0.00274),
+    (918.1, 0.00160),
+];
 const PLACES: usize = 8;
 const NOISE: f64 = 0.01;
 
@@ -44,7 +58,9 @@ fn seven_modes_come_from_eight_responses() {
         let [re, im] = stream.normal_pair();
         exact + c64::new(re, im) * (NOISE * exact.norm())
     };
-    let responses: Vec<Vec<c64>> = (0..PLACES).map(|place| frequency_hz.iter().map(|hz| noisy(place, *hz)).collect()).collect();
+    let responses: Vec<Vec<c64>> = (0..PLACES)
+        .map(|place| frequency_hz.iter().map(|hz| noisy(place, *hz)).collect())
+        .collect();
     let told = vec![vec![NOISE; frequency_hz.len()]; PLACES];
     let worst = found(&MODES, &frequency_hz, &responses, &told, (20.0, 1000.0));
     assert!(worst[0] < 1e-4 && worst[1] < 0.02, "{worst:?}");
@@ -57,7 +73,10 @@ fn a_narrow_first_mode_is_found_in_a_wide_band() {
     let frequency_hz: Vec<f64> = (1..=12_800).map(|k| 0.1 * f64::from(k)).collect();
     let mut stream = RandomStream::new(2, 0);
     let mut noisy = |place: usize| -> Vec<c64> {
-        let exact: Vec<c64> = frequency_hz.iter().map(|hz| acceleration(&SLENDER, place, *hz)).collect();
+        let exact: Vec<c64> = frequency_hz
+            .iter()
+            .map(|hz| acceleration(&SLENDER, place, *hz))
+            .collect();
         let rms = (exact.iter().map(|h| h.norm_sqr()).sum::<f64>() / exact.len() as f64).sqrt();
         let add = |h: c64| {
             let [re, im] = stream.normal_pair();
@@ -66,23 +85,52 @@ fn a_narrow_first_mode_is_found_in_a_wide_band() {
         exact.into_iter().map(add).collect()
     };
     let responses: Vec<Vec<c64>> = [4, 7].into_iter().map(&mut noisy).collect();
-    let worst = found(&SLENDER, &frequency_hz, &responses, &[], (f64::MIN_POSITIVE, 1280.0));
+    let worst = found(
+        &SLENDER,
+        &frequency_hz,
+        &responses,
+        &[],
+        (f64::MIN_POSITIVE, 1280.0),
+    );
     assert!(worst[0] < 1e-4 && worst[1] < 0.02, "{worst:?}");
 }
 
 /// The modes found against those put in, none more and none less: largest relative errors of frequency and damping ratio.
-fn found(modes: &[(f64, f64)], frequency_hz: &[f64], responses: &[Vec<c64>], told: &[Vec<f64>], between_hz: (f64, f64)) -> [f64; 2] {
+fn found(
+    modes: &[(f64, f64)],
+    frequency_hz: &[f64],
+    responses: &[Vec<c64>],
+    told: &[Vec<f64>],
+    between_hz: (f64, f64),
+) -> [f64; 2] {
     let clock = Instant::now();
-    let band = Band::new(frequency_hz, responses, told, 1, ResponseQuantity::Acceleration, between_hz).expect("a band");
+    let band = Band::new(
+        frequency_hz,
+        responses,
+        told,
+        1,
+        ResponseQuantity::Acceleration,
+        between_hz,
+    )
+    .expect("a band");
     let found = identify(&band, ModalSettings::default()).expect("modes");
     let time_s = clock.elapsed().as_secs_f64();
     assert_eq!(found.modes.len(), modes.len(), "{:?}", found.modes);
     let mut worst = [0.0_f64; 2];
     for (mode, (hz, zeta)) in found.modes.iter().zip(modes) {
-        let off = [mode.frequency_hz / hz - 1.0, mode.damping_ratio / zeta - 1.0];
+        let off = [
+            mode.frequency_hz / hz - 1.0,
+            mode.damping_ratio / zeta - 1.0,
+        ];
         worst = [worst[0].max(off[0].abs()), worst[1].max(off[1].abs())];
-        assert!((mode.frequency_hz - hz).abs() < 4.0 * mode.frequency_deviation_hz, "{mode:?}");
-        assert!((mode.damping_ratio - zeta).abs() < 4.0 * mode.damping_deviation, "{mode:?}");
+        assert!(
+            (mode.frequency_hz - hz).abs() < 4.0 * mode.frequency_deviation_hz,
+            "{mode:?}"
+        );
+        assert!(
+            (mode.damping_ratio - zeta).abs() < 4.0 * mode.damping_deviation,
+            "{mode:?}"
+        );
     }
     eprintln!("{:.1e} and {:.1e} off, {time_s:.3} s", worst[0], worst[1]);
     worst
@@ -96,11 +144,33 @@ fn voltages_and_accelerations_stand_together() {
     let modes = &MODES[..4];
     let function = |place: usize| {
         let displacement = |hz: f64| acceleration(modes, place, hz) / -(TAU * hz).powi(2);
-        let of = |hz: &f64| if place < 2 { displacement(*hz) } else { acceleration(modes, place, *hz) };
-        let (value, coherence) = (frequency_hz.iter().map(of).collect(), vec![1.0; frequency_hz.len()]);
-        FrequencyResponse { frequency_hz: frequency_hz.clone(), value, coherence, blocks: 1, sight: WindowBias::Whole, without: Vec::new() }
+        let of = |hz: &f64| {
+            if place < 2 {
+                displacement(*hz)
+            } else {
+                acceleration(modes, place, *hz)
+            }
+        };
+        let (value, coherence) = (
+            frequency_hz.iter().map(of).collect(),
+            vec![1.0; frequency_hz.len()],
+        );
+        FrequencyResponse {
+            frequency_hz: frequency_hz.clone(),
+            value,
+            coherence,
+            blocks: 1,
+            sight: WindowBias::Whole,
+            without: Vec::new(),
+        }
     };
-    let kind = |place: usize| if place < 2 { Quantity::Voltage } else { Quantity::Acceleration };
+    let kind = |place: usize| {
+        if place < 2 {
+            Quantity::Voltage
+        } else {
+            Quantity::Acceleration
+        }
+    };
     let responses = MeasuredResponses {
         outputs: (0..4).map(|place| format!("place {place}")).collect(),
         references: Vec::new(),
@@ -115,10 +185,17 @@ fn voltages_and_accelerations_stand_together() {
         window_decay_per_s: 0.0,
         findings: Vec::new(),
     };
-    let found = identify(&Band::of(&responses, (40.0, 400.0)).expect("a band"), ModalSettings::default()).expect("modes");
+    let found = identify(
+        &Band::of(&responses, (40.0, 400.0)).expect("a band"),
+        ModalSettings::default(),
+    )
+    .expect("modes");
     assert_eq!(found.modes.len(), 4, "{:?}", found.modes);
     for (mode, (hz, zeta)) in found.modes.iter().zip(modes) {
-        let off = [(mode.frequency_hz / hz - 1.0).abs(), (mode.damping_ratio / zeta - 1.0).abs()];
+        let off = [
+            (mode.frequency_hz / hz - 1.0).abs(),
+            (mode.damping_ratio / zeta - 1.0).abs(),
+        ];
         eprintln!("{hz} Hz: {:.1e} and {:.1e} off", off[0], off[1]);
         assert!(off[0] < 1e-10 && off[1] < 1e-8, "{off:?}");
     }

@@ -79,7 +79,8 @@ fn spec() -> Spec {
 }
 
 fn plant(spec: &Spec) -> Plant {
-    Plant::new(System::assemble(spec, structure::modes(spec).expect("modes")).expect("a system")).expect("a plant")
+    Plant::new(System::assemble(spec, structure::modes(spec).expect("modes")).expect("a system"))
+        .expect("a plant")
 }
 
 fn over_load(spec: &Spec, ohm: f64) -> Plant {
@@ -92,45 +93,98 @@ fn over_load(spec: &Spec, ohm: f64) -> Plant {
 /// Voltage over the load per acceleration of the base.
 fn voltage(plant: &Plant, frequency_hz: &[f64]) -> Vec<Complex<f64>> {
     let output = [FrfResponse::LoadVoltage("load".to_owned())];
-    frf(plant, &FrfInput::BaseAcceleration, &output, frequency_hz).expect("a response").remove(0).value
+    frf(plant, &FrfInput::BaseAcceleration, &output, frequency_hz)
+        .expect("a response")
+        .remove(0)
+        .value
 }
 
 fn line_hz() -> Vec<f64> {
-    (0..=SAMPLES / 2).map(|k| k as f64 * RATE_HZ / SAMPLES as f64).collect()
+    (0..=SAMPLES / 2)
+        .map(|k| k as f64 * RATE_HZ / SAMPLES as f64)
+        .collect()
 }
 
 /// A base under white noise of 3 m/s^2 rms and the voltage in the steady state, with noise of 1 % of the rms of each.
 fn record(response: &[Complex<f64>], stream: &mut RandomStream) -> Recording {
-    let base: Vec<f64> = (0..SAMPLES / 2).flat_map(|_| stream.normal_pair()).map(|x| 3.0 * x).collect();
+    let base: Vec<f64> = (0..SAMPLES / 2)
+        .flat_map(|_| stream.normal_pair())
+        .map(|x| 3.0 * x)
+        .collect();
     let mut planner = RealFftPlanner::new();
-    let (forward, backward) = (planner.plan_fft_forward(SAMPLES), planner.plan_fft_inverse(SAMPLES));
+    let (forward, backward) = (
+        planner.plan_fft_forward(SAMPLES),
+        planner.plan_fft_inverse(SAMPLES),
+    );
     let (mut input, mut bins) = (base.clone(), forward.make_output_vec());
-    forward.process(&mut input, &mut bins).expect("the plan made the length");
-    bins.iter_mut().zip(response).for_each(|(bin, h)| *bin *= h / SAMPLES as f64);
+    forward
+        .process(&mut input, &mut bins)
+        .expect("the plan made the length");
+    bins.iter_mut()
+        .zip(response)
+        .for_each(|(bin, h)| *bin *= h / SAMPLES as f64);
     let last = bins.len() - 1;
     (bins[0].im, bins[last].im) = (0.0, 0.0);
     let mut volts = backward.make_output_vec();
     backward.process(&mut bins, &mut volts).expect("the plan made the length");
     let sensor = Sensor { noise_ratio: NOISE, bits: Some(16) };
     let channels = vec![
-        Channel::new("base", Quantity::Acceleration, "m/s^2", sensor.read(&base, stream)),
+        Channel::new(
+            "base",
+            Quantity::Acceleration,
+            "m/s^2",
+            sensor.read(&base, stream),
+        ),
         Channel::new("piezo", Quantity::Voltage, "V", sensor.read(&volts, stream)),
     ];
     let grid = Grid::even(0.0, 1.0 / RATE_HZ, SAMPLES).expect("a grid");
-    Recording { name: "shaken".to_owned(), over: Over::Time, grid, channels, findings: Vec::new() }
+    Recording {
+        name: "shaken".to_owned(),
+        over: Over::Time,
+        grid,
+        channels,
+        findings: Vec::new(),
+    }
 }
 
 /// The response that a record gives, and the one mode in its band.
 fn identified(record: Recording) -> (MeasuredResponses, Mode) {
-    let chosen = ChannelChoice { excitation: Excitation::Channel("base".to_owned()), ..ChannelChoice::default() };
-    let responses = MeasuredResponses::of_hits(&[record], &chosen, &ImpactSettings { block_s: Some(BLOCK_S), ..ImpactSettings::default() })
-        .unwrap_or_else(|fault| panic!("{fault}"));
-    assert_eq!((responses.units[0].as_str(), responses.functions[0].blocks), ("V/(m/s^2)", 31));
+    let chosen = ChannelChoice {
+        excitation: Excitation::Channel("base".to_owned()),
+        ..ChannelChoice::default()
+    };
+    let responses = MeasuredResponses::of_hits(
+        &[record],
+        &chosen,
+        &ImpactSettings {
+            block_s: Some(BLOCK_S),
+            ..ImpactSettings::default()
+        },
+    )
+    .unwrap_or_else(|fault| panic!("{fault}"));
+    assert_eq!(
+        (responses.units[0].as_str(), responses.functions[0].blocks),
+        ("V/(m/s^2)", 31)
+    );
     assert_eq!(responses.per_g(0), Some((9.806_65, "V/g".to_owned())));
-    let sought = |band| identify(&Band::of(&responses, band).expect("a band"), ModalSettings::default()).ok();
-    let found = BANDS_HZ.into_iter().find_map(sought).expect("modes in one of the bands");
-    let mode = found.modes.into_iter().filter(|mode| (55.0..68.0).contains(&mode.frequency_hz));
-    let mode = mode.max_by(|a, b| a.residue[0].norm().total_cmp(&b.residue[0].norm())).expect("a mode");
+    let sought = |band| {
+        identify(
+            &Band::of(&responses, band).expect("a band"),
+            ModalSettings::default(),
+        )
+        .ok()
+    };
+    let found = BANDS_HZ
+        .into_iter()
+        .find_map(sought)
+        .expect("modes in one of the bands");
+    let mode = found
+        .modes
+        .into_iter()
+        .filter(|mode| (55.0..68.0).contains(&mode.frequency_hz));
+    let mode = mode
+        .max_by(|a, b| a.residue[0].norm().total_cmp(&b.residue[0].norm()))
+        .expect("a mode");
     (responses, mode)
 }
 
@@ -157,14 +211,22 @@ fn loaded(mode: &Mode, ohm: f64) -> ModeFeature {
 /// Lines of a flank with the deviation that their coherence tells.
 fn flank(responses: &MeasuredResponses, (low, high): (f64, f64), ohm: f64) -> ResponseFeature {
     let function = &responses.functions[0];
-    let inside = (0..function.value.len()).filter(|k| (low..=high).contains(&function.frequency_hz[*k]));
+    let inside =
+        (0..function.value.len()).filter(|k| (low..=high).contains(&function.frequency_hz[*k]));
     let lines: Vec<usize> = inside.step_by(EACH).collect();
-    let square = lines.iter().map(|k| function.relative_deviation(*k).powi(2)).sum::<f64>() / lines.len() as f64;
+    let square = lines
+        .iter()
+        .map(|k| function.relative_deviation(*k).powi(2))
+        .sum::<f64>()
+        / lines.len() as f64;
     let value = lines.iter().map(|k| function.value[*k]).collect();
     ResponseFeature {
         input: FrfInput::BaseAcceleration,
         output: FrfResponse::LoadVoltage("load".to_owned()),
-        lines: MeasuredLines::Complex(lines.iter().map(|k| function.frequency_hz[*k]).collect(), value),
+        lines: MeasuredLines::Complex(
+            lines.iter().map(|k| function.frequency_hz[*k]).collect(),
+            value,
+        ),
         absolute: false,
         deviation: Deviation::Given(square.sqrt()),
         set: conditions(ohm),
@@ -173,7 +235,9 @@ fn flank(responses: &MeasuredResponses, (low, high): (f64, f64), ohm: f64) -> Re
 
 /// Where the load draws the most under the drive of the spec.
 fn optimum(spec: &Spec) -> Result<f64, AnalysisError> {
-    Ok(optimal_resistance(&plant(spec), 0).expect("an optimum").resistance_ohm)
+    Ok(optimal_resistance(&plant(spec), 0)
+        .expect("an optimum")
+        .resistance_ohm)
 }
 
 fn coupling_squared(spec: &Spec) -> Result<f64, AnalysisError> {
@@ -184,7 +248,12 @@ fn coupling_squared(spec: &Spec) -> Result<f64, AnalysisError> {
 fn power(spec: &Spec, base: &[(f64, f64)]) -> Result<f64, AnalysisError> {
     let frequency_hz: Vec<f64> = base.iter().map(|(hz, _)| *hz).collect();
     let found = voltage(&over_load(spec, FIFTH_OHM), &frequency_hz);
-    Ok(found.iter().zip(base).map(|(h, (_, square))| h.norm_sqr() * square).sum::<f64>() / FIFTH_OHM)
+    Ok(found
+        .iter()
+        .zip(base)
+        .map(|(h, (_, square))| h.norm_sqr() * square)
+        .sum::<f64>()
+        / FIFTH_OHM)
 }
 
 /// Standard deviation of that power by the noise of the sensors, W. Noise adds `2 Re(X* N)` to the square of a line `X`; the noise of the base
@@ -203,9 +272,17 @@ fn sensor_deviation(spec: &Spec, base: &[(f64, f64)]) -> f64 {
 fn squares(values: &[f64]) -> Vec<(f64, f64)> {
     let plan = RealFftPlanner::new().plan_fft_forward(values.len());
     let (mut input, mut bins) = (values.to_vec(), plan.make_output_vec());
-    plan.process(&mut input, &mut bins).expect("the plan made the length");
-    let square = |(hz, bin): (f64, &Complex<f64>)| (hz, 2.0 * bin.norm_sqr() / (values.len() as f64).powi(2));
-    line_hz().into_iter().zip(&bins).map(square).filter(|(hz, _)| *hz > 1.0).collect()
+    plan.process(&mut input, &mut bins)
+        .expect("the plan made the length");
+    let square = |(hz, bin): (f64, &Complex<f64>)| {
+        (hz, 2.0 * bin.norm_sqr() / (values.len() as f64).powi(2))
+    };
+    line_hz()
+        .into_iter()
+        .zip(&bins)
+        .map(square)
+        .filter(|(hz, _)| *hz > 1.0)
+        .collect()
 }
 
 /// What a trial finds: name, and where the truth lies in its interval: -1 at the lower end, 1 at the upper end.
@@ -220,35 +297,70 @@ fn trial(truth: &Spec, responses: &[Vec<Complex<f64>>], seed: u64) -> Inside {
     let mut guess = truth.clone();
     let file = file();
     for (key, prior) in KEYS {
-        let value = file.numeric_key(key).expect("a key").get(truth).expect("a value");
-        guess.set_si(key, value * (prior * stream.normal_pair()[0]).exp()).expect("a value");
+        let value = file
+            .numeric_key(key)
+            .expect("a key")
+            .get(truth)
+            .expect("a value");
+        guess
+            .set_si(key, value * (prior * stream.normal_pair()[0]).exp())
+            .expect("a value");
     }
     let mut inside = Inside::new();
-    let mut features = Features { free: KEYS.map(|(key, prior)| (key.to_owned(), prior)).to_vec(), ..Features::default() };
+    let mut features = Features {
+        free: KEYS.map(|(key, prior)| (key.to_owned(), prior)).to_vec(),
+        ..Features::default()
+    };
     for (ohm, response) in LOADS_OHM.iter().zip(responses) {
         let (found, mode) = identified(record(response, &mut stream));
         let (hz, ratio) = pole(&over_load(truth, *ohm));
-        inside.push(("loaded frequency", (hz - mode.frequency_hz) / mode.frequency_half_width_hz()));
-        inside.push(("loaded damping", (ratio - mode.damping_ratio) / mode.damping_half_width()));
+        inside.push((
+            "loaded frequency",
+            (hz - mode.frequency_hz) / mode.frequency_half_width_hz(),
+        ));
+        inside.push((
+            "loaded damping",
+            (ratio - mode.damping_ratio) / mode.damping_half_width(),
+        ));
         features.modes.push(loaded(&mode, *ohm));
-        features.responses.extend(FLANKS_HZ.map(|band| flank(&found, band, *ohm)));
+        features
+            .responses
+            .extend(FLANKS_HZ.map(|band| flank(&found, band, *ohm)));
     }
-    let (answer, fitted) =
-        fit(&file, &guess, &features, Path::new("."), &Control::default()).unwrap_or_else(|fault| panic!("{seed}: {fault}"));
-    for (name, key) in ["frequency", "damping", "", "", "participation"].into_iter().zip(&answer.keys).filter(|(name, _)| !name.is_empty())
+    let (answer, fitted) = fit(
+        &file,
+        &guess,
+        &features,
+        Path::new("."),
+        &Control::default(),
+    )
+    .unwrap_or_else(|fault| panic!("{seed}: {fault}"));
+    for (name, key) in ["frequency", "damping", "", "", "participation"]
+        .into_iter()
+        .zip(&answer.keys)
+        .filter(|(name, _)| !name.is_empty())
     {
-        let value = file.numeric_key(&key.key).expect("a key").get(truth).expect("a value");
+        let value = file
+            .numeric_key(&key.key)
+            .expect("a key")
+            .get(truth)
+            .expect("a value");
         inside.push((name, place((key.low, key.high), value)));
     }
     let mut holds = |name, of: &dyn Fn(&Spec) -> Result<f64, AnalysisError>| {
-        let (found, value) = (answer.derived(&fitted, of).expect("a number"), of(truth).expect("a number"));
+        let (found, value) = (
+            answer.derived(&fitted, of).expect("a number"),
+            of(truth).expect("a number"),
+        );
         inside.push((name, place((found.low, found.high), value)));
     };
     holds("coupling", &coupling_squared);
     holds("optimal load", &optimum);
     let fifth = record(&responses[LOADS_OHM.len()], &mut stream);
     let volts = jounce::signal::Samples::new(&fifth.channels[1].values, RATE_HZ).expect("samples");
-    let measured = mean_power(&volts, FIFTH_OHM, false).expect("a power").mean_power_w;
+    let measured = mean_power(&volts, FIFTH_OHM, false)
+        .expect("a power")
+        .mean_power_w;
     let base = squares(&fifth.channels[0].values);
     let predicted = answer.derived(&fitted, |spec| power(spec, &base)).expect("a power");
     // The interval of the prediction is that of the fitted keys; the noise of the sensors adds to it.
@@ -260,8 +372,16 @@ fn trial(truth: &Spec, responses: &[Vec<Complex<f64>>], seed: u64) -> Inside {
 
 /// Frequency, Hz, and damping ratio of the first pole that turns.
 fn pole(plant: &Plant) -> (f64, f64) {
-    let turning = plant.diagonal.block.pairs.iter().map(|pair| pair.eigenvalue()).filter(|p| p.im > 0.0);
-    let p = turning.min_by(|a, b| a.norm().total_cmp(&b.norm())).expect("a pole");
+    let turning = plant
+        .diagonal
+        .block
+        .pairs
+        .iter()
+        .map(|pair| pair.eigenvalue())
+        .filter(|p| p.im > 0.0);
+    let p = turning
+        .min_by(|a, b| a.norm().total_cmp(&b.norm()))
+        .expect("a pole");
     (p.norm() / TAU, -p.re / p.norm())
 }
 
@@ -274,18 +394,47 @@ const TRIALS: u64 = 16;
 /// and the noise of the base moves the prediction by 0.06 % (standard deviation).
 #[test]
 fn the_standard_test_holds_the_truth_as_often_as_its_intervals_say() {
-    let trials = std::env::var("JOUNCE_TRIALS").ok().and_then(|text| text.parse().ok()).unwrap_or(TRIALS);
+    let trials = std::env::var("JOUNCE_TRIALS")
+        .ok()
+        .and_then(|text| text.parse().ok())
+        .unwrap_or(TRIALS);
     let truth = spec();
     let at = line_hz();
     let response = |ohm: &f64| voltage(&over_load(&truth, *ohm), &at);
-    let responses: Vec<Vec<Complex<f64>>> = LOADS_OHM.iter().chain([&FIFTH_OHM]).map(response).collect();
-    let found: Vec<Inside> = (0..trials).into_par_iter().map(|seed| trial(&truth, &responses, seed)).collect();
-    for name in ["loaded frequency", "loaded damping", "frequency", "damping", "participation", "coupling", "optimal load", "fifth load"] {
-        let of: Vec<f64> = found.iter().flatten().filter(|(of, _)| *of == name).map(|(_, place)| *place).collect();
-        let mean = |of: &dyn Fn(f64) -> f64, all: &[f64]| all.iter().map(|place| of(*place)).sum::<f64>() / all.len() as f64;
+    let responses: Vec<Vec<Complex<f64>>> =
+        LOADS_OHM.iter().chain([&FIFTH_OHM]).map(response).collect();
+    let found: Vec<Inside> = (0..trials)
+        .into_par_iter()
+        .map(|seed| trial(&truth, &responses, seed))
+        .collect();
+    for name in [
+        "loaded frequency",
+        "loaded damping",
+        "frequency",
+        "damping",
+        "participation",
+        "coupling",
+        "optimal load",
+        "fifth load",
+    ] {
+        let of: Vec<f64> = found
+            .iter()
+            .flatten()
+            .filter(|(of, _)| *of == name)
+            .map(|(_, place)| *place)
+            .collect();
+        let mean = |of: &dyn Fn(f64) -> f64, all: &[f64]| {
+            all.iter().map(|place| of(*place)).sum::<f64>() / all.len() as f64
+        };
         let share = mean(&|place| f64::from(u8::from(place.abs() <= 1.0)), &of);
-        let (middle, rms) = (mean(&|place| place, &of), mean(&|place| place * place, &of).sqrt());
-        eprintln!("{name}: {share:.4} of {} inside, truth at {middle:.2} and {rms:.2} rms of the half width", of.len());
+        let (middle, rms) = (
+            mean(&|place| place, &of),
+            mean(&|place| place * place, &of).sqrt(),
+        );
+        eprintln!(
+            "{name}: {share:.4} of {} inside, truth at {middle:.2} and {rms:.2} rms of the half width",
+            of.len()
+        );
         let allowed = match name {
             // Of 16 trials three misses are as rare as one in a hundred.
             _ if trials < 200 => 0.8..=1.0,

@@ -24,15 +24,25 @@ pub fn again(recording: &Recording, name: &str) -> Recording {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join(name);
     write(recording, &path).unwrap_or_else(|fault| panic!("{fault}"));
-    read::file(&path).unwrap_or_else(|fault| panic!("{fault}")).recordings.remove(0)
+    read::file(&path)
+        .unwrap_or_else(|fault| panic!("{fault}"))
+        .recordings
+        .remove(0)
 }
 
 pub fn kinds(recording: &Recording) -> Vec<IssueKind> {
-    recording.findings.iter().map(|finding| finding.kind).collect()
+    recording
+        .findings
+        .iter()
+        .map(|finding| finding.kind)
+        .collect()
 }
 
 /// Largest difference over the size of the value; measured: 0 for CSV and Parquet, 4.1e-13 for the 13 digits of UFF 58.
 pub fn differs(a: &[f64], b: &[f64]) -> f64 {
     assert_eq!(a.len(), b.len());
-    a.iter().zip(b).map(|(a, b)| if a == b { 0.0 } else { ((a - b) / a).abs() }).fold(0.0, f64::max)
+    a.iter()
+        .zip(b)
+        .map(|(a, b)| if a == b { 0.0 } else { ((a - b) / a).abs() })
+        .fold(0.0, f64::max)
 }

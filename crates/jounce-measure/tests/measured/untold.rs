@@ -38,16 +38,37 @@ fn trial(outputs: usize, references: usize, noise: Noise, seed: u64) -> Identifi
         c64::new(re, im) * (size / 2f64.sqrt())
     };
     let frequency_hz: Vec<f64> = (80..=400).map(|k| 0.5 * f64::from(k)).collect();
-    let force: Vec<Vec<c64>> = (0..references).map(|_| frequency_hz.iter().map(|_| 1.0 + draw(noise.force)).collect()).collect();
+    let force: Vec<Vec<c64>> = (0..references)
+        .map(|_| {
+            frequency_hz
+                .iter()
+                .map(|_| 1.0 + draw(noise.force))
+                .collect()
+        })
+        .collect();
     let mut response = Vec::new();
     for (o, i) in (0..outputs).flat_map(|o| (0..references).map(move |i| (o, i))) {
         let clean: Vec<c64> = frequency_hz.iter().map(|hz| exact(o, i, *hz)).collect();
         let rms = (clean.iter().map(|h| h.norm_sqr()).sum::<f64>() / clean.len() as f64).sqrt();
         response.push(
-            clean.iter().zip(&force[i]).map(|(h, force)| h * force * (1.0 + draw(noise.response)) + draw(noise.sensor * rms)).collect(),
+            clean
+                .iter()
+                .zip(&force[i])
+                .map(|(h, force)| {
+                    h * force * (1.0 + draw(noise.response)) + draw(noise.sensor * rms)
+                })
+                .collect(),
         );
     }
-    let band = Band::new(&frequency_hz, &response, &[], references, ResponseQuantity::Acceleration, (40.0, 200.0)).expect("a band");
+    let band = Band::new(
+        &frequency_hz,
+        &response,
+        &[],
+        references,
+        ResponseQuantity::Acceleration,
+        (40.0, 200.0),
+    )
+    .expect("a band");
     identify(&band, ModalSettings { order: 12 }).expect("modes")
 }
 
@@ -56,14 +77,25 @@ fn shares(name: &str, outputs: usize, references: usize, noise: Noise) {
     let off = |seed| {
         let found = trial(outputs, references, noise, seed);
         TRUTH.map(|(hz, ratio)| {
-            let near = found.modes.iter().find(|mode| (mode.frequency_hz / hz - 1.0).abs() < 0.05);
+            let near = found
+                .modes
+                .iter()
+                .find(|mode| (mode.frequency_hz / hz - 1.0).abs() < 0.05);
             near.map_or([f64::INFINITY; 2], |mode| {
-                [(mode.frequency_hz - hz) / mode.frequency_half_width_hz(), (mode.damping_ratio - ratio) / mode.damping_half_width()]
+                [
+                    (mode.frequency_hz - hz) / mode.frequency_half_width_hz(),
+                    (mode.damping_ratio - ratio) / mode.damping_half_width(),
+                ]
             })
         })
     };
     let off: Vec<[[f64; 2]; 2]> = (0..TRIALS).into_par_iter().map(off).collect();
-    let inside = |mode: usize, number: usize| off.iter().filter(|off| off[mode][number].abs() <= 1.0).count() as f64 / TRIALS as f64;
+    let inside = |mode: usize, number: usize| {
+        off.iter()
+            .filter(|off| off[mode][number].abs() <= 1.0)
+            .count() as f64
+            / TRIALS as f64
+    };
     let each = [0, 1].map(|mode| [inside(mode, 0), inside(mode, 1)]);
     let mean = each.iter().flatten().sum::<f64>() / 4.0;
     eprintln!("{name}: {mean:.3} inside; {each:.3?}");
@@ -72,18 +104,72 @@ fn shares(name: &str, outputs: usize, references: usize, noise: Noise) {
 
 #[test]
 fn intervals_hold_the_truth_under_noise_of_the_sensors() {
-    shares("1 response, sensor", 1, 1, Noise { sensor: 0.03, response: 0.0, force: 0.0 });
-    shares("4 responses, sensor", 4, 1, Noise { sensor: 0.03, response: 0.0, force: 0.0 });
+    shares(
+        "1 response, sensor",
+        1,
+        1,
+        Noise {
+            sensor: 0.03,
+            response: 0.0,
+            force: 0.0,
+        },
+    );
+    shares(
+        "4 responses, sensor",
+        4,
+        1,
+        Noise {
+            sensor: 0.03,
+            response: 0.0,
+            force: 0.0,
+        },
+    );
 }
 
 #[test]
 fn intervals_hold_the_truth_under_noise_that_grows_with_the_response() {
-    shares("1 response, growing", 1, 1, Noise { sensor: 0.0, response: 0.03, force: 0.0 });
-    shares("4 responses, growing", 4, 1, Noise { sensor: 0.003, response: 0.03, force: 0.0 });
+    shares(
+        "1 response, growing",
+        1,
+        1,
+        Noise {
+            sensor: 0.0,
+            response: 0.03,
+            force: 0.0,
+        },
+    );
+    shares(
+        "4 responses, growing",
+        4,
+        1,
+        Noise {
+            sensor: 0.003,
+            response: 0.03,
+            force: 0.0,
+        },
+    );
 }
 
 #[test]
 fn intervals_hold_the_truth_under_noise_that_responses_share() {
-    shares("4 responses, force", 4, 1, Noise { sensor: 0.003, response: 0.0, force: 0.03 });
-    shares("4 responses to 2 forces", 4, 2, Noise { sensor: 0.003, response: 0.0, force: 0.03 });
+    shares(
+        "4 responses, force",
+        4,
+        1,
+        Noise {
+            sensor: 0.003,
+            response: 0.0,
+            force: 0.03,
+        },
+    );
+    shares(
+        "4 responses to 2 forces",
+        4,
+        2,
+        Noise {
+            sensor: 0.003,
+            response: 0.0,
+            force: 0.03,
+        },
+    );
 }

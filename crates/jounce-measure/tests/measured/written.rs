@@ -9,26 +9,60 @@ use jounce_measure::write::write;
 #[test]
 fn what_is_written_is_read_back() {
     let whole = record();
-    for (name, error, step) in [("a.csv", 0.0, 1e-12), ("a.parquet", 0.0, 1e-12), ("a.uff", 5.1e-13, 1e-6)] {
+    for (name, error, step) in [
+        ("a.csv", 0.0, 1e-12),
+        ("a.parquet", 0.0, 1e-12),
+        ("a.uff", 5.1e-13, 1e-6),
+    ] {
         let found = again(&whole, name);
         for (a, b) in whole.channels.iter().zip(&found.channels) {
-            assert_eq!((&a.name, a.quantity, &a.unit), (&b.name, b.quantity, &b.unit), "{name}");
-            assert!(differs(&a.values, &b.values) <= error, "{name}: {:e}", differs(&a.values, &b.values));
+            assert_eq!(
+                (&a.name, a.quantity, &a.unit),
+                (&b.name, b.quantity, &b.unit),
+                "{name}"
+            );
+            assert!(
+                differs(&a.values, &b.values) <= error,
+                "{name}: {:e}",
+                differs(&a.values, &b.values)
+            );
         }
-        assert!((found.rate() / whole.rate() - 1.0).abs() < step, "{name}: {}", found.rate());
-        assert!(matches!(found.grid, Grid::Even { count: 301, .. }), "{name}");
+        assert!(
+            (found.rate() / whole.rate() - 1.0).abs() < step,
+            "{name}: {}",
+            found.rate()
+        );
+        assert!(
+            matches!(found.grid, Grid::Even { count: 301, .. }),
+            "{name}"
+        );
     }
     let written = response();
     for (name, digits) in [("b.uff", 5.1e-13), ("b.parquet", 0.0), ("b.csv", 0.0)] {
         let read = again(&written, name);
-        assert_eq!((read.over, read.channels.len()), (Over::Frequency, 1), "{name}");
-        assert!(differs(&written.channels[0].values, &read.channels[0].values) <= digits, "{name}");
-        let imaginary = |recording: &Recording| recording.channels[0].imaginary.clone().unwrap_or_default();
-        assert!(differs(&imaginary(&written), &imaginary(&read)) <= digits, "{name}");
+        assert_eq!(
+            (read.over, read.channels.len()),
+            (Over::Frequency, 1),
+            "{name}"
+        );
+        assert!(
+            differs(&written.channels[0].values, &read.channels[0].values) <= digits,
+            "{name}"
+        );
+        let imaginary =
+            |recording: &Recording| recording.channels[0].imaginary.clone().unwrap_or_default();
+        assert!(
+            differs(&imaginary(&written), &imaginary(&read)) <= digits,
+            "{name}"
+        );
         assert_eq!(written.grid.places(), read.grid.places());
         let channel = &read.channels[0];
         assert_eq!(
-            (channel.name.as_str(), channel.quantity, channel.unit.as_str()),
+            (
+                channel.name.as_str(),
+                channel.quantity,
+                channel.unit.as_str()
+            ),
             ("accelerance", Quantity::Response, "m/s^2/N"),
             "{name}"
         );
@@ -41,7 +75,10 @@ fn what_is_written_is_read_back() {
 fn a_long_name_is_read_back_whole() {
     let mut long = record();
     long.channels[0].name = "acceleration of the tip mass, z".to_owned();
-    assert_eq!(again(&long, "long.uff").channels[0].name, long.channels[0].name);
+    assert_eq!(
+        again(&long, "long.uff").channels[0].name,
+        long.channels[0].name
+    );
 }
 
 /// What stands above the line tells how a response moves: `H(w) = 1 / (w0^2 - w^2 + 2 j zeta w0 w)` per newton as displacement, in millimetres
@@ -54,15 +91,27 @@ fn a_unit_that_the_columns_would_cut_is_refused() {
         let mut recording = response();
         recording.channels[0].unit = unit.to_owned();
         let path = folder.path().join(format!("{}.{ending}", unit.len()));
-        (write(&recording, &path).map_err(|error| error.to_string()), path)
+        (
+            write(&recording, &path).map_err(|error| error.to_string()),
+            path,
+        )
     };
     let (fits, long) = ("counts per 100 N m/V", "counts per 1000 N m/V");
     let (written, path) = write_in(fits, "uff");
     written.expect("a file");
-    assert_eq!(read::file(&path).expect("what was written").recordings[0].channels[0].unit, fits);
+    assert_eq!(
+        read::file(&path).expect("what was written").recordings[0].channels[0].unit,
+        fits
+    );
     let (refused, path) = write_in(long, "uff");
     let told = refused.expect_err("21 characters");
-    assert!(told.contains("accelerance") && told.contains(long) && told.contains("21 characters") && told.contains("holds 20"), "{told}");
+    assert!(
+        told.contains("accelerance")
+            && told.contains(long)
+            && told.contains("21 characters")
+            && told.contains("holds 20"),
+        "{told}"
+    );
     assert!(!path.exists());
     assert!(write_in(long, "parquet").0.is_ok());
 }
@@ -73,9 +122,15 @@ fn a_place_or_name_that_the_format_would_change_is_refused() {
     let folder = tempfile::tempdir().expect("a folder");
     let written = |place: &str, name: &str, ending: &str| {
         let mut recording = record();
-        (recording.channels[1].place, recording.channels[1].name) = (place.to_owned(), name.to_owned());
-        let path = folder.path().join(format!("{}-{}.{ending}", place.len(), name.len()));
-        (write(&recording, &path).map_err(|error| error.to_string()), path)
+        (recording.channels[1].place, recording.channels[1].name) =
+            (place.to_owned(), name.to_owned());
+        let path = folder
+            .path()
+            .join(format!("{}-{}.{ending}", place.len(), name.len()));
+        (
+            write(&recording, &path).map_err(|error| error.to_string()),
+            path,
+        )
     };
     let name = "n".repeat(80);
     let (fits, path) = written("beam.tip 1", &name, "uff");
@@ -83,9 +138,21 @@ fn a_place_or_name_that_the_format_would_change_is_refused() {
     let again = &read::file(&path).expect("what was written").recordings[0].channels[1];
     assert_eq!((again.place.as_str(), &again.name), ("beam.tip 1", &name));
     for (place, name, told) in [
-        ("beam.hammer", "a".to_owned(), "the place of a, \"beam.hammer\", has 11 characters; UFF holds 10: give a shorter one"),
-        ("tip", "n".repeat(81), "has 81 characters; UFF holds 80: give a shorter one"),
-        ("tip", "öse".to_owned(), "the name of öse, \"öse\", holds 'ö'; UFF holds ASCII only"),
+        (
+            "beam.hammer",
+            "a".to_owned(),
+            "the place of a, \"beam.hammer\", has 11 characters; UFF holds 10: give a shorter one",
+        ),
+        (
+            "tip",
+            "n".repeat(81),
+            "has 81 characters; UFF holds 80: give a shorter one",
+        ),
+        (
+            "tip",
+            "öse".to_owned(),
+            "the name of öse, \"öse\", holds 'ö'; UFF holds ASCII only",
+        ),
     ] {
         let (refused, path) = written(place, &name, "uff");
         let refused = refused.expect_err("too long");

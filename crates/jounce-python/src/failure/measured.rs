@@ -27,12 +27,23 @@ macro_rules! of_recordings {
     };
 }
 
-of_recordings!(ArraysError, GridError, SignalError, SpectralError, SegmentationError, ContactError, ModalError);
+of_recordings!(
+    ArraysError,
+    GridError,
+    SignalError,
+    SpectralError,
+    SegmentationError,
+    ContactError,
+    ModalError
+);
 
 impl From<NoChannel> for Failure {
     fn from(error: NoChannel) -> Self {
         let details = json!({ "wanted": error.wanted, "channels": error.channels });
-        Self { details, ..Self::new("ArgumentError", error) }
+        Self {
+            details,
+            ..Self::new("ArgumentError", error)
+        }
     }
 }
 
@@ -56,9 +67,13 @@ impl From<ResponseError> for Failure {
 
 impl From<jounce_measure::read::ReadError> for Failure {
     fn from(error: jounce_measure::read::ReadError) -> Self {
-        use jounce_measure::read::ReadError::{Damaged, Format, Grid, NoChannel, NoRecord, NoTime, Notes, Open, Scratch, StampUnit};
+        use jounce_measure::read::ReadError::{
+            Damaged, Format, Grid, NoChannel, NoRecord, NoTime, Notes, Open, Scratch, StampUnit,
+        };
         match &error {
-            Open { path, reason } | Scratch { path, reason } => Self::of_file(&error, path, Some(reason)),
+            Open { path, reason } | Scratch { path, reason } => {
+                Self::of_file(&error, path, Some(reason))
+            }
             Format { path, .. }
             | Damaged { path, .. }
             | NoTime { path, .. }
@@ -74,15 +89,32 @@ impl From<jounce_measure::read::ReadError> for Failure {
 impl From<WriteError> for Failure {
     fn from(error: WriteError) -> Self {
         match error {
-            WriteError::NotFinite { ref channel, sample, value } => {
-                let details = json!({ "channel": channel, "sample": sample, "value": value.to_string() });
+            WriteError::NotFinite {
+                ref channel,
+                sample,
+                value,
+            } => {
+                let details =
+                    json!({ "channel": channel, "sample": sample, "value": value.to_string() });
                 Self::new("RecordingError", &error).with(details)
             }
-            WriteError::Long { ref channel, ref text, length, most, .. } => {
-                let details = json!({ "channel": channel, "text": text, "length": length, "most": most });
+            WriteError::Long {
+                ref channel,
+                ref text,
+                length,
+                most,
+                ..
+            } => {
+                let details =
+                    json!({ "channel": channel, "text": text, "length": length, "most": most });
                 Self::new("RecordingError", &error).with(details)
             }
-            WriteError::NotAscii { ref channel, ref text, letter, .. } => {
+            WriteError::NotAscii {
+                ref channel,
+                ref text,
+                letter,
+                ..
+            } => {
                 let details = json!({ "channel": channel, "text": text, "letter": letter });
                 Self::new("RecordingError", &error).with(details)
             }
@@ -105,7 +137,11 @@ impl From<RigError> for Failure {
 
 fn rig_details(error: &RigError) -> Value {
     match error {
-        RigError::Setting { name, value, allowed } => json!({ "name": name, "value": value, "allowed": allowed }),
+        RigError::Setting {
+            name,
+            value,
+            allowed,
+        } => json!({ "name": name, "value": value, "allowed": allowed }),
         RigError::Undamped { frequency_hz } => json!({ "frequency_hz": frequency_hz }),
         RigError::Long { samples, most } => json!({ "samples": samples, "most": most }),
         RigError::UnknownPoint { point, known } => json!({ "point": point, "known": known }),
@@ -123,10 +159,16 @@ impl From<SolutionError> for Failure {
             SolutionError::Plant(error) => error.into(),
             SolutionError::Run(error) => error.into(),
             SolutionError::Orbit(error) => error.into(),
-            SolutionError::Lost { starts, .. } => Self::new("ConvergenceError", &error).with(json!({ "starts": starts })),
-            SolutionError::UnknownSolution { ref wanted, ref known } => {
-                Self { details: json!({ "solution": wanted, "known": known }), ..Self::new("ArgumentError", &error) }
+            SolutionError::Lost { starts, .. } => {
+                Self::new("ConvergenceError", &error).with(json!({ "starts": starts }))
             }
+            SolutionError::UnknownSolution {
+                ref wanted,
+                ref known,
+            } => Self {
+                details: json!({ "solution": wanted, "known": known }),
+                ..Self::new("ArgumentError", &error)
+            },
             error => Self::new("ArgumentError", error),
         }
     }
@@ -146,7 +188,10 @@ impl From<FitError> for Failure {
         match error {
             FitError::Value(fault) => fault.into(),
             FitError::Structure(error) => error.into(),
-            FitError::Open { ref path, ref reason } => Self::of_file(&error, path, Some(reason)),
+            FitError::Open {
+                ref path,
+                ref reason,
+            } => Self::of_file(&error, path, Some(reason)),
             error => Self::new("FitError", &error).with(fit_details(&error)),
         }
     }
@@ -158,14 +203,23 @@ fn fit_details(error: &FitError) -> Value {
         FitError::Key { key, .. } | FitError::Twice { key } => json!({ "key": key }),
         FitError::Start { key, value } => json!({ "key": key, "value": value }),
         FitError::NoMode { number, modes } => json!({ "mode": number, "modes": modes }),
-        FitError::Undamped { number, damping_ratio } => json!({ "mode": number, "damping_ratio": damping_ratio }),
+        FitError::Undamped {
+            number,
+            damping_ratio,
+        } => json!({ "mode": number, "damping_ratio": damping_ratio }),
         FitError::Condition { place, key, .. } => json!({ "place": place, "key": key }),
         FitError::File { place, path, .. } => json!({ "place": place, "path": path }),
         FitError::NoPlace { name, known } => json!({ "name": name, "known": known }),
         FitError::NoPower { mean_power_w } => json!({ "mean_power_w": mean_power_w }),
         FitError::NoJump { key, low, high } => json!({ "key": key, "low": low, "high": high }),
-        FitError::NoResiduals { name, features, taken } => json!({ "name": name, "features": features, "taken": taken }),
-        FitError::NotConverged { evaluations } | FitError::Stopped { evaluations } => json!({ "evaluations": evaluations }),
+        FitError::NoResiduals {
+            name,
+            features,
+            taken,
+        } => json!({ "name": name, "features": features, "taken": taken }),
+        FitError::NotConverged { evaluations } | FitError::Stopped { evaluations } => {
+            json!({ "evaluations": evaluations })
+        }
         _ => Value::Null,
     }
 }

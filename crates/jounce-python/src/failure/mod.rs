@@ -35,7 +35,11 @@ pub struct Failure {
 impl Failure {
     /// A failure without numbers.
     pub fn new(class: &'static str, message: impl ToString) -> Self {
-        Self { class, message: message.to_string(), details: Value::Null }
+        Self {
+            class,
+            message: message.to_string(),
+            details: Value::Null,
+        }
     }
 
     /// The same with the numbers and names of its message.
@@ -45,19 +49,31 @@ impl Failure {
     }
 
     /// A file that cannot be used; `errno` where the system says so.
-    fn of_file(error: impl ToString, path: &std::path::Path, reason: Option<&std::io::Error>) -> Self {
+    fn of_file(
+        error: impl ToString,
+        path: &std::path::Path,
+        reason: Option<&std::io::Error>,
+    ) -> Self {
         let errno = reason.and_then(std::io::Error::raw_os_error);
         Self::new("FileError", error).with(json!({ "path": path, "errno": errno }))
     }
 
     /// A failure whose error type names its numbers.
     pub fn of(class: &'static str, error: &(impl std::fmt::Display + serde::Serialize)) -> Self {
-        Self { class, message: error.to_string(), details: serde_json::to_value(error).unwrap_or(Value::Null) }
+        Self {
+            class,
+            message: error.to_string(),
+            details: serde_json::to_value(error).unwrap_or(Value::Null),
+        }
     }
 
     /// What was computed, if it is whole.
     pub fn unless_stopped<T>(control: &Control, found: T) -> Result<T, Self> {
-        if control.is_stopped() { Err(Self::stopped()) } else { Ok(found) }
+        if control.is_stopped() {
+            Err(Self::stopped())
+        } else {
+            Ok(found)
+        }
     }
 
     /// Of what has been stopped: no answer.
@@ -72,13 +88,19 @@ impl Failure {
             line => format!("line {line}, column {}: {}", fault.column, fault.message),
         };
         let message = faults.iter().map(line).collect::<Vec<_>>().join("\n");
-        Self { class: "SpecError", message, details: json!({ "faults": faults }) }
+        Self {
+            class: "SpecError",
+            message,
+            details: json!({ "faults": faults }),
+        }
     }
 
     /// The exception.
     pub fn raised(self, py: Python<'_>) -> PyErr {
         let make = || -> PyResult<PyErr> {
-            let details = py.import("json")?.call_method1("loads", (self.details.to_string(),))?;
+            let details = py
+                .import("json")?
+                .call_method1("loads", (self.details.to_string(),))?;
             let class = py.import("jounce.errors")?.getattr(self.class)?;
             Ok(PyErr::from_value(class.call1((&self.message, details))?))
         };
@@ -107,13 +129,21 @@ impl From<Fault> for Failure {
 impl From<ReadError> for Failure {
     fn from(error: ReadError) -> Self {
         match error {
-            ReadError::NotText { ref fault, .. } => Self { details: json!({ "faults": [fault] }), ..Self::new("SpecError", &error) },
-            ReadError::Unreadable { ref path, ref source } => Self::of_file(&error, path, Some(source)),
+            ReadError::NotText { ref fault, .. } => Self {
+                details: json!({ "faults": [fault] }),
+                ..Self::new("SpecError", &error)
+            },
+            ReadError::Unreadable {
+                ref path,
+                ref source,
+            } => Self::of_file(&error, path, Some(source)),
             ReadError::Missing { ref path } => {
                 let details = json!({ "path": path, "errno": NO_SUCH_FILE });
                 Self::new("FileError", &error).with(details)
             }
-            ReadError::Directory { ref path } | ReadError::TooLarge { ref path } => Self::of_file(&error, path, None),
+            ReadError::Directory { ref path } | ReadError::TooLarge { ref path } => {
+                Self::of_file(&error, path, None)
+            }
         }
     }
 }
@@ -136,7 +166,9 @@ impl From<RandomError> for Failure {
             RandomError::Structure(error) => error.into(),
             RandomError::Plant(error) => error.into(),
             RandomError::NoNoise => Self::new("ArgumentError", error),
-            RandomError::Rectified { .. } | RandomError::Unsteady { .. } => Self::of("PlantError", &error),
+            RandomError::Rectified { .. } | RandomError::Unsteady { .. } => {
+                Self::of("PlantError", &error)
+            }
         }
     }
 }
@@ -152,7 +184,9 @@ impl From<RunError> for Failure {
         match error {
             RunError::March(error) => Self::of("MarchError", &error),
             RunError::Plant(error) => error.into(),
-            RunError::StateDoesNotFit { .. } | RunError::StartsInside { .. } => Self::of("StartError", &error),
+            RunError::StateDoesNotFit { .. } | RunError::StartsInside { .. } => {
+                Self::of("StartError", &error)
+            }
         }
     }
 }
@@ -164,10 +198,16 @@ impl From<AnalysisError> for Failure {
             AnalysisError::Plant(error) => error.into(),
             AnalysisError::Run(error) => error.into(),
             AnalysisError::Value(fault) => fault.into(),
-            AnalysisError::StartFile { ref path, .. } => Self::new("StartError", &error).with(json!({ "path": path })),
+            AnalysisError::StartFile { ref path, .. } => {
+                Self::new("StartError", &error).with(json!({ "path": path }))
+            }
             AnalysisError::Journal(error) => Self::of("FileError", &error),
-            AnalysisError::Aperiodic { ref drive } => Self::new("OrbitError", &error).with(json!({ "drive": drive })),
-            AnalysisError::OfRuns { ref key } => Self::new("ArgumentError", &error).with(json!({ "key": key })),
+            AnalysisError::Aperiodic { ref drive } => {
+                Self::new("OrbitError", &error).with(json!({ "drive": drive }))
+            }
+            AnalysisError::OfRuns { ref key } => {
+                Self::new("ArgumentError", &error).with(json!({ "key": key }))
+            }
             AnalysisError::NoNoise => {
                 let why = "an ensemble needs noise: give a drive `signal = \"noise\"`; Spec.run marches what is not random";
                 Self::new("ArgumentError", why)
@@ -189,11 +229,23 @@ impl From<StudyError> for Failure {
 
 fn survey_details(error: &StudyError) -> Value {
     match error {
-        StudyError::Unreadable { path, .. } | StudyError::Damaged { path, .. } => json!({ "path": path }),
-        StudyError::OtherStudy { folder, found, wanted } => json!({ "folder": folder, "found": found, "wanted": wanted }),
-        StudyError::NoStudy { folder } | StudyError::Folder { folder, .. } => json!({ "folder": folder }),
+        StudyError::Unreadable { path, .. } | StudyError::Damaged { path, .. } => {
+            json!({ "path": path })
+        }
+        StudyError::OtherStudy {
+            folder,
+            found,
+            wanted,
+        } => json!({ "folder": folder, "found": found, "wanted": wanted }),
+        StudyError::NoStudy { folder } | StudyError::Folder { folder, .. } => {
+            json!({ "folder": folder })
+        }
         StudyError::Busy { folder, shard } => json!({ "folder": folder, "shard": shard }),
-        StudyError::Missing { missing, parts, first } => json!({ "missing": missing, "parts": parts, "first": first }),
+        StudyError::Missing {
+            missing,
+            parts,
+            first,
+        } => json!({ "missing": missing, "parts": parts, "first": first }),
         _ => Value::Null,
     }
 }
@@ -207,10 +259,16 @@ impl From<OrbitError<AnalysisError>> for Failure {
             OrbitError::Frequencies { frequencies } | OrbitError::Summed { frequencies } => {
                 Self::new("OrbitError", &error).with(json!({ "frequencies": frequencies }))
             }
-            OrbitError::Impulsive { ref stop } => Self::new("OrbitError", &error).with(json!({ "stop": stop })),
-            OrbitError::Rectified { ref circuit } => Self::new("OrbitError", &error).with(json!({ "circuit": circuit })),
+            OrbitError::Impulsive { ref stop } => {
+                Self::new("OrbitError", &error).with(json!({ "stop": stop }))
+            }
+            OrbitError::Rectified { ref circuit } => {
+                Self::new("OrbitError", &error).with(json!({ "circuit": circuit }))
+            }
             OrbitError::Free => Self::new("OrbitError", error),
-            OrbitError::Multipliers { frequency_hz } => Self::new("ConvergenceError", &error).with(json!({ "frequency_hz": frequency_hz })),
+            OrbitError::Multipliers { frequency_hz } => {
+                Self::new("ConvergenceError", &error).with(json!({ "frequency_hz": frequency_hz }))
+            }
         }
     }
 }

@@ -27,15 +27,35 @@ pub fn measured_contact<'py>(
         let samples = Samples::new(&force.values, record.rate())?;
         let hits = hits(&samples, HitSearch::default())?;
         let fits: Vec<_> = hits.iter().map(|hit| fit(&samples, hit, mass_kg)).collect();
-        let pulses: Vec<PulseFigure> = hits.iter().zip(&fits).map(|(hit, law)| PulseFigure::of(&samples, hit, law.as_ref().ok())).collect();
+        let pulses: Vec<PulseFigure> = hits
+            .iter()
+            .zip(&fits)
+            .map(|(hit, law)| PulseFigure::of(&samples, hit, law.as_ref().ok()))
+            .collect();
         Ok::<_, Failure>((force.name.clone(), hits, fits, pulses))
     });
     let (channel, hits, fits, pulses) = found.map_err(|failure| failure.raised(py))?;
     let laws: Vec<_> = fits.iter().map(|law| law.as_ref().ok()).collect();
-    let why: Vec<String> = fits.iter().map(|law| law.as_ref().err().map_or_else(String::new, ToString::to_string)).collect();
+    let why: Vec<String> = fits
+        .iter()
+        .map(|law| {
+            law.as_ref()
+                .err()
+                .map_or_else(String::new, ToString::to_string)
+        })
+        .collect();
     let row = |values: Vec<f64>| PyArray1::from_vec(py, values);
-    let pulses: Vec<_> =
-        pulses.into_iter().map(|pulse| (row(pulse.time_s), row(pulse.force_n), row(pulse.law.0), row(pulse.law.1))).collect();
+    let pulses: Vec<_> = pulses
+        .into_iter()
+        .map(|pulse| {
+            (
+                row(pulse.time_s),
+                row(pulse.force_n),
+                row(pulse.law.0),
+                row(pulse.law.1),
+            )
+        })
+        .collect();
     let answer = PythonDict::new(py)
         .with("channel", channel)?
         .with("rate_hz", record.rate())?

@@ -24,18 +24,37 @@ pub struct Unforced {
 impl Unforced {
     fn decays(&self, py: Python<'_>, given: &[GivenRecording<'_>]) -> Result<Decays, Failure> {
         if self.free {
-            let records = given.iter().map(GivenRecording::even).collect::<Result<Vec<_>, _>>()?;
+            let records = given
+                .iter()
+                .map(GivenRecording::even)
+                .collect::<Result<Vec<_>, _>>()?;
             return py.detach(|| Ok(Decays::free(&records, &self.responses, self.span_s)?));
         }
         let [one] = given else {
-            return Err(Failure::new("ArgumentError", format!("outputs alone are those of one recording, and {} are given", given.len())));
+            return Err(Failure::new(
+                "ArgumentError",
+                format!(
+                    "outputs alone are those of one recording, and {} are given",
+                    given.len()
+                ),
+            ));
         };
         let recording = one.recording()?;
         if recording.over == Over::Frequency {
             return py.detach(|| Ok(Decays::of_spectrum(&recording, &self.responses)?));
         }
-        let (record, responses, references) = (one.even()?, self.responses.clone(), self.references.clone());
-        py.detach(|| Ok(Decays::ambient(&record, &AmbientSettings { responses, references, lags_s: self.lags_s })?))
+        let (record, responses, references) =
+            (one.even()?, self.responses.clone(), self.references.clone());
+        py.detach(|| {
+            Ok(Decays::ambient(
+                &record,
+                &AmbientSettings {
+                    responses,
+                    references,
+                    lags_s: self.lags_s,
+                },
+            )?)
+        })
     }
 }
 
@@ -51,7 +70,13 @@ pub fn measured_decays<'py>(
     check_order(order)?;
     let decays = unforced.decays(py, &given)?;
     let between_hz = between_hz.unwrap_or((0.0, 0.5 * decays.rate_hz));
-    let found = py.detach(|| Ok::<_, Failure>(identify_decays(&decays, between_hz, ModalSettings { order })?));
+    let found = py.detach(|| {
+        Ok::<_, Failure>(identify_decays(
+            &decays,
+            between_hz,
+            ModalSettings { order },
+        )?)
+    });
     let found = found.map_err(|failure| failure.raised(py))?;
     let answer = identified(py, (&decays.outputs, &[]), &decays.names(), &found)?;
     Ok(answer.with("findings", findings(&decays.findings)?)?.dict())

@@ -25,7 +25,10 @@ struct PowerData {
 
 /// Mean power over a resistance with its interval, amplitudes at the given multiples of a drive, and the spectrum of the voltage.
 #[pyfunction]
-#[expect(clippy::too_many_arguments, reason = "one argument per option of the Python function, which calls by name")]
+#[expect(
+    clippy::too_many_arguments,
+    reason = "one argument per option of the Python function, which calls by name"
+)]
 pub fn measured_power<'py>(
     py: Python<'py>,
     given: GivenRecording<'py>,
@@ -43,11 +46,20 @@ pub fn measured_power<'py>(
         let mean_square = match &base {
             None => f64::NAN,
             Some(name) => {
-                let base = signal(record.choose(Some(name), Quantity::Acceleration)?, record.rate())?;
+                let base = signal(
+                    record.choose(Some(name), Quantity::Acceleration)?,
+                    record.rate(),
+                )?;
                 base.rms().powi(2) - base.mean().powi(2)
             }
         };
-        let inside = |drive_hz: f64| orders.iter().copied().filter(|order| order * drive_hz < 0.5 * record.rate()).collect::<Vec<_>>();
+        let inside = |drive_hz: f64| {
+            orders
+                .iter()
+                .copied()
+                .filter(|order| order * drive_hz < 0.5 * record.rate())
+                .collect::<Vec<_>>()
+        };
         Failure::unless_stopped(control, ())?;
         let orders = match drive_hz {
             None => Vec::new(),
@@ -75,8 +87,12 @@ fn into_python<'py>(py: Python<'py>, found: PowerData) -> PyResult<Bound<'py, Py
         .with("power", json(&found.power)?)?
         .with("mean_square_base_acceleration_m2_s4", found.mean_square)?
         .each("order", &found.orders, |line| line.order)?
-        .each("order_frequency_hz", &found.orders, |line| line.frequency_hz)?
-        .each("order_amplitude_peak_v", &found.orders, |line| line.amplitude_peak)?
+        .each("order_frequency_hz", &found.orders, |line| {
+            line.frequency_hz
+        })?
+        .each("order_amplitude_peak_v", &found.orders, |line| {
+            line.amplitude_peak
+        })?
         .array("frequency_hz", found.spectrum.frequency_hz)?
         .array("amplitude_peak", found.spectrum.amplitude_peak)?
         .with("findings", findings(&found.findings)?)?;

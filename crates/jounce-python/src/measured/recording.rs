@@ -45,8 +45,18 @@ struct GivenChannel<'py> {
 impl GivenRecording<'_> {
     /// As the library knows it, the values in SI.
     pub fn recording(&self) -> Result<Recording, Failure> {
-        let channels = self.channels.iter().map(GivenChannel::channel).collect::<Result<_, Failure>>()?;
-        Ok(Recording { name: self.name.clone(), over: self.over()?, grid: self.grid()?, channels, findings: Vec::new() })
+        let channels = self
+            .channels
+            .iter()
+            .map(GivenChannel::channel)
+            .collect::<Result<_, Failure>>()?;
+        Ok(Recording {
+            name: self.name.clone(),
+            over: self.over()?,
+            grid: self.grid()?,
+            channels,
+            findings: Vec::new(),
+        })
     }
 
     /// The same at even times and without missing samples.
@@ -54,7 +64,10 @@ impl GivenRecording<'_> {
         let recording = self.recording()?;
         match recording.over {
             Over::Time => Ok(recording.even()?),
-            Over::Frequency => Err(Failure::new("RecordingError", format!("{} is no recording over time", self.name))),
+            Over::Frequency => Err(Failure::new(
+                "RecordingError",
+                format!("{} is no recording over time", self.name),
+            )),
         }
     }
 
@@ -62,14 +75,21 @@ impl GivenRecording<'_> {
         match self.over.as_str() {
             "time" => Ok(Over::Time),
             "frequency" => Ok(Over::Frequency),
-            other => Err(Failure::new("ArgumentError", format!("over is \"{other}\"; it must be \"time\" or \"frequency\""))),
+            other => Err(Failure::new(
+                "ArgumentError",
+                format!("over is \"{other}\"; it must be \"time\" or \"frequency\""),
+            )),
         }
     }
 
     fn grid(&self) -> Result<Grid, Failure> {
         let places = self.places.as_array();
         match self.step {
-            Some(step) => Ok(Grid::even(places.first().copied().unwrap_or_default(), step, places.len())?),
+            Some(step) => Ok(Grid::even(
+                places.first().copied().unwrap_or_default(),
+                step,
+                places.len(),
+            )?),
             None => Ok(Grid::Stamped(places.to_vec())),
         }
     }
@@ -90,25 +110,60 @@ impl GivenChannel<'_> {
 
     fn channel(&self) -> Result<Channel, Failure> {
         let named = serde_json::Value::from(self.quantity.as_deref().unwrap_or("unknown"));
-        let quantity: Quantity = serde_json::from_value(named).map_err(|error| Failure::new("ArgumentError", error))?;
-        let RawChannel { name, unit, place, direction, reference, values, imaginary } = self.raw();
-        Ok(Channel { name, quantity, unit, place, direction, reference, values, imaginary })
+        let quantity: Quantity =
+            serde_json::from_value(named).map_err(|error| Failure::new("ArgumentError", error))?;
+        let RawChannel {
+            name,
+            unit,
+            place,
+            direction,
+            reference,
+            values,
+            imaginary,
+        } = self.raw();
+        Ok(Channel {
+            name,
+            quantity,
+            unit,
+            place,
+            direction,
+            reference,
+            values,
+            imaginary,
+        })
     }
 }
 
 /// Everything in a file.
 #[pyfunction]
 pub fn recording_read(py: Python<'_>, path: PathBuf) -> PyResult<Bound<'_, PyDict>> {
-    let contents = py.detach(|| read::file(&path)).map_err(|error| Failure::from(error).raised(py))?;
-    let recordings = contents.recordings.into_iter().map(|one| into_python(py, one)).collect::<PyResult<Vec<_>>>()?;
-    let shapes = contents.shapes.iter().map(|one| shape(py, one)).collect::<PyResult<Vec<_>>>()?;
-    let answer = PythonDict::new(py).with("recordings", recordings)?.with("shapes", shapes)?;
-    Ok(answer.with("findings", findings(&contents.findings)?)?.dict())
+    let contents = py
+        .detach(|| read::file(&path))
+        .map_err(|error| Failure::from(error).raised(py))?;
+    let recordings = contents
+        .recordings
+        .into_iter()
+        .map(|one| into_python(py, one))
+        .collect::<PyResult<Vec<_>>>()?;
+    let shapes = contents
+        .shapes
+        .iter()
+        .map(|one| shape(py, one))
+        .collect::<PyResult<Vec<_>>>()?;
+    let answer = PythonDict::new(py)
+        .with("recordings", recordings)?
+        .with("shapes", shapes)?;
+    Ok(answer
+        .with("findings", findings(&contents.findings)?)?
+        .dict())
 }
 
 /// Samples with units as instruments write them, to a recording in SI.
 #[pyfunction]
-pub fn recording_given<'py>(py: Python<'py>, given: GivenRecording<'py>) -> PyResult<Bound<'py, PyDict>> {
+pub fn recording_given<'py>(
+    py: Python<'py>,
+    given: GivenRecording<'py>,
+) -> PyResult<Bound<'py, PyDict>> {
     let (over, stamps) = (given.over()?, given.places.as_array().to_vec());
     let (grid, odd) = match given.step {
         Some(_) => (given.grid()?, Vec::new()),
@@ -122,9 +177,14 @@ pub fn recording_given<'py>(py: Python<'py>, given: GivenRecording<'py>) -> PyRe
 
 /// A recording at even places, without missing samples.
 #[pyfunction]
-pub fn recording_even<'py>(py: Python<'py>, given: GivenRecording<'py>) -> PyResult<Bound<'py, PyDict>> {
+pub fn recording_even<'py>(
+    py: Python<'py>,
+    given: GivenRecording<'py>,
+) -> PyResult<Bound<'py, PyDict>> {
     let recording = given.recording()?;
-    let even = py.detach(|| recording.even()).map_err(|error| Failure::from(error).raised(py))?;
+    let even = py
+        .detach(|| recording.even())
+        .map_err(|error| Failure::from(error).raised(py))?;
     into_python(py, even)
 }
 
@@ -132,7 +192,8 @@ pub fn recording_even<'py>(py: Python<'py>, given: GivenRecording<'py>) -> PyRes
 #[pyfunction]
 pub fn recording_write(py: Python<'_>, given: GivenRecording<'_>, path: PathBuf) -> PyResult<()> {
     let recording = given.recording()?;
-    py.detach(|| write(&recording, &path)).map_err(|error| Failure::from(error).raised(py))
+    py.detach(|| write(&recording, &path))
+        .map_err(|error| Failure::from(error).raised(py))
 }
 
 /// A recording for Python.
@@ -142,13 +203,24 @@ pub fn into_python(py: Python<'_>, recording: Recording) -> PyResult<Bound<'_, P
         Grid::Stamped(_) => None,
     };
     let answer = PythonDict::new(py)
-        .with("over", if recording.over == Over::Time { "time" } else { "frequency" })?
+        .with(
+            "over",
+            if recording.over == Over::Time {
+                "time"
+            } else {
+                "frequency"
+            },
+        )?
         .with("findings", findings(&recording.findings)?)?
         .with("rate", recording.rate())?
         .with("step", step)?
         .array("places", recording.grid.places())?
         .with("name", recording.name)?;
-    let channels = recording.channels.into_iter().map(|one| channel(py, one)).collect::<PyResult<Vec<_>>>()?;
+    let channels = recording
+        .channels
+        .into_iter()
+        .map(|one| channel(py, one))
+        .collect::<PyResult<Vec<_>>>()?;
     Ok(answer.with("channels", channels)?.dict())
 }
 
@@ -160,7 +232,12 @@ fn channel(py: Python<'_>, channel: Channel) -> PyResult<Bound<'_, PyDict>> {
         .with("place", channel.place)?
         .with("direction", channel.direction)?
         .with("reference", channel.reference)?
-        .with("imaginary", channel.imaginary.map(|imaginary| PyArray1::from_vec(py, imaginary)))?
+        .with(
+            "imaginary",
+            channel
+                .imaginary
+                .map(|imaginary| PyArray1::from_vec(py, imaginary)),
+        )?
         .array("values", channel.values)?;
     Ok(answer.dict())
 }
@@ -173,7 +250,13 @@ fn shape<'py>(py: Python<'py>, shape: &ModeShape) -> PyResult<Bound<'py, PyDict>
         .array("node", shape.nodes.clone())?
         .rows("real", &shape.real, width)?;
     let zeros = vec![vec![0.0; width]; shape.real.len()];
-    Ok(answer.rows("imaginary", shape.imaginary.as_ref().unwrap_or(&zeros), width)?.dict())
+    Ok(answer
+        .rows(
+            "imaginary",
+            shape.imaginary.as_ref().unwrap_or(&zeros),
+            width,
+        )?
+        .dict())
 }
 
 /// Findings as JSON, each with the sentence that tells it.

@@ -54,44 +54,86 @@ pub fn measured_regimes<'py>(
             Some(name) if resistance_ohm.is_none() => record.channel(name)?,
             wanted => record.choose(wanted.as_deref(), Quantity::Voltage)?,
         };
-        let found = regimes_watched(&Samples::new(&channel.values, record.rate())?, drive_hz, control)?;
+        let found = regimes_watched(
+            &Samples::new(&channel.values, record.rate())?,
+            drive_hz,
+            control,
+        )?;
         let mut powers = Vec::new();
         for stretch in found.stretches.iter().filter(|_| resistance_ohm.is_some()) {
             let part = Samples::new(&channel.values[stretch.start..stretch.end], record.rate())?;
-            powers.push(mean_power_if_long(&part, resistance_ohm.unwrap_or(f64::NAN), false)?);
+            powers.push(mean_power_if_long(
+                &part,
+                resistance_ohm.unwrap_or(f64::NAN),
+                false,
+            )?);
         }
         let samples = Samples::new(&channel.values, record.rate())?;
         let shown = match model {
             None => Vec::new(),
             Some(model) => {
                 let known = compared.solutions(model, drive_hz, resistance_ohm, control)?;
-                found.stretches.iter().map(|stretch| match_segments(&samples, drive_hz, stretch, &known, compared.within)).collect()
+                found
+                    .stretches
+                    .iter()
+                    .map(|stretch| {
+                        match_segments(&samples, drive_hz, stretch, &known, compared.within)
+                    })
+                    .collect()
             }
         };
-        Ok::<_, Failure>(SegmentationData { channel: channel.clone(), found, powers, shown })
+        Ok::<_, Failure>(SegmentationData {
+            channel: channel.clone(),
+            found,
+            powers,
+            shown,
+        })
     });
     to_python_result(py, found, |found| into_python(py, &record, found))
 }
 
 impl ModelComparison {
     /// The solutions of a model at the drive and the load of a record.
-    fn solutions(&self, model: &Spec, drive_hz: f64, resistance_ohm: Option<f64>, control: &Control) -> Result<Vec<Solution>, Failure> {
+    fn solutions(
+        &self,
+        model: &Spec,
+        drive_hz: f64,
+        resistance_ohm: Option<f64>,
+        control: &Control,
+    ) -> Result<Vec<Solution>, Failure> {
         if !(self.within > 0.0 && self.within <= 1.0) || self.starts == 0 {
-            let why = format!("within is {} and starts {}; within must lie above 0 and up to 1, starts above 0", self.within, self.starts);
+            let why = format!(
+                "within is {} and starts {}; within must lie above 0 and up to 1, starts above 0",
+                self.within, self.starts
+            );
             let details = serde_json::json!({ "within": self.within, "starts": self.starts });
             return Err(Failure::new("ArgumentError", why).with(details));
         }
         let mut spec = model.spec.clone();
         as_recorded(&mut spec, drive_hz, resistance_ohm, self.load.as_deref());
-        let search = SolutionSearch { starts: self.starts, seed: self.seed, load: self.load.clone(), ..SolutionSearch::default() };
+        let search = SolutionSearch {
+            starts: self.starts,
+            seed: self.seed,
+            load: self.load.clone(),
+            ..SolutionSearch::default()
+        };
         let found = solutions(&spec, &search, control)?;
         // A search that was stopped has not found them all.
         Failure::unless_stopped(control, found)
     }
 }
 
-fn into_python<'py>(py: Python<'py>, record: &Recording, told: SegmentationData) -> PyResult<Bound<'py, PyDict>> {
-    let SegmentationData { channel, found, powers, shown } = told;
+fn into_python<'py>(
+    py: Python<'py>,
+    record: &Recording,
+    told: SegmentationData,
+) -> PyResult<Bound<'py, PyDict>> {
+    let SegmentationData {
+        channel,
+        found,
+        powers,
+        shown,
+    } = told;
     let answer = PythonDict::new(py)
         .with("channel", channel.name)?
         .with("unit", channel.unit)?

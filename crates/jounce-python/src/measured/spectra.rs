@@ -7,7 +7,9 @@ use crate::failure::Failure;
 use crate::run::PythonResult;
 use jounce::signal::Window;
 use jounce_measure::recording::{Channel, Issue, Quantity};
-use jounce_measure::spectral::{Spectra, SpectraSettings, Spectrogram, first_live, signal, spectra_watched, spectrogram_watched};
+use jounce_measure::spectral::{
+    Spectra, SpectraSettings, Spectrogram, first_live, signal, spectra_watched, spectrogram_watched,
+};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -31,11 +33,18 @@ impl SegmentOptions {
             "flat-top" => Window::FlatTop,
             "rectangular" => Window::Rectangular,
             other => {
-                let why = format!("window is \"{other}\"; it must be \"hann\", \"flat-top\" or \"rectangular\"");
+                let why = format!(
+                    "window is \"{other}\"; it must be \"hann\", \"flat-top\" or \"rectangular\""
+                );
                 return Err(Failure::new("ArgumentError", why));
             }
         };
-        Ok(SpectraSettings { drive_hz: self.drive_hz, segment_s: self.segment_s, overlap: self.overlap, window })
+        Ok(SpectraSettings {
+            drive_hz: self.drive_hz,
+            segment_s: self.segment_s,
+            overlap: self.overlap,
+            window,
+        })
     }
 }
 
@@ -51,8 +60,9 @@ pub fn measured_spectra<'py>(
     let found = left_alone(py, move |control| {
         let channel = match &channel {
             Some(name) => record.channel(name)?,
-            None => first_live(&record, Quantity::Voltage)
-                .ok_or_else(|| Failure::new("RecordingError", format!("{} has no channel", record.name)))?,
+            None => first_live(&record, Quantity::Voltage).ok_or_else(|| {
+                Failure::new("RecordingError", format!("{} has no channel", record.name))
+            })?,
         };
         let samples = signal(channel, record.rate())?;
         let found = spectra_watched(&samples, &settings, control)?;

@@ -13,7 +13,9 @@ use std::sync::Mutex;
 
 /// A journal that cannot be kept.
 #[derive(Debug, thiserror::Error, serde::Serialize)]
-#[error("the journal of finished points {path} cannot be used: {reason}; set JOUNCE_CACHE to a folder that can be written")]
+#[error(
+    "the journal of finished points {path} cannot be used: {reason}; set JOUNCE_CACHE to a folder that can be written"
+)]
 pub struct JournalError {
     /// The file.
     pub path: String,
@@ -36,7 +38,10 @@ impl<P: Serialize + DeserializeOwned> Journal<P> {
     /// [`JournalError`].
     pub fn open(folder: &Path, key: &str) -> Result<Self, JournalError> {
         let path = folder.join(format!("{key}.jsonl"));
-        let fault = |error: std::io::Error| JournalError { path: path.display().to_string(), reason: error.to_string() };
+        let fault = |error: std::io::Error| JournalError {
+            path: path.display().to_string(),
+            reason: error.to_string(),
+        };
         std::fs::create_dir_all(folder).map_err(fault)?;
         let text = match std::fs::read(&path) {
             Ok(bytes) => String::from_utf8_lossy(&bytes).into_owned(),
@@ -51,10 +56,19 @@ impl<P: Serialize + DeserializeOwned> Journal<P> {
             }
             whole += line.len();
         }
-        let mut file = OpenOptions::new().create(true).truncate(false).write(true).open(&path).map_err(fault)?;
+        let mut file = OpenOptions::new()
+            .create(true)
+            .truncate(false)
+            .write(true)
+            .open(&path)
+            .map_err(fault)?;
         file.set_len(whole as u64).map_err(fault)?;
         file.seek(SeekFrom::End(0)).map_err(fault)?;
-        Ok(Self { path, file: Mutex::new(file), found })
+        Ok(Self {
+            path,
+            file: Mutex::new(file),
+            found,
+        })
     }
 
     /// Points found when the journal was opened.
@@ -67,11 +81,16 @@ impl<P: Serialize + DeserializeOwned> Journal<P> {
     /// # Errors
     /// [`JournalError`].
     pub fn keep(&self, point: &P) -> Result<(), JournalError> {
-        let fault = |reason: String| JournalError { path: self.path.display().to_string(), reason };
+        let fault = |reason: String| JournalError {
+            path: self.path.display().to_string(),
+            reason,
+        };
         let mut line = serde_json::to_string(point).map_err(|error| fault(error.to_string()))?;
         line.push('\n');
         let mut file = self.file.lock().map_err(|error| fault(error.to_string()))?;
-        file.write_all(line.as_bytes()).and_then(|()| file.flush()).map_err(|error| fault(error.to_string()))
+        file.write_all(line.as_bytes())
+            .and_then(|()| file.flush())
+            .map_err(|error| fault(error.to_string()))
     }
 
     /// Removes the journal of a complete sweep.
@@ -79,6 +98,9 @@ impl<P: Serialize + DeserializeOwned> Journal<P> {
     /// # Errors
     /// [`JournalError`].
     pub fn finish(self) -> Result<(), JournalError> {
-        std::fs::remove_file(&self.path).map_err(|error| JournalError { path: self.path.display().to_string(), reason: error.to_string() })
+        std::fs::remove_file(&self.path).map_err(|error| JournalError {
+            path: self.path.display().to_string(),
+            reason: error.to_string(),
+        })
     }
 }

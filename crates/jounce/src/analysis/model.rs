@@ -42,13 +42,17 @@ pub enum AnalysisError {
         key: String,
     },
     /// An ensemble without noise.
-    #[error("an ensemble needs noise: give a drive `signal = \"noise\"`; `jounce run` marches what is not random")]
+    #[error(
+        "an ensemble needs noise: give a drive `signal = \"noise\"`; `jounce run` marches what is not random"
+    )]
     NoNoise,
     /// The journal of finished points.
     #[error(transparent)]
     Journal(#[from] super::JournalError),
     /// A start state that cannot be read.
-    #[error("the start state {path} cannot be used: {reason}; write one with `jounce run SPEC --save-state FILE`")]
+    #[error(
+        "the start state {path} cannot be used: {reason}; write one with `jounce run SPEC --save-state FILE`"
+    )]
     StartFile {
         /// The file.
         path: String,
@@ -85,7 +89,11 @@ impl Model {
         let modes = Arc::new(structure::modes(&spec)?);
         let system = System::assemble_unless(&spec, Arc::clone(&modes), &|| control.is_stopped())?;
         let kernel = Kernel::new(Plant::new(system)?)?.with_control(control);
-        Ok(Self { spec, kernel, modes })
+        Ok(Self {
+            spec,
+            kernel,
+            modes,
+        })
     }
 
     /// The same harvester and tables under another control.
@@ -93,8 +101,15 @@ impl Model {
     /// # Errors
     /// [`AnalysisError::Plant`].
     pub fn with_control(&self, control: &Control) -> Result<Self, AnalysisError> {
-        let kernel = self.kernel.with_drives(self.kernel.plant.system.drives.clone())?.with_control(control);
-        Ok(Self { spec: self.spec.clone(), kernel, modes: Arc::clone(&self.modes) })
+        let kernel = self
+            .kernel
+            .with_drives(self.kernel.plant.system.drives.clone())?
+            .with_control(control);
+        Ok(Self {
+            spec: self.spec.clone(),
+            kernel,
+            modes: Arc::clone(&self.modes),
+        })
     }
 
     /// The same for a changed spec: modes are kept when no body changed, step tables when no circuit did.
@@ -105,12 +120,20 @@ impl Model {
         if !same_bodies(&self.spec, &spec) {
             return Self::watched(spec, &self.kernel.control);
         }
-        let system = System::assemble_unless(&spec, Arc::clone(&self.modes), &|| self.kernel.control.is_stopped())?;
+        let system = System::assemble_unless(&spec, Arc::clone(&self.modes), &|| {
+            self.kernel.control.is_stopped()
+        })?;
         let signals = system.signals.clone();
-        let kernel = match (self.spec.circuit == spec.circuit, self.spec.stop == spec.stop) {
+        let kernel = match (
+            self.spec.circuit == spec.circuit,
+            self.spec.stop == spec.stop,
+        ) {
             (true, true) => self.kernel.with_drives(system.drives)?,
             (true, false) if self.spec.drive == spec.drive => self.kernel.with_stops(system.stops),
-            (true, false) => self.kernel.with_stops(system.stops).with_drives(system.drives)?,
+            (true, false) => self
+                .kernel
+                .with_stops(system.stops)
+                .with_drives(system.drives)?,
             (false, _) => {
                 return Ok(Self {
                     kernel: Kernel::new(Plant::new(system)?)?.with_control(&self.kernel.control),
@@ -119,8 +142,16 @@ impl Model {
                 });
             }
         };
-        let kernel = if kernel.plant.system.signals == signals { kernel } else { kernel.with_signals(signals) };
-        Ok(Self { spec, kernel, modes: Arc::clone(&self.modes) })
+        let kernel = if kernel.plant.system.signals == signals {
+            kernel
+        } else {
+            kernel.with_signals(signals)
+        };
+        Ok(Self {
+            spec,
+            kernel,
+            modes: Arc::clone(&self.modes),
+        })
     }
 
     /// The same with other realisations of its noise: number `member` of a seed.
@@ -139,7 +170,11 @@ impl Model {
         if !is_random {
             return Err(AnalysisError::NoNoise);
         }
-        Ok(self.kernel.with_signals(System::signals(&spec, &self.modes, &|| self.kernel.control.is_stopped())?))
+        Ok(self
+            .kernel
+            .with_signals(System::signals(&spec, &self.modes, &|| {
+                self.kernel.control.is_stopped()
+            })?))
     }
 
     /// The start that the spec asks for; a state file is read relative to `folder`.
@@ -148,12 +183,20 @@ impl Model {
     /// [`AnalysisError::StartFile`].
     pub fn start(&self, folder: &Path) -> Result<StartState, AnalysisError> {
         match &self.spec.run.start {
-            Start::Rest => Ok(StartState::rest(&self.kernel.plant).with_velocities(&self.spec, &self.modes)),
-            Start::Linear => Ok(StartState::linear(&self.kernel.plant).with_velocities(&self.spec, &self.modes)),
+            Start::Rest => {
+                Ok(StartState::rest(&self.kernel.plant).with_velocities(&self.spec, &self.modes))
+            }
+            Start::Linear => {
+                Ok(StartState::linear(&self.kernel.plant).with_velocities(&self.spec, &self.modes))
+            }
             Start::State(path) => {
                 let path = folder.join(path);
-                let fault = |reason: String| AnalysisError::StartFile { path: path.display().to_string(), reason };
-                let text = std::fs::read_to_string(&path).map_err(|error| fault(error.to_string()))?;
+                let fault = |reason: String| AnalysisError::StartFile {
+                    path: path.display().to_string(),
+                    reason,
+                };
+                let text =
+                    std::fs::read_to_string(&path).map_err(|error| fault(error.to_string()))?;
                 serde_json::from_str(&text).map_err(|error| fault(error.to_string()))
             }
         }
@@ -165,12 +208,21 @@ impl Model {
     /// [`PlantError`], [`RunError::StateDoesNotFit`].
     pub fn from_state(&self, start: &StartState) -> Result<ModelAtStart<'_>, AnalysisError> {
         let own = &self.kernel.plant.system.drives;
-        if own.iter().zip(&start.drive_angle_rad).all(|(drive, angle)| drive.phase_rad == *angle) {
+        if own
+            .iter()
+            .zip(&start.drive_angle_rad)
+            .all(|(drive, angle)| drive.phase_rad == *angle)
+        {
             return Ok(ModelAtStart::Same(&self.kernel));
         }
         let mut drives = own.clone();
-        drives.iter_mut().zip(&start.drive_angle_rad).for_each(|(drive, angle)| drive.phase_rad = *angle);
-        Ok(ModelAtStart::Turned(Box::new(self.kernel.with_drives(drives)?)))
+        drives
+            .iter_mut()
+            .zip(&start.drive_angle_rad)
+            .for_each(|(drive, angle)| drive.phase_rad = *angle);
+        Ok(ModelAtStart::Turned(Box::new(
+            self.kernel.with_drives(drives)?,
+        )))
     }
 }
 

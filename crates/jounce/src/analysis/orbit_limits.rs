@@ -17,8 +17,15 @@ pub fn passed_over(
     cycles: u32,
     tolerance: f64,
 ) -> Result<Vec<ExceededLimit>, IntegrationError> {
-    let Some(cycle_s) = kernel.plant.period_s().filter(|_| !limits.is_empty()) else { return Ok(Vec::new()) };
-    let mut integrator = Integrator::new(kernel, &kernel.plant.from_physical(physical, 0.0), 0.0, tolerance)?;
+    let Some(cycle_s) = kernel.plant.period_s().filter(|_| !limits.is_empty()) else {
+        return Ok(Vec::new());
+    };
+    let mut integrator = Integrator::new(
+        kernel,
+        &kernel.plant.from_physical(physical, 0.0),
+        0.0,
+        tolerance,
+    )?;
     integrator.start_record();
     integrator.advance_to(f64::from(cycles) * cycle_s)?;
     Ok(limits.exceeded(kernel, &integrator.take_record()))
@@ -34,7 +41,8 @@ pub fn passed_by_orbit<H: ParametricModel>(
     orbit: &Orbit,
     tolerance: f64,
 ) -> Result<Vec<ExceededLimit>, IntegrationError> {
-    let physical = Shooting::new(harvester, kernel, orbit.period_cycles, tolerance).physical(orbit.start());
+    let physical =
+        Shooting::new(harvester, kernel, orbit.period_cycles, tolerance).physical(orbit.start());
     passed_over(limits, kernel, &physical, orbit.period_cycles, tolerance)
 }
 
@@ -43,13 +51,19 @@ impl Branch {
     ///
     /// # Errors
     /// A point that cannot be marched.
-    pub fn exceeded(&self, parameter: &Parameter<'_>, limits: &Limits, tolerance: f64) -> Result<Vec<Vec<ExceededLimit>>, AnalysisError> {
+    pub fn exceeded(
+        &self,
+        parameter: &Parameter<'_>,
+        limits: &Limits,
+        tolerance: f64,
+    ) -> Result<Vec<Vec<ExceededLimit>>, AnalysisError> {
         if limits.is_empty() {
             return Ok(vec![Vec::new(); self.points.len()]);
         }
         let of_point = |point: &super::BranchPoint| {
             let kernel = parameter.at(point.parameter)?.kernel;
-            passed_by_orbit(limits, (parameter, &kernel), &point.orbit, tolerance).map_err(|error| RunError::from(error).into())
+            passed_by_orbit(limits, (parameter, &kernel), &point.orbit, tolerance)
+                .map_err(|error| RunError::from(error).into())
         };
         self.points.par_iter().map(of_point).collect()
     }

@@ -38,11 +38,20 @@ impl<'s> Parameter<'s> {
     /// The harvesters of a spec over a key; `width` is the range of interest.
     pub fn new(base: &'s Model, key: &'s NumericKey, width: f64) -> Self {
         let segments: Vec<&str> = key.path().split('.').collect();
-        let plain = matches!(base.kernel.plant.system.stops.first().map(|stop| stop.law), Some(Law::Hertz(_) | Law::HuntCrossley(_)));
+        let plain = matches!(
+            base.kernel.plant.system.stops.first().map(|stop| stop.law),
+            Some(Law::Hertz(_) | Law::HuntCrossley(_))
+        );
         // Where bases move against each other, the drive moves the gap too.
-        let one_drive = base.kernel.plant.system.drives.len() == 1 && base.kernel.plant.stop_between_bases().is_none();
+        let one_drive = base.kernel.plant.system.drives.len() == 1
+            && base.kernel.plant.stop_between_bases().is_none();
         // The force of a displaced base goes with the square of its frequency.
-        let moves_base = |name: &str| base.spec.drive.get(name).is_some_and(|drive| drive.kind == DriveKind::BaseDisplacement);
+        let moves_base = |name: &str| {
+            base.spec
+                .drive
+                .get(name)
+                .is_some_and(|drive| drive.kind == DriveKind::BaseDisplacement)
+        };
         let one_stop = base.kernel.plant.system.stops.len() == 1;
         let role = match segments[..] {
             ["drive", name, "frequency"] if one_drive && !moves_base(name) => KeyRole::Frequency,
@@ -51,7 +60,12 @@ impl<'s> Parameter<'s> {
             ["stop", _, "stiffness"] if one_stop && plain => KeyRole::Stiffness,
             _ => KeyRole::Other,
         };
-        Self { base, key, role, difference: 1e-7 * width }
+        Self {
+            base,
+            key,
+            role,
+            difference: 1e-7 * width,
+        }
     }
 
     /// Whether periodic answers depend on a key at all.
@@ -60,7 +74,13 @@ impl<'s> Parameter<'s> {
     /// [`AnalysisError::OfRuns`].
     pub fn check_key(key: &NumericKey) -> Result<(), AnalysisError> {
         let key = key.path();
-        if key.starts_with("run.") { Err(AnalysisError::OfRuns { key: key.to_owned() }) } else { Ok(()) }
+        if key.starts_with("run.") {
+            Err(AnalysisError::OfRuns {
+                key: key.to_owned(),
+            })
+        } else {
+            Ok(())
+        }
     }
 
     /// The key.
@@ -88,26 +108,69 @@ impl<'s> Parameter<'s> {
     fn change(&self, kernel: &Kernel, parameter: f64) -> Option<ParameterDerivatives> {
         let plant = &kernel.plant;
         let zero = vec![0.0; plant.len()];
-        let still = |drift: ParameterSensitivity| ParameterDerivatives { drift, steady: zero.clone(), period_relative: 0.0 };
+        let still = |drift: ParameterSensitivity| ParameterDerivatives {
+            drift,
+            steady: zero.clone(),
+            period_relative: 0.0,
+        };
         match self.role {
-            KeyRole::Gap => return Some(still(ParameterSensitivity { gap_m: vec![1.0], ..ParameterSensitivity::default() })),
+            KeyRole::Gap => {
+                return Some(still(ParameterSensitivity {
+                    gap_m: vec![1.0],
+                    ..ParameterSensitivity::default()
+                }));
+            }
             KeyRole::Stiffness => {
-                return Some(still(ParameterSensitivity { force_relative: vec![1.0 / parameter], ..ParameterSensitivity::default() }));
+                return Some(still(ParameterSensitivity {
+                    force_relative: vec![1.0 / parameter],
+                    ..ParameterSensitivity::default()
+                }));
             }
             KeyRole::Frequency | KeyRole::Amplitude | KeyRole::Other => {}
         }
         let tone = plant.tones.first()?;
         let moved = |by: Vec<c64>, frequency: f64, period_relative: f64| {
-            let ports = plant.ports.iter().map(|port| port.displacement.iter().zip(&by).map(|(c, y)| *y * *c).sum()).collect();
-            let drift = ParameterSensitivity { tones: vec![(ports, frequency)], ..ParameterSensitivity::default() };
-            ParameterDerivatives { drift, steady: by.iter().map(|y| y.re).collect(), period_relative }
+            let ports = plant
+                .ports
+                .iter()
+                .map(|port| {
+                    port.displacement
+                        .iter()
+                        .zip(&by)
+                        .map(|(c, y)| *y * *c)
+                        .sum()
+                })
+                .collect();
+            let drift = ParameterSensitivity {
+                tones: vec![(ports, frequency)],
+                ..ParameterSensitivity::default()
+            };
+            ParameterDerivatives {
+                drift,
+                steady: by.iter().map(|y| y.re).collect(),
+                period_relative,
+            }
         };
         match self.role {
             KeyRole::Frequency => {
-                let resolved = plant.diagonal.block.resolve(c64::new(0.0, tone.angular_frequency_rad_s), &tone.steady);
-                Some(moved(resolved.into_iter().map(|y| y * c64::new(0.0, -TAU)).collect(), TAU, -1.0 / parameter))
+                let resolved = plant
+                    .diagonal
+                    .block
+                    .resolve(c64::new(0.0, tone.angular_frequency_rad_s), &tone.steady);
+                Some(moved(
+                    resolved
+                        .into_iter()
+                        .map(|y| y * c64::new(0.0, -TAU))
+                        .collect(),
+                    TAU,
+                    -1.0 / parameter,
+                ))
             }
-            KeyRole::Amplitude if parameter != 0.0 => Some(moved(tone.steady.iter().map(|y| *y / parameter).collect(), 0.0, 0.0)),
+            KeyRole::Amplitude if parameter != 0.0 => Some(moved(
+                tone.steady.iter().map(|y| *y / parameter).collect(),
+                0.0,
+                0.0,
+            )),
             _ => None,
         }
     }
@@ -121,10 +184,16 @@ impl ParametricModel for Parameter<'_> {
         let kernel = self.kernel(parameter)?;
         let system = &kernel.plant.system;
         if let Some(drive) = system.aperiodic() {
-            return Err(AnalysisError::Aperiodic { drive: drive.to_owned() });
+            return Err(AnalysisError::Aperiodic {
+                drive: drive.to_owned(),
+            });
         }
         // What a parameter does is known in closed form in one regime only.
-        let change = if system.bridges.is_empty() { self.change(&kernel, parameter) } else { None };
+        let change = if system.bridges.is_empty() {
+            self.change(&kernel, parameter)
+        } else {
+            None
+        };
         Ok(ModelInstance { kernel, change })
     }
 

@@ -72,7 +72,9 @@ impl Sweep<'_> {
         let base = Model::watched(self.spec.clone(), control)?;
         let noise = |drive: &Drive| matches!(drive.signal, DriveSignal::Noise { .. });
         if let Some((drive, _)) = self.spec.drive.iter().find(|(_, drive)| noise(drive)) {
-            return Err(AnalysisError::Aperiodic { drive: drive.clone() });
+            return Err(AnalysisError::Aperiodic {
+                drive: drive.clone(),
+            });
         }
         control.expect(self.len());
         let mut points = match self.direction {
@@ -86,12 +88,18 @@ impl Sweep<'_> {
     fn visits(&self) -> Vec<(f64, SweepDirection)> {
         let values = self.range.values();
         let up = values.iter().map(|value| (*value, SweepDirection::Up));
-        let down = values.iter().rev().map(|value| (*value, SweepDirection::Down));
+        let down = values
+            .iter()
+            .rev()
+            .map(|value| (*value, SweepDirection::Down));
         match self.direction {
             SweepOrder::Up => up.collect(),
             SweepOrder::Down => down.collect(),
             SweepOrder::Both => up.chain(down).collect(),
-            SweepOrder::Independent => values.iter().map(|value| (*value, SweepDirection::Independent)).collect(),
+            SweepOrder::Independent => values
+                .iter()
+                .map(|value| (*value, SweepDirection::Independent))
+                .collect(),
         }
     }
 
@@ -113,7 +121,9 @@ impl Sweep<'_> {
                 let prepared = base.changed(self.at(value)?)?;
                 let start = prepared.start(&self.folder)?;
                 let point = unless_stopped(self.point(&prepared, start, index, value, way))?;
-                point.map(|point| self.finish(base, journal, done, point)).transpose()
+                point
+                    .map(|point| self.finish(base, journal, done, point))
+                    .transpose()
             })
             .filter_map(Result::transpose)
             .collect::<Result<Vec<_>, AnalysisError>>()?;
@@ -133,7 +143,10 @@ impl Sweep<'_> {
                 Some(last) => last.end.clone(),
                 None => prepared.start(&self.folder)?,
             };
-            let Some(point) = unless_stopped(self.point(&prepared, start, index, value, way))? else { break };
+            let Some(point) = unless_stopped(self.point(&prepared, start, index, value, way))?
+            else {
+                break;
+            };
             points.push(self.finish(base, journal, done, point)?);
         }
         Ok(points)
@@ -170,8 +183,14 @@ impl Sweep<'_> {
         way: SweepDirection,
     ) -> Result<SweepPoint, AnalysisError> {
         let run = &prepared.spec.run;
-        let fixed_duration = self.fixed_duration || prepared.kernel.plant.system.aperiodic().is_some();
-        let cycle_s = prepared.kernel.plant.period_s().unwrap_or(run.duration_s).min(run.duration_s);
+        let fixed_duration =
+            self.fixed_duration || prepared.kernel.plant.system.aperiodic().is_some();
+        let cycle_s = prepared
+            .kernel
+            .plant
+            .period_s()
+            .unwrap_or(run.duration_s)
+            .min(run.duration_s);
         let plan = match fixed_duration {
             true => RunPlan::of(run, 0.0),
             false => RunPlan {
@@ -188,17 +207,24 @@ impl Sweep<'_> {
             let answer = simulate(&kernel, &start, &plan)?;
             simulated_time_s += plan.duration_s;
             start = answer.end.clone();
-            if fixed_duration || answer.settlement.is_some_and(|found| found.settled) || simulated_time_s >= MAX_DURATIONS * run.duration_s
+            if fixed_duration
+                || answer.settlement.is_some_and(|found| found.settled)
+                || simulated_time_s >= MAX_DURATIONS * run.duration_s
             {
                 let exceeded = exceeded(&prepared.spec, &kernel, &answer.trajectory);
-                return Ok(SweepPoint { exceeded, ..point_of(&answer, &plan, (index, value, way), simulated_time_s) });
+                return Ok(SweepPoint {
+                    exceeded,
+                    ..point_of(&answer, &plan, (index, value, way), simulated_time_s)
+                });
             }
         }
     }
 }
 
 /// `None` for a point that was stopped on its way.
-fn unless_stopped(point: Result<SweepPoint, AnalysisError>) -> Result<Option<SweepPoint>, AnalysisError> {
+fn unless_stopped(
+    point: Result<SweepPoint, AnalysisError>,
+) -> Result<Option<SweepPoint>, AnalysisError> {
     match point {
         Err(AnalysisError::Run(RunError::March(IntegrationError::Stopped { .. }))) => Ok(None),
         point => point.map(Some),

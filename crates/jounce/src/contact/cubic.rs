@@ -22,17 +22,26 @@ impl ContactLaw for Cubic {
 
     #[inline(always)]
     fn force_n(&self, penetration_m: f64, _rate_m_s: f64) -> f64 {
-        penetration_m * (self.stiffness_n_m + self.cubic_stiffness_n_m3 * penetration_m * penetration_m)
+        penetration_m
+            * (self.stiffness_n_m + self.cubic_stiffness_n_m3 * penetration_m * penetration_m)
     }
 
     fn slopes(&self, penetration_m: f64, _rate_m_s: f64) -> Slopes {
-        let stiffness_n_m = self.stiffness_n_m + 3.0 * self.cubic_stiffness_n_m3 * penetration_m * penetration_m;
-        Slopes { stiffness_n_m, damping_n_s_m: 0.0 }
+        let stiffness_n_m =
+            self.stiffness_n_m + 3.0 * self.cubic_stiffness_n_m3 * penetration_m * penetration_m;
+        Slopes {
+            stiffness_n_m,
+            damping_n_s_m: 0.0,
+        }
     }
 
     fn steepest(&self, reach_m: f64) -> Slopes {
-        let stiffness_n_m = self.stiffness_n_m.abs() + 3.0 * self.cubic_stiffness_n_m3.abs() * reach_m * reach_m;
-        Slopes { stiffness_n_m, damping_n_s_m: 0.0 }
+        let stiffness_n_m =
+            self.stiffness_n_m.abs() + 3.0 * self.cubic_stiffness_n_m3.abs() * reach_m * reach_m;
+        Slopes {
+            stiffness_n_m,
+            damping_n_s_m: 0.0,
+        }
     }
 
     fn energy_j(&self, penetration_m: f64) -> f64 {
@@ -53,12 +62,18 @@ mod tests {
     /// Slope, force and energy are derivatives of one another: central differences of a cubic and a quartic, off by at most 3e-11.
     #[test]
     fn energy_force_and_slope_belong_together_on_both_sides() {
-        let law = Cubic { stiffness_n_m: -1.3, cubic_stiffness_n_m3: 0.7 };
+        let law = Cubic {
+            stiffness_n_m: -1.3,
+            cubic_stiffness_n_m3: 0.7,
+        };
         let h = 1e-5;
         for x in [-2.0, -0.4, 0.0, 0.9] {
             let difference = |f: &dyn Fn(f64) -> f64| (f(x + h) - f(x - h)) / (2.0 * h);
             assert!((difference(&|x| law.energy_j(x)) - law.force_n(x, 0.0)).abs() < 2e-10);
-            assert!((difference(&|x| law.force_n(x, 0.0)) - law.slopes(x, 0.0).stiffness_n_m).abs() < 2e-10);
+            assert!(
+                (difference(&|x| law.force_n(x, 0.0)) - law.slopes(x, 0.0).stiffness_n_m).abs()
+                    < 2e-10
+            );
             assert!(law.slopes(x, 0.0).stiffness_n_m.abs() <= law.steepest(x).stiffness_n_m);
         }
     }

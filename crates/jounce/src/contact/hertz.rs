@@ -29,7 +29,12 @@ impl ContactLaw for Hertz {
     }
 
     #[inline(always)]
-    fn forces_n<W: Simd>(&self, wide: W, penetration_m: W::Register, _rate_m_s: W::Register) -> W::Register {
+    fn forces_n<W: Simd>(
+        &self,
+        wide: W,
+        penetration_m: W::Register,
+        _rate_m_s: W::Register,
+    ) -> W::Register {
         let depth_m = wide.max(penetration_m, wide.zero());
         let stiffness = wide.splat(self.stiffness);
         if self.exponent == 1.5 {
@@ -52,7 +57,10 @@ impl ContactLaw for Hertz {
         } else {
             0.0
         };
-        Slopes { stiffness_n_m, damping_n_s_m: 0.0 }
+        Slopes {
+            stiffness_n_m,
+            damping_n_s_m: 0.0,
+        }
     }
 
     fn energy_j(&self, penetration_m: f64) -> f64 {
@@ -74,10 +82,17 @@ mod tests {
     fn eight_forces_are_the_force_eight_times() {
         let depths = F64x8([-1e-3, 0.0, 1e-9, 1e-6, 1e-4, 1e-3, 0.1, 2.0]);
         for exponent in [1.0, 1.3, 1.5, 2.5] {
-            let law = Hertz { stiffness: 1e3, exponent };
+            let law = Hertz {
+                stiffness: 1e3,
+                exponent,
+            };
             let wide = Portable::new();
             let forces = wide.store(law.forces_n(wide, wide.load(&depths), wide.zero()));
-            assert_eq!(forces.0, depths.0.map(|depth| law.force_n(depth, 0.0)), "exponent {exponent}");
+            assert_eq!(
+                forces.0,
+                depths.0.map(|depth| law.force_n(depth, 0.0)),
+                "exponent {exponent}"
+            );
         }
     }
 }

@@ -23,15 +23,26 @@ impl ContactLaw for HuntCrossley {
     }
 
     #[inline(always)]
-    fn forces_n<W: Simd>(&self, wide: W, penetration_m: W::Register, rate_m_s: W::Register) -> W::Register {
+    fn forces_n<W: Simd>(
+        &self,
+        wide: W,
+        penetration_m: W::Register,
+        rate_m_s: W::Register,
+    ) -> W::Register {
         let factor = wide.fma(wide.splat(self.damping_s_m), rate_m_s, wide.splat(1.0));
-        wide.mul(self.elastic.forces_n(wide, penetration_m, rate_m_s), wide.max(factor, wide.zero()))
+        wide.mul(
+            self.elastic.forces_n(wide, penetration_m, rate_m_s),
+            wide.max(factor, wide.zero()),
+        )
     }
 
     fn slopes(&self, penetration_m: f64, rate_m_s: f64) -> Slopes {
         let factor = 1.0 + self.damping_s_m * rate_m_s;
         if factor < 0.0 {
-            return Slopes { stiffness_n_m: 0.0, damping_n_s_m: 0.0 };
+            return Slopes {
+                stiffness_n_m: 0.0,
+                damping_n_s_m: 0.0,
+            };
         }
         Slopes {
             stiffness_n_m: self.elastic.slopes(penetration_m, 0.0).stiffness_n_m * factor,

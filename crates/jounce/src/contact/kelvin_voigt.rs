@@ -18,15 +18,26 @@ impl ContactLaw for KelvinVoigt {
 
     #[inline(always)]
     fn force_n(&self, penetration_m: f64, rate_m_s: f64) -> f64 {
-        if penetration_m < 0.0 { 0.0 } else { (self.stiffness_n_m * penetration_m + self.damping_n_s_m * rate_m_s).max(0.0) }
+        if penetration_m < 0.0 {
+            0.0
+        } else {
+            (self.stiffness_n_m * penetration_m + self.damping_n_s_m * rate_m_s).max(0.0)
+        }
     }
 
     fn slopes(&self, penetration_m: f64, rate_m_s: f64) -> Slopes {
-        let pushes = penetration_m >= 0.0 && self.stiffness_n_m * penetration_m + self.damping_n_s_m * rate_m_s >= 0.0;
+        let pushes = penetration_m >= 0.0
+            && self.stiffness_n_m * penetration_m + self.damping_n_s_m * rate_m_s >= 0.0;
         if pushes {
-            Slopes { stiffness_n_m: self.stiffness_n_m, damping_n_s_m: self.damping_n_s_m }
+            Slopes {
+                stiffness_n_m: self.stiffness_n_m,
+                damping_n_s_m: self.damping_n_s_m,
+            }
         } else {
-            Slopes { stiffness_n_m: 0.0, damping_n_s_m: 0.0 }
+            Slopes {
+                stiffness_n_m: 0.0,
+                damping_n_s_m: 0.0,
+            }
         }
     }
 

@@ -38,9 +38,16 @@ pub trait ContactLaw: Copy + Send + Sync {
 
     /// The force at eight instants at once; a law overrides it where that is faster.
     #[inline(always)]
-    fn forces_n<W: Simd>(&self, wide: W, penetration_m: W::Register, rate_m_s: W::Register) -> W::Register {
+    fn forces_n<W: Simd>(
+        &self,
+        wide: W,
+        penetration_m: W::Register,
+        rate_m_s: W::Register,
+    ) -> W::Register {
         let (penetration_m, rate_m_s) = (wide.store(penetration_m).0, wide.store(rate_m_s).0);
-        wide.load(&F64x8(std::array::from_fn(|i| self.force_n(penetration_m[i], rate_m_s[i]))))
+        wide.load(&F64x8(std::array::from_fn(|i| {
+            self.force_n(penetration_m[i], rate_m_s[i])
+        })))
     }
 
     /// Both slopes of the force; one-sided (from inside the contact) on its edge.
@@ -84,7 +91,12 @@ impl ContactLaw for Law {
     }
 
     #[inline(always)]
-    fn forces_n<W: Simd>(&self, wide: W, penetration_m: W::Register, rate_m_s: W::Register) -> W::Register {
+    fn forces_n<W: Simd>(
+        &self,
+        wide: W,
+        penetration_m: W::Register,
+        rate_m_s: W::Register,
+    ) -> W::Register {
         match self {
             Law::Hertz(law) => law.forces_n(wide, penetration_m, rate_m_s),
             Law::KelvinVoigt(law) => law.forces_n(wide, penetration_m, rate_m_s),
@@ -140,13 +152,42 @@ pub enum Law {
 impl From<StopLaw> for Law {
     fn from(law: StopLaw) -> Self {
         match law {
-            StopLaw::Hertz { stiffness, exponent } => Law::Hertz(Hertz { stiffness, exponent }),
-            StopLaw::Spring { stiffness_n_m } => Law::Hertz(Hertz { stiffness: stiffness_n_m, exponent: 1.0 }),
-            StopLaw::KelvinVoigt { stiffness_n_m, damping_n_s_m } => Law::KelvinVoigt(KelvinVoigt { stiffness_n_m, damping_n_s_m }),
-            StopLaw::HuntCrossley { stiffness, exponent, damping_s_m } => {
-                Law::HuntCrossley(HuntCrossley { elastic: Hertz { stiffness, exponent }, damping_s_m })
-            }
-            StopLaw::Cubic { stiffness_n_m, cubic_stiffness_n_m3 } => Law::Cubic(Cubic { stiffness_n_m, cubic_stiffness_n_m3 }),
+            StopLaw::Hertz {
+                stiffness,
+                exponent,
+            } => Law::Hertz(Hertz {
+                stiffness,
+                exponent,
+            }),
+            StopLaw::Spring { stiffness_n_m } => Law::Hertz(Hertz {
+                stiffness: stiffness_n_m,
+                exponent: 1.0,
+            }),
+            StopLaw::KelvinVoigt {
+                stiffness_n_m,
+                damping_n_s_m,
+            } => Law::KelvinVoigt(KelvinVoigt {
+                stiffness_n_m,
+                damping_n_s_m,
+            }),
+            StopLaw::HuntCrossley {
+                stiffness,
+                exponent,
+                damping_s_m,
+            } => Law::HuntCrossley(HuntCrossley {
+                elastic: Hertz {
+                    stiffness,
+                    exponent,
+                },
+                damping_s_m,
+            }),
+            StopLaw::Cubic {
+                stiffness_n_m,
+                cubic_stiffness_n_m3,
+            } => Law::Cubic(Cubic {
+                stiffness_n_m,
+                cubic_stiffness_n_m3,
+            }),
             StopLaw::Rigid { restitution } => Law::Rigid(Rigid { restitution }),
         }
     }
@@ -178,7 +219,10 @@ impl Law {
             Law::KelvinVoigt(law) => law.slopes(penetration_m, rate_m_s),
             Law::HuntCrossley(law) => law.slopes(penetration_m, rate_m_s),
             Law::Cubic(law) => law.slopes(penetration_m, rate_m_s),
-            Law::Rigid(_) => Slopes { stiffness_n_m: 0.0, damping_n_s_m: 0.0 },
+            Law::Rigid(_) => Slopes {
+                stiffness_n_m: 0.0,
+                damping_n_s_m: 0.0,
+            },
         }
     }
 

@@ -16,7 +16,11 @@ pub struct Bracket {
 impl Bracket {
     /// Between two places with their values, which differ in sign.
     pub fn between(low: (f64, f64), high: (f64, f64)) -> Self {
-        Self { last: high, other: low, replaced: None }
+        Self {
+            last: high,
+            other: low,
+            replaced: None,
+        }
     }
 
     /// Its length.
@@ -47,10 +51,17 @@ impl Bracket {
     /// Share of the way from the last place to the other.
     fn share(&self) -> f64 {
         let ((x1, f1), (x2, f2)) = (self.last, self.other);
-        let Some((x3, f3)) = self.replaced else { return f1 / (f1 - f2) };
+        let Some((x3, f3)) = self.replaced else {
+            return f1 / (f1 - f2);
+        };
         let (xi, phi) = ((x1 - x2) / (x3 - x2), (f1 - f2) / (f3 - f2));
         let is_smooth = phi * phi < xi && (1.0 - phi) * (1.0 - phi) < 1.0 - xi;
-        if is_smooth { f1 / (f2 - f1) * f3 / (f2 - f3) + (x3 - x1) / (x2 - x1) * f1 / (f3 - f1) * f2 / (f3 - f2) } else { 0.5 }
+        if is_smooth {
+            f1 / (f2 - f1) * f3 / (f2 - f3)
+                + (x3 - x1) / (x2 - x1) * f1 / (f3 - f1) * f2 / (f3 - f2)
+        } else {
+            0.5
+        }
     }
 }
 

@@ -7,6 +7,8 @@ pub fn passes(metric: &Metric, place: &Position, before: &Position, after: &Posi
     let (way, home) = (before.to(after), before.to(place));
     let along = metric.inner(&way, &home) / metric.inner(&way, &way);
     let length = metric.length(&way);
-    let off = (metric.inner(&home, &home) - along * along * length * length).max(0.0).sqrt();
+    let off = (metric.inner(&home, &home) - along * along * length * length)
+        .max(0.0)
+        .sqrt();
     (0.0..=1.0).contains(&along) && off < 0.1 * length
 }

@@ -1,6 +1,8 @@
 //! Newton on the plane across a direction, or at a fixed parameter.
 
-use super::{ContinuationError, Direction, Linearization, Metric, Position, Problem, ResidualReport};
+use super::{
+    ContinuationError, Direction, Linearization, Metric, Position, Problem, ResidualReport,
+};
 
 /// When Newton has converged, and when it is given up.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -39,20 +41,34 @@ pub fn correct<F: Problem>(
     let mut position = guess;
     let (mut last, mut left) = (f64::INFINITY, ResidualReport::default());
     for evaluations in 1..=corrector.most {
-        let local = family.at(&position.unknown, position.parameter).map_err(ContinuationError::Family)?;
+        let local = family
+            .at(&position.unknown, position.parameter)
+            .map_err(ContinuationError::Family)?;
         let right: Vec<f64> = local.residual().iter().map(|r| -r).collect();
         let Some((unknown, parameter)) = local.bordered(&row, corner, &right, 0.0) else {
-            return Err(ContinuationError::Singular { parameter: position.parameter });
+            return Err(ContinuationError::Singular {
+                parameter: position.parameter,
+            });
         };
         let change = Direction { unknown, parameter };
         let error = metric.length(&change);
         if error <= corrector.goal {
-            return Ok(CorrectedPoint { position, local, evaluations, error });
+            return Ok(CorrectedPoint {
+                position,
+                local,
+                evaluations,
+                error,
+            });
         }
         // The first correction may be long; one that grows afterwards leads nowhere.
         if !error.is_finite() || error > 2.0 * last {
             let parameter = position.parameter;
-            return Err(ContinuationError::Diverged { parameter, error, goal: corrector.goal, left: local.parts() });
+            return Err(ContinuationError::Diverged {
+                parameter,
+                error,
+                goal: corrector.goal,
+                left: local.parts(),
+            });
         }
         if evaluations == corrector.most {
             left = local.parts();
@@ -60,7 +76,12 @@ pub fn correct<F: Problem>(
         last = error;
         position = position.moved(&change, 1.0);
     }
-    Err(ContinuationError::Diverged { parameter: position.parameter, error: last, goal: corrector.goal, left })
+    Err(ContinuationError::Diverged {
+        parameter: position.parameter,
+        error: last,
+        goal: corrector.goal,
+        left,
+    })
 }
 
 /// From a guess onto the curve at its own parameter.
@@ -73,6 +94,9 @@ pub fn correct_at<F: Problem>(
     metric: &Metric,
     guess: Position,
 ) -> Result<CorrectedPoint<F::Evaluation>, ContinuationError<F::Error>> {
-    let direction = Direction { unknown: vec![0.0; guess.unknown.len()], parameter: metric.parameter };
+    let direction = Direction {
+        unknown: vec![0.0; guess.unknown.len()],
+        parameter: metric.parameter,
+    };
     correct(family, corrector, metric, &direction, guess)
 }

@@ -2,7 +2,8 @@
 
 use super::corrector::CorrectedPoint;
 use super::{
-    ContinuationError, Corrector, Direction, HermiteSegment, Metric, Position, Problem, ResidualReport, StepControl, correct, tangent,
+    ContinuationError, Corrector, Direction, HermiteSegment, Metric, Position, Problem,
+    ResidualReport, StepControl, correct, tangent,
 };
 
 /// Distance from the curve, in goals of Newton, of a guess that polynomials through points within the goal give.
@@ -27,7 +28,11 @@ struct RefusedTurns {
 impl RefusedTurns {
     /// One more; true at a corner, as an orbit has where the edge of a contact whose force jumps passes the start of the period.
     fn is_corner(&mut self, turn: f64, length: f64) -> bool {
-        self.stayed = if turn > CORNER_TURN_SHARE * self.turn { self.stayed + 1 } else { 0 };
+        self.stayed = if turn > CORNER_TURN_SHARE * self.turn {
+            self.stayed + 1
+        } else {
+            0
+        };
         self.turn = turn;
         // The first has stayed beside nothing.
         self.stayed > if length < SHORT_STEP { 1 } else { CORNER_STEPS }
@@ -113,8 +118,19 @@ impl<'f, F: Problem> Continuation<'f, F> {
 
     /// Where the walk stands now.
     pub fn mark(&self) -> Checkpoint {
-        let Self { position, tangent, behind, length, .. } = self;
-        Checkpoint { position: position.clone(), tangent: tangent.clone(), behind: behind.clone(), length: *length }
+        let Self {
+            position,
+            tangent,
+            behind,
+            length,
+            ..
+        } = self;
+        Checkpoint {
+            position: position.clone(),
+            tangent: tangent.clone(),
+            behind: behind.clone(),
+            length: *length,
+        }
     }
 
     /// Goes on as from a mark of a walk in another unknown, to which a linear map leads.
@@ -128,7 +144,8 @@ impl<'f, F: Problem> Continuation<'f, F> {
         let length = self.control.shorter(mark.length.min(self.length));
         let is_long_enough = length > self.control.shortest;
         if is_long_enough {
-            (self.position, self.tangent, self.behind, self.length) = (mark.position, mark.tangent, mark.behind, length);
+            (self.position, self.tangent, self.behind, self.length) =
+                (mark.position, mark.tangent, mark.behind, length);
         }
         is_long_enough
     }
@@ -146,8 +163,11 @@ impl<'f, F: Problem> Continuation<'f, F> {
             match correct(self.family, &self.corrector, &metric, &ahead, guess.clone()) {
                 Ok(found) => {
                     // A place is known to Newton's goal, and so is a guess from places.
-                    let way = metric.length(&guess.to(&found.position)) - KNOWN_DISTANCE * self.corrector.goal;
-                    if self.behind.is_some() && self.control.strayed(way, self.length, found.evaluations) {
+                    let way = metric.length(&guess.to(&found.position))
+                        - KNOWN_DISTANCE * self.corrector.goal;
+                    if self.behind.is_some()
+                        && self.control.strayed(way, self.length, found.evaluations)
+                    {
                         last = (found.error, ResidualReport::default());
                     } else if let Some(step) = self.take(found, &ahead, &mut turns) {
                         return Ok(step);
@@ -164,7 +184,12 @@ impl<'f, F: Problem> Continuation<'f, F> {
             return Err(ContinuationError::Family(error));
         }
         let (error, left) = last;
-        Err(ContinuationError::Stuck { parameter: self.position.parameter, step: self.length, error, left })
+        Err(ContinuationError::Stuck {
+            parameter: self.position.parameter,
+            step: self.length,
+            error,
+            left,
+        })
     }
 
     /// Takes a corrected point, unless the curve turned too far on the way and may be lost.
@@ -183,13 +208,22 @@ impl<'f, F: Problem> Continuation<'f, F> {
             return None;
         }
         self.length = self.control.after(self.length, found.evaluations, turn);
-        let stretch = HermiteSegment::between(&metric, (&self.position, &ahead), (&found.position, &tangent));
+        let stretch = HermiteSegment::between(
+            &metric,
+            (&self.position, &ahead),
+            (&found.position, &tangent),
+        );
         // What lies behind a corner says nothing of what lies ahead.
         self.behind = (!turned).then_some(stretch);
         self.position = found.position.clone();
         self.tangent = tangent.clone();
         self.points += 1;
-        Some(CurvePoint { position: found.position, tangent, local: found.local, error: found.error })
+        Some(CurvePoint {
+            position: found.position,
+            tangent,
+            local: found.local,
+            error: found.error,
+        })
     }
 }
 

@@ -1,6 +1,9 @@
 //! The place between two points at which a function of the curve passes zero.
 
-use super::{Bracket, Corrector, CurvePoint, Direction, HermiteSegment, Metric, Position, Problem, correct, tangent};
+use super::{
+    Bracket, Corrector, CurvePoint, Direction, HermiteSegment, Metric, Position, Problem, correct,
+    tangent,
+};
 
 /// Most places tried.
 const MAX_TRIALS: u32 = 40;
@@ -40,27 +43,48 @@ pub fn locate<F: Problem>(
     let chord = before.position.to(&after.position);
     let length = metric.length(&chord);
     let unit = metric.unit(chord);
-    let side =
-        |step: &CurvePoint<F::Evaluation>, place: f64| BracketEnd { position: step.position.clone(), tangent: step.tangent.clone(), place };
+    let side = |step: &CurvePoint<F::Evaluation>, place: f64| BracketEnd {
+        position: step.position.clone(),
+        tangent: step.tangent.clone(),
+        place,
+    };
     let (at_low, at_high) = (value(before), value(after));
     let size = at_low.abs().max(at_high.abs());
     let mut bracket = Bracket::between((0.0, at_low), (length, at_high));
     let (mut low, mut high) = (side(before, 0.0), side(after, length));
     let mut best: Option<(f64, CurvePoint<F::Evaluation>)> = None;
     for _ in 0..MAX_TRIALS {
-        let stretch = HermiteSegment::between(&metric, (&low.position, &low.tangent), (&high.position, &high.tangent));
+        let stretch = HermiteSegment::between(
+            &metric,
+            (&low.position, &low.tangent),
+            (&high.position, &high.tangent),
+        );
         let share = (bracket.next(resolution) - low.place) / (high.place - low.place);
         let guess = stretch.at(share * stretch.length);
         let found = correct(family, corrector, &metric, &unit, guess).ok();
         let found = found.and_then(|found| Some((tangent(&found.local, &metric, &unit)?, found)));
         let Some((ahead, found)) = found else {
             let is_narrow = bracket.length() <= NARROW_BRACKET * resolution;
-            return best.filter(|(own, _)| is_narrow || *own <= SMALL_VALUE * size).map(|(_, step)| step);
+            return best
+                .filter(|(own, _)| is_narrow || *own <= SMALL_VALUE * size)
+                .map(|(_, step)| step);
         };
-        let step = CurvePoint { position: found.position, tangent: ahead, local: found.local, error: found.error };
-        let (place, here) = (metric.inner(&unit, &before.position.to(&step.position)), value(&step));
+        let step = CurvePoint {
+            position: found.position,
+            tangent: ahead,
+            local: found.local,
+            error: found.error,
+        };
+        let (place, here) = (
+            metric.inner(&unit, &before.position.to(&step.position)),
+            value(&step),
+        );
         let moved = bracket.put(place, here);
-        *(if (here > 0.0) == (at_high > 0.0) { &mut high } else { &mut low }) = side(&step, place);
+        *(if (here > 0.0) == (at_high > 0.0) {
+            &mut high
+        } else {
+            &mut low
+        }) = side(&step, place);
         if here.abs() <= resolution * size || moved.min(bracket.length()) <= resolution {
             return Some(step);
         }

@@ -38,13 +38,17 @@ impl Metric {
     /// The metric at a position.
     pub fn at(position: &Position, parameter: f64) -> Self {
         let size = position.unknown.iter().map(|u| u * u).sum::<f64>().sqrt();
-        Self { unknown: if size > 0.0 { size } else { 1.0 }, parameter }
+        Self {
+            unknown: if size > 0.0 { size } else { 1.0 },
+            parameter,
+        }
     }
 
     /// Inner product.
     pub fn inner(&self, a: &Direction, b: &Direction) -> f64 {
         let unknown: f64 = a.unknown.iter().zip(&b.unknown).map(|(a, b)| a * b).sum();
-        unknown / (self.unknown * self.unknown) + a.parameter * b.parameter / (self.parameter * self.parameter)
+        unknown / (self.unknown * self.unknown)
+            + a.parameter * b.parameter / (self.parameter * self.parameter)
     }
 
     /// Length.
@@ -55,7 +59,10 @@ impl Metric {
     /// The row `<direction, .>`: entries for the unknowns, and for the parameter.
     pub fn row(&self, direction: &Direction) -> (Vec<f64>, f64) {
         let square = self.unknown * self.unknown;
-        (direction.unknown.iter().map(|d| d / square).collect(), direction.parameter / (self.parameter * self.parameter))
+        (
+            direction.unknown.iter().map(|d| d / square).collect(),
+            direction.parameter / (self.parameter * self.parameter),
+        )
     }
 
     /// The same direction with length one.
@@ -70,13 +77,29 @@ impl Metric {
 impl Position {
     /// The way to another position.
     pub fn to(&self, other: &Position) -> Direction {
-        let unknown = self.unknown.iter().zip(&other.unknown).map(|(a, b)| b - a).collect();
-        Direction { unknown, parameter: other.parameter - self.parameter }
+        let unknown = self
+            .unknown
+            .iter()
+            .zip(&other.unknown)
+            .map(|(a, b)| b - a)
+            .collect();
+        Direction {
+            unknown,
+            parameter: other.parameter - self.parameter,
+        }
     }
 
     /// A step along a direction.
     pub fn moved(&self, direction: &Direction, length: f64) -> Self {
-        let unknown = self.unknown.iter().zip(&direction.unknown).map(|(u, d)| u + length * d).collect();
-        Self { unknown, parameter: self.parameter + length * direction.parameter }
+        let unknown = self
+            .unknown
+            .iter()
+            .zip(&direction.unknown)
+            .map(|(u, d)| u + length * d)
+            .collect();
+        Self {
+            unknown,
+            parameter: self.parameter + length * direction.parameter,
+        }
     }
 }

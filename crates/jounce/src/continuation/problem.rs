@@ -27,5 +27,11 @@ pub trait Linearization {
     }
 
     /// Solves `[R_u R_p; row corner] (du, dp) = (right, last)`; `None` where the bordered matrix is singular.
-    fn bordered(&self, row: &[f64], corner: f64, right: &[f64], last: f64) -> Option<(Vec<f64>, f64)>;
+    fn bordered(
+        &self,
+        row: &[f64],
+        corner: f64,
+        right: &[f64],
+        last: f64,
+    ) -> Option<(Vec<f64>, f64)>;
 }

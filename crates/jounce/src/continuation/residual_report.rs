@@ -17,10 +17,20 @@ pub struct ResidualReport {
 impl fmt::Display for ResidualReport {
     /// The largest ones, as the end of a sentence.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let mut largest: Vec<&(String, f64)> = self.sizes.iter().filter(|(_, size)| *size > 0.0).collect();
+        let mut largest: Vec<&(String, f64)> =
+            self.sizes.iter().filter(|(_, size)| *size > 0.0).collect();
         largest.sort_by(|(_, a), (_, b)| b.total_cmp(a));
         for (k, (name, size)) in largest.into_iter().take(REPORTED_PARTS).enumerate() {
-            write!(f, "{}{name} {size:.1e} {}", if k == 0 { "; what is left of the equations is largest in " } else { ", " }, self.unit)?;
+            write!(
+                f,
+                "{}{name} {size:.1e} {}",
+                if k == 0 {
+                    "; what is left of the equations is largest in "
+                } else {
+                    ", "
+                },
+                self.unit
+            )?;
         }
         Ok(())
     }
@@ -32,9 +42,16 @@ mod tests {
 
     #[test]
     fn the_largest_parts_come_first() {
-        let sizes = [0.1, 3.0, 0.0, 2.0, 1.0].iter().enumerate().map(|(k, size)| (format!("harmonic {k}"), *size)).collect();
+        let sizes = [0.1, 3.0, 0.0, 2.0, 1.0]
+            .iter()
+            .enumerate()
+            .map(|(k, size)| (format!("harmonic {k}"), *size))
+            .collect();
         let told = ResidualReport { unit: "m", sizes }.to_string();
-        assert_eq!(told, "; what is left of the equations is largest in harmonic 1 3.0e0 m, harmonic 3 2.0e0 m, harmonic 4 1.0e0 m");
+        assert_eq!(
+            told,
+            "; what is left of the equations is largest in harmonic 1 3.0e0 m, harmonic 3 2.0e0 m, harmonic 4 1.0e0 m"
+        );
         assert_eq!(ResidualReport::default().to_string(), "");
     }
 }

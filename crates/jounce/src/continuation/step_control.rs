@@ -19,7 +19,14 @@ pub struct StepControl {
 
 impl Default for StepControl {
     fn default() -> Self {
-        Self { first: 0.02, longest: 0.4, shortest: 1e-9, turn: 0.25, stray: 0.1, most_evaluations: 5 }
+        Self {
+            first: 0.02,
+            longest: 0.4,
+            shortest: 1e-9,
+            turn: 0.25,
+            stray: 0.1,
+            most_evaluations: 5,
+        }
     }
 }
 

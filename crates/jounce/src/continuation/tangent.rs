@@ -3,10 +3,18 @@
 use super::{Direction, Linearization, Metric};
 
 /// Unit tangent; `None` where the derivative has lost more than one rank.
-pub fn tangent<L: Linearization>(local: &L, metric: &Metric, before: &Direction) -> Option<Direction> {
+pub fn tangent<L: Linearization>(
+    local: &L,
+    metric: &Metric,
+    before: &Direction,
+) -> Option<Direction> {
     let (row, corner) = metric.row(before);
     let zero = vec![0.0; row.len()];
     let (unknown, parameter) = local.bordered(&row, corner, &zero, 1.0)?;
     let found = Direction { unknown, parameter };
-    found.unknown.iter().all(|d| d.is_finite()).then(|| metric.unit(found))
+    found
+        .unknown
+        .iter()
+        .all(|d| d.is_finite())
+        .then(|| metric.unit(found))
 }

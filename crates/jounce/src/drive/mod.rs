@@ -29,16 +29,61 @@ use std::f64::consts::TAU;
 pub fn wave(signal: &DriveSignal, duration_s: f64, is_stopped: &dyn Fn() -> bool) -> Option<Wave> {
     match *signal {
         DriveSignal::Sine { .. } => None,
-        DriveSignal::Chirp { amplitude, from_hz, to_hz, sweep, phase_rad, start_s, duration_s } => {
-            Some(chirp(&Chirp { amplitude, from_hz, to_hz, sweep, phase_rad, start_s, duration_s }))
-        }
-        DriveSignal::HalfSine { amplitude, start_s, duration_s } => Some(half_sine(amplitude, start_s, duration_s)),
-        DriveSignal::VelocityStep { velocity_m_s, start_s } => Some(Wave::Impulse { time_s: start_s, size_s: velocity_m_s }),
-        DriveSignal::Noise { density, low_hz, high_hz, sample_rate_hz, seed } => {
+        DriveSignal::Chirp {
+            amplitude,
+            from_hz,
+            to_hz,
+            sweep,
+            phase_rad,
+            start_s,
+            duration_s,
+        } => Some(chirp(&Chirp {
+            amplitude,
+            from_hz,
+            to_hz,
+            sweep,
+            phase_rad,
+            start_s,
+            duration_s,
+        })),
+        DriveSignal::HalfSine {
+            amplitude,
+            start_s,
+            duration_s,
+        } => Some(half_sine(amplitude, start_s, duration_s)),
+        DriveSignal::VelocityStep {
+            velocity_m_s,
+            start_s,
+        } => Some(Wave::Impulse {
+            time_s: start_s,
+            size_s: velocity_m_s,
+        }),
+        DriveSignal::Noise {
+            density,
+            low_hz,
+            high_hz,
+            sample_rate_hz,
+            seed,
+        } => {
             let sample_rate_hz = sample_rate_hz.unwrap_or(DriveSignal::SAMPLES_PER_CYCLE * high_hz);
-            Some(noise(&NoiseBand { density, low_hz, high_hz, sample_rate_hz }, duration_s, seed, is_stopped))
+            Some(noise(
+                &NoiseBand {
+                    density,
+                    low_hz,
+                    high_hz,
+                    sample_rate_hz,
+                },
+                duration_s,
+                seed,
+                is_stopped,
+            ))
         }
-        DriveSignal::Recording { scale, start_s, ref record, .. } => record.as_ref().map(|record| Wave::Sampled {
+        DriveSignal::Recording {
+            scale,
+            start_s,
+            ref record,
+            ..
+        } => record.as_ref().map(|record| Wave::Sampled {
             start_s,
             step_s: record.step_s,
             sizes: record.values.iter().map(|value| scale * value).collect(),

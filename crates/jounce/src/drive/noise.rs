@@ -43,11 +43,18 @@ pub fn noise(band: &NoiseBand, duration_s: f64, seed: u64, is_stopped: &dyn Fn()
         INTERRUPTIBLE_SAMPLES.. => unless_stopped(move || realised(&band, count, seed), is_stopped),
         _ => realised(&band, count, seed),
     };
-    Wave::Sampled { start_s: 0.0, step_s, sizes: sizes.into() }
+    Wave::Sampled {
+        start_s: 0.0,
+        step_s,
+        sizes: sizes.into(),
+    }
 }
 
 /// What a long computation without looks of its own gives; silence as soon as `is_stopped` says so, and what it gives then is thrown away.
-fn unless_stopped(compute: impl FnOnce() -> Vec<f64> + Send + 'static, is_stopped: &dyn Fn() -> bool) -> Vec<f64> {
+fn unless_stopped(
+    compute: impl FnOnce() -> Vec<f64> + Send + 'static,
+    is_stopped: &dyn Fn() -> bool,
+) -> Vec<f64> {
     let (sender, receiver) = channel();
     std::thread::spawn(move || sender.send(compute()));
     loop {
@@ -93,7 +100,10 @@ fn smooth_length(least: usize) -> usize {
         }
         n == 1
     };
-    (least.max(16).next_multiple_of(2)..).step_by(2).find(|n| is_smooth(*n)).unwrap_or(least)
+    (least.max(16).next_multiple_of(2)..)
+        .step_by(2)
+        .find(|n| is_smooth(*n))
+        .unwrap_or(least)
 }
 
 #[cfg(test)]
@@ -105,28 +115,59 @@ mod tests {
     /// The mean square is `G (high - low)`; over 4000 lines its relative deviation is `sqrt(2 / 8000)`, 1.6 %.
     #[test]
     fn mean_square_is_density_times_band() {
-        let band = NoiseBand { density: 0.02, low_hz: 50.0, high_hz: 250.0, sample_rate_hz: 2500.0 };
-        let Wave::Sampled { sizes, .. } = noise(&band, 20.0, 11, &|| false) else { panic!("not sampled") };
+        let band = NoiseBand {
+            density: 0.02,
+            low_hz: 50.0,
+            high_hz: 250.0,
+            sample_rate_hz: 2500.0,
+        };
+        let Wave::Sampled { sizes, .. } = noise(&band, 20.0, 11, &|| false) else {
+            panic!("not sampled")
+        };
         // The straight lines leave sinc^2 of each frequency: sample it away at the edges of the band.
         let square = sizes.iter().map(|u| u * u).sum::<f64>() / sizes.len() as f64;
-        let wanted = 0.02 * (0..=200).map(|k| hold(50.0 + f64::from(k), 4e-4).powi(-2)).sum::<f64>() * 200.0 / 201.0;
-        assert!((square / wanted - 1.0).abs() < 3.0 * FRAC_1_SQRT_2 * 0.0224, "{square} {wanted}");
-        let Wave::Sampled { sizes: other, .. } = noise(&band, 20.0, 12, &|| false) else { panic!("not sampled") };
-        let cross = sizes.iter().zip(other.iter()).map(|(a, b)| a * b).sum::<f64>() / sizes.len() as f64;
+        let wanted = 0.02
+            * (0..=200)
+                .map(|k| hold(50.0 + f64::from(k), 4e-4).powi(-2))
+                .sum::<f64>()
+            * 200.0
+            / 201.0;
+        assert!(
+            (square / wanted - 1.0).abs() < 3.0 * FRAC_1_SQRT_2 * 0.0224,
+            "{square} {wanted}"
+        );
+        let Wave::Sampled { sizes: other, .. } = noise(&band, 20.0, 12, &|| false) else {
+            panic!("not sampled")
+        };
+        let cross = sizes
+            .iter()
+            .zip(other.iter())
+            .map(|(a, b)| a * b)
+            .sum::<f64>()
+            / sizes.len() as f64;
         assert!(cross.abs() < 0.05 * square, "{cross}");
     }
 
     /// At the first look, and on the way; who does not stop it gets every sample, the same as on a thread of its own.
     #[test]
     fn a_realisation_that_nobody_waits_for_is_silence() {
-        let band = NoiseBand { density: 0.02, low_hz: 50.0, high_hz: 250.0, sample_rate_hz: 2500.0 };
+        let band = NoiseBand {
+            density: 0.02,
+            low_hz: 50.0,
+            high_hz: 250.0,
+            sample_rate_hz: 2500.0,
+        };
         for looks in [0_usize, 1] {
             let left = std::cell::Cell::new(looks);
             let is_stopped = || left.replace(left.get().saturating_sub(1)) == 0;
-            let Wave::Sampled { sizes, .. } = noise(&band, 4000.0, 11, &is_stopped) else { panic!("not sampled") };
+            let Wave::Sampled { sizes, .. } = noise(&band, 4000.0, 11, &is_stopped) else {
+                panic!("not sampled")
+            };
             assert_eq!(*sizes, [0.0; 2], "{looks}");
         }
-        let Wave::Sampled { sizes, .. } = noise(&band, 500.0, 11, &|| false) else { panic!("not sampled") };
+        let Wave::Sampled { sizes, .. } = noise(&band, 500.0, 11, &|| false) else {
+            panic!("not sampled")
+        };
         assert!(sizes.len() >= 1_250_000 && *sizes == *realised(&band, sizes.len(), 11));
     }
 

@@ -11,6 +11,16 @@ pub fn half_sine(amplitude: f64, start_s: f64, duration_s: f64) -> Wave {
     let step_s = duration_s / LINES as f64;
     let size = amplitude / hold(0.5 / duration_s, step_s);
     // Both ends are 0 exactly: the pulse neither begins nor ends with a jump.
-    let sizes = (0..=LINES).map(|k| if k == LINES { 0.0 } else { size * (PI * k as f64 / LINES as f64).sin() });
-    Wave::Sampled { start_s, step_s, sizes: sizes.collect() }
+    let sizes = (0..=LINES).map(|k| {
+        if k == LINES {
+            0.0
+        } else {
+            size * (PI * k as f64 / LINES as f64).sin()
+        }
+    });
+    Wave::Sampled {
+        start_s,
+        step_s,
+        sizes: sizes.collect(),
+    }
 }

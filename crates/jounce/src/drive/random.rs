@@ -60,7 +60,10 @@ mod tests {
         let values: Vec<f64> = (0..20_000).map(|_| stream.symmetric()).collect();
         let mean = values.iter().sum::<f64>() / 2e4;
         let square = values.iter().map(|v| v * v).sum::<f64>() / 2e4;
-        assert!(mean.abs() < 0.015 && (square - 1.0 / 3.0).abs() < 0.01, "{mean} {square}");
+        assert!(
+            mean.abs() < 0.015 && (square - 1.0 / 3.0).abs() < 0.01,
+            "{mean} {square}"
+        );
         assert!(values.iter().all(|v| (-1.0..1.0).contains(v)));
     }
 
@@ -69,8 +72,16 @@ mod tests {
     fn normal_numbers_have_the_moments_of_their_distribution() {
         let mut stream = RandomStream::new(3, 5);
         let values: Vec<f64> = (0..20_000).flat_map(|_| stream.normal_pair()).collect();
-        let moment = |power: i32| values.iter().map(|v| v.powi(power)).sum::<f64>() / values.len() as f64;
+        let moment =
+            |power: i32| values.iter().map(|v| v.powi(power)).sum::<f64>() / values.len() as f64;
         let found = [1, 2, 3, 4].map(moment);
-        assert!(found.iter().zip([0.0, 1.0, 0.0, 3.0]).zip([0.02, 0.03, 0.06, 0.2]).all(|((a, b), e)| (a - b).abs() < e), "{found:?}");
+        assert!(
+            found
+                .iter()
+                .zip([0.0, 1.0, 0.0, 3.0])
+                .zip([0.02, 0.03, 0.06, 0.2])
+                .all(|((a, b), e)| (a - b).abs() < e),
+            "{found:?}"
+        );
     }
 }

@@ -36,11 +36,19 @@ impl Chirp {
         let octaves = (f1 / f0).ln();
         if self.sweep == FrequencySweep::Linear || octaves == 0.0 {
             let rate = (f1 - f0) / length;
-            return [self.phase_rad + TAU * (f0 + 0.5 * rate * after_s) * after_s, TAU * (f0 + rate * after_s), TAU * rate];
+            return [
+                self.phase_rad + TAU * (f0 + 0.5 * rate * after_s) * after_s,
+                TAU * (f0 + rate * after_s),
+                TAU * rate,
+            ];
         }
         let frequency_hz = f0 * (octaves * after_s / length).exp();
         let turns = f0 * length / octaves * (octaves * after_s / length).exp_m1();
-        [self.phase_rad + TAU * turns, TAU * frequency_hz, TAU * frequency_hz * octaves / length]
+        [
+            self.phase_rad + TAU * turns,
+            TAU * frequency_hz,
+            TAU * frequency_hz * octaves / length,
+        ]
     }
 }
 
@@ -55,16 +63,25 @@ impl Chirp {
         self.sampled(|[angle, w, rate], step_s| {
             let (sin, cos) = angle.sin_cos();
             let x2 = (w * step_s).powi(2);
-            self.amplitude * (rate * cos * (1.0 + x2 / 2.0) - w * w * sin * (1.0 + x2 / 12.0 + x2 * x2 / 240.0))
+            self.amplitude
+                * (rate * cos * (1.0 + x2 / 2.0)
+                    - w * w * sin * (1.0 + x2 / 12.0 + x2 * x2 / 240.0))
         })
     }
 
     /// Samples from the angle, its rates and the step between samples, s.
     fn sampled(&self, sample: impl Fn([f64; 3], f64) -> f64) -> Wave {
-        let lines = (self.duration_s * self.from_hz.max(self.to_hz) * DriveSignal::CHIRP_SAMPLES_PER_CYCLE).ceil().max(2.0) as usize;
+        let lines =
+            (self.duration_s * self.from_hz.max(self.to_hz) * DriveSignal::CHIRP_SAMPLES_PER_CYCLE)
+                .ceil()
+                .max(2.0) as usize;
         let step_s = self.duration_s / lines as f64;
         let sizes = (0..=lines).map(|k| sample(self.angle(k as f64 * step_s), step_s));
-        Wave::Sampled { start_s: self.start_s, step_s, sizes: sizes.collect() }
+        Wave::Sampled {
+            start_s: self.start_s,
+            step_s,
+            sizes: sizes.collect(),
+        }
     }
 }
 
@@ -76,7 +93,8 @@ pub fn chirp(chirp: &Chirp) -> Wave {
     chirp.sampled(|[angle, w, rate], step_s| {
         let (sin, cos) = angle.sin_cos();
         let x = w * step_s;
-        chirp.amplitude * (sin - (rate * step_s * step_s * cos - x * x * sin) / 12.0 + x.powi(4) / 240.0 * sin)
+        chirp.amplitude
+            * (sin - (rate * step_s * step_s * cos - x * x * sin) / 12.0 + x.powi(4) / 240.0 * sin)
     })
 }
 
@@ -87,13 +105,28 @@ mod tests {
     #[test]
     fn frequency_is_the_rate_of_the_angle_and_ends_where_it_should() {
         for sweep in [FrequencySweep::Linear, FrequencySweep::Logarithmic] {
-            let chirp = Chirp { amplitude: 1.0, from_hz: 5.0, to_hz: 40.0, sweep, phase_rad: 0.3, start_s: 0.0, duration_s: 2.0 };
-            assert!((chirp.angle(0.0)[1] / TAU - 5.0).abs() < 1e-12 && (chirp.angle(2.0)[1] / TAU - 40.0).abs() < 1e-12);
+            let chirp = Chirp {
+                amplitude: 1.0,
+                from_hz: 5.0,
+                to_hz: 40.0,
+                sweep,
+                phase_rad: 0.3,
+                start_s: 0.0,
+                duration_s: 2.0,
+            };
+            assert!(
+                (chirp.angle(0.0)[1] / TAU - 5.0).abs() < 1e-12
+                    && (chirp.angle(2.0)[1] / TAU - 40.0).abs() < 1e-12
+            );
             for t in [0.3, 1.1, 1.9] {
                 let d = 1e-5;
                 let slope = (chirp.angle(t + d)[0] - chirp.angle(t - d)[0]) / (2.0 * d);
                 let rate = (chirp.angle(t + d)[1] - chirp.angle(t - d)[1]) / (2.0 * d);
-                assert!((slope / chirp.angle(t)[1] - 1.0).abs() < 1e-8 && (rate / chirp.angle(t)[2] - 1.0).abs() < 1e-8, "{sweep:?} {t}");
+                assert!(
+                    (slope / chirp.angle(t)[1] - 1.0).abs() < 1e-8
+                        && (rate / chirp.angle(t)[2] - 1.0).abs() < 1e-8,
+                    "{sweep:?} {t}"
+                );
             }
         }
     }

@@ -78,14 +78,35 @@ impl Wave {
     /// Piece number `index`, in order of time.
     pub fn piece(&self, index: usize) -> WavePiece {
         match *self {
-            Wave::Constant(size) => WavePiece { size, end_size: size, ..WavePiece::SILENT },
-            Wave::Impulse { time_s, .. } if index == 0 => WavePiece { until_s: time_s, ..WavePiece::SILENT },
-            Wave::Impulse { time_s, size_s } => WavePiece { from_s: time_s, impulse_s: size_s, ..WavePiece::SILENT },
-            Wave::Sampled { start_s, step_s, ref sizes } => {
+            Wave::Constant(size) => WavePiece {
+                size,
+                end_size: size,
+                ..WavePiece::SILENT
+            },
+            Wave::Impulse { time_s, .. } if index == 0 => WavePiece {
+                until_s: time_s,
+                ..WavePiece::SILENT
+            },
+            Wave::Impulse { time_s, size_s } => WavePiece {
+                from_s: time_s,
+                impulse_s: size_s,
+                ..WavePiece::SILENT
+            },
+            Wave::Sampled {
+                start_s,
+                step_s,
+                ref sizes,
+            } => {
                 let time_s = |sample: usize| start_s + step_s * sample as f64;
                 match index {
-                    0 => WavePiece { until_s: start_s, ..WavePiece::SILENT },
-                    _ if index >= sizes.len() => WavePiece { from_s: time_s(sizes.len() - 1), ..WavePiece::SILENT },
+                    0 => WavePiece {
+                        until_s: start_s,
+                        ..WavePiece::SILENT
+                    },
+                    _ if index >= sizes.len() => WavePiece {
+                        from_s: time_s(sizes.len() - 1),
+                        ..WavePiece::SILENT
+                    },
                     _ => WavePiece {
                         from_s: time_s(index - 1),
                         until_s: time_s(index),
@@ -105,8 +126,15 @@ impl Wave {
         match *self {
             Wave::Constant(_) => 0,
             Wave::Impulse { time_s: when_s, .. } => usize::from(time_s > when_s),
-            Wave::Sampled { start_s, step_s, ref sizes } => {
-                let near = ((time_s - start_s) / step_s).floor().clamp(-1.0, sizes.len() as f64) as i64 + 1;
+            Wave::Sampled {
+                start_s,
+                step_s,
+                ref sizes,
+            } => {
+                let near = ((time_s - start_s) / step_s)
+                    .floor()
+                    .clamp(-1.0, sizes.len() as f64) as i64
+                    + 1;
                 let mut index = near.clamp(0, sizes.len() as i64) as usize;
                 // The quotient is rounded: the ends of the pieces decide.
                 while index > 0 && self.piece(index).from_s > time_s {
@@ -127,14 +155,28 @@ mod tests {
 
     #[test]
     fn pieces_join_and_are_found_by_time() {
-        let wave = Wave::Sampled { start_s: 0.3, step_s: 0.1, sizes: Arc::from([1.0, 3.0, -1.0]) };
-        assert_eq!([0.0, 0.3, 0.35, 0.5, 9.0].map(|t| wave.index_at(t)), [0, 1, 1, 3, 3]);
+        let wave = Wave::Sampled {
+            start_s: 0.3,
+            step_s: 0.1,
+            sizes: Arc::from([1.0, 3.0, -1.0]),
+        };
+        assert_eq!(
+            [0.0, 0.3, 0.35, 0.5, 9.0].map(|t| wave.index_at(t)),
+            [0, 1, 1, 3, 3]
+        );
         for index in 0..3 {
             let (piece, next) = (wave.piece(index), wave.piece(index + 1));
             assert_eq!(piece.until_s, next.from_s, "{index}");
             assert_eq!(wave.index_at(piece.until_s), index + 1);
         }
         assert!((wave.piece(2).size_at(0.45) - 1.0).abs() < 1e-15);
-        assert_eq!(Wave::Impulse { time_s: 0.0, size_s: 2.0 }.index_at(0.0), 0);
+        assert_eq!(
+            Wave::Impulse {
+                time_s: 0.0,
+                size_s: 2.0
+            }
+            .index_at(0.0),
+            0
+        );
     }
 }

@@ -14,10 +14,21 @@ pub(super) struct AdHocTables(Vec<(ForceBasis, Arc<ContactTable>)>);
 impl AdHocTables {
     /// The table of a length, made when it is not there.
     pub fn of(&mut self, kernel: &Kernel, shape: ForceBasis, length_s: f64) -> Arc<ContactTable> {
-        let found = self.0.iter().position(|(kept, table)| *kept == shape && table.length_s == length_s);
+        let found = self
+            .0
+            .iter()
+            .position(|(kept, table)| *kept == shape && table.length_s == length_s);
         let entry = match found {
             Some(place) => self.0.remove(place),
-            None => (shape, Arc::new(ContactTable::new(kernel, 0, kernel.basis(0, shape), length_s))),
+            None => (
+                shape,
+                Arc::new(ContactTable::new(
+                    kernel,
+                    0,
+                    kernel.basis(0, shape),
+                    length_s,
+                )),
+            ),
         };
         self.0.truncate(MAX_CACHED_TABLES - 1);
         self.0.insert(0, entry);

@@ -59,7 +59,11 @@ impl BasisFunctions {
         if exponent.fract() == 0.0 {
             return None;
         }
-        let step = if (2.0 * exponent).fract() == 0.0 { 0.5 } else { 1.0 };
+        let step = if (2.0 * exponent).fract() == 0.0 {
+            0.5
+        } else {
+            1.0
+        };
         Some(Self::new(Some([exponent, step])))
     }
 
@@ -67,10 +71,20 @@ impl BasisFunctions {
         let [n, q] = powers.unwrap_or([0.0, 1.0]);
         // x^n dx = u^alpha du / q with u = x^q
         let nodes = gauss_jacobi((n + 1.0) / q - 1.0);
-        let barycentric: [f64; NODES] =
-            std::array::from_fn(|i| (0..NODES).filter(|j| *j != i).map(|j| 1.0 / (nodes[i] - nodes[j])).product());
+        let barycentric: [f64; NODES] = std::array::from_fn(|i| {
+            (0..NODES)
+                .filter(|j| *j != i)
+                .map(|j| 1.0 / (nodes[i] - nodes[j]))
+                .product()
+        });
         let mut basis = Self {
-            places: std::array::from_fn(|i| if i < NODES { nodes[i].powf(1.0 / q) } else { 1.0 }),
+            places: std::array::from_fn(|i| {
+                if i < NODES {
+                    nodes[i].powf(1.0 / q)
+                } else {
+                    1.0
+                }
+            }),
             weights: F64x8::ZERO,
             at_start: F64x8::ZERO,
             at_end: F64x8::ZERO,
@@ -78,7 +92,11 @@ impl BasisFunctions {
             powers,
             barycentric,
         };
-        basis.series = if powers.is_some() { singular_series(&nodes, n, q) } else { smooth_series(&nodes) };
+        basis.series = if powers.is_some() {
+            singular_series(&nodes, n, q)
+        } else {
+            smooth_series(&nodes)
+        };
         basis.weights = basis.series[0];
         basis.at_start = padded(basis.at(0.0));
         basis.at_end = padded(basis.at(1.0));
@@ -98,13 +116,17 @@ impl BasisFunctions {
         }
         let (u, node) = (x.powf(q), |j: usize| self.places[j].powf(q));
         let product: f64 = (0..NODES).map(|j| u - node(j)).product();
-        std::array::from_fn(|j| product * self.barycentric[j] / (u - node(j)) * (x / self.places[j]).powf(n))
+        std::array::from_fn(|j| {
+            product * self.barycentric[j] / (u - node(j)) * (x / self.places[j]).powf(n)
+        })
     }
 }
 
 /// The last place 0.
 fn padded(values: [f64; NODES]) -> F64x8 {
-    F64x8(std::array::from_fn(|j| values.get(j).copied().unwrap_or(0.0)))
+    F64x8(std::array::from_fn(|j| {
+        values.get(j).copied().unwrap_or(0.0)
+    }))
 }
 
 /// Legendre coefficients by the quadrature of the nodes itself, which is exact to degree 13.
@@ -114,17 +136,43 @@ fn smooth_series(nodes: &[f64; NODES]) -> Vec<F64x8> {
         let values = legendre(x, NODES + 1);
         let slope = 2.0 * n * (s * values[NODES] - values[NODES - 1]) / (s * s - 1.0);
         let weight = 1.0 / (x * (1.0 - x) * slope * slope);
-        values.iter().map(|value| weight * value).collect::<Vec<_>>()
+        values
+            .iter()
+            .map(|value| weight * value)
+            .collect::<Vec<_>>()
     });
-    (0..NODES).map(|a| F64x8(std::array::from_fn(|j| weighted.get(j).map_or(0.0, |row| (2 * a + 1) as f64 * row[a])))).collect()
+    (0..NODES)
+        .map(|a| {
+            F64x8(std::array::from_fn(|j| {
+                weighted
+                    .get(j)
+                    .map_or(0.0, |row| (2 * a + 1) as f64 * row[a])
+            }))
+        })
+        .collect()
 }
 
 /// Legendre coefficients through those of the powers of `x`.
 fn singular_series(nodes: &[f64; NODES], n: f64, q: f64) -> Vec<F64x8> {
-    let powers: Vec<Vec<f64>> = (0..NODES).map(|m| power_series(n + q * m as f64, SINGULAR_TERMS)).collect();
-    let functions: [[f64; NODES]; NODES] = std::array::from_fn(|j| monomial_coefficients(nodes, j).map(|c| c * nodes[j].powf(-n / q)));
-    let at = |a: usize, function: &[f64; NODES]| function.iter().zip(&powers).map(|(c, power)| c * power[a]).sum();
-    (0..SINGULAR_TERMS).map(|a| F64x8(std::array::from_fn(|j| functions.get(j).map_or(0.0, |function| at(a, function))))).collect()
+    let powers: Vec<Vec<f64>> = (0..NODES)
+        .map(|m| power_series(n + q * m as f64, SINGULAR_TERMS))
+        .collect();
+    let functions: [[f64; NODES]; NODES] =
+        std::array::from_fn(|j| monomial_coefficients(nodes, j).map(|c| c * nodes[j].powf(-n / q)));
+    let at = |a: usize, function: &[f64; NODES]| {
+        function
+            .iter()
+            .zip(&powers)
+            .map(|(c, power)| c * power[a])
+            .sum()
+    };
+    (0..SINGULAR_TERMS)
+        .map(|a| {
+            F64x8(std::array::from_fn(|j| {
+                functions.get(j).map_or(0.0, |function| at(a, function))
+            }))
+        })
+        .collect()
 }
 
 /// Legendre coefficients of `x^p`: `(2 a + 1) int x^p P_a`, with `int x^p P_a = int x^p P_{a-1} (p - a + 1) / (p + a + 1)`.
@@ -185,7 +233,10 @@ fn jacobi(alpha: f64, u: f64) -> [f64; 2] {
         let t = 2.0 * n + alpha;
         let shift = alpha * alpha / (t * (t + 2.0));
         let weight = 4.0 * n * n * (n + alpha) * (n + alpha) / (t * t * (t + 1.0) * (t - 1.0));
-        let (p2, d2) = ((s - shift) * p1 - weight * p0, p1 + (s - shift) * d1 - weight * d0);
+        let (p2, d2) = (
+            (s - shift) * p1 - weight * p0,
+            p1 + (s - shift) * d1 - weight * d0,
+        );
         (p0, d0, p1, d1) = (p1, d1, p2, d2);
     }
     [p1, 2.0 * d1]
@@ -197,7 +248,9 @@ mod tests {
     use super::*;
 
     fn quadrature(basis: &BasisFunctions, f: impl Fn(f64) -> f64) -> f64 {
-        (0..NODES).map(|j| basis.weights.0[j] * f(basis.places[j])).sum()
+        (0..NODES)
+            .map(|j| basis.weights.0[j] * f(basis.places[j]))
+            .sum()
     }
 
     #[test]
@@ -205,13 +258,26 @@ mod tests {
         let b = &*SMOOTH_BASIS;
         for degree in 0..=13 {
             let sum = quadrature(b, |x| x.powi(degree));
-            assert!((sum - 1.0 / f64::from(degree + 1)).abs() < 4e-15, "degree {degree}: {sum}");
+            assert!(
+                (sum - 1.0 / f64::from(degree + 1)).abs() < 4e-15,
+                "degree {degree}: {sum}"
+            );
         }
         for degree in 0..=6 {
-            let at = |values: &[f64]| -> f64 { (0..NODES).map(|j| values[j] * b.places[j].powi(degree)).sum() };
+            let at = |values: &[f64]| -> f64 {
+                (0..NODES)
+                    .map(|j| values[j] * b.places[j].powi(degree))
+                    .sum()
+            };
             let (start, middle, end) = (at(&b.at_start.0), at(&b.at(0.3)), at(&b.at_end.0));
-            assert!((start - 0.0_f64.powi(degree)).abs() < 1e-12 && (end - 1.0).abs() < 1e-12, "degree {degree}");
-            assert!((middle - 0.3_f64.powi(degree)).abs() < 1e-13, "degree {degree}");
+            assert!(
+                (start - 0.0_f64.powi(degree)).abs() < 1e-12 && (end - 1.0).abs() < 1e-12,
+                "degree {degree}"
+            );
+            assert!(
+                (middle - 0.3_f64.powi(degree)).abs() < 1e-13,
+                "degree {degree}"
+            );
         }
     }
 
@@ -222,11 +288,19 @@ mod tests {
             for m in 0..=13 {
                 let power = exponent + step * f64::from(m);
                 let sum = quadrature(&b, |x| x.powf(power));
-                assert!((sum * (power + 1.0) - 1.0).abs() < 2e-11, "power {power}: {sum}");
+                assert!(
+                    (sum * (power + 1.0) - 1.0).abs() < 2e-11,
+                    "power {power}: {sum}"
+                );
             }
             for m in 0..=6 {
                 let power = exponent + step * f64::from(m);
-                let at: f64 = b.at(0.3).iter().zip(&b.places).map(|(b, x)| b * x.powf(power)).sum();
+                let at: f64 = b
+                    .at(0.3)
+                    .iter()
+                    .zip(&b.places)
+                    .map(|(b, x)| b * x.powf(power))
+                    .sum();
                 assert!((at - 0.3_f64.powf(power)).abs() < 1e-12, "power {power}");
             }
         }
@@ -236,12 +310,23 @@ mod tests {
     /// Beyond the terms kept, `x^1.5` has coefficients like `a^-4`; polynomials have none. The largest seen is 2.3e-5.
     #[test]
     fn series_sum_to_the_functions() {
-        for (basis, allowed) in [(SMOOTH_BASIS.clone(), 1e-12), (BasisFunctions::onset(1.5).unwrap(), 3e-5)] {
+        for (basis, allowed) in [
+            (SMOOTH_BASIS.clone(), 1e-12),
+            (BasisFunctions::onset(1.5).unwrap(), 3e-5),
+        ] {
             for x in [0.11, 0.5, 0.97] {
                 let powers = legendre(x, basis.series.len());
                 for (j, value) in basis.at(x).into_iter().enumerate() {
-                    let sum: f64 = basis.series.iter().zip(&powers).map(|(lane, p)| lane.0[j] * p).sum();
-                    assert!((sum - value).abs() < allowed, "function {j} at {x}: {sum} for {value}");
+                    let sum: f64 = basis
+                        .series
+                        .iter()
+                        .zip(&powers)
+                        .map(|(lane, p)| lane.0[j] * p)
+                        .sum();
+                    assert!(
+                        (sum - value).abs() < allowed,
+                        "function {j} at {x}: {sum} for {value}"
+                    );
                 }
             }
         }

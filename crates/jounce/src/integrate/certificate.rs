@@ -39,7 +39,12 @@ impl FlightStep {
     pub(super) fn cubic(&self) -> [f64; 4] {
         let [start, end] = self.distance_m;
         let third = self.length_s / 3.0;
-        [start, start + third * self.speed_m_s[0], end - third * self.speed_m_s[1], end]
+        [
+            start,
+            start + third * self.speed_m_s[0],
+            end - third * self.speed_m_s[1],
+            end,
+        ]
     }
 
     /// Both quartics.
@@ -47,7 +52,13 @@ impl FlightStep {
     pub(super) fn bounds(&self) -> [[f64; 5]; 2] {
         let [p0, p1, p2, p3] = self.cubic();
         let bubble = self.fourth_bound * fourth_power(self.length_s) / 144.0;
-        let shared = [p0, 0.25 * (p0 + 3.0 * p1), 0.5 * (p1 + p2) + bubble, 0.25 * (3.0 * p2 + p3), p3];
+        let shared = [
+            p0,
+            0.25 * (p0 + 3.0 * p1),
+            0.5 * (p1 + p2) + bubble,
+            0.25 * (3.0 * p2 + p3),
+            p3,
+        ];
         let quarter = 0.25 * self.fast_bound_m_s * self.length_s;
         let (mut flat, mut sloped) = (shared, shared);
         for i in 0..5 {
@@ -127,9 +138,23 @@ mod tests {
     }
 
     fn motions() -> impl Iterator<Item = (Motion, f64)> {
-        [(1.0, 0.5), (1.0, 2.0), (3.0, 0.9), (1.0, 0.05)].into_iter().flat_map(|(w, h)| {
-            (0..300).flat_map(move |i| [0.0, 1e-3, 0.05].map(|b| (Motion { w, phase: 0.021 * f64::from(i), b, v: 40.0 }, h)))
-        })
+        [(1.0, 0.5), (1.0, 2.0), (3.0, 0.9), (1.0, 0.05)]
+            .into_iter()
+            .flat_map(|(w, h)| {
+                (0..300).flat_map(move |i| {
+                    [0.0, 1e-3, 0.05].map(|b| {
+                        (
+                            Motion {
+                                w,
+                                phase: 0.021 * f64::from(i),
+                                b,
+                                v: 40.0,
+                            },
+                            h,
+                        )
+                    })
+                })
+            })
     }
 
     #[test]
@@ -138,8 +163,16 @@ mod tests {
         for (motion, h) in motions() {
             if motion.at(0.0) <= 0.0 && motion.step(h).is_clear() {
                 clear += 1;
-                let highest = (1..=2000).map(|k| motion.at(h * f64::from(k) / 2000.0)).fold(f64::MIN, f64::max);
-                assert!(highest < 0.0, "w {} phase {} b {} h {h}: {highest}", motion.w, motion.phase, motion.b);
+                let highest = (1..=2000)
+                    .map(|k| motion.at(h * f64::from(k) / 2000.0))
+                    .fold(f64::MIN, f64::max);
+                assert!(
+                    highest < 0.0,
+                    "w {} phase {} b {} h {h}: {highest}",
+                    motion.w,
+                    motion.phase,
+                    motion.b
+                );
             }
         }
         assert!(clear > 1000, "{clear} clear steps");
@@ -150,20 +183,38 @@ mod tests {
         let mut proved = 0;
         for (motion, h) in motions() {
             let step = motion.step(h);
-            let Some(crossing) = step.crossing().filter(|_| motion.at(0.0) <= 0.0) else { continue };
+            let Some(crossing) = step.crossing().filter(|_| motion.at(0.0) <= 0.0) else {
+                continue;
+            };
             proved += 1;
             let place = |k: u32, from: f64, to: f64| from + (to - from) * f64::from(k) / 1000.0;
-            assert!((1..=1000).all(|k| motion.at(place(k, 0.0, crossing.from_s)) < 1e-15), "contact before {crossing:?}");
-            assert!(motion.at(crossing.to_s) > 0.0, "not past the stop after {crossing:?}");
-            let values: Vec<f64> = (0..=1000).map(|k| motion.at(place(k, crossing.from_s, crossing.to_s))).collect();
-            assert!(values.windows(2).all(|pair| pair[1] > pair[0] - 1e-15), "falls inside {crossing:?}");
+            assert!(
+                (1..=1000).all(|k| motion.at(place(k, 0.0, crossing.from_s)) < 1e-15),
+                "contact before {crossing:?}"
+            );
+            assert!(
+                motion.at(crossing.to_s) > 0.0,
+                "not past the stop after {crossing:?}"
+            );
+            let values: Vec<f64> = (0..=1000)
+                .map(|k| motion.at(place(k, crossing.from_s, crossing.to_s)))
+                .collect();
+            assert!(
+                values.windows(2).all(|pair| pair[1] > pair[0] - 1e-15),
+                "falls inside {crossing:?}"
+            );
         }
         assert!(proved > 100, "{proved} proved crossings");
     }
 
     #[test]
     fn a_point_that_leaves_its_stop_from_rest_is_clear() {
-        let leaves = Motion { w: 1.0, phase: 0.5 * std::f64::consts::PI, b: 0.0, v: 1.0 };
+        let leaves = Motion {
+            w: 1.0,
+            phase: 0.5 * std::f64::consts::PI,
+            b: 0.0,
+            v: 1.0,
+        };
         let mut step = leaves.step(0.5);
         step.distance_m = [0.0, step.distance_m[1] - step.distance_m[0]];
         step.speed_m_s[0] = 0.0;

@@ -49,9 +49,17 @@ impl SolvedStep {
 impl Integrator<'_> {
     /// The only port stays in contact until it leaves its stop or the end is reached.
     #[inline(always)]
-    pub(super) fn contact<W: Simd, L: ContactLaw>(&mut self, w: W, law: L, end_s: f64) -> Result<(), IntegrationError> {
+    pub(super) fn contact<W: Simd, L: ContactLaw>(
+        &mut self,
+        w: W,
+        law: L,
+        end_s: f64,
+    ) -> Result<(), IntegrationError> {
         let port = &self.ports[0];
-        let start = (port.entry_level, !law.acts_on_both_sides() && port.penetration_m <= 0.0);
+        let start = (
+            port.entry_level,
+            !law.acts_on_both_sides() && port.penetration_m <= 0.0,
+        );
         self.stay(w, law, (0, false), start, end_s)?;
         Ok(())
     }
@@ -74,9 +82,15 @@ impl Integrator<'_> {
         let safe = Kernel::level_within(1.0 / kernel.fastest_rad_s) + 3 * LEVELS_PER_OCTAVE;
         while self.time_s < end_s && self.ports[p].regime == ContactState::Contact {
             let remaining_s = self.excitation.remaining_s(self.time_s, end_s);
-            let shape = if entering { kernel.first_shape(p) } else { ForceBasis::Smooth };
+            let shape = if entering {
+                kernel.first_shape(p)
+            } else {
+                ForceBasis::Smooth
+            };
             let landing = Kernel::length_s(level) >= remaining_s;
-            if beside_others && (landing || !self.all_stay_clear(w, Kernel::length_s(level), (p, 0.0))) {
+            if beside_others
+                && (landing || !self.all_stay_clear(w, Kernel::length_s(level), (p, 0.0)))
+            {
                 break;
             }
             let odd;
@@ -90,10 +104,14 @@ impl Integrator<'_> {
             let solved = self.solve(w, law, &step);
             let allowed = self.allowed_n_s(law, &step, solved.as_ref());
             let sound = solved.filter(|solved| both_sides || solved.is_sound(shape, level >= safe));
-            let down = sound.as_ref().map_or(LEVELS_PER_OCTAVE, |solved| levels_too_long(level, solved.error_n_s, share(shape) * allowed));
+            let down = sound.as_ref().map_or(LEVELS_PER_OCTAVE, |solved| {
+                levels_too_long(level, solved.error_n_s, share(shape) * allowed)
+            });
             match sound.filter(|_| down == 0) {
                 Some(solved) => {
-                    if beside_others && !self.all_stay_clear(w, table.length_s, (p, solved.size_n_s(w, &step))) {
+                    if beside_others
+                        && !self.all_stay_clear(w, table.length_s, (p, solved.size_n_s(w, &step)))
+                    {
                         break;
                     }
                     self.take(w, law, &step, &solved);
@@ -107,7 +125,11 @@ impl Integrator<'_> {
                 }
                 None => {
                     self.work.contact_rejections += 1;
-                    level = if landing { Kernel::level_within(remaining_s) + 1 } else { level + down };
+                    level = if landing {
+                        Kernel::level_within(remaining_s) + 1
+                    } else {
+                        level + down
+                    };
                     if level > Kernel::finest() {
                         return Err(self.diverged(p));
                     }
@@ -119,12 +141,19 @@ impl Integrator<'_> {
 
     /// Error of the impulse of a port that one step may make, N s.
     #[inline(always)]
-    pub(super) fn allowed_n_s<L: ContactLaw>(&self, law: L, step: &ContactStep, solved: Option<&SolvedStep>) -> f64 {
+    pub(super) fn allowed_n_s<L: ContactLaw>(
+        &self,
+        law: L,
+        step: &ContactStep,
+        solved: Option<&SolvedStep>,
+    ) -> f64 {
         let port = &self.ports[step.port];
         let mut speed_m_s = port.impact_velocity_m_s.max(port.rate_m_s.abs());
         if let (true, Some(solved)) = (law.acts_on_both_sides(), solved) {
             // Nothing strikes: a march that starts at rest has no other scale than the speed that it takes up.
-            speed_m_s = speed_m_s.max((solved.penetration.0[NODES] - port.penetration_m).abs() / step.table.length_s);
+            speed_m_s = speed_m_s.max(
+                (solved.penetration.0[NODES] - port.penetration_m).abs() / step.table.length_s,
+            );
         }
         self.tolerance * IMPULSE_ERROR_SHARE * speed_m_s / port.rows.mobility_per_kg
     }

@@ -37,7 +37,14 @@ pub(super) struct ContactStep<'a> {
 impl<'a> ContactStep<'a> {
     /// A step on which a force is given, not found.
     pub(super) fn held(port: usize, table: &'a ContactTable) -> Self {
-        Self { port, table, basis: &SMOOTH_BASIS, shape: ForceBasis::Smooth, drive: F64x8::ZERO, drive_rate: F64x8::ZERO }
+        Self {
+            port,
+            table,
+            basis: &SMOOTH_BASIS,
+            shape: ForceBasis::Smooth,
+            drive: F64x8::ZERO,
+            drive_rate: F64x8::ZERO,
+        }
     }
 }
 
@@ -80,25 +87,55 @@ impl<'k> Integrator<'k> {
                 drive_rate = tone.swing[port].real(w, z * c64::new(0.0, frequency), drive_rate);
             }
         }
-        [drive, drive_rate] = self.excitation.motions(w, port, &basis.places, table.length_s, [drive, drive_rate]);
-        ContactStep { port, table, basis, shape, drive: w.store(drive), drive_rate: w.store(drive_rate) }
+        [drive, drive_rate] =
+            self.excitation
+                .motions(w, port, &basis.places, table.length_s, [drive, drive_rate]);
+        ContactStep {
+            port,
+            table,
+            basis,
+            shape,
+            drive: w.store(drive),
+            drive_rate: w.store(drive_rate),
+        }
     }
 
     /// Solves one step for its nodal forces; `None` when the fixed point does not converge.
     #[inline(always)]
-    pub(super) fn solve<W: Simd, L: ContactLaw>(&mut self, w: W, law: L, step: &ContactStep) -> Option<SolvedStep> {
+    pub(super) fn solve<W: Simd, L: ContactLaw>(
+        &mut self,
+        w: W,
+        law: L,
+        step: &ContactStep,
+    ) -> Option<SolvedStep> {
         let table = step.table;
-        let free = columns(w, &self.layout, &self.y, &table.displacement.columns, w.load(&step.drive));
+        let free = columns(
+            w,
+            &self.layout,
+            &self.y,
+            &table.displacement.columns,
+            w.load(&step.drive),
+        );
         let mut free_rate = w.zero();
         if law.is_rate_dependent() {
-            free_rate = columns(w, &self.layout, &self.y, &table.velocity.columns, w.load(&step.drive_rate));
+            free_rate = columns(
+                w,
+                &self.layout,
+                &self.y,
+                &table.velocity.columns,
+                w.load(&step.drive_rate),
+            );
         }
         let port = &self.ports[step.port];
         let at_start = law.force_n(port.penetration_m, port.rate_m_s);
         let slopes = law.slopes(port.penetration_m, port.rate_m_s);
         // First guess: the force goes on as it does now.
         let rise = slopes.stiffness_n_m * port.rate_m_s * table.length_s;
-        let mut penetration = w.fma(w.splat(at_start), w.load(&table.constant), w.fma(w.splat(rise), w.load(&table.ramp), free));
+        let mut penetration = w.fma(
+            w.splat(at_start),
+            w.load(&table.constant),
+            w.fma(w.splat(rise), w.load(&table.ramp), free),
+        );
         let mut rate = free_rate;
         let mut force = law.forces_n(w, penetration, rate);
         let mut last = force;
@@ -123,8 +160,13 @@ impl<'k> Integrator<'k> {
             let last_change = w.largest(w.abs(w.sub(last, last_but_one)));
             // What is still to come: at most the contraction seen so far, or foretold by the slope of the law.
             let slopes = law.steepest(deepest_at_start.max(largest(w, law, penetration)));
-            let foretold = slopes.stiffness_n_m * table.reach_m_n + slopes.damping_n_s_m * table.reach_m_n_s;
-            let seen = if iteration == 1 { 1.0 } else { (change / last_change).min(1.0) };
+            let foretold =
+                slopes.stiffness_n_m * table.reach_m_n + slopes.damping_n_s_m * table.reach_m_n_s;
+            let seen = if iteration == 1 {
+                1.0
+            } else {
+                (change / last_change).min(1.0)
+            };
             if change * foretold.min(seen) <= goal * size {
                 // What has changed so little need not have been asked for.
                 let spare = u32::from(change <= goal * size);
@@ -149,7 +191,13 @@ impl<'k> Integrator<'k> {
 
     /// Takes a solved step.
     #[inline(always)]
-    pub(super) fn take<W: Simd, L: ContactLaw>(&mut self, w: W, law: L, step: &ContactStep, solved: &SolvedStep) {
+    pub(super) fn take<W: Simd, L: ContactLaw>(
+        &mut self,
+        w: W,
+        law: L,
+        step: &ContactStep,
+        solved: &SolvedStep,
+    ) {
         let table = step.table;
         let mut force = solved.force;
         force.0[NODES] = 0.0;
@@ -161,7 +209,8 @@ impl<'k> Integrator<'k> {
         self.integrate_force(w, step, &force);
         std::mem::swap(&mut self.y, &mut self.next);
         self.time_s += table.length_s;
-        self.excitation.pass(self.kernel, table.length_s, self.time_s, &mut self.y);
+        self.excitation
+            .pass(self.kernel, table.length_s, self.time_s, &mut self.y);
         for tone in &mut self.tones {
             tone.turn *= tone.swing[step.port].end();
         }
@@ -171,9 +220,16 @@ impl<'k> Integrator<'k> {
 
     /// Sets a port to what it does at the end of a step that has been taken.
     #[inline(always)]
-    pub(super) fn arrive<W: Simd, L: ContactLaw>(&mut self, w: W, law: L, step: &ContactStep, solved: &SolvedStep) {
+    pub(super) fn arrive<W: Simd, L: ContactLaw>(
+        &mut self,
+        w: W,
+        law: L,
+        step: &ContactStep,
+        solved: &SolvedStep,
+    ) {
         let p = step.port;
-        let speed = self.excitation.motion_after(p, 0.0)[1] + self.tones.iter().map(|tone| tone.motion(p)[1]).sum::<f64>();
+        let speed = self.excitation.motion_after(p, 0.0)[1]
+            + self.tones.iter().map(|tone| tone.motion(p)[1]).sum::<f64>();
         let started = (self.ports[p].penetration_m, self.ports[p].rate_m_s);
         let rate_m_s = dot(w, &self.ports[p].rows.velocity, &self.y) + speed;
         self.set_motion(p, [solved.penetration.0[NODES], rate_m_s]);
@@ -188,33 +244,57 @@ impl<'k> Integrator<'k> {
 
     /// Adds the step to the statistics.
     #[inline(always)]
-    fn observe<W: Simd, L: ContactLaw>(&mut self, w: W, law: L, step: &ContactStep, solved: &SolvedStep, started: (f64, f64)) {
+    fn observe<W: Simd, L: ContactLaw>(
+        &mut self,
+        w: W,
+        law: L,
+        step: &ContactStep,
+        solved: &SolvedStep,
+        started: (f64, f64),
+    ) {
         let (length_s, weights) = (step.table.length_s, &step.basis.weights);
         let port = &mut self.ports[step.port];
         let (end_m, end_m_s) = (port.penetration_m, port.rate_m_s);
         let has_left = !law.acts_on_both_sides() && end_m < 0.0;
         // A point that has left the stop went on at its last speed since then.
-        let since_s = if has_left && end_m_s < 0.0 { (end_m / end_m_s).min(length_s) } else { 0.0 };
+        let since_s = if has_left && end_m_s < 0.0 {
+            (end_m / end_m_s).min(length_s)
+        } else {
+            0.0
+        };
         port.stay(length_s - since_s);
         let statistics = &mut port.statistics;
         // Where there are two sides, the one that the step is on.
-        let side = if law.acts_on_both_sides() { (started.0 + end_m).signum() } else { 1.0 };
+        let side = if law.acts_on_both_sides() {
+            (started.0 + end_m).signum()
+        } else {
+            1.0
+        };
         let depth = w.mul(w.splat(side), w.load(&solved.penetration));
         let highest = w.largest(depth).max(side * started.0);
         if highest > 0.98 * statistics.max_penetration_m {
-            let turns = step.shape == ForceBasis::Smooth && side * started.1 > 0.0 && side * end_m_s < 0.0;
-            let peak = if turns { interpolated_peak(side * started.0, &w.store(depth)) } else { highest };
+            let turns =
+                step.shape == ForceBasis::Smooth && side * started.1 > 0.0 && side * end_m_s < 0.0;
+            let peak = if turns {
+                interpolated_peak(side * started.0, &w.store(depth))
+            } else {
+                highest
+            };
             if peak > statistics.max_penetration_m {
                 statistics.max_penetration_m = peak;
                 if !law.is_rate_dependent() {
-                    statistics.max_force_n = statistics.max_force_n.max(law.force_n(side * peak, 0.0).abs());
+                    statistics.max_force_n = statistics
+                        .max_force_n
+                        .max(law.force_n(side * peak, 0.0).abs());
                 }
             }
         }
         if law.is_rate_dependent() {
             statistics.max_force_n = statistics.max_force_n.max(w.largest(w.load(&solved.force)));
             // Work done on the stop less what it stores: the elastic force itself has a kink where a spent contact is left.
-            let work: f64 = (0..NODES).map(|j| length_s * weights.0[j] * solved.force.0[j] * solved.rate.0[j]).sum();
+            let work: f64 = (0..NODES)
+                .map(|j| length_s * weights.0[j] * solved.force.0[j] * solved.rate.0[j])
+                .sum();
             self.integrals.loss_j += work + law.energy_j(started.0) - law.energy_j(end_m);
         }
     }
@@ -223,7 +303,9 @@ impl<'k> Integrator<'k> {
     #[inline(always)]
     pub(super) fn push_on<W: Simd>(&mut self, w: W, step: &ContactStep, force: &F64x8) {
         let column = &self.kernel.vectors[step.port].column;
-        step.table.duhamel.act(w, column, force, &mut self.next, &mut self.from_start);
+        step.table
+            .duhamel
+            .act(w, column, force, &mut self.next, &mut self.from_start);
     }
 
     /// Adds the nodal forces of a step that have just pushed to the integrals that the energy meters need.
@@ -233,16 +315,29 @@ impl<'k> Integrator<'k> {
         let vectors = &self.kernel.vectors[p];
         let spread = spread(w, force);
         let motion = (self.from_start.as_slice(), self.y.as_slice());
-        for ((sum, row), push) in self.integrals.loads_j.iter_mut().zip(&vectors.loads).zip(&table.loads) {
+        for ((sum, row), push) in self
+            .integrals
+            .loads_j
+            .iter_mut()
+            .zip(&vectors.loads)
+            .zip(&table.loads)
+        {
             *sum += metered_j(w, row, motion, pushed_by(w, w.zero(), push, &spread), force);
         }
         let own = pushed_by(w, w.zero(), &table.damping, &spread);
         self.integrals.damping_j += metered_j(w, &vectors.damping, motion, own, force);
-        let weighted = w.mul(w.mul(w.splat(table.length_s), w.load(&basis.weights)), w.load(force));
+        let weighted = w.mul(
+            w.mul(w.splat(table.length_s), w.load(&basis.weights)),
+            w.load(force),
+        );
         self.ports[p].statistics.impulse_n_s += w.sum(weighted);
-        self.excitation.push(p, &basis.places, table.length_s, &w.store(weighted));
+        self.excitation
+            .push(p, &basis.places, table.length_s, &w.store(weighted));
         for (sum, tone) in self.integrals.tones_n_s[p].iter_mut().zip(&self.tones) {
-            let (cos, sin) = (w.mul(weighted, w.load(&tone.swing[p].cos)), w.mul(weighted, w.load(&tone.swing[p].sin)));
+            let (cos, sin) = (
+                w.mul(weighted, w.load(&tone.swing[p].cos)),
+                w.mul(weighted, w.load(&tone.swing[p].sin)),
+            );
             *sum += tone.turn * c64::new(w.sum(cos), w.sum(sin));
         }
     }
@@ -250,7 +345,13 @@ impl<'k> Integrator<'k> {
 
 /// What a meter makes of the nodal forces of a step: `integral f (row . y) dt`, of what the forces find and of what they move themselves.
 #[inline(always)]
-fn metered_j<W: Simd>(w: W, row: &FlowRow, (from_start, y): (&[F64x8], &[F64x8]), own: W::Register, force: &F64x8) -> f64 {
+fn metered_j<W: Simd>(
+    w: W,
+    row: &FlowRow,
+    (from_start, y): (&[F64x8], &[F64x8]),
+    own: W::Register,
+    force: &F64x8,
+) -> f64 {
     w.sum(w.fma(own, w.load(force), row.read(w, from_start, y)))
 }
 
@@ -275,11 +376,20 @@ pub(super) fn judge<W: Simd, L: ContactLaw>(
     // A force that is there at the end only has been missed altogether.
     let ratio = if size > 0.0 { mismatch / size } else { 1.0 };
     let error_n_s = step.table.length_s * mismatch * ratio.sqrt().min(1.0);
-    SolvedStep { penetration, rate, force, error_n_s }
+    SolvedStep {
+        penetration,
+        rate,
+        force,
+        error_n_s,
+    }
 }
 
 /// Largest of eight values; of their magnitudes where the law acts on both sides.
 #[inline(always)]
 pub(super) fn largest<W: Simd, L: ContactLaw>(w: W, law: L, values: W::Register) -> f64 {
-    w.largest(if law.acts_on_both_sides() { w.abs(values) } else { values })
+    w.largest(if law.acts_on_both_sides() {
+        w.abs(values)
+    } else {
+        values
+    })
 }

@@ -45,17 +45,41 @@ impl ContactTable {
     pub fn new(kernel: &Kernel, port: usize, basis: &BasisFunctions, length_s: f64) -> Self {
         let (plant, layout) = (&kernel.plant, &kernel.layout);
         let port_of = &plant.ports[port];
-        let meter = |meter: &EnergyMeter| RowRequest { row: meter.port_row(port).to_vec(), reading: RowReading::Integral };
-        let pointwise = |row: &[f64]| RowRequest { row: row.to_vec(), reading: RowReading::Pointwise };
-        let mut rows = vec![pointwise(&port_of.displacement), pointwise(&port_of.velocity), meter(&kernel.meters().damping)];
+        let meter = |meter: &EnergyMeter| RowRequest {
+            row: meter.port_row(port).to_vec(),
+            reading: RowReading::Integral,
+        };
+        let pointwise = |row: &[f64]| RowRequest {
+            row: row.to_vec(),
+            reading: RowReading::Pointwise,
+        };
+        let mut rows = vec![
+            pointwise(&port_of.displacement),
+            pointwise(&port_of.velocity),
+            meter(&kernel.meters().damping),
+        ];
         rows.extend(kernel.meters().loads.iter().map(meter));
         let block = &plant.diagonal.block;
-        let made = widest(OutputRowsTask { block, layout, basis, reader: basis, force: &port_of.force, rows: &rows, length_s });
+        let made = widest(OutputRowsTask {
+            block,
+            layout,
+            basis,
+            reader: basis,
+            force: &port_of.force,
+            rows: &rows,
+            length_s,
+        });
         let mut responses = made.rows.into_iter();
         let mut next = || responses.next().unwrap_or_default();
         let (displacement, velocity, damping) = (next(), next(), next());
         let weighted = |weight: &dyn Fn(usize) -> f64| {
-            displacement.push.iter().enumerate().fold(F64x8::ZERO, |sum, (j, lane)| sum.add_scaled(weight(j), lane))
+            displacement
+                .push
+                .iter()
+                .enumerate()
+                .fold(F64x8::ZERO, |sum, (j, lane)| {
+                    sum.add_scaled(weight(j), lane)
+                })
         };
         Self {
             length_s,
@@ -85,7 +109,9 @@ impl ContactTable {
 
 /// Largest answer at the nodes and the end to nodal forces of magnitude 1.
 pub(super) fn reach(push: &[F64x8; NODES]) -> f64 {
-    (0..=NODES).map(|i| push.iter().map(|lane| lane.0[i].abs()).sum()).fold(0.0, f64::max)
+    (0..=NODES)
+        .map(|i| push.iter().map(|lane| lane.0[i].abs()).sum())
+        .fold(0.0, f64::max)
 }
 
 /// What rest on a rigid stop needs on a step, made when it happens.
@@ -102,13 +128,29 @@ impl StickingTable {
     pub fn new(kernel: &Kernel, port: usize, basis: &BasisFunctions, length_s: f64) -> Self {
         use faer::linalg::solvers::DenseSolveCore;
         let plant = &kernel.plant;
-        let rows = [RowRequest { row: kernel.acceleration_row(port), reading: RowReading::Pointwise }];
+        let rows = [RowRequest {
+            row: kernel.acceleration_row(port),
+            reading: RowReading::Pointwise,
+        }];
         let (block, force) = (&plant.diagonal.block, &plant.ports[port].force);
-        let made = widest(OutputRowsTask { block, layout: &kernel.layout, basis, reader: basis, force, rows: &rows, length_s });
+        let made = widest(OutputRowsTask {
+            block,
+            layout: &kernel.layout,
+            basis,
+            reader: basis,
+            force,
+            rows: &rows,
+            length_s,
+        });
         let acceleration = made.rows.into_iter().next().unwrap_or_default();
         let mobility = plant.ports[port].mobility_per_kg;
-        let system = faer::Mat::from_fn(NODES, NODES, |i, j| (if i == j { mobility } else { 0.0 }) - acceleration.push[j].0[i]);
+        let system = faer::Mat::from_fn(NODES, NODES, |i, j| {
+            (if i == j { mobility } else { 0.0 }) - acceleration.push[j].0[i]
+        });
         let inverse = system.partial_piv_lu().inverse();
-        Self { acceleration, inverse: std::array::from_fn(|i| std::array::from_fn(|j| inverse[(i, j)])) }
+        Self {
+            acceleration,
+            inverse: std::array::from_fn(|i| std::array::from_fn(|j| inverse[(i, j)])),
+        }
     }
 }

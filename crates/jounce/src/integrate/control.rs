@@ -52,14 +52,21 @@ impl Control {
     /// The same wish to stop, for a part of the work that counts its own parts.
     #[must_use]
     pub fn apart(&self) -> Self {
-        Self { wish: Arc::clone(&self.wish), marched_ns: Arc::clone(&self.marched_ns), ..Self::default() }
+        Self {
+            wish: Arc::clone(&self.wish),
+            marched_ns: Arc::clone(&self.marched_ns),
+            ..Self::default()
+        }
     }
 
     /// A control without a thread that waits: `visit` is called by the working thread, at its looks and every few dozen steps of its marches. It
     /// decides whether it is time for anything.
     #[must_use]
     pub fn with_callback(visit: impl Fn(&Self) + Send + Sync + 'static) -> Self {
-        Self { visitor: Some(Callback(Arc::new(visit))), ..Self::default() }
+        Self {
+            visitor: Some(Callback(Arc::new(visit))),
+            ..Self::default()
+        }
     }
 
     /// Lets the visitor in, if there is one.
@@ -90,20 +97,32 @@ impl Control {
 
     /// Expects one run of this length, s, whose thousandths are its parts.
     pub fn expect_run(&self, duration_s: f64) {
-        self.counts.run_s.store(duration_s.to_bits(), Ordering::Relaxed);
+        self.counts
+            .run_s
+            .store(duration_s.to_bits(), Ordering::Relaxed);
         self.expect(PROGRESS_PARTS as usize);
     }
 
     /// Wishes that the run tells its time, before its next step.
     pub fn request_progress(&self) {
         if self.counts.run_s.load(Ordering::Relaxed) != 0 {
-            let _ = self.wish.compare_exchange(NO_REQUEST, PROGRESS_REQUEST, Ordering::Relaxed, Ordering::Relaxed);
+            let _ = self.wish.compare_exchange(
+                NO_REQUEST,
+                PROGRESS_REQUEST,
+                Ordering::Relaxed,
+                Ordering::Relaxed,
+            );
         }
     }
 
     /// Tells how far the run is, s.
     pub fn report_progress(&self, time_s: f64) {
-        let _ = self.wish.compare_exchange(PROGRESS_REQUEST, NO_REQUEST, Ordering::Relaxed, Ordering::Relaxed);
+        let _ = self.wish.compare_exchange(
+            PROGRESS_REQUEST,
+            NO_REQUEST,
+            Ordering::Relaxed,
+            Ordering::Relaxed,
+        );
         let run_s = f64::from_bits(self.counts.run_s.load(Ordering::Relaxed));
         if run_s > 0.0 {
             let parts = PROGRESS_PARTS as f64 * (time_s / run_s).clamp(0.0, 1.0);
@@ -113,7 +132,9 @@ impl Control {
 
     /// Tells how many more parts of the work there will be.
     pub fn expect(&self, parts: usize) {
-        self.counts.expected.fetch_add(parts as u64, Ordering::Relaxed);
+        self.counts
+            .expected
+            .fetch_add(parts as u64, Ordering::Relaxed);
     }
 
     /// Counts a finished part.
@@ -133,7 +154,8 @@ impl Control {
 
     /// Adds the wall time of a run.
     pub fn add_wall_time(&self, time: Duration) {
-        self.marched_ns.fetch_add(time.as_nanos() as u64, Ordering::Relaxed);
+        self.marched_ns
+            .fetch_add(time.as_nanos() as u64, Ordering::Relaxed);
     }
 
     /// Wall time of the marching of all runs together, s, those of parts that count on their own among them.
@@ -143,7 +165,10 @@ impl Control {
 
     /// Finished and expected parts.
     pub fn progress(&self) -> (u64, u64) {
-        (self.counts.done.load(Ordering::Relaxed), self.counts.expected.load(Ordering::Relaxed))
+        (
+            self.counts.done.load(Ordering::Relaxed),
+            self.counts.expected.load(Ordering::Relaxed),
+        )
     }
 }
 
@@ -160,8 +185,19 @@ mod tests {
                 control.stop();
             }
         });
-        assert_eq!([control.is_stopped(), control.is_stopped(), control.is_stopped(), control.is_quiet()], [false, false, true, false]);
-        assert!(control.apart().is_stopped() && looks.load(Ordering::Relaxed) == 3, "a part of the work shares the wish, not the visits");
+        assert_eq!(
+            [
+                control.is_stopped(),
+                control.is_stopped(),
+                control.is_stopped(),
+                control.is_quiet()
+            ],
+            [false, false, true, false]
+        );
+        assert!(
+            control.apart().is_stopped() && looks.load(Ordering::Relaxed) == 3,
+            "a part of the work shares the wish, not the visits"
+        );
     }
 
     #[test]

@@ -29,12 +29,26 @@ pub struct CrossTable {
 
 impl CrossTable {
     /// For the force of the first port as felt by the second, each with its basis.
-    pub fn new(kernel: &Kernel, [(port, shape), (seen, reader)]: [(usize, ForceBasis); 2], length_s: f64) -> Self {
+    pub fn new(
+        kernel: &Kernel,
+        [(port, shape), (seen, reader)]: [(usize, ForceBasis); 2],
+        length_s: f64,
+    ) -> Self {
         let plant = &kernel.plant;
-        let pointwise = |row: &[f64]| RowRequest { row: row.to_vec(), reading: RowReading::Pointwise };
-        let meter = |meter: &EnergyMeter| RowRequest { row: meter.port_row(seen).to_vec(), reading: RowReading::Integral };
+        let pointwise = |row: &[f64]| RowRequest {
+            row: row.to_vec(),
+            reading: RowReading::Pointwise,
+        };
+        let meter = |meter: &EnergyMeter| RowRequest {
+            row: meter.port_row(seen).to_vec(),
+            reading: RowReading::Integral,
+        };
         let felt = &plant.ports[seen];
-        let mut rows = vec![pointwise(&felt.displacement), pointwise(&felt.velocity), pointwise(&kernel.acceleration_row(seen))];
+        let mut rows = vec![
+            pointwise(&felt.displacement),
+            pointwise(&felt.velocity),
+            pointwise(&kernel.acceleration_row(seen)),
+        ];
         rows.push(meter(&kernel.meters().damping));
         rows.extend(kernel.meters().loads.iter().map(meter));
         let made = widest(OutputRowsTask {

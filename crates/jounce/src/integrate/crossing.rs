@@ -31,7 +31,8 @@ impl FlightStep {
         if slope <= rate {
             return None;
         }
-        let half_s = 1.5 * self.uncertainty_m() / (slope - rate) + 10.0 * CROSSING_TOLERANCE * guess_s;
+        let half_s =
+            1.5 * self.uncertainty_m() / (slope - rate) + 10.0 * CROSSING_TOLERANCE * guess_s;
         let (from_s, to_s) = ((guess_s - half_s).max(0.0), (guess_s + half_s).min(h));
         let rises = {
             // The parabola H' on [from, to] lies above the least of its Bernstein coefficients.
@@ -43,8 +44,16 @@ impl FlightStep {
             let [flat, sloped] = self.bounds().map(|bound| left_of(bound, from_s / h));
             is_negative(flat, sloped)
         };
-        let past = if to_s == h { self.distance_m[1] + self.fast_m } else { self.value(to_s / h) + self.fast_m } > self.uncertainty_m();
-        (rises && clear_before && past).then_some(Crossing { from_s, guess_s, to_s })
+        let past = if to_s == h {
+            self.distance_m[1] + self.fast_m
+        } else {
+            self.value(to_s / h) + self.fast_m
+        } > self.uncertainty_m();
+        (rises && clear_before && past).then_some(Crossing {
+            from_s,
+            guess_s,
+            to_s,
+        })
     }
 
     /// First time in the step at which the interpolant, shifted to start where `g` starts, passes zero upwards, s.
@@ -67,7 +76,11 @@ impl FlightStep {
     /// Highest value of the shifted interpolant, m.
     pub fn highest_m(&self) -> f64 {
         let shifted = self.cubic().map(|p| p + self.fast_m);
-        let inside = self.turning_points().into_iter().flatten().map(|x| bezier(shifted, x));
+        let inside = self
+            .turning_points()
+            .into_iter()
+            .flatten()
+            .map(|x| bezier(shifted, x));
         inside.fold(shifted[0].max(shifted[3]), f64::max)
     }
 
@@ -84,7 +97,11 @@ impl FlightStep {
                 low = x
             }
             let newton = x - at / (self.length_s * self.slope(x));
-            let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
+            let next = if newton > low && newton < high {
+                newton
+            } else {
+                0.5 * (low + high)
+            };
             let done = (next - x).abs() <= CROSSING_TOLERANCE * next;
             x = next;
             if done {
@@ -107,7 +124,11 @@ impl FlightStep {
         let q = -(b + b.signum() * discriminant.sqrt());
         let inside = |x: f64| (x > 0.0 && x < 1.0).then_some(x);
         let (x, y) = (inside(q / c), inside(a / q));
-        if matches!((x, y), (Some(x), Some(y)) if x > y) { [y, x] } else { [x, y] }
+        if matches!((x, y), (Some(x), Some(y)) if x > y) {
+            [y, x]
+        } else {
+            [x, y]
+        }
     }
 
     #[inline(always)]

@@ -32,7 +32,9 @@ impl Duhamel {
     /// Of integrals from the start of a mirrored basis.
     pub fn mirrored(from_start: &[[F64x8; NODES]]) -> Self {
         let half = |lanes: &[F64x8; NODES], j: usize, sign: f64| {
-            F64x8::ZERO.add_scaled(0.5, &lanes[j]).add_scaled(0.5 * sign, &lanes[NODES - 1 - j])
+            F64x8::ZERO
+                .add_scaled(0.5, &lanes[j])
+                .add_scaled(0.5 * sign, &lanes[NODES - 1 - j])
         };
         let halves = |lanes: &[F64x8; NODES]| {
             std::array::from_fn(|j| match j {
@@ -55,7 +57,10 @@ impl Duhamel {
                     MIDDLE_NODE => lanes[MIDDLE_NODE],
                     _ => lanes[NODES - 1 - j].add_scaled(1.0, &lanes[MIDDLE_NODE + NODES - j]),
                 };
-                unfolded = halves.iter().map(|lanes| std::array::from_fn(|j| end(lanes, j))).collect();
+                unfolded = halves
+                    .iter()
+                    .map(|lanes| std::array::from_fn(|j| end(lanes, j)))
+                    .collect();
                 &unfolded
             }
             Self::Each([_, towards_end]) => towards_end,
@@ -64,19 +69,31 @@ impl Duhamel {
         let of_pair = |lane: usize, [along, across]: [usize; 2]| -> [F64x8; NODES] {
             let entries = &column.pairs[lane];
             std::array::from_fn(|j| {
-                product(&towards_end[lane][j], &entries[along]).add_scaled(1.0, &product(&towards_end[p + lane][j], &entries[across]))
+                product(&towards_end[lane][j], &entries[along])
+                    .add_scaled(1.0, &product(&towards_end[p + lane][j], &entries[across]))
             })
         };
-        let of_real = |(lane, real): (usize, &F64x8)| std::array::from_fn(|j| product(&towards_end[2 * p + lane][j], real));
+        let of_real = |(lane, real): (usize, &F64x8)| {
+            std::array::from_fn(|j| product(&towards_end[2 * p + lane][j], real))
+        };
         let u = (0..p).map(|lane| of_pair(lane, [0, 2]));
         let v = (0..p).map(|lane| of_pair(lane, [1, 3]));
-        u.chain(v).chain(column.reals.iter().enumerate().map(of_real)).collect()
+        u.chain(v)
+            .chain(column.reals.iter().enumerate().map(of_real))
+            .collect()
     }
 
     /// Adds what nodal forces, last place 0, make of a unit force's column to the state at the end of the step, and leaves the
     /// integrals from its start.
     #[inline(always)]
-    pub fn act<W: Simd>(&self, w: W, column: &FlowRow, force: &F64x8, next: &mut [F64x8], from_start: &mut [F64x8]) {
+    pub fn act<W: Simd>(
+        &self,
+        w: W,
+        column: &FlowRow,
+        force: &F64x8,
+        next: &mut [F64x8],
+        from_start: &mut [F64x8],
+    ) {
         match self {
             Self::Mirrored(halves) => {
                 let f = &force.0;
@@ -92,10 +109,17 @@ impl Duhamel {
                     #[inline(always)]
                     |k: usize| {
                         let lanes: &[F64x8; NODES] = &halves[k];
-                        let (mut even, mut odd) = (w.mul(folded[MIDDLE_NODE], w.load(&lanes[MIDDLE_NODE])), w.zero());
+                        let (mut even, mut odd) = (
+                            w.mul(folded[MIDDLE_NODE], w.load(&lanes[MIDDLE_NODE])),
+                            w.zero(),
+                        );
                         for j in 0..MIDDLE_NODE {
                             even = w.fma(folded[j], w.load(&lanes[j]), even);
-                            odd = w.fma(folded[MIDDLE_NODE + 1 + j], w.load(&lanes[MIDDLE_NODE + 1 + j]), odd);
+                            odd = w.fma(
+                                folded[MIDDLE_NODE + 1 + j],
+                                w.load(&lanes[MIDDLE_NODE + 1 + j]),
+                                odd,
+                            );
                         }
                         [w.add(even, odd), w.sub(even, odd)]
                     },
@@ -107,7 +131,12 @@ impl Duhamel {
                     w,
                     (column, next, from_start),
                     #[inline(always)]
-                    |k: usize| [pushed_by(w, w.zero(), &onward[k], &force), pushed_by(w, w.zero(), &backward[k], &force)],
+                    |k: usize| {
+                        [
+                            pushed_by(w, w.zero(), &onward[k], &force),
+                            pushed_by(w, w.zero(), &backward[k], &force),
+                        ]
+                    },
                 );
             }
         }
@@ -116,13 +145,25 @@ impl Duhamel {
 
 /// The same, given the integrals from the start and towards the end of each lane.
 #[inline(always)]
-fn act_by<W: Simd>(w: W, (column, next, from_start): (&FlowRow, &mut [F64x8], &mut [F64x8]), sums: impl Fn(usize) -> [W::Register; 2]) {
+fn act_by<W: Simd>(
+    w: W,
+    (column, next, from_start): (&FlowRow, &mut [F64x8], &mut [F64x8]),
+    sums: impl Fn(usize) -> [W::Register; 2],
+) {
     let p = column.pairs.len();
     for (k, [along_u, along_v, across_u, across_v]) in column.pairs.iter().enumerate() {
         let ([a_start, a], [b_start, b]) = (sums(k), sums(p + k));
         (from_start[k], from_start[p + k]) = (w.store(a_start), w.store(b_start));
-        next[k] = w.store(w.fma(a, w.load(along_u), w.fma(b, w.load(across_u), w.load(&next[k]))));
-        next[p + k] = w.store(w.fma(a, w.load(along_v), w.fma(b, w.load(across_v), w.load(&next[p + k]))));
+        next[k] = w.store(w.fma(
+            a,
+            w.load(along_u),
+            w.fma(b, w.load(across_u), w.load(&next[k])),
+        ));
+        next[p + k] = w.store(w.fma(
+            a,
+            w.load(along_v),
+            w.fma(b, w.load(across_v), w.load(&next[p + k])),
+        ));
     }
     for (k, real) in column.reals.iter().enumerate() {
         let [start, end] = sums(2 * p + k);
@@ -146,8 +187,17 @@ mod tests {
     const FORCE_N: [f64; NODES] = [0.1, 0.9, 0.3, -0.8, 1.4, 0.2, 0.5];
 
     fn block() -> BlockDiagonal {
-        let pairs = vec![BlockPair::Oscillatory { decay: -9.0, frequency: 800.0 }, BlockPair::Jordan { rate: -40.0 }];
-        BlockDiagonal { pairs, reals: vec![-700.0] }
+        let pairs = vec![
+            BlockPair::Oscillatory {
+                decay: -9.0,
+                frequency: 800.0,
+            },
+            BlockPair::Jordan { rate: -40.0 },
+        ];
+        BlockDiagonal {
+            pairs,
+            reals: vec![-700.0],
+        }
     }
 
     /// `int f(t) g(t) dt` over the step, in `t = h r^2`, in which onset functions are smooth.
@@ -156,9 +206,17 @@ mod tests {
         for p in 0..panels {
             for i in 0..NODES {
                 let r = (f64::from(p) + SMOOTH_BASIS.places[i]) / f64::from(panels);
-                let force: f64 = basis.at(r * r).iter().zip(&FORCE_N).map(|(phi, f)| phi * f).sum();
-                let weight = force * LENGTH_S * SMOOTH_BASIS.weights.0[i] * 2.0 * r / f64::from(panels);
-                sum.iter_mut().zip(g(r * r * LENGTH_S)).for_each(|(sum, g)| *sum += weight * g);
+                let force: f64 = basis
+                    .at(r * r)
+                    .iter()
+                    .zip(&FORCE_N)
+                    .map(|(phi, f)| phi * f)
+                    .sum();
+                let weight =
+                    force * LENGTH_S * SMOOTH_BASIS.weights.0[i] * 2.0 * r / f64::from(panels);
+                sum.iter_mut()
+                    .zip(g(r * r * LENGTH_S))
+                    .for_each(|(sum, g)| *sum += weight * g);
             }
         }
         sum
@@ -166,37 +224,93 @@ mod tests {
 
     fn worst(a: &[f64], b: &[f64]) -> f64 {
         let size = b.iter().fold(0.0_f64, |max, b| max.max(b.abs()));
-        a.iter().zip(b).fold(0.0, |max, (a, b)| max.max((a - b).abs() / size))
+        a.iter()
+            .zip(b)
+            .fold(0.0, |max, (a, b)| max.max((a - b).abs() / size))
     }
 
     #[test]
     fn force_and_motion_meet_as_quadrature_says() {
-        let (w, block, layout) = (Portable::new(), block(), StateLayout { pairs: 2, reals: 1, pair_lanes: 1, real_lanes: 1 });
+        let (w, block, layout) = (
+            Portable::new(),
+            block(),
+            StateLayout {
+                pairs: 2,
+                reals: 1,
+                pair_lanes: 1,
+                real_lanes: 1,
+            },
+        );
         let onset = BasisFunctions::onset(1.5).unwrap();
         let column = FlowRow::column(&layout, &block, &COLUMN);
-        let force = F64x8(std::array::from_fn(|j| FORCE_N.get(j).copied().unwrap_or(0.0)));
+        let force = F64x8(std::array::from_fn(|j| {
+            FORCE_N.get(j).copied().unwrap_or(0.0)
+        }));
         // Onset functions are cut off after 64 Legendre terms.
-        for (basis, is_folded, within) in [(&*SMOOTH_BASIS, true, 1e-14), (&*SMOOTH_BASIS, false, 1e-14), (&onset, false, 1e-7)] {
+        for (basis, is_folded, within) in [
+            (&*SMOOTH_BASIS, true, 1e-14),
+            (&*SMOOTH_BASIS, false, 1e-14),
+            (&onset, false, 1e-7),
+        ] {
             let (block, layout) = (&block, &layout);
-            let making = OutputRowsTask { block, layout, basis, reader: basis, force: &COLUMN, rows: &[], length_s: LENGTH_S };
-            let OutputRows { from_start, towards_end, .. } = widest(making);
-            let duhamel = if is_folded { Duhamel::mirrored(&from_start) } else { Duhamel::Each([from_start, towards_end]) };
+            let making = OutputRowsTask {
+                block,
+                layout,
+                basis,
+                reader: basis,
+                force: &COLUMN,
+                rows: &[],
+                length_s: LENGTH_S,
+            };
+            let OutputRows {
+                from_start,
+                towards_end,
+                ..
+            } = widest(making);
+            let duhamel = if is_folded {
+                Duhamel::mirrored(&from_start)
+            } else {
+                Duhamel::Each([from_start, towards_end])
+            };
             let (mut end, mut integrals) = (layout.pack(&[0.0; 5]), layout.pack(&[0.0; 5]));
             duhamel.act(w, &column, &force, &mut end, &mut integrals);
             let moved = layout.unpack(&end);
-            assert!(worst(&moved, &integral(basis, |t| block.flow(LENGTH_S - t, &COLUMN))) < within, "{moved:?}");
+            assert!(
+                worst(
+                    &moved,
+                    &integral(basis, |t| block.flow(LENGTH_S - t, &COLUMN))
+                ) < within,
+                "{moved:?}"
+            );
             let pushes = duhamel.pushes(&column);
             let summed = (0..5).map(|state| {
                 let (lane, place) = layout.place(state);
-                (0..NODES).map(|j| pushes[lane][j].0[place] * FORCE_N[j]).sum()
+                (0..NODES)
+                    .map(|j| pushes[lane][j].0[place] * FORCE_N[j])
+                    .sum()
             });
             assert!(worst(&summed.collect::<Vec<f64>>(), &moved) < 1e-14);
             // Every state alone, read by a row over all of them.
             let row = [1.3, -0.2, 0.5, 0.8, 2.0];
             let crossed = FlowRow::row(layout, block, &row);
-            let unit = |state: usize| std::array::from_fn::<f64, 5, _>(|i| if i == state { 1.0 } else { 0.0 });
-            let read: Vec<f64> = (0..5).map(|state| w.sum(crossed.read(w, &integrals, &layout.pack(&unit(state))))).collect();
-            let along = |t: f64| (0..5).map(|state| block.flow(t, &unit(state)).iter().zip(&row).map(|(y, r)| y * r).sum()).collect();
+            let unit = |state: usize| {
+                std::array::from_fn::<f64, 5, _>(|i| if i == state { 1.0 } else { 0.0 })
+            };
+            let read: Vec<f64> = (0..5)
+                .map(|state| w.sum(crossed.read(w, &integrals, &layout.pack(&unit(state)))))
+                .collect();
+            let along = |t: f64| {
+                (0..5)
+                    .map(|state| {
+                        block
+                            .flow(t, &unit(state))
+                            .iter()
+                            .zip(&row)
+                            .map(|(y, r)| y * r)
+                            .sum()
+                    })
+                    .collect()
+            };
             assert!(worst(&read, &integral(basis, along)) < within, "{read:?}");
         }
     }

@@ -35,26 +35,50 @@ const ENERGY_ROUNDOFF: f64 = 1e-13;
 impl Energies {
     /// Delivered to all loads, batteries and loads behind rectifiers, J.
     pub fn delivered_j(&self) -> f64 {
-        self.loads_j.iter().sum::<f64>() + self.rectified.iter().map(|own| own.load_j + own.battery_j).sum::<f64>()
+        self.loads_j.iter().sum::<f64>()
+            + self
+                .rectified
+                .iter()
+                .map(|own| own.load_j + own.battery_j)
+                .sum::<f64>()
     }
 
     /// True where nothing happened: no energy flowed or changed by more than roundoff, so that the residual says nothing.
     pub fn are_still(&self) -> bool {
-        let loads = self.loads_j.iter().chain(&self.leaks_j).copied().chain(self.rectified.iter().map(RectifiedEnergies::sum_j));
-        let flows = loads.chain([self.input_j, self.damping_j, self.contact_loss_j, self.stored_j]);
+        let loads = self
+            .loads_j
+            .iter()
+            .chain(&self.leaks_j)
+            .copied()
+            .chain(self.rectified.iter().map(RectifiedEnergies::sum_j));
+        let flows = loads.chain([
+            self.input_j,
+            self.damping_j,
+            self.contact_loss_j,
+            self.stored_j,
+        ]);
         flows.fold(0.0_f64, |max, flow| max.max(flow.abs())) <= ENERGY_ROUNDOFF * self.scale_j
     }
 
     /// `input - loads - rectified - leaks - damping - contact loss - stored`, J: zero but for the error of the contact integration and roundoff.
     pub fn residual_j(&self) -> f64 {
         let delivered = self.loads_j.iter().chain(&self.leaks_j).sum::<f64>();
-        let circuits = delivered + self.rectified.iter().map(RectifiedEnergies::sum_j).sum::<f64>();
+        let circuits = delivered
+            + self
+                .rectified
+                .iter()
+                .map(RectifiedEnergies::sum_j)
+                .sum::<f64>();
         self.input_j - circuits - self.damping_j - self.contact_loss_j - self.stored_j
     }
 
     /// The residual over the largest energy of the run.
     pub fn residual_relative(&self) -> f64 {
-        if self.scale_j > 0.0 { self.residual_j() / self.scale_j } else { 0.0 }
+        if self.scale_j > 0.0 {
+            self.residual_j() / self.scale_j
+        } else {
+            0.0
+        }
     }
 }
 
@@ -88,24 +112,52 @@ impl Integrator<'_> {
         // The work is that of all ports together: it enters once.
         let contact = |meter: &crate::plant::EnergyMeter, work_j: f64| -> f64 {
             let impulses = self.integrals.tones_n_s.iter().enumerate().take(ports);
-            impulses.map(|(port, tones)| meter.contact_j(port, if port == 0 { work_j } else { 0.0 }, tones)).sum()
+            impulses
+                .map(|(port, tones)| {
+                    meter.contact_j(port, if port == 0 { work_j } else { 0.0 }, tones)
+                })
+                .sum()
         };
-        let (sums, works_j) = self.excitation.ledger.until(self.kernel, &self.excitation.sizes, &self.own_state(), self.time_s);
+        let (sums, works_j) = self.excitation.ledger.until(
+            self.kernel,
+            &self.excitation.sizes,
+            &self.own_state(),
+            self.time_s,
+        );
         let count = meters.loads.len();
         let loads_j: Vec<f64> = (0..count)
             .map(|k| {
                 let (meter, work_j) = (&meters.loads[k], self.integrals.loads_j[k] + works_j[k]);
-                now.loads_j[k] - open.loads_j[k] + contact(meter, work_j) + meter.signals().energy_j(&sums)
+                now.loads_j[k] - open.loads_j[k]
+                    + contact(meter, work_j)
+                    + meter.signals().energy_j(&sums)
             })
             .collect();
         let lost_j = contact(&meters.damping, self.integrals.damping_j + works_j[count]);
-        let damping_j = now.damping_j - open.damping_j + lost_j + meters.damping.signals().energy_j(&sums);
-        let input_j =
-            now.input_j - open.input_j + contact(&meters.input, 0.0) + meters.input.signals().energy_j(&sums) + self.excitation.base_work_j;
+        let damping_j =
+            now.damping_j - open.damping_j + lost_j + meters.damping.signals().energy_j(&sums);
+        let input_j = now.input_j - open.input_j
+            + contact(&meters.input, 0.0)
+            + meters.input.signals().energy_j(&sums)
+            + self.excitation.base_work_j;
         let stored_j = now.stored_j - open.stored_j;
-        let flows = input_j.abs().max(damping_j.abs()).max(loads_j.iter().map(|j| j.abs()).sum());
-        let scale_j = flows.max(now.stored_j.abs()).max(open.stored_j.abs()).max(self.potential_j());
-        Energies { input_j, loads_j, damping_j, contact_loss_j: self.integrals.loss_j, stored_j, scale_j, ..Energies::default() }
+        let flows = input_j
+            .abs()
+            .max(damping_j.abs())
+            .max(loads_j.iter().map(|j| j.abs()).sum());
+        let scale_j = flows
+            .max(now.stored_j.abs())
+            .max(open.stored_j.abs())
+            .max(self.potential_j());
+        Energies {
+            input_j,
+            loads_j,
+            damping_j,
+            contact_loss_j: self.integrals.loss_j,
+            stored_j,
+            scale_j,
+            ..Energies::default()
+        }
     }
 
     pub(super) fn readings(&self) -> MeterReadings {
@@ -113,7 +165,11 @@ impl Integrator<'_> {
         let meters = self.kernel.meters();
         MeterReadings {
             input_j: meters.input.boundary_j(&y, t),
-            loads_j: meters.loads.iter().map(|meter| meter.boundary_j(&y, t)).collect(),
+            loads_j: meters
+                .loads
+                .iter()
+                .map(|meter| meter.boundary_j(&y, t))
+                .collect(),
             damping_j: meters.damping.boundary_j(&y, t),
             stored_j: self.stored_j(&y),
         }
@@ -124,13 +180,22 @@ impl Integrator<'_> {
     fn potential_j(&self) -> f64 {
         let (plant, x) = (&self.kernel.plant, self.physical());
         let driven = |i: usize| -> f64 {
-            let amplitude = |tone: &Tone| dot_row(&plant.diagonal.to_physical, i, &tone.steady).norm();
+            let amplitude =
+                |tone: &Tone| dot_row(&plant.diagonal.to_physical, i, &tone.steady).norm();
             plant.tones.iter().map(amplitude).sum()
         };
         let of = |signal: &crate::plant::Signal| match signal.wave {
             Wave::Constant(size) => {
-                let terms = signal.shape.iter().zip(&x).enumerate().filter(|(_, (s, _))| **s != 0.0);
-                size.abs() * terms.map(|(i, (s, q))| s.abs() * (q.abs() + driven(i))).sum::<f64>()
+                let terms = signal
+                    .shape
+                    .iter()
+                    .zip(&x)
+                    .enumerate()
+                    .filter(|(_, (s, _))| **s != 0.0);
+                size.abs()
+                    * terms
+                        .map(|(i, (s, q))| s.abs() * (q.abs() + driven(i)))
+                        .sum::<f64>()
             }
             _ => 0.0,
         };
@@ -143,15 +208,32 @@ impl Integrator<'_> {
         let modes = &plant.system.modes;
         let n = modes.len();
         let x = plant.to_physical(y, self.time_s);
-        let mechanical: f64 = (0..n).map(|i| 0.5 * (x[n + i].powi(2) + (modes.frequency_rad_s[i] * x[i]).powi(2))).sum();
-        let electrical: f64 = plant.electrical.energy_scale().zip(&x[2 * n..]).map(|(scale, x)| 0.5 * (scale * x).powi(2)).sum();
-        let pressed = self.ports.iter().zip(&plant.system.stops).filter(|(port, _)| port.regime == ContactState::Contact);
-        let compressed: f64 = pressed.map(|(port, stop)| stop.law.energy_j(port.penetration_m)).sum();
+        let mechanical: f64 = (0..n)
+            .map(|i| 0.5 * (x[n + i].powi(2) + (modes.frequency_rad_s[i] * x[i]).powi(2)))
+            .sum();
+        let electrical: f64 = plant
+            .electrical
+            .energy_scale()
+            .zip(&x[2 * n..])
+            .map(|(scale, x)| 0.5 * (scale * x).powi(2))
+            .sum();
+        let pressed = self
+            .ports
+            .iter()
+            .zip(&plant.system.stops)
+            .filter(|(port, _)| port.regime == ContactState::Contact);
+        let compressed: f64 = pressed
+            .map(|(port, stop)| stop.law.energy_j(port.penetration_m))
+            .sum();
         mechanical + electrical + compressed
     }
 }
 
 /// A row of a real matrix times a complex vector.
 fn dot_row(matrix: &Mat<f64>, row: usize, vector: &[c64]) -> c64 {
-    vector.iter().enumerate().map(|(j, v)| *v * matrix[(row, j)]).sum()
+    vector
+        .iter()
+        .enumerate()
+        .map(|(j, v)| *v * matrix[(row, j)])
+        .sum()
 }

@@ -22,7 +22,9 @@ pub enum IntegrationError {
     #[error(transparent)]
     Regime(#[from] crate::plant::PlantError),
     /// A rectifier whose diodes or switch change without time going on.
-    #[error("at t = {time_s} s circuit `{circuit}` changed {changes} times at one instant; check its diodes, its storage and its drive")]
+    #[error(
+        "at t = {time_s} s circuit `{circuit}` changed {changes} times at one instant; check its diodes, its storage and its drive"
+    )]
     ChangesWithoutEnd {
         /// Time, s.
         time_s: f64,
@@ -32,7 +34,9 @@ pub enum IntegrationError {
         changes: usize,
     },
     /// The state is no longer a number.
-    #[error("at t = {time_s} s the state is not finite; check the amplitude of the drive and the contact law")]
+    #[error(
+        "at t = {time_s} s the state is not finite; check the amplitude of the drive and the contact law"
+    )]
     NotFinite {
         /// Time, s.
         time_s: f64,

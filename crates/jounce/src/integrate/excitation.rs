@@ -66,13 +66,37 @@ impl Excitation {
         let (plant, layout) = (&kernel.plant, &kernel.layout);
         let player = |((signal, forcing), travel): ((&Signal, &Forcing), &Option<Arc<Travel>>)| {
             let (index, travel) = (signal.wave.index_at(time_s), travel.clone());
-            let [column, rest, lag, local] = [&forcing.column, &forcing.rest, &forcing.lag, &forcing.local].map(|b| layout.pack(b));
-            SignalCursor { index, piece: signal.wave.piece(index), travel, column, rest, lag, local }
+            let [column, rest, lag, local] =
+                [&forcing.column, &forcing.rest, &forcing.lag, &forcing.local]
+                    .map(|b| layout.pack(b));
+            SignalCursor {
+                index,
+                piece: signal.wave.piece(index),
+                travel,
+                column,
+                rest,
+                lag,
+                local,
+            }
         };
-        let players: Vec<SignalCursor> = plant.system.signals.iter().zip(&plant.forcings).zip(&plant.travels).map(player).collect();
-        let sizes: Vec<SignalSample> = players.iter().map(|player| [player.piece.size_at(time_s), player.piece.slope]).collect();
+        let players: Vec<SignalCursor> = plant
+            .system
+            .signals
+            .iter()
+            .zip(&plant.forcings)
+            .zip(&plant.travels)
+            .map(player)
+            .collect();
+        let sizes: Vec<SignalSample> = players
+            .iter()
+            .map(|player| [player.piece.size_at(time_s), player.piece.slope])
+            .collect();
         let seen = |port: &Port| {
-            let approach = if port.approach.iter().all(|share| *share == 0.0) { Vec::new() } else { port.approach.clone() };
+            let approach = if port.approach.iter().all(|share| *share == 0.0) {
+                Vec::new()
+            } else {
+                port.approach.clone()
+            };
             PortExcitation {
                 reading: ExcitationRow::of(plant, &port.displacement),
                 series: ExcitationSeries::ZERO,
@@ -82,7 +106,12 @@ impl Excitation {
         };
         let ports = plant.ports.iter().filter(|_| !players.is_empty()).map(seen);
         let piece = match &plant.system.signals[..] {
-            [Signal { wave: Wave::Sampled { step_s, .. }, .. }] => Some((*step_s, Flow::over(&plant.diagonal.block, layout, *step_s))),
+            [
+                Signal {
+                    wave: Wave::Sampled { step_s, .. },
+                    ..
+                },
+            ] => Some((*step_s, Flow::over(&plant.diagonal.block, layout, *step_s))),
             _ => None,
         };
         let mut forced = Self {
@@ -120,7 +149,9 @@ impl Excitation {
         let mut whole = y.to_vec();
         for (player, [size, slope]) in self.players.iter().zip(&self.sizes) {
             for (i, lane) in whole.iter_mut().enumerate() {
-                *lane = lane.add_scaled(*size, &player.rest[i]).add_scaled(*slope, &player.lag[i]);
+                *lane = lane
+                    .add_scaled(*size, &player.rest[i])
+                    .add_scaled(*slope, &player.lag[i]);
             }
         }
         layout.unpack(&whole)
@@ -155,47 +186,72 @@ impl Excitation {
     /// The flow over a whole piece of a signal that is sampled evenly.
     #[inline(always)]
     pub fn flow_over(&self, length_s: f64) -> Option<&Flow> {
-        self.piece.as_ref().filter(|(piece_s, _)| *piece_s == length_s).map(|(_, flow)| flow)
+        self.piece
+            .as_ref()
+            .filter(|(piece_s, _)| *piece_s == length_s)
+            .map(|(_, flow)| flow)
     }
 
     /// Forced displacement (m) and velocity (m/s) of a port a time after the present one.
     #[inline(always)]
     pub fn motion_after(&self, port: usize, after_s: f64) -> [f64; 2] {
-        self.ports.get(port).map_or([0.0; 2], |seen| seen.series.motion(after_s))
+        self.ports
+            .get(port)
+            .map_or([0.0; 2], |seen| seen.series.motion(after_s))
     }
 
     /// Forced acceleration of a port a time after the present one, m/s^2.
     #[inline(always)]
     pub fn acceleration_after(&self, port: usize, after_s: f64) -> f64 {
-        self.ports.get(port).map_or(0.0, |seen| seen.series.curvature(after_s))
+        self.ports
+            .get(port)
+            .map_or(0.0, |seen| seen.series.curvature(after_s))
     }
 
     /// Bound on the fourth derivative of the forced displacement of a port over a step, m/s^4.
     #[inline(always)]
     pub fn fourth_bound(&self, port: usize, length_s: f64) -> f64 {
-        self.ports.get(port).map_or(0.0, |seen| seen.series.fourth_bound(length_s))
+        self.ports
+            .get(port)
+            .map_or(0.0, |seen| seen.series.fourth_bound(length_s))
     }
 
     /// Forced displacement and velocity of a port at the places of a step, added to registers.
     #[inline(always)]
-    pub fn motions<W: Simd>(&self, w: W, port: usize, places: &[f64; LANES], length_s: f64, sums: [W::Register; 2]) -> [W::Register; 2] {
-        let Some(PortExcitation { series, .. }) = self.ports.get(port) else { return sums };
+    pub fn motions<W: Simd>(
+        &self,
+        w: W,
+        port: usize,
+        places: &[f64; LANES],
+        length_s: f64,
+        sums: [W::Register; 2],
+    ) -> [W::Register; 2] {
+        let Some(PortExcitation { series, .. }) = self.ports.get(port) else {
+            return sums;
+        };
         let (mut place, mut speed) = (F64x8::ZERO, F64x8::ZERO);
         for ((part, place), speed) in places.iter().zip(&mut place.0).zip(&mut speed.0) {
             [*place, *speed] = series.motion(part * length_s);
         }
-        [w.add(sums[0], w.load(&place)), w.add(sums[1], w.load(&speed))]
+        [
+            w.add(sums[0], w.load(&place)),
+            w.add(sums[1], w.load(&speed)),
+        ]
     }
 
     /// Notes the nodal forces of a step that is about to be taken; `weighted` holds force times weight times length, N s.
     #[inline(always)]
     pub fn push(&mut self, port: usize, places: &[f64; LANES], length_s: f64, weighted: &F64x8) {
         if !self.players.is_empty() {
-            self.ledger.push(port, &self.sizes, places, length_s, weighted);
+            self.ledger
+                .push(port, &self.sizes, places, length_s, weighted);
             let seen = &self.ports[port];
             if !seen.approach.is_empty() {
-                self.base_work_j +=
-                    places.iter().zip(weighted.0).map(|(part, force)| force * seen.base_speed_m_s(part * length_s)).sum::<f64>();
+                self.base_work_j += places
+                    .iter()
+                    .zip(weighted.0)
+                    .map(|(part, force)| force * seen.base_speed_m_s(part * length_s))
+                    .sum::<f64>();
             }
         }
     }
@@ -215,7 +271,11 @@ impl Excitation {
             return;
         }
         if self.has_local && self.sizes.iter().any(|size| *size != [0.0; 2]) {
-            let moved = self.moved.over(kernel, self.players.iter().map(|player| &player.local), length_s);
+            let moved = self.moved.over(
+                kernel,
+                self.players.iter().map(|player| &player.local),
+                length_s,
+            );
             for (by, [size, slope]) in moved.iter().zip(&self.sizes) {
                 for (i, y) in y.iter_mut().enumerate() {
                     *y = y.add_scaled(*size, &by[0][i]).add_scaled(*slope, &by[1][i]);
@@ -234,7 +294,8 @@ impl Excitation {
     pub fn cross(&mut self, kernel: &Kernel, time_s: f64, y: &mut [F64x8]) -> bool {
         let mut struck = false;
         let mut whole = self.whole(&kernel.layout, y);
-        self.ledger.close(kernel, &self.sizes, &whole, time_s, self.piece_s(time_s));
+        self.ledger
+            .close(kernel, &self.sizes, &whole, time_s, self.piece_s(time_s));
         while self.next_s <= time_s {
             for k in 0..self.players.len() {
                 if self.players[k].piece.until_s <= time_s {
@@ -254,7 +315,11 @@ impl Excitation {
     /// Length of a whole piece of an only signal that ends now, s.
     fn piece_s(&self, time_s: f64) -> Option<f64> {
         match &self.players[..] {
-            [only] if self.ledger.since_s() == only.piece.from_s && time_s == only.piece.until_s => Some(only.piece.length_s),
+            [only]
+                if self.ledger.since_s() == only.piece.from_s && time_s == only.piece.until_s =>
+            {
+                Some(only.piece.length_s)
+            }
             _ => None,
         }
     }
@@ -267,20 +332,35 @@ impl Excitation {
         let (before, after) = (self.sizes[k], [piece.size_at(time_s), piece.slope]);
         self.sizes[k] = after;
         for (i, y) in y.iter_mut().enumerate() {
-            *y = y.add_scaled(before[0] - after[0], &player.rest[i]).add_scaled(before[1] - after[1], &player.lag[i]);
+            *y = y
+                .add_scaled(before[0] - after[0], &player.rest[i])
+                .add_scaled(before[1] - after[1], &player.lag[i]);
         }
         if piece.impulse_s != 0.0 {
             let before = kernel.layout.unpack(y);
-            y.iter_mut().zip(&player.column).for_each(|(y, b)| *y = y.add_scaled(piece.impulse_s, b));
-            let middle: Vec<f64> = before.iter().zip(kernel.layout.unpack(y)).map(|(a, b)| 0.5 * (a + b)).collect();
+            y.iter_mut()
+                .zip(&player.column)
+                .for_each(|(y, b)| *y = y.add_scaled(piece.impulse_s, b));
+            let middle: Vec<f64> = before
+                .iter()
+                .zip(kernel.layout.unpack(y))
+                .map(|(a, b)| 0.5 * (a + b))
+                .collect();
             let forced = kernel.plant.forced(&self.sizes, 0.0);
-            self.ledger.strike(k, piece.impulse_s, middle.iter().zip(&forced).map(|(y, p)| y + p), time_s);
+            self.ledger.strike(
+                k,
+                piece.impulse_s,
+                middle.iter().zip(&forced).map(|(y, p)| y + p),
+                time_s,
+            );
         }
         piece.impulse_s != 0.0
     }
 
     fn find_next(&mut self) {
-        self.next_s = self.players.iter().fold(f64::INFINITY, |least, player| least.min(player.piece.until_s));
+        self.next_s = self.players.iter().fold(f64::INFINITY, |least, player| {
+            least.min(player.piece.until_s)
+        });
     }
 
     /// Forced displacements of the ports from a time on, the present one.
@@ -300,10 +380,15 @@ impl PortExcitation {
     fn follow(&mut self, players: &[SignalCursor], sizes: &[SignalSample], time_s: f64) {
         self.course = [0.0; 4];
         for ((player, [size, slope]), share) in players.iter().zip(sizes).zip(&self.approach) {
-            let Some(travel) = &player.travel else { continue };
+            let Some(travel) = &player.travel else {
+                continue;
+            };
             let [place, speed] = travel.at(player.index, &player.piece, time_s);
             let own = [place, speed, 0.5 * size, slope / 6.0];
-            self.course.iter_mut().zip(own).for_each(|(sum, c)| *sum += share * c);
+            self.course
+                .iter_mut()
+                .zip(own)
+                .for_each(|(sum, c)| *sum += share * c);
         }
         self.series.add(&self.course);
     }

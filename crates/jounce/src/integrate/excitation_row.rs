@@ -42,17 +42,32 @@ impl ExcitationRow {
             })
         };
         let local: Vec<[f64; LOCAL_TERMS]> = plant.forcings.iter().map(local).collect();
-        let last = (0..LOCAL_TERMS).rev().find(|j| local.iter().any(|moments| moments[*j] != 0.0));
+        let last = (0..LOCAL_TERMS)
+            .rev()
+            .find(|j| local.iter().any(|moments| moments[*j] != 0.0));
         // A slope reaches one power further than a size.
         let used = last.map_or(2, |last| (last + 3).min(SERIES_COEFFICIENTS));
-        Self { following: plant.forcings.iter().map(|forcing| [dot(&forcing.rest), dot(&forcing.lag)]).collect(), local, used }
+        Self {
+            following: plant
+                .forcings
+                .iter()
+                .map(|forcing| [dot(&forcing.rest), dot(&forcing.lag)])
+                .collect(),
+            local,
+            used,
+        }
     }
 
     /// The polynomial for signals of given sizes.
     #[inline(always)]
     pub fn series(&self, sizes: &[SignalSample]) -> ExcitationSeries {
-        let mut series = ExcitationSeries { used: self.used, ..ExcitationSeries::ZERO };
-        for (([rest, lag], local), [size, slope]) in self.following.iter().zip(&self.local).zip(sizes) {
+        let mut series = ExcitationSeries {
+            used: self.used,
+            ..ExcitationSeries::ZERO
+        };
+        for (([rest, lag], local), [size, slope]) in
+            self.following.iter().zip(&self.local).zip(sizes)
+        {
             let c = &mut series.coefficients;
             c[0] += rest * size + lag * slope;
             c[1] += rest * slope;
@@ -68,12 +83,18 @@ impl ExcitationRow {
 }
 
 impl ExcitationSeries {
-    pub const ZERO: Self = Self { coefficients: [0.0; SERIES_COEFFICIENTS], used: 0 };
+    pub const ZERO: Self = Self {
+        coefficients: [0.0; SERIES_COEFFICIENTS],
+        used: 0,
+    };
 
     /// Adds a cubic.
     #[inline(always)]
     pub fn add(&mut self, cubic: &[f64; 4]) {
-        self.coefficients.iter_mut().zip(cubic).for_each(|(sum, c)| *sum += c);
+        self.coefficients
+            .iter_mut()
+            .zip(cubic)
+            .for_each(|(sum, c)| *sum += c);
         self.used = self.used.max(cubic.len());
     }
 
@@ -91,20 +112,27 @@ impl ExcitationSeries {
     /// Value.
     #[inline(always)]
     pub fn value(&self, t: f64) -> f64 {
-        self.coefficients[..self.used].iter().rev().fold(0.0, |value, c| value * t + c)
+        self.coefficients[..self.used]
+            .iter()
+            .rev()
+            .fold(0.0, |value, c| value * t + c)
     }
 
     /// Second derivative.
     #[inline(always)]
     pub fn curvature(&self, t: f64) -> f64 {
-        (2..self.used).rev().fold(0.0, |sum, j| sum * t + (j * (j - 1)) as f64 * self.coefficients[j])
+        (2..self.used).rev().fold(0.0, |sum, j| {
+            sum * t + (j * (j - 1)) as f64 * self.coefficients[j]
+        })
     }
 
     /// Bound on the fourth derivative up to a time.
     #[inline(always)]
     pub fn fourth_bound(&self, t: f64) -> f64 {
         let factor = |j: usize| (j * (j - 1) * (j - 2) * (j - 3)) as f64;
-        (4..self.used).rev().fold(0.0, |sum, j| sum * t + factor(j) * self.coefficients[j].abs())
+        (4..self.used).rev().fold(0.0, |sum, j| {
+            sum * t + factor(j) * self.coefficients[j].abs()
+        })
     }
 }
 
@@ -114,14 +142,29 @@ mod tests {
 
     #[test]
     fn derivatives_are_those_of_the_polynomial() {
-        let mut series = ExcitationSeries { used: 7, ..ExcitationSeries::ZERO };
+        let mut series = ExcitationSeries {
+            used: 7,
+            ..ExcitationSeries::ZERO
+        };
         series.coefficients[..7].copy_from_slice(&[1.0, -2.0, 0.5, 3.0, -1.0, 0.2, 0.7]);
-        let at = |t: f64| 1.0 - 2.0 * t + 0.5 * t * t + 3.0 * t.powi(3) - t.powi(4) + 0.2 * t.powi(5) + 0.7 * t.powi(6);
+        let at = |t: f64| {
+            1.0 - 2.0 * t + 0.5 * t * t + 3.0 * t.powi(3) - t.powi(4)
+                + 0.2 * t.powi(5)
+                + 0.7 * t.powi(6)
+        };
         let slope = -2.0 + 0.6 + 9.0 * 0.36 - 4.0 * 0.216 + 0.1296 + 4.2 * 0.07776;
         let curvature = 1.0 + 18.0 * 0.6 - 12.0 * 0.36 + 4.0 * 0.216 + 21.0 * 0.1296;
         let [value, found] = series.motion(0.6);
-        assert!((value - at(0.6)).abs() < 1e-14 && (series.value(0.6) - value).abs() < 1e-15 && (found - slope).abs() < 1e-13);
-        assert!((series.curvature(0.6) - curvature).abs() < 1e-13, "{}", series.curvature(0.6));
+        assert!(
+            (value - at(0.6)).abs() < 1e-14
+                && (series.value(0.6) - value).abs() < 1e-15
+                && (found - slope).abs() < 1e-13
+        );
+        assert!(
+            (series.curvature(0.6) - curvature).abs() < 1e-13,
+            "{}",
+            series.curvature(0.6)
+        );
         let fourth = |t: f64| (-24.0 + 24.0 * t + 252.0 * t * t).abs();
         assert!((0..=60).all(|k| fourth(f64::from(k) / 100.0) <= series.fourth_bound(0.6)));
     }

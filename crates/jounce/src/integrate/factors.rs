@@ -16,9 +16,22 @@ pub struct TridiagonalFactors {
 
 /// Factors of up to eight blocks on a step, as many rows as the neediest of them has terms.
 #[inline(always)]
-pub fn factored<W: Simd>(w: W, parts: &[BlockOnStep], basis: &BasisFunctions, h: f64) -> Vec<TridiagonalFactors> {
-    let count = parts.iter().map(|part| terms(part, basis, h)).max().unwrap_or(0);
-    let rates = |read: fn(c64) -> f64| F64x8(std::array::from_fn(|i| parts.get(i).map_or(0.0, |part| h * read(part.rate()))));
+pub fn factored<W: Simd>(
+    w: W,
+    parts: &[BlockOnStep],
+    basis: &BasisFunctions,
+    h: f64,
+) -> Vec<TridiagonalFactors> {
+    let count = parts
+        .iter()
+        .map(|part| terms(part, basis, h))
+        .max()
+        .unwrap_or(0);
+    let rates = |read: fn(c64) -> f64| {
+        F64x8(std::array::from_fn(|i| {
+            parts.get(i).map_or(0.0, |part| h * read(part.rate()))
+        }))
+    };
     let z = [w.load(&rates(|z| z.re)), w.load(&rates(|z| z.im))];
     let scaled = |by: f64| z.map(|part| w.mul(w.splat(by), part));
     let (one, none) = (w.splat(1.0), w.zero());
@@ -26,12 +39,20 @@ pub fn factored<W: Simd>(w: W, parts: &[BlockOnStep], basis: &BasisFunctions, h:
     let mut inverse = reciprocal(w, [w.add(one, half[0]), half[1]]);
     let mut rows = Vec::with_capacity(count);
     let stored = |pair: [W::Register; 2]| pair.map(|part| w.store(part));
-    rows.push(TridiagonalFactors { before: stored([none, none]), after: stored(scaled(below(1))), inverse: stored(inverse) });
+    rows.push(TridiagonalFactors {
+        before: stored([none, none]),
+        after: stored(scaled(below(1))),
+        inverse: stored(inverse),
+    });
     for n in 1..count {
         let before = product(w, scaled(below(n - 1)), inverse);
         let pivot = product(w, before, scaled(below(n)));
         inverse = reciprocal(w, [w.add(one, pivot[0]), pivot[1]]);
-        rows.push(TridiagonalFactors { before: stored(before), after: stored(scaled(below(n + 1))), inverse: stored(inverse) });
+        rows.push(TridiagonalFactors {
+            before: stored(before),
+            after: stored(scaled(below(n + 1))),
+            inverse: stored(inverse),
+        });
     }
     rows
 }
@@ -57,7 +78,11 @@ const STIFF_DECAY: f64 = 300.0;
 /// beyond `|z| / 2`.
 pub fn terms(part: &BlockOnStep, basis: &BasisFunctions, h: f64) -> usize {
     let z = h * part.rate().norm();
-    let own = if z > STIFF_DECAY && part.rate().im == 0.0 { 8.0 * z.sqrt() } else { 0.75 * z };
+    let own = if z > STIFF_DECAY && part.rate().im == 0.0 {
+        8.0 * z.sqrt()
+    } else {
+        0.75 * z
+    };
     (18 + own.ceil() as usize) + basis.series.len()
 }
 

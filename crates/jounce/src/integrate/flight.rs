@@ -22,7 +22,11 @@ pub(super) fn by_interpolant(step: &FlightStep, from_rest: bool) -> FlightVerdic
     match step.crossing_s() {
         None => FlightVerdict::Clear,
         Some(_) if from_rest && step.highest_m() <= step.uncertainty_m() => FlightVerdict::Clear,
-        Some(guess_s) => FlightVerdict::Strike(Crossing { from_s: 0.0, guess_s, to_s: step.length_s }),
+        Some(guess_s) => FlightVerdict::Strike(Crossing {
+            from_s: 0.0,
+            guess_s,
+            to_s: step.length_s,
+        }),
     }
 }
 
@@ -60,8 +64,16 @@ impl Integrator<'_> {
             let remaining_s = self.excitation.remaining_s(self.time_s, end_s);
             let landing = length_s >= remaining_s;
             // Of a step that ends early, the shortest level that bounds it from above.
-            let tight = if landing { level.max(Kernel::level_within(remaining_s) - 1) } else { level };
-            let verdict = if landing { self.land(w, tight, remaining_s, end_s) } else { self.attempt(w, level) };
+            let tight = if landing {
+                level.max(Kernel::level_within(remaining_s) - 1)
+            } else {
+                level
+            };
+            let verdict = if landing {
+                self.land(w, tight, remaining_s, end_s)
+            } else {
+                self.attempt(w, level)
+            };
             match verdict {
                 FlightVerdict::Clear => {
                     self.work.flight_steps += 1;
@@ -77,7 +89,10 @@ impl Integrator<'_> {
                     self.move_on(after_s, self.time_s + after_s);
                     self.set_motion(0, motion);
                     // What is past a rigid stop by roundoff and moves out has left it, unless it is pressed back before.
-                    if motion[1] < 0.0 && matches!(self.kernel.plant.system.stops[0].law, Law::Rigid(_)) && !self.is_lost(0, motion) {
+                    if motion[1] < 0.0
+                        && matches!(self.kernel.plant.system.stops[0].law, Law::Rigid(_))
+                        && !self.is_lost(0, motion)
+                    {
                         continue;
                     }
                     self.flight_s = self.time_s - begun_s;
@@ -90,7 +105,9 @@ impl Integrator<'_> {
                     grow = 0;
                     self.flight_level = (tight + down).min(Kernel::finest());
                     if !self.ports[0].penetration_m.is_finite() {
-                        return Err(IntegrationError::NotFinite { time_s: self.time_s });
+                        return Err(IntegrationError::NotFinite {
+                            time_s: self.time_s,
+                        });
                     }
                 }
             }
@@ -110,7 +127,10 @@ impl Integrator<'_> {
             drive = [drive[0] + place, drive[1] + speed];
         }
         let rows = &self.ports[0].rows;
-        let motion = [dot(w, &rows.displacement, &self.next) + drive[0] - rows.gap_m, dot(w, &rows.velocity, &self.next) + drive[1]];
+        let motion = [
+            dot(w, &rows.displacement, &self.next) + drive[0] - rows.gap_m,
+            dot(w, &rows.velocity, &self.next) + drive[1],
+        ];
         let step = self.step_of(w, 0, level, Kernel::length_s(level), motion, drive);
         let verdict = self.judge_flight(0, &step, motion[0]);
         if let FlightVerdict::Clear = verdict {
@@ -124,7 +144,8 @@ impl Integrator<'_> {
                 let turn = tone.end(level);
                 tone.turn *= turn;
             }
-            self.excitation.pass(self.kernel, length_s, self.time_s, &mut self.y);
+            self.excitation
+                .pass(self.kernel, length_s, self.time_s, &mut self.y);
             self.set_motion(0, motion);
         }
         verdict
@@ -147,13 +168,23 @@ impl Integrator<'_> {
 
     /// The certificate's view of a step that ends in `next` with `motion` of a port there, of which `drive` is the drives' share.
     #[inline(always)]
-    pub(super) fn step_of<W: Simd>(&self, w: W, p: usize, level: i32, length_s: f64, motion: [f64; 2], drive: [f64; 2]) -> FlightStep {
+    pub(super) fn step_of<W: Simd>(
+        &self,
+        w: W,
+        p: usize,
+        level: i32,
+        length_s: f64,
+        motion: [f64; 2],
+        drive: [f64; 2],
+    ) -> FlightStep {
         let (flight, port) = (self.kernel.flight(p, level), &self.ports[p]);
         let mut step = FlightStep {
             length_s,
             distance_m: [port.penetration_m, motion[0]],
             speed_m_s: [port.rate_m_s, motion[1]],
-            fourth_bound: dot_abs(w, &flight.slow_fourth, &self.y) + port.rows.tone_fourth + self.excitation.fourth_bound(p, length_s),
+            fourth_bound: dot_abs(w, &flight.slow_fourth, &self.y)
+                + port.rows.tone_fourth
+                + self.excitation.fourth_bound(p, length_s),
             fast_m: 0.0,
             fast_bound_m: 0.0,
             fast_bound_m_s: 0.0,
@@ -161,8 +192,14 @@ impl Integrator<'_> {
         if let Some(fast) = &flight.fast {
             let [place, speed] = self.drive(p);
             let slow = dot(w, &fast.slow_displacement, &self.y) + place - port.rows.gap_m;
-            step.distance_m = [slow, dot(w, &fast.slow_displacement, &self.next) + drive[0] - port.rows.gap_m];
-            step.speed_m_s = [dot(w, &fast.slow_velocity, &self.y) + speed, dot(w, &fast.slow_velocity, &self.next) + drive[1]];
+            step.distance_m = [
+                slow,
+                dot(w, &fast.slow_displacement, &self.next) + drive[0] - port.rows.gap_m,
+            ];
+            step.speed_m_s = [
+                dot(w, &fast.slow_velocity, &self.y) + speed,
+                dot(w, &fast.slow_velocity, &self.next) + drive[1],
+            ];
             step.fast_m = port.penetration_m - slow;
             step.fast_bound_m = dot_abs(w, &fast.displacement_bound, &self.y);
             step.fast_bound_m_s = dot_abs(w, &fast.velocity_bound, &self.y);
@@ -171,7 +208,12 @@ impl Integrator<'_> {
     }
 
     #[inline(always)]
-    pub(super) fn judge_flight(&self, p: usize, step: &FlightStep, displacement_m: f64) -> FlightVerdict {
+    pub(super) fn judge_flight(
+        &self,
+        p: usize,
+        step: &FlightStep,
+        displacement_m: f64,
+    ) -> FlightVerdict {
         if step.is_clear() {
             return FlightVerdict::Clear;
         }
@@ -183,8 +225,17 @@ impl Integrator<'_> {
             return by_interpolant(step, self.leaves_from_rest(p));
         }
         // The uncertainty falls like the fourth power of the length: two levels where one is not enough.
-        let far = uncertainty_m > 16.0 * self.ports[p].penetration_m.abs().max(RESOLVED_UNCERTAINTY * self.scale_m(p, displacement_m));
-        FlightVerdict::Unclear(if far { 2 * LEVELS_PER_OCTAVE } else { LEVELS_PER_OCTAVE })
+        let far = uncertainty_m
+            > 16.0
+                * self.ports[p]
+                    .penetration_m
+                    .abs()
+                    .max(RESOLVED_UNCERTAINTY * self.scale_m(p, displacement_m));
+        FlightVerdict::Unclear(if far {
+            2 * LEVELS_PER_OCTAVE
+        } else {
+            LEVELS_PER_OCTAVE
+        })
     }
 
     /// A port that touches and has no speed: it flies, so that nothing presses it.
@@ -195,30 +246,61 @@ impl Integrator<'_> {
     /// Size of the motion against which the certificate's uncertainty is held.
     fn scale_m(&self, p: usize, displacement_m: f64) -> f64 {
         let port = &self.ports[p];
-        let gap = if port.rows.gap_m.is_finite() { port.rows.gap_m.abs() } else { 0.0 };
+        let gap = if port.rows.gap_m.is_finite() {
+            port.rows.gap_m.abs()
+        } else {
+            0.0
+        };
         // Of a point that leaves its stop from rest, its own motion is no measure: it has none yet.
-        let from_rest = if port.rate_m_s == 0.0 { self.terms_of(&port.rows.displacement) } else { 0.0 };
-        gap.max(displacement_m.abs()).max(port.rows.tone_scale_m).max(from_rest)
+        let from_rest = if port.rate_m_s == 0.0 {
+            self.terms_of(&port.rows.displacement)
+        } else {
+            0.0
+        };
+        gap.max(displacement_m.abs())
+            .max(port.rows.tone_scale_m)
+            .max(from_rest)
     }
 
     /// Displacement and velocity of a port under the drive at the present time.
     #[inline(always)]
     fn drive(&self, p: usize) -> [f64; 2] {
-        self.tones.iter().map(|tone| tone.motion(p)).fold(self.excitation.motion_after(p, 0.0), |a, b| [a[0] + b[0], a[1] + b[1]])
+        self.tones
+            .iter()
+            .map(|tone| tone.motion(p))
+            .fold(self.excitation.motion_after(p, 0.0), |a, b| {
+                [a[0] + b[0], a[1] + b[1]]
+            })
     }
 
     /// The same after a time.
     #[inline(always)]
     pub(super) fn drive_after(&self, p: usize, time_s: f64) -> [f64; 2] {
-        let motion = |tone: &super::phasor::Phasor| tone.motion_after(p, faer::c64::cis(tone.angular_frequency_rad_s * time_s));
-        self.tones.iter().map(motion).fold(self.excitation.motion_after(p, time_s), |a, b| [a[0] + b[0], a[1] + b[1]])
+        let motion = |tone: &super::phasor::Phasor| {
+            tone.motion_after(p, faer::c64::cis(tone.angular_frequency_rad_s * time_s))
+        };
+        self.tones
+            .iter()
+            .map(motion)
+            .fold(self.excitation.motion_after(p, time_s), |a, b| {
+                [a[0] + b[0], a[1] + b[1]]
+            })
     }
 
     /// Time until a port strikes, by Newton on the exact flow inside the proved interval, and its motion then; the state there is
     /// in `next`.
     #[inline(always)]
-    pub(super) fn locate<W: Simd>(&mut self, w: W, p: usize, crossing: Crossing) -> (f64, [f64; 2]) {
-        let Crossing { mut from_s, mut guess_s, mut to_s } = crossing;
+    pub(super) fn locate<W: Simd>(
+        &mut self,
+        w: W,
+        p: usize,
+        crossing: Crossing,
+    ) -> (f64, [f64; 2]) {
+        let Crossing {
+            mut from_s,
+            mut guess_s,
+            mut to_s,
+        } = crossing;
         self.propagate_to(w, guess_s);
         let mut motion = self.motion_ahead(w, p, guess_s);
         for _ in 0..20 {
@@ -228,7 +310,11 @@ impl Integrator<'_> {
                 from_s = guess_s
             }
             let newton = guess_s - motion[0] / motion[1];
-            let next = if newton >= from_s && newton <= to_s { newton } else { 0.5 * (from_s + to_s) };
+            let next = if newton >= from_s && newton <= to_s {
+                newton
+            } else {
+                0.5 * (from_s + to_s)
+            };
             let change = (next - guess_s).abs();
             self.propagate_from(w, guess_s, next);
             let before = motion;
@@ -252,7 +338,8 @@ impl Integrator<'_> {
         port.impact_velocity_m_s = port.impact_velocity_m_s.max(port.rate_m_s);
         port.statistics.contacts += 1;
         port.statistics.strike_sum_m_s += port.rate_m_s;
-        port.statistics.max_impact_velocity_m_s = port.statistics.max_impact_velocity_m_s.max(port.rate_m_s);
+        port.statistics.max_impact_velocity_m_s =
+            port.statistics.max_impact_velocity_m_s.max(port.rate_m_s);
         port.regime = ContactState::Contact;
     }
 }

@@ -43,25 +43,37 @@ impl FlightTable {
     /// For steps of one length.
     pub fn new(block: &BlockDiagonal, layout: &StateLayout, port: &Port, h: f64) -> Self {
         let n = block.len();
-        let (mut fourth, mut bound, mut speed, mut slow) = (vec![0.0; n], vec![0.0; n], vec![0.0; n], vec![1.0; n]);
+        let (mut fourth, mut bound, mut speed, mut slow) =
+            (vec![0.0; n], vec![0.0; n], vec![0.0; n], vec![1.0; n]);
         for share in shares(block, &port.displacement, h) {
             let is_fast = share.may_be_fast && share.speed_rad_s * h >= FAST_BLOCK;
             for (i, state) in share.states.iter().enumerate() {
                 if is_fast {
-                    (bound[*state], speed[*state], slow[*state]) = (share.displacement[i], share.velocity[i], 0.0);
+                    (bound[*state], speed[*state], slow[*state]) =
+                        (share.displacement[i], share.velocity[i], 0.0);
                 } else {
                     fourth[*state] = share.fourth[i];
                 }
             }
         }
-        let kept = |row: &[f64]| layout.pack(&row.iter().zip(&slow).map(|(c, kept)| c * kept).collect::<Vec<_>>());
+        let kept = |row: &[f64]| {
+            layout.pack(
+                &row.iter()
+                    .zip(&slow)
+                    .map(|(c, kept)| c * kept)
+                    .collect::<Vec<_>>(),
+            )
+        };
         let fast = slow.contains(&0.0).then(|| FastBlocks {
             slow_displacement: kept(&port.displacement),
             slow_velocity: kept(&port.velocity),
             displacement_bound: layout.pack(&bound),
             velocity_bound: layout.pack(&speed),
         });
-        FlightTable { slow_fourth: layout.pack(&fourth), fast }
+        FlightTable {
+            slow_fourth: layout.pack(&fourth),
+            fast,
+        }
     }
 }
 
@@ -75,13 +87,30 @@ fn shares(block: &BlockDiagonal, row: &[f64], h: f64) -> Vec<BlockBounds> {
                 let gain = own[0].hypot(own[1]);
                 let both = |factor: f64| vec![gain * factor; 2];
                 let (velocity, fourth) = (both(speed_rad_s), both(speed_rad_s.powi(4)));
-                BlockBounds { states, speed_rad_s, displacement: both(1.0), velocity, fourth, may_be_fast: true }
+                BlockBounds {
+                    states,
+                    speed_rad_s,
+                    displacement: both(1.0),
+                    velocity,
+                    fourth,
+                    may_be_fast: true,
+                }
             }
             // w = (c_u u + c_v v + c_u v t) e^{r t}, r <= 0
             BlockPair::Jordan { rate } => {
                 let ([cu, cv], r) = (own.map(f64::abs), rate.abs());
-                let fourth = vec![cu * r.powi(4), (cv + cu * h) * r.powi(4) + 4.0 * cu * r.powi(3)];
-                BlockBounds { states, speed_rad_s, displacement: vec![0.0; 2], velocity: vec![0.0; 2], fourth, may_be_fast: false }
+                let fourth = vec![
+                    cu * r.powi(4),
+                    (cv + cu * h) * r.powi(4) + 4.0 * cu * r.powi(3),
+                ];
+                BlockBounds {
+                    states,
+                    speed_rad_s,
+                    displacement: vec![0.0; 2],
+                    velocity: vec![0.0; 2],
+                    fourth,
+                    may_be_fast: false,
+                }
             }
         }
     };
@@ -89,7 +118,20 @@ fn shares(block: &BlockDiagonal, row: &[f64], h: f64) -> Vec<BlockBounds> {
     let real = |(k, rate): (usize, &f64)| {
         let (gain, speed_rad_s) = (row[first + k].abs(), rate.abs());
         let (velocity, fourth) = (vec![gain * speed_rad_s], vec![gain * speed_rad_s.powi(4)]);
-        BlockBounds { states: vec![first + k], speed_rad_s, displacement: vec![gain], velocity, fourth, may_be_fast: true }
+        BlockBounds {
+            states: vec![first + k],
+            speed_rad_s,
+            displacement: vec![gain],
+            velocity,
+            fourth,
+            may_be_fast: true,
+        }
     };
-    block.pairs.iter().enumerate().map(pair).chain(block.reals.iter().enumerate().map(real)).collect()
+    block
+        .pairs
+        .iter()
+        .enumerate()
+        .map(pair)
+        .chain(block.reals.iter().enumerate().map(real))
+        .collect()
 }

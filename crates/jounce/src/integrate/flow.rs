@@ -46,17 +46,32 @@ fn factors(size: f64) -> &'static [[f64; 2]] {
 impl Flow {
     /// `e^{A t}`.
     pub fn over(block: &BlockDiagonal, layout: &StateLayout, time_s: f64) -> Self {
-        Self::of(layout, block.pairs.iter().map(|pair| pair.flow(time_s)), block.reals.iter().map(|rate| (rate * time_s).exp()))
+        Self::of(
+            layout,
+            block.pairs.iter().map(|pair| pair.flow(time_s)),
+            block.reals.iter().map(|rate| (rate * time_s).exp()),
+        )
     }
 
     /// `A` itself.
     pub fn generator(block: &BlockDiagonal, layout: &StateLayout) -> Self {
-        Self::of(layout, block.pairs.iter().map(crate::plant::BlockPair::matrix), block.reals.iter().copied())
+        Self::of(
+            layout,
+            block.pairs.iter().map(crate::plant::BlockPair::matrix),
+            block.reals.iter().copied(),
+        )
     }
 
-    fn of(layout: &StateLayout, pairs: impl Iterator<Item = [f64; 4]>, reals: impl Iterator<Item = f64>) -> Self {
+    fn of(
+        layout: &StateLayout,
+        pairs: impl Iterator<Item = [f64; 4]>,
+        reals: impl Iterator<Item = f64>,
+    ) -> Self {
         let lanes = || vec![F64x8::ZERO; layout.pair_lanes];
-        let mut flow = Self { pairs: [lanes(), lanes(), lanes(), lanes()], reals: vec![F64x8::ZERO; layout.real_lanes] };
+        let mut flow = Self {
+            pairs: [lanes(), lanes(), lanes(), lanes()],
+            reals: vec![F64x8::ZERO; layout.real_lanes],
+        };
         for (k, entries) in pairs.enumerate() {
             for (lanes, entry) in flow.pairs.iter_mut().zip(entries) {
                 lanes[k / LANES].0[k % LANES] = entry;
@@ -106,7 +121,13 @@ impl Flow {
     ///
     /// Each lane goes all the way in registers.
     #[inline(always)]
-    pub fn carry<W: Simd>(&self, w: W, flows: &[&Flow], (short_s, fastest_rad_s): (f64, f64), y: &mut [F64x8]) {
+    pub fn carry<W: Simd>(
+        &self,
+        w: W,
+        flows: &[&Flow],
+        (short_s, fastest_rad_s): (f64, f64),
+        y: &mut [F64x8],
+    ) {
         let p = self.pairs[0].len();
         let factors = factors(short_s * fastest_rad_s);
         let time = w.splat(short_s);
@@ -121,7 +142,10 @@ impl Flow {
             let (mut even_u, mut even_v, mut odd_u, mut odd_v) = (u, v, first_u, first_v);
             for [even, odd] in factors.iter().rev() {
                 let (even, odd) = (w.splat(*even), w.splat(*odd));
-                let ((a, b), (c, d)) = (applied(w, square, even_u, even_v), applied(w, square, odd_u, odd_v));
+                let ((a, b), (c, d)) = (
+                    applied(w, square, even_u, even_v),
+                    applied(w, square, odd_u, odd_v),
+                );
                 (even_u, even_v) = (w.fma(even, a, u), w.fma(even, b, v));
                 (odd_u, odd_v) = (w.fma(odd, c, first_u), w.fma(odd, d, first_v));
             }
@@ -146,7 +170,12 @@ impl Flow {
 
 /// Blocks times states.
 #[inline(always)]
-fn applied<W: Simd>(w: W, [a, b, c, d]: [W::Register; 4], u: W::Register, v: W::Register) -> (W::Register, W::Register) {
+fn applied<W: Simd>(
+    w: W,
+    [a, b, c, d]: [W::Register; 4],
+    u: W::Register,
+    v: W::Register,
+) -> (W::Register, W::Register) {
     (w.fma(a, u, w.mul(b, v)), w.fma(c, u, w.mul(d, v)))
 }
 
@@ -154,7 +183,12 @@ fn applied<W: Simd>(w: W, [a, b, c, d]: [W::Register; 4], u: W::Register, v: W::
 #[inline(always)]
 fn squared<W: Simd>(w: W, [a, b, c, d]: [W::Register; 4]) -> [W::Register; 4] {
     let (cross, trace) = (w.mul(b, c), w.add(a, d));
-    [w.fma(a, a, cross), w.mul(b, trace), w.mul(c, trace), w.fma(d, d, cross)]
+    [
+        w.fma(a, a, cross),
+        w.mul(b, trace),
+        w.mul(c, trace),
+        w.fma(d, d, cross),
+    ]
 }
 
 #[cfg(test)]
@@ -166,17 +200,37 @@ mod tests {
     #[test]
     fn series_and_closed_form_agree() {
         let block = BlockDiagonal {
-            pairs: vec![BlockPair::Oscillatory { decay: -3.0, frequency: 900.0 }, BlockPair::Jordan { rate: -40.0 }],
+            pairs: vec![
+                BlockPair::Oscillatory {
+                    decay: -3.0,
+                    frequency: 900.0,
+                },
+                BlockPair::Jordan { rate: -40.0 },
+            ],
             reals: vec![-700.0],
         };
-        let layout = StateLayout { pairs: 2, reals: 1, pair_lanes: 1, real_lanes: 1 };
+        let layout = StateLayout {
+            pairs: 2,
+            reals: 1,
+            pair_lanes: 1,
+            real_lanes: 1,
+        };
         let start = [1.0, -0.3, 0.7, 2.0, 1.5];
         // Up to the whole reach of the series, and after two flows.
         for (time_s, long_s) in [(1.3e-4, 0.0), (-1.3e-4, 0.0), (1e-9, 0.0), (1.3e-4, 0.004)] {
             let mut y = layout.pack(&start);
             let halves = [0.25, 0.75].map(|share| Flow::over(&block, &layout, share * long_s));
-            Flow::generator(&block, &layout).carry(Portable::new(), &[&halves[0], &halves[1]], (time_s, 900.1), &mut y);
-            for (a, b) in layout.unpack(&y).iter().zip(block.flow(time_s + long_s, &start)) {
+            Flow::generator(&block, &layout).carry(
+                Portable::new(),
+                &[&halves[0], &halves[1]],
+                (time_s, 900.1),
+                &mut y,
+            );
+            for (a, b) in layout
+                .unpack(&y)
+                .iter()
+                .zip(block.flow(time_s + long_s, &start))
+            {
                 assert!((a - b).abs() < 4e-16 * 3.0, "{a} {b}");
             }
         }
@@ -184,11 +238,20 @@ mod tests {
 
     #[test]
     fn the_series_ends_where_its_terms_no_longer_count() {
-        let left_out = |size: f64, count: usize| (1..=2 * count + 2).fold(1.0, |term, n| term * size / n as f64);
+        let left_out = |size: f64, count: usize| {
+            (1..=2 * count + 2).fold(1.0, |term, n| term * size / n as f64)
+        };
         for size in [MAX_SERIES_ARGUMENT, 0.03, 1e-3] {
             let count = factors(size).len();
-            assert!(left_out(size, count) <= NEGLIGIBLE_TERM && left_out(size, count - 1) > NEGLIGIBLE_TERM, "{size}: {count}");
+            assert!(
+                left_out(size, count) <= NEGLIGIBLE_TERM
+                    && left_out(size, count - 1) > NEGLIGIBLE_TERM,
+                "{size}: {count}"
+            );
         }
-        assert_eq!((factors(MAX_SERIES_ARGUMENT).len(), factors(0.0).len()), (MAX_SERIES_PAIRS, 0));
+        assert_eq!(
+            (factors(MAX_SERIES_ARGUMENT).len(), factors(0.0).len()),
+            (MAX_SERIES_PAIRS, 0)
+        );
     }
 }

@@ -34,7 +34,12 @@ impl FlowRow {
         Self::new(layout, block, column, |[p, q], [u, v]| [p * v, q * u])
     }
 
-    fn new(layout: &StateLayout, block: &BlockDiagonal, values: &[f64], cross: impl Fn([f64; 2], [f64; 2]) -> [f64; 2]) -> Self {
+    fn new(
+        layout: &StateLayout,
+        block: &BlockDiagonal,
+        values: &[f64],
+        cross: impl Fn([f64; 2], [f64; 2]) -> [f64; 2],
+    ) -> Self {
         let mut pairs = vec![[F64x8::ZERO; 4]; layout.pair_lanes];
         let (paired, reals) = values.split_at(2 * layout.pairs);
         for ((k, pair), uv) in block.pairs.iter().enumerate().zip(paired.chunks_exact(2)) {
@@ -42,14 +47,24 @@ impl FlowRow {
                 BlockPair::Oscillatory { .. } => [-1.0, 1.0],
                 BlockPair::Jordan { .. } => [1.0, 0.0],
             };
-            let ([straight_u, straight_v], [crossed_u, crossed_v]) = ([uv[0], uv[1]], cross(signs, [uv[0], uv[1]]));
-            for (lane, value) in pairs[k / LANES].iter_mut().zip([straight_u, straight_v, crossed_u, crossed_v]) {
+            let ([straight_u, straight_v], [crossed_u, crossed_v]) =
+                ([uv[0], uv[1]], cross(signs, [uv[0], uv[1]]));
+            for (lane, value) in pairs[k / LANES]
+                .iter_mut()
+                .zip([straight_u, straight_v, crossed_u, crossed_v])
+            {
                 lane.0[k % LANES] = value;
             }
         }
         let mut lanes = vec![F64x8::ZERO; layout.real_lanes];
-        reals.iter().enumerate().for_each(|(k, real)| lanes[k / LANES].0[k % LANES] = *real);
-        Self { pairs, reals: lanes }
+        reals
+            .iter()
+            .enumerate()
+            .for_each(|(k, real)| lanes[k / LANES].0[k % LANES] = *real);
+        Self {
+            pairs,
+            reals: lanes,
+        }
     }
 
     /// What this row reads of a state whose blocks have moved by integrals of `a`, of `b`, and of single rates, one lane after the
@@ -66,7 +81,11 @@ impl FlowRow {
             crossed = w.fma(w.load(&integrals[p + k]), across, crossed);
         }
         for (k, row) in self.reals.iter().enumerate() {
-            straight = w.fma(w.load(&integrals[2 * p + k]), w.mul(w.load(row), w.load(&y[2 * p + k])), straight);
+            straight = w.fma(
+                w.load(&integrals[2 * p + k]),
+                w.mul(w.load(row), w.load(&y[2 * p + k])),
+                straight,
+            );
         }
         w.add(straight, crossed)
     }

@@ -20,8 +20,11 @@ use super::state::pushed;
 use crate::simd::{F64x8, LANES, Simd, widest};
 
 /// Legendre coefficients of `3 x^2 - 2 x^3`, of `x^3 - x^2` and of `x^3 - 2 x^2 + x` ...
-const HERMITE_VALUES: [[f64; 4]; 3] =
-    [[0.5, 0.6, 0.0, -0.1], [-1.0 / 12.0, -0.05, 1.0 / 12.0, 0.05], [1.0 / 12.0, -0.05, -1.0 / 12.0, 0.05]];
+const HERMITE_VALUES: [[f64; 4]; 3] = [
+    [0.5, 0.6, 0.0, -0.1],
+    [-1.0 / 12.0, -0.05, 1.0 / 12.0, 0.05],
+    [1.0 / 12.0, -0.05, -1.0 / 12.0, 0.05],
+];
 
 /// ... and of their slopes.
 const HERMITE_SLOPES: [[f64; 3]; 3] = [[1.0, 0.0, -1.0], [0.0, 0.5, 0.5], [0.0, -0.5, 0.5]];
@@ -39,9 +42,17 @@ pub struct ForcedFlight {
 
 impl ForcedFlight {
     /// For the force of a port, in a basis, as felt by the port `seen`.
-    pub fn new(kernel: &Kernel, (port, shape): (usize, ForceBasis), seen: usize, length_s: f64) -> Self {
+    pub fn new(
+        kernel: &Kernel,
+        (port, shape): (usize, ForceBasis),
+        seen: usize,
+        length_s: f64,
+    ) -> Self {
         let (plant, basis) = (&kernel.plant, kernel.basis(port, shape));
-        let pointwise = |row: &[f64]| RowRequest { row: row.to_vec(), reading: RowReading::Pointwise };
+        let pointwise = |row: &[f64]| RowRequest {
+            row: row.to_vec(),
+            reading: RowReading::Pointwise,
+        };
         let felt = &plant.ports[seen];
         let made = widest(OutputRowsTask {
             block: &plant.diagonal.block,
@@ -53,40 +64,76 @@ impl ForcedFlight {
             length_s,
         });
         let mut series = made.series.into_iter();
-        let (mut place, mut speed) = (series.next().unwrap_or_default(), series.next().unwrap_or_default());
+        let (mut place, mut speed) = (
+            series.next().unwrap_or_default(),
+            series.next().unwrap_or_default(),
+        );
         // A force that acts on the rate at once does so as it is, beside what the states make of it.
         let direct = kernel.directly(port, seen);
         if direct != 0.0 {
             speed.resize(speed.len().max(basis.series.len()), F64x8::ZERO);
-            speed.iter_mut().zip(&basis.series).for_each(|(lane, force)| *lane = lane.add_scaled(direct, force));
+            speed
+                .iter_mut()
+                .zip(&basis.series)
+                .for_each(|(lane, force)| *lane = lane.add_scaled(direct, force));
         }
         let end: [F64x8; NODES] = std::array::from_fn(|j| {
             let [place, speed] = [0, 1].map(|row: usize| made.rows[row].push[j].0[NODES]);
-            let ends = [place, speed + direct * basis.at_end.0[j], direct * basis.at_start.0[j]];
+            let ends = [
+                place,
+                speed + direct * basis.at_end.0[j],
+                direct * basis.at_start.0[j],
+            ];
             F64x8(std::array::from_fn(|i| ends.get(i).copied().unwrap_or(0.0)))
         });
         for (j, end) in end.iter().enumerate() {
             let ends = [end.0[0], length_s * end.0[1], length_s * end.0[2]];
-            for (ends, (interpolant, slope)) in ends.iter().zip(HERMITE_VALUES.iter().zip(&HERMITE_SLOPES)) {
-                place.iter_mut().zip(interpolant).for_each(|(lane, c)| lane.0[j] -= ends * c);
-                speed.iter_mut().zip(slope).for_each(|(lane, c)| lane.0[j] -= ends / length_s * c);
+            for (ends, (interpolant, slope)) in
+                ends.iter().zip(HERMITE_VALUES.iter().zip(&HERMITE_SLOPES))
+            {
+                place
+                    .iter_mut()
+                    .zip(interpolant)
+                    .for_each(|(lane, c)| lane.0[j] -= ends * c);
+                speed
+                    .iter_mut()
+                    .zip(slope)
+                    .for_each(|(lane, c)| lane.0[j] -= ends / length_s * c);
             }
         }
-        Self { end, rest: by_force(&place), rest_rate: by_force(&speed) }
+        Self {
+            end,
+            rest: by_force(&place),
+            rest_rate: by_force(&speed),
+        }
     }
 }
 
 /// From one lane per coefficient to one lane per nodal force, eight coefficients at a time.
 fn by_force(series: &[F64x8]) -> Vec<[F64x8; NODES]> {
-    let of = |rows: &[F64x8]| std::array::from_fn(|j| F64x8(std::array::from_fn(|i| rows.get(i).map_or(0.0, |row| row.0[j]))));
+    let of = |rows: &[F64x8]| {
+        std::array::from_fn(|j| {
+            F64x8(std::array::from_fn(|i| {
+                rows.get(i).map_or(0.0, |row| row.0[j])
+            }))
+        })
+    };
     series.chunks(LANES).map(of).collect()
 }
 
 /// Bounds on `|z - H|` (m) and `|z' - H'|` (m/s) under the nodal forces of several ports: the sums of the magnitudes of their
 /// common coefficients.
 #[inline(always)]
-pub fn rest_bounds<W: Simd>(w: W, flights: &[SharedOrOwned<ForcedFlight>], forces: &[F64x8]) -> [f64; 2] {
-    let longest = flights.iter().map(|flight| flight.rest.len()).max().unwrap_or(0);
+pub fn rest_bounds<W: Simd>(
+    w: W,
+    flights: &[SharedOrOwned<ForcedFlight>],
+    forces: &[F64x8],
+) -> [f64; 2] {
+    let longest = flights
+        .iter()
+        .map(|flight| flight.rest.len())
+        .max()
+        .unwrap_or(0);
     let (mut place, mut speed) = (w.zero(), w.zero());
     for chunk in 0..longest {
         let (mut own_place, mut own_speed) = (w.zero(), w.zero());
@@ -96,7 +143,10 @@ pub fn rest_bounds<W: Simd>(w: W, flights: &[SharedOrOwned<ForcedFlight>], force
                 own_speed = pushed(w, own_speed, &flight.rest_rate[chunk], force);
             }
         }
-        (place, speed) = (w.add(place, w.abs(own_place)), w.add(speed, w.abs(own_speed)));
+        (place, speed) = (
+            w.add(place, w.abs(own_place)),
+            w.add(speed, w.abs(own_speed)),
+        );
     }
     [w.sum(place), w.sum(speed)]
 }

@@ -64,7 +64,12 @@ impl<'k> Integrator<'k> {
     ///
     /// # Errors
     /// [`IntegrationError::NotFinite`] for a start that is not a number.
-    pub fn new(kernel: &'k Kernel, y: &[f64], time_s: f64, tolerance: f64) -> Result<Self, IntegrationError> {
+    pub fn new(
+        kernel: &'k Kernel,
+        y: &[f64],
+        time_s: f64,
+        tolerance: f64,
+    ) -> Result<Self, IntegrationError> {
         if y.iter().any(|value| !value.is_finite()) {
             return Err(IntegrationError::NotFinite { time_s });
         }
@@ -74,12 +79,23 @@ impl<'k> Integrator<'k> {
     }
 
     /// A march in the regime of a kernel.
-    pub(super) fn in_one_regime(kernel: &'k Kernel, y: &[f64], time_s: f64, tolerance: f64) -> Self {
+    pub(super) fn in_one_regime(
+        kernel: &'k Kernel,
+        y: &[f64],
+        time_s: f64,
+        tolerance: f64,
+    ) -> Self {
         let (plant, layout) = (&kernel.plant, kernel.layout);
-        let tones: Vec<Phasor> = (0..plant.tones.len()).map(|index| Phasor::new(plant, index, time_s)).collect();
+        let tones: Vec<Phasor> = (0..plant.tones.len())
+            .map(|index| Phasor::new(plant, index, time_s))
+            .collect();
         let start = Kernel::level_within(1.0 / kernel.fastest_rad_s);
         let forced = Excitation::new(kernel, time_s);
-        let free: Vec<f64> = y.iter().zip(plant.forced(&forced.sizes, 0.0)).map(|(y, forced)| y - forced).collect();
+        let free: Vec<f64> = y
+            .iter()
+            .zip(plant.forced(&forced.sizes, 0.0))
+            .map(|(y, forced)| y - forced)
+            .collect();
         let count = plant.ports.len();
         let mut integrator = Self {
             kernel,
@@ -93,7 +109,13 @@ impl<'k> Integrator<'k> {
             from_start: vec![F64x8::ZERO; layout.lanes()],
             ad_hoc_tables: AdHocTables::default(),
             ports: PerPort::new(count, |port| {
-                PortState::new(plant, &layout, &tones, port, (start + 3 * LEVELS_PER_OCTAVE).min(Kernel::finest()))
+                PortState::new(
+                    plant,
+                    &layout,
+                    &tones,
+                    port,
+                    (start + 3 * LEVELS_PER_OCTAVE).min(Kernel::finest()),
+                )
             }),
             flight_level: start,
             flight_s: f64::INFINITY,
@@ -134,7 +156,11 @@ impl<'k> Integrator<'k> {
 
     /// State in block coordinates.
     pub fn state(&self) -> Vec<f64> {
-        if self.switching.regime == 0 { self.own_state() } else { self.base.plant.from_physical(&self.physical(), self.time_s) }
+        if self.switching.regime == 0 {
+            self.own_state()
+        } else {
+            self.base.plant.from_physical(&self.physical(), self.time_s)
+        }
     }
 
     /// State in the block coordinates of the present regime.
@@ -144,7 +170,9 @@ impl<'k> Integrator<'k> {
 
     /// Physical state `(q, q', V, i)`.
     pub fn physical(&self) -> Vec<f64> {
-        self.kernel.plant.to_physical(&self.own_state(), self.time_s)
+        self.kernel
+            .plant
+            .to_physical(&self.own_state(), self.time_s)
     }
 
     /// Contact force of each stop at the present time, N; 0 in flight and on a rigid stop.
@@ -153,23 +181,36 @@ impl<'k> Integrator<'k> {
             ContactState::Contact => stop.law.force_n(port.penetration_m, port.rate_m_s),
             ContactState::Flight => 0.0,
         };
-        self.ports.iter().zip(&self.kernel.plant.system.stops).map(force).collect()
+        self.ports
+            .iter()
+            .zip(&self.kernel.plant.system.stops)
+            .map(force)
+            .collect()
     }
 
     /// Contact statistics of all stops together since the last [`Integrator::reset_statistics`]: sums, and the largest of the largest.
     pub fn statistics(&self) -> ContactStatistics {
-        self.statistics_by_stop().iter().fold(ContactStatistics::default(), ContactStatistics::and)
+        self.statistics_by_stop()
+            .iter()
+            .fold(ContactStatistics::default(), ContactStatistics::and)
     }
 
     /// The same for each stop, in the order of `system.stops`.
     pub fn statistics_by_stop(&self) -> Vec<ContactStatistics> {
-        self.ports.iter().map(|port| port.statistics).take(self.kernel.plant.system.stops.len()).collect()
+        self.ports
+            .iter()
+            .map(|port| port.statistics)
+            .take(self.kernel.plant.system.stops.len())
+            .collect()
     }
 
     /// Forgets the contact statistics, not the energies.
     pub fn reset_statistics(&mut self) {
         let stops = &self.kernel.plant.system.stops;
-        self.ports.iter_mut().zip(stops).for_each(|(port, stop)| port.reset_statistics(&stop.law));
+        self.ports
+            .iter_mut()
+            .zip(stops)
+            .for_each(|(port, stop)| port.reset_statistics(&stop.law));
     }
 
     /// Starts to keep every step.
@@ -187,7 +228,14 @@ impl<'k> Integrator<'k> {
         if let Some(record) = &mut self.record {
             let sizes = self.excitation.sizes.clone();
             let (state, regime) = (self.layout.unpack(&self.y), self.switching.regime);
-            record.push(TrajectorySegment { start_s: self.time_s, length_s, state, sizes, forces: forces.into(), regime });
+            record.push(TrajectorySegment {
+                start_s: self.time_s,
+                length_s,
+                state,
+                sizes,
+                forces: forces.into(),
+                regime,
+            });
         }
     }
 
@@ -214,23 +262,38 @@ impl<'k> Integrator<'k> {
     /// Marches on until the end, or until a guard is met.
     fn advance_in_regime(&mut self, end_s: f64) -> Result<(), IntegrationError> {
         if self.kernel.plant.ports.len() > 1 || !self.kernel.plant.guards.is_empty() {
-            return widest(AdvanceMultiPort { integrator: self, end_s });
+            return widest(AdvanceMultiPort {
+                integrator: self,
+                end_s,
+            });
         }
         let law = self.kernel.plant.system.stops.first().map(|stop| stop.law);
         match law {
-            None => self.dispatch(Hertz { stiffness: 0.0, exponent: 1.0 }, end_s),
+            None => self.dispatch(
+                Hertz {
+                    stiffness: 0.0,
+                    exponent: 1.0,
+                },
+                end_s,
+            ),
             Some(Law::Hertz(law)) => self.dispatch(law, end_s),
             Some(Law::KelvinVoigt(law)) => self.dispatch(law, end_s),
             Some(Law::HuntCrossley(law)) => self.dispatch(law, end_s),
             Some(Law::Cubic(law)) => self.dispatch(law, end_s),
-            Some(Law::Rigid(law)) => widest(AdvanceRigid { integrator: self, law, end_s }),
+            Some(Law::Rigid(law)) => widest(AdvanceRigid {
+                integrator: self,
+                law,
+                end_s,
+            }),
         }
     }
 
     /// Passes the breakpoints of the signals that have been reached; returns the next one, or the end if that comes first.
     #[inline(always)]
     pub(super) fn next_breakpoint<W: Simd>(&mut self, w: W, end_s: f64) -> f64 {
-        if self.excitation.is_due(self.time_s) && self.excitation.cross(self.kernel, self.time_s, &mut self.y) {
+        if self.excitation.is_due(self.time_s)
+            && self.excitation.cross(self.kernel, self.time_s, &mut self.y)
+        {
             self.update_ports(w);
         }
         end_s.min(self.excitation.until_s(self.time_s))
@@ -252,7 +315,11 @@ impl<'k> Integrator<'k> {
     #[inline(always)]
     pub(super) fn poll(&mut self) -> Result<(), IntegrationError> {
         self.checks = self.checks.wrapping_add(1);
-        if self.kernel.control.is_quiet() && !self.checks.is_multiple_of(POLLS_PER_CALLBACK) { Ok(()) } else { self.poll_control() }
+        if self.kernel.control.is_quiet() && !self.checks.is_multiple_of(POLLS_PER_CALLBACK) {
+            Ok(())
+        } else {
+            self.poll_control()
+        }
     }
 
     #[cold]
@@ -260,11 +327,21 @@ impl<'k> Integrator<'k> {
         if !self.kernel.control.is_quiet() {
             self.kernel.control.report_progress(self.time_s);
         }
-        if self.kernel.control.is_stopped() { Err(IntegrationError::Stopped { time_s: self.time_s }) } else { Ok(()) }
+        if self.kernel.control.is_stopped() {
+            Err(IntegrationError::Stopped {
+                time_s: self.time_s,
+            })
+        } else {
+            Ok(())
+        }
     }
 
     fn dispatch<L: ContactLaw>(&mut self, law: L, end_s: f64) -> Result<(), IntegrationError> {
-        widest(Advance { integrator: self, law, end_s })
+        widest(Advance {
+            integrator: self,
+            law,
+            end_s,
+        })
     }
 }
 
@@ -281,7 +358,11 @@ impl<L: ContactLaw> Task for Advance<'_, '_, L> {
     /// Alternates flight and contact until the end.
     #[inline(always)]
     fn run<W: Simd>(self, w: W) -> Self::Output {
-        let Advance { integrator, law, end_s } = self;
+        let Advance {
+            integrator,
+            law,
+            end_s,
+        } = self;
         while integrator.time_s < end_s {
             integrator.poll()?;
             let until_s = integrator.next_breakpoint(w, end_s);

@@ -39,20 +39,36 @@ impl StepLength {
     }
 
     /// Table of a port on a step of this length.
-    pub fn table(self, kernel: &Kernel, (port, shape): (usize, ForceBasis)) -> SharedOrOwned<'_, ContactTable> {
+    pub fn table(
+        self,
+        kernel: &Kernel,
+        (port, shape): (usize, ForceBasis),
+    ) -> SharedOrOwned<'_, ContactTable> {
         match self {
             StepLength::Level(level) => SharedOrOwned::Shared(kernel.table(port, shape, level)),
-            StepLength::Odd { length_s, .. } => {
-                SharedOrOwned::Own(Box::new(ContactTable::new(kernel, port, kernel.basis(port, shape), length_s)))
-            }
+            StepLength::Odd { length_s, .. } => SharedOrOwned::Own(Box::new(ContactTable::new(
+                kernel,
+                port,
+                kernel.basis(port, shape),
+                length_s,
+            ))),
         }
     }
 
     /// What the force of a port does to the flight of another.
-    pub fn flight(self, kernel: &Kernel, port: (usize, ForceBasis), seen: usize) -> SharedOrOwned<'_, ForcedFlight> {
+    pub fn flight(
+        self,
+        kernel: &Kernel,
+        port: (usize, ForceBasis),
+        seen: usize,
+    ) -> SharedOrOwned<'_, ForcedFlight> {
         match self {
-            StepLength::Level(level) => SharedOrOwned::Shared(kernel.forced_flight(port, seen, level)),
-            StepLength::Odd { length_s, .. } => SharedOrOwned::Own(Box::new(ForcedFlight::new(kernel, port, seen, length_s))),
+            StepLength::Level(level) => {
+                SharedOrOwned::Shared(kernel.forced_flight(port, seen, level))
+            }
+            StepLength::Odd { length_s, .. } => {
+                SharedOrOwned::Own(Box::new(ForcedFlight::new(kernel, port, seen, length_s)))
+            }
         }
     }
 }
@@ -74,13 +90,23 @@ impl<'a> JointTables<'a> {
     pub fn new(kernel: &'a Kernel, ports: &[(usize, ForceBasis)], length: StepLength) -> Self {
         let cross = |from: (usize, ForceBasis), to: (usize, ForceBasis)| match length {
             StepLength::Level(level) => SharedOrOwned::Shared(kernel.cross([from, to], level)),
-            StepLength::Odd { length_s, .. } => SharedOrOwned::Own(Box::new(CrossTable::new(kernel, [from, to], length_s))),
+            StepLength::Odd { length_s, .. } => {
+                SharedOrOwned::Own(Box::new(CrossTable::new(kernel, [from, to], length_s)))
+            }
         };
-        let pairs = ports.iter().flat_map(|from| ports.iter().filter(move |to| to.0 != from.0).map(move |to| (*from, *to)));
+        let pairs = ports.iter().flat_map(|from| {
+            ports
+                .iter()
+                .filter(move |to| to.0 != from.0)
+                .map(move |to| (*from, *to))
+        });
         Self {
             ports: SmallList::from_slice(ports),
             length,
-            own: ports.iter().map(|port| length.table(kernel, *port)).collect(),
+            own: ports
+                .iter()
+                .map(|port| length.table(kernel, *port))
+                .collect(),
             cross: pairs.map(|(from, to)| cross(from, to)).collect(),
         }
     }
@@ -111,14 +137,18 @@ impl<'a> JointTables<'a> {
     /// Largest displacement of a place under nodal forces of magnitude 1 at all of them, m/N.
     #[inline(always)]
     pub fn reach_m_n(&self, place: usize) -> f64 {
-        let others = (0..self.ports.len()).filter(|from| *from != place).map(|from| self.cross(from, place).reach_m_n);
+        let others = (0..self.ports.len())
+            .filter(|from| *from != place)
+            .map(|from| self.cross(from, place).reach_m_n);
         self.own(place).reach_m_n + others.sum::<f64>()
     }
 
     /// The same of its velocity, m/(N s).
     #[inline(always)]
     pub fn reach_m_n_s(&self, place: usize) -> f64 {
-        let others = (0..self.ports.len()).filter(|from| *from != place).map(|from| self.cross(from, place).reach_m_n_s);
+        let others = (0..self.ports.len())
+            .filter(|from| *from != place)
+            .map(|from| self.cross(from, place).reach_m_n_s);
         self.own(place).reach_m_n_s + others.sum::<f64>()
     }
 }

@@ -9,7 +9,9 @@ use super::layout::StateLayout;
 use super::port_vectors::PortVectors;
 use super::table_cache::{StepTables, levels};
 use crate::contact::Law;
-use crate::plant::{BridgeChange, BridgeState, Meters, Plant, PlantError, Quadratics, Signal, Stop};
+use crate::plant::{
+    BridgeChange, BridgeState, Meters, Plant, PlantError, Quadratics, Signal, Stop,
+};
 use crate::simd::LANES;
 use std::sync::{Arc, OnceLock};
 
@@ -74,7 +76,11 @@ impl Kernel {
         Ok(Self {
             layout,
             generator: Flow::generator(&plant.diagonal.block, &layout),
-            fastest_rad_s: plant.diagonal.block.fastest_resolved_rad_s().max(f64::MIN_POSITIVE),
+            fastest_rad_s: plant
+                .diagonal
+                .block
+                .fastest_resolved_rad_s()
+                .max(f64::MIN_POSITIVE),
             stiffest_rad_s: plant.fastest_rad_s().max(f64::MIN_POSITIVE),
             vectors: Arc::new(PortVectors::of_all(&plant, &meters, &layout)),
             onset: Arc::new(onsets(&plant)),
@@ -91,7 +97,11 @@ impl Kernel {
     /// The same, its marches watched: they end with [`super::IntegrationError::Stopped`] when the control says so.
     #[must_use]
     pub fn with_control(self, control: &Control) -> Self {
-        Self { control: control.clone(), regimes: regimes(&self.plant), ..self }
+        Self {
+            control: control.clone(),
+            regimes: regimes(&self.plant),
+            ..self
+        }
     }
 
     /// The same plant under other drives, the tables made so far kept.
@@ -128,11 +138,20 @@ impl Kernel {
 
     /// The same plant against other stops; the tables made so far are kept where only gaps and stiffnesses differ.
     pub fn with_stops(&self, stops: Vec<Stop>) -> Self {
-        let alike = |a: &Stop, b: &Stop| a.shape == b.shape && a.bases == b.bases && onset_exponent(&a.law) == onset_exponent(&b.law);
+        let alike = |a: &Stop, b: &Stop| {
+            a.shape == b.shape
+                && a.bases == b.bases
+                && onset_exponent(&a.law) == onset_exponent(&b.law)
+        };
         let before = &self.plant.system.stops;
-        let fit = before.len() == stops.len() && before.iter().zip(&stops).all(|(a, b)| alike(a, b));
+        let fit =
+            before.len() == stops.len() && before.iter().zip(&stops).all(|(a, b)| alike(a, b));
         let plant = self.plant.with_stops(stops);
-        let meters = if fit { self.meters.clone() } else { OnceLock::from(Meters::under(&self.quadratics, &plant)) };
+        let meters = if fit {
+            self.meters.clone()
+        } else {
+            OnceLock::from(Meters::under(&self.quadratics, &plant))
+        };
         let vectors = match meters.get() {
             Some(meters) if !fit => Arc::new(PortVectors::of_all(&plant, meters, &self.layout)),
             _ => Arc::clone(&self.vectors),
@@ -145,8 +164,16 @@ impl Kernel {
             stiffest_rad_s: self.stiffest_rad_s,
             quadratics: Arc::clone(&self.quadratics),
             meters,
-            onset: if fit { Arc::clone(&self.onset) } else { Arc::new(onsets(&plant)) },
-            levels: if fit { Arc::clone(&self.levels) } else { Arc::new(levels(&plant)) },
+            onset: if fit {
+                Arc::clone(&self.onset)
+            } else {
+                Arc::new(onsets(&plant))
+            },
+            levels: if fit {
+                Arc::clone(&self.levels)
+            } else {
+                Arc::new(levels(&plant))
+            },
             regimes: regimes(&plant),
             kin: Arc::clone(&self.kin),
             control: self.control.clone(),
@@ -156,7 +183,8 @@ impl Kernel {
 
     /// The energy meters.
     pub fn meters(&self) -> &Meters {
-        self.meters.get_or_init(|| Meters::under(&self.quadratics, &self.plant))
+        self.meters
+            .get_or_init(|| Meters::under(&self.quadratics, &self.plant))
     }
 
     /// The plant in a regime of its bridges.
@@ -169,39 +197,70 @@ impl Kernel {
         }
         let make = || {
             let system = self.plant.system.in_regime(regime);
-            let first = self.kin[regime].get_or_init(|| Self::new(Plant::new(system.clone())?)).as_ref().map_err(Clone::clone)?;
-            let own = first.with_stops(system.stops).with_drives(system.drives)?.with_signals(system.signals);
+            let first = self.kin[regime]
+                .get_or_init(|| Self::new(Plant::new(system.clone())?))
+                .as_ref()
+                .map_err(Clone::clone)?;
+            let own = first
+                .with_stops(system.stops)
+                .with_drives(system.drives)?
+                .with_signals(system.signals);
             Ok(own.with_control(&self.control))
         };
-        self.regimes[regime].get_or_init(make).as_ref().map_err(Clone::clone)
+        self.regimes[regime]
+            .get_or_init(make)
+            .as_ref()
+            .map_err(Clone::clone)
     }
 
     /// Rate of change of what one port sees per unit force of another, 1/kg of a velocity; 0 for displacements.
     pub(super) fn directly(&self, port: usize, seen: usize) -> f64 {
         let plant = &self.plant;
-        match plant.guards.get(seen.wrapping_sub(plant.system.stops.len())) {
-            Some(guard) if guard.change == BridgeChange::Switches => {
-                plant.ports[seen].displacement.iter().zip(&plant.ports[port].force).map(|(row, b)| row * b).sum()
-            }
+        match plant
+            .guards
+            .get(seen.wrapping_sub(plant.system.stops.len()))
+        {
+            Some(guard) if guard.change == BridgeChange::Switches => plant.ports[seen]
+                .displacement
+                .iter()
+                .zip(&plant.ports[port].force)
+                .map(|(row, b)| row * b)
+                .sum(),
             _ => 0.0,
         }
     }
 
     /// Row of the relative acceleration of a port, the contact forces left out: `(A^T c_v)`.
     pub fn acceleration_row(&self, port: usize) -> Vec<f64> {
-        self.plant.diagonal.block.rate_row(&self.plant.ports[port].velocity)
+        self.plant
+            .diagonal
+            .block
+            .rate_row(&self.plant.ports[port].velocity)
     }
 }
 
 /// Places for all regimes of a plant whose bridges are blocked.
 fn regimes(plant: &Plant) -> Regimes {
-    let is_first = plant.system.bridges.iter().all(|bridge| bridge.state == BridgeState::default());
-    let count = if is_first && !plant.system.bridges.is_empty() { plant.system.regimes() } else { 0 };
+    let is_first = plant
+        .system
+        .bridges
+        .iter()
+        .all(|bridge| bridge.state == BridgeState::default());
+    let count = if is_first && !plant.system.bridges.is_empty() {
+        plant.system.regimes()
+    } else {
+        0
+    };
     Arc::new((0..count).map(|_| OnceLock::new()).collect())
 }
 
 fn onsets(plant: &Plant) -> Vec<Option<BasisFunctions>> {
-    plant.system.stops.iter().map(|stop| onset_exponent(&stop.law).and_then(BasisFunctions::onset)).collect()
+    plant
+        .system
+        .stops
+        .iter()
+        .map(|stop| onset_exponent(&stop.law).and_then(BasisFunctions::onset))
+        .collect()
 }
 
 /// Power of time with which the force of a contact starts.

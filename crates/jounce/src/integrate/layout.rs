@@ -21,7 +21,12 @@ impl StateLayout {
     pub fn of(plant: &Plant) -> Self {
         let block = &plant.diagonal.block;
         let (pairs, reals) = (block.pairs.len(), block.reals.len());
-        Self { pairs, reals, pair_lanes: pairs.div_ceil(LANES), real_lanes: reals.div_ceil(LANES) }
+        Self {
+            pairs,
+            reals,
+            pair_lanes: pairs.div_ceil(LANES),
+            real_lanes: reals.div_ceil(LANES),
+        }
     }
 
     /// Numbers of a state.
@@ -75,6 +80,10 @@ impl StateLayout {
 
     /// Place of a state in column order `u0, u1, .., v0, v1, .., r0, ..`, in which states meet their columns.
     pub fn column(&self, state: usize) -> usize {
-        if state < 2 * self.pairs { (state % 2) * self.pairs + state / 2 } else { state }
+        if state < 2 * self.pairs {
+            (state % 2) * self.pairs + state / 2
+        } else {
+            state
+        }
     }
 }

@@ -20,12 +20,26 @@ struct LocalMotion {
 
 impl LocalMotions {
     /// The motion over a step of a length by a unit size and by a unit slope of each signal, whose columns are `local`.
-    pub fn over<'c>(&mut self, kernel: &Kernel, local: impl Iterator<Item = &'c Vec<F64x8>>, length_s: f64) -> &[[Vec<F64x8>; 2]] {
-        if self.0.first().is_none_or(|moved| moved.length_s != length_s) {
+    pub fn over<'c>(
+        &mut self,
+        kernel: &Kernel,
+        local: impl Iterator<Item = &'c Vec<F64x8>>,
+        length_s: f64,
+    ) -> &[[Vec<F64x8>; 2]] {
+        if self
+            .0
+            .first()
+            .is_none_or(|moved| moved.length_s != length_s)
+        {
             let found = self.0.iter().position(|moved| moved.length_s == length_s);
             let moved = match found {
                 Some(place) => self.0.remove(place),
-                None => LocalMotion { length_s, by: local.map(|column| moved(kernel, column, length_s)).collect() },
+                None => LocalMotion {
+                    length_s,
+                    by: local
+                        .map(|column| moved(kernel, column, length_s))
+                        .collect(),
+                },
             };
             self.0.truncate(MAX_CACHED_LENGTHS - 1);
             self.0.insert(0, moved);
@@ -36,7 +50,10 @@ impl LocalMotions {
 
 /// `sum_j A^(j-1) b t^j / j!` and `sum_j A^(j-1) b t^(j+1) / (j+1)!`.
 fn moved(kernel: &Kernel, local: &[F64x8], t: f64) -> [Vec<F64x8>; 2] {
-    let mut sums = [vec![F64x8::ZERO; local.len()], vec![F64x8::ZERO; local.len()]];
+    let mut sums = [
+        vec![F64x8::ZERO; local.len()],
+        vec![F64x8::ZERO; local.len()],
+    ];
     let (mut power, mut next) = (local.to_vec(), local.to_vec());
     let mut factor = t;
     for j in 1..=LOCAL_TERMS {

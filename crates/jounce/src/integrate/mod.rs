@@ -59,4 +59,6 @@ pub use kernel::{ForceBasis, Kernel};
 pub use rectified::RectifiedEnergies;
 pub use sensitivity::{FlowSensitivity, ParameterSensitivity, SensitivityError};
 pub use statistics::{ContactIntegrals, ContactStatistics, WorkCount};
-pub use trajectory::{ConductionChange, Impact, PortForce, Trajectory, TrajectorySegment, TrajectoryState};
+pub use trajectory::{
+    ConductionChange, Impact, PortForce, Trajectory, TrajectorySegment, TrajectoryState,
+};

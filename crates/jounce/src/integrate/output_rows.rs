@@ -38,7 +38,11 @@ pub struct RowRequest {
 impl RowRequest {
     /// Columns that it needs.
     fn columns(&self, block: &BlockDiagonal) -> usize {
-        if self.reading == RowReading::Pointwise { block.len() } else { 0 }
+        if self.reading == RowReading::Pointwise {
+            block.len()
+        } else {
+            0
+        }
     }
 }
 
@@ -77,9 +81,19 @@ pub struct OutputRowsTask<'a> {
 
 /// The blocks with their first state.
 pub fn parts(block: &BlockDiagonal) -> impl Iterator<Item = (usize, BlockOnStep)> + '_ {
-    let pairs = block.pairs.iter().enumerate().map(|(k, pair): (usize, &BlockPair)| (2 * k, BlockOnStep::of(pair)));
+    let pairs = block
+        .pairs
+        .iter()
+        .enumerate()
+        .map(|(k, pair): (usize, &BlockPair)| (2 * k, BlockOnStep::of(pair)));
     let first = 2 * block.pairs.len();
-    pairs.chain(block.reals.iter().enumerate().map(move |(k, rate)| (first + k, BlockOnStep::Single(*rate))))
+    pairs.chain(
+        block
+            .reals
+            .iter()
+            .enumerate()
+            .map(move |(k, rate)| (first + k, BlockOnStep::Single(*rate))),
+    )
 }
 
 impl Task for OutputRowsTask<'_> {
@@ -87,14 +101,32 @@ impl Task for OutputRowsTask<'_> {
 
     #[inline(always)]
     fn run<W: Simd>(self, w: W) -> OutputRows {
-        let OutputRowsTask { block, layout, basis, reader, force, rows, length_s: h } = self;
-        let count = parts(block).map(|(_, part)| terms(&part, basis, h)).max().unwrap_or(basis.series.len());
+        let OutputRowsTask {
+            block,
+            layout,
+            basis,
+            reader,
+            force,
+            rows,
+            length_s: h,
+        } = self;
+        let count = parts(block)
+            .map(|(_, part)| terms(&part, basis, h))
+            .max()
+            .unwrap_or(basis.series.len());
         let powers = legendre_lanes(w, reader, count);
-        let moments: Vec<F64x8> =
-            (reader.series.iter().enumerate()).map(|(a, lane)| w.store(w.mul(w.splat(h / (2 * a + 1) as f64), w.load(lane)))).collect();
+        let moments: Vec<F64x8> = (reader.series.iter().enumerate())
+            .map(|(a, lane)| w.store(w.mul(w.splat(h / (2 * a + 1) as f64), w.load(lane))))
+            .collect();
         let mut series = vec![vec![F64x8::ZERO; count]; rows.len()];
         let mut out = OutputRows {
-            rows: rows.iter().map(|row| OutputRow { columns: vec![F64x8::ZERO; row.columns(block)], push: [F64x8::ZERO; NODES] }).collect(),
+            rows: rows
+                .iter()
+                .map(|row| OutputRow {
+                    columns: vec![F64x8::ZERO; row.columns(block)],
+                    push: [F64x8::ZERO; NODES],
+                })
+                .collect(),
             from_start: vec![[F64x8::ZERO; NODES]; layout.lanes()],
             towards_end: vec![[F64x8::ZERO; NODES]; layout.lanes()],
             series: Vec::new(),
@@ -105,7 +137,11 @@ impl Task for OutputRowsTask<'_> {
         for (index, (first, part)) in all.iter().enumerate() {
             let (own, place) = (*first..first + part.states(), index % LANES);
             if place == 0 {
-                let group: Vec<BlockOnStep> = all[index..].iter().take(LANES).map(|(_, part)| *part).collect();
+                let group: Vec<BlockOnStep> = all[index..]
+                    .iter()
+                    .take(LANES)
+                    .map(|(_, part)| *part)
+                    .collect();
                 factors = factored(w, &group, basis, h);
             }
             answers.solve(w, part, basis, h, (&factors, place));
@@ -114,13 +150,27 @@ impl Task for OutputRowsTask<'_> {
                 let row = &wanted.row[own.clone()];
                 if wanted.reading == RowReading::Pointwise {
                     for (state, [f, g]) in own.clone().zip(part.free(row, h)) {
-                        response.columns[layout.column(state)] = w.store(w.fma(w.splat(f), free[0], w.mul(w.splat(g), free[1])));
+                        response.columns[layout.column(state)] =
+                            w.store(w.fma(w.splat(f), free[0], w.mul(w.splat(g), free[1])));
                     }
                 }
                 let [f, g] = part.forced(row, &force[own.clone()], h);
-                let kept = if wanted.reading == RowReading::Pointwise { answers.first.len() } else { reader.series.len() };
-                for ((sum, first), second) in series.iter_mut().zip(&answers.first).zip(&answers.second).take(kept) {
-                    *sum = w.store(w.fma(w.splat(f), w.load(first), w.fma(w.splat(g), w.load(second), w.load(sum))));
+                let kept = if wanted.reading == RowReading::Pointwise {
+                    answers.first.len()
+                } else {
+                    reader.series.len()
+                };
+                for ((sum, first), second) in series
+                    .iter_mut()
+                    .zip(&answers.first)
+                    .zip(&answers.second)
+                    .take(kept)
+                {
+                    *sum = w.store(w.fma(
+                        w.splat(f),
+                        w.load(first),
+                        w.fma(w.splat(g), w.load(second), w.load(sum)),
+                    ));
                 }
             }
             let mean = free_motion(w, &answers, &moments).map(|sum| w.store(sum));
@@ -134,7 +184,11 @@ impl Task for OutputRowsTask<'_> {
             }
         }
         for ((wanted, response), series) in rows.iter().zip(&mut out.rows).zip(&series) {
-            let at = if wanted.reading == RowReading::Pointwise { &powers } else { &moments };
+            let at = if wanted.reading == RowReading::Pointwise {
+                &powers
+            } else {
+                &moments
+            };
             response.push = summed(w, at, series);
         }
         out.series = series;
@@ -194,7 +248,10 @@ fn free_motion<W: Simd>(w: W, answers: &StepResponse, lanes: &[F64x8]) -> [W::Re
 fn ends<W: Simd>(w: W, answers: &StepResponse) -> [W::Register; 2] {
     let mut sums = [w.zero(); 2];
     for (first, second) in answers.first.iter().zip(&answers.second) {
-        sums = [w.add(sums[0], w.load(first)), w.add(sums[1], w.load(second))];
+        sums = [
+            w.add(sums[0], w.load(first)),
+            w.add(sums[1], w.load(second)),
+        ];
     }
     sums
 }

@@ -20,21 +20,39 @@ static INTERPOLATION: LazyLock<Interpolation> = LazyLock::new(|| {
         i if i <= NODES => SMOOTH_BASIS.places[i - 1],
         _ => 1.0,
     });
-    let inverse = faer::Mat::from_fn(INTERPOLATION_POINTS, INTERPOLATION_POINTS, |i, n| (n as f64 * (2.0 * places[i] - 1.0).acos()).cos())
-        .partial_piv_lu()
-        .inverse();
-    Interpolation { places, coefficients: std::array::from_fn(|n| std::array::from_fn(|i| inverse[(n, i)])) }
+    let inverse = faer::Mat::from_fn(INTERPOLATION_POINTS, INTERPOLATION_POINTS, |i, n| {
+        (n as f64 * (2.0 * places[i] - 1.0).acos()).cos()
+    })
+    .partial_piv_lu()
+    .inverse();
+    Interpolation {
+        places,
+        coefficients: std::array::from_fn(|n| std::array::from_fn(|i| inverse[(n, i)])),
+    }
 });
 
 /// Maximum over the step of the polynomial through the start value and the lane (seven smooth nodes and the end), by Newton on its
 /// slope from the top of the parabola through the highest point and its neighbours.
 pub fn interpolated_peak(start: f64, values: &F64x8) -> f64 {
-    let Interpolation { places, coefficients } = &*INTERPOLATION;
-    let heights: [f64; INTERPOLATION_POINTS] = std::array::from_fn(|i| if i == 0 { start } else { values.0[i - 1] });
-    let series: [f64; INTERPOLATION_POINTS] =
-        std::array::from_fn(|n| (0..INTERPOLATION_POINTS).map(|i| coefficients[n][i] * heights[i]).sum());
-    let top = (0..INTERPOLATION_POINTS).fold(0, |best, i| if heights[i] > heights[best] { i } else { best });
-    let (low, high) = (places[top.saturating_sub(1)], places[(top + 1).min(INTERPOLATION_POINTS - 1)]);
+    let Interpolation {
+        places,
+        coefficients,
+    } = &*INTERPOLATION;
+    let heights: [f64; INTERPOLATION_POINTS] =
+        std::array::from_fn(|i| if i == 0 { start } else { values.0[i - 1] });
+    let series: [f64; INTERPOLATION_POINTS] = std::array::from_fn(|n| {
+        (0..INTERPOLATION_POINTS)
+            .map(|i| coefficients[n][i] * heights[i])
+            .sum()
+    });
+    let top = (0..INTERPOLATION_POINTS).fold(
+        0,
+        |best, i| if heights[i] > heights[best] { i } else { best },
+    );
+    let (low, high) = (
+        places[top.saturating_sub(1)],
+        places[(top + 1).min(INTERPOLATION_POINTS - 1)],
+    );
     let mut x = places[top];
     for _ in 0..6 {
         let [_, slope, curvature] = chebyshev(&series, x);
@@ -53,8 +71,11 @@ fn chebyshev(series: &[f64; INTERPOLATION_POINTS], x: f64) -> [f64; 3] {
     let (mut before, mut now) = ([1.0, 0.0, 0.0], [s, 2.0, 0.0]);
     let mut sum: [f64; 3] = std::array::from_fn(|d| series[0] * before[d] + series[1] * now[d]);
     for c in &series[2..] {
-        let next =
-            [2.0 * s * now[0] - before[0], 2.0 * (2.0 * now[0] + s * now[1]) - before[1], 2.0 * (4.0 * now[1] + s * now[2]) - before[2]];
+        let next = [
+            2.0 * s * now[0] - before[0],
+            2.0 * (2.0 * now[0] + s * now[1]) - before[1],
+            2.0 * (4.0 * now[1] + s * now[2]) - before[2],
+        ];
         (0..3).for_each(|d| sum[d] += c * next[d]);
         (before, now) = (now, next);
     }

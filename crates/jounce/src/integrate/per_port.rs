@@ -14,7 +14,10 @@ impl<T> PerPort<T> {
     /// For a number of ports.
     pub fn new(ports: usize, make: impl FnMut(usize) -> T) -> Self {
         let mut make = make;
-        Self { first: make(0), rest: (1..ports).map(make).collect() }
+        Self {
+            first: make(0),
+            rest: (1..ports).map(make).collect(),
+        }
     }
 
     /// In the order of the ports.
@@ -33,13 +36,21 @@ impl<T> Index<usize> for PerPort<T> {
 
     #[inline(always)]
     fn index(&self, port: usize) -> &T {
-        if port == 0 { &self.first } else { &self.rest[port - 1] }
+        if port == 0 {
+            &self.first
+        } else {
+            &self.rest[port - 1]
+        }
     }
 }
 
 impl<T> IndexMut<usize> for PerPort<T> {
     #[inline(always)]
     fn index_mut(&mut self, port: usize) -> &mut T {
-        if port == 0 { &mut self.first } else { &mut self.rest[port - 1] }
+        if port == 0 {
+            &mut self.first
+        } else {
+            &mut self.rest[port - 1]
+        }
     }
 }

@@ -36,8 +36,13 @@ pub struct PhasorSamples {
 impl PhasorSamples {
     /// Over a step of any length.
     pub fn over(angular_frequency_rad_s: f64, basis: &BasisFunctions, length_s: f64) -> Self {
-        let sin_cos: [(f64, f64); LANES] = basis.places.map(|x| (angular_frequency_rad_s * length_s * x).sin_cos());
-        Self { cos: F64x8(sin_cos.map(|(_, cos)| cos)), sin: F64x8(sin_cos.map(|(sin, _)| sin)) }
+        let sin_cos: [(f64, f64); LANES] = basis
+            .places
+            .map(|x| (angular_frequency_rad_s * length_s * x).sin_cos());
+        Self {
+            cos: F64x8(sin_cos.map(|(_, cos)| cos)),
+            sin: F64x8(sin_cos.map(|(sin, _)| sin)),
+        }
     }
 
     /// `e^{i w h}`.
@@ -49,21 +54,38 @@ impl PhasorSamples {
     /// `Re(z e^{i w tau})`.
     #[inline(always)]
     pub fn real<W: Simd>(&self, w: W, z: c64, sum: W::Register) -> W::Register {
-        w.fma(w.splat(-z.im), w.load(&self.sin), w.fma(w.splat(z.re), w.load(&self.cos), sum))
+        w.fma(
+            w.splat(-z.im),
+            w.load(&self.sin),
+            w.fma(w.splat(z.re), w.load(&self.cos), sum),
+        )
     }
 }
 
 impl Phasor {
     /// Tone number `index` of a plant at a time.
     pub fn new(plant: &Plant, index: usize, time_s: f64) -> Self {
-        let (angular_frequency_rad_s, ports) = (plant.tones[index].angular_frequency_rad_s, plant.ports.len());
+        let (angular_frequency_rad_s, ports) = (
+            plant.tones[index].angular_frequency_rad_s,
+            plant.ports.len(),
+        );
         Self {
             angular_frequency_rad_s,
             turn: c64::cis(angular_frequency_rad_s * time_s),
-            displacement_m: PerPort::new(ports, |port| plant.ports.get(port).map_or_else(c64::default, |port| port.steady_m[index])),
-            swing: PerPort::new(ports, |_| PhasorSamples { cos: F64x8::ZERO, sin: F64x8::ZERO }),
+            displacement_m: PerPort::new(ports, |port| {
+                plant
+                    .ports
+                    .get(port)
+                    .map_or_else(c64::default, |port| port.steady_m[index])
+            }),
+            swing: PerPort::new(ports, |_| PhasorSamples {
+                cos: F64x8::ZERO,
+                sin: F64x8::ZERO,
+            }),
             ends: vec![None; Kernel::count()],
-            levels: PerPort::new(ports, |_| [vec![None; Kernel::count()], vec![None; Kernel::count()]]),
+            levels: PerPort::new(ports, |_| {
+                [vec![None; Kernel::count()], vec![None; Kernel::count()]]
+            }),
         }
     }
 
@@ -78,8 +100,15 @@ impl Phasor {
     #[inline(always)]
     pub fn swing_over(&mut self, kernel: &Kernel, port: usize, shape: ForceBasis, level: i32) {
         let frequency = self.angular_frequency_rad_s;
-        let make = || Box::new(PhasorSamples::over(frequency, kernel.basis(port, shape), Kernel::length_s(level)));
-        self.swing[port] = **self.levels[port][shape.index()][Kernel::index(level)].get_or_insert_with(make);
+        let make = || {
+            Box::new(PhasorSamples::over(
+                frequency,
+                kernel.basis(port, shape),
+                Kernel::length_s(level),
+            ))
+        };
+        self.swing[port] =
+            **self.levels[port][shape.index()][Kernel::index(level)].get_or_insert_with(make);
     }
 
     /// Displacement and velocity of a port at the present time, m and m/s.

@@ -74,7 +74,13 @@ pub struct PortRows {
 
 impl PortState {
     /// In flight at a place yet to be seen; contacts start at a level.
-    pub fn new(plant: &Plant, layout: &StateLayout, tones: &[Phasor], port: usize, entry_level: i32) -> Self {
+    pub fn new(
+        plant: &Plant,
+        layout: &StateLayout,
+        tones: &[Phasor],
+        port: usize,
+        entry_level: i32,
+    ) -> Self {
         Self {
             penetration_m: 0.0,
             rate_m_s: 0.0,
@@ -98,7 +104,10 @@ impl PortState {
     pub fn start_pressed(&mut self, law: &Law, fastest_rad_s: f64) {
         let is_rigid = matches!(law, Law::Rigid(_));
         let roundoff_m = POSITION_ROUNDOFF * self.rows.gap_m.abs();
-        if is_rigid && self.penetration_m.abs() <= roundoff_m && self.rate_m_s.abs() <= roundoff_m * fastest_rad_s {
+        if is_rigid
+            && self.penetration_m.abs() <= roundoff_m
+            && self.rate_m_s.abs() <= roundoff_m * fastest_rad_s
+        {
             self.regime = ContactState::Contact;
             self.rate_m_s = 0.0;
             return;
@@ -108,7 +117,9 @@ impl PortState {
         if law.acts_on_both_sides() || (self.penetration_m > 0.0 && !leaves) {
             self.regime = ContactState::Contact;
             // The compressed stop would throw the point off at this speed: the scale of the impulse of a contact that starts at rest.
-            self.impact_velocity_m_s = (2.0 * law.energy_j(self.penetration_m).max(0.0) * self.rows.mobility_per_kg).sqrt();
+            self.impact_velocity_m_s =
+                (2.0 * law.energy_j(self.penetration_m).max(0.0) * self.rows.mobility_per_kg)
+                    .sqrt();
         }
     }
 
@@ -117,7 +128,10 @@ impl PortState {
     pub fn stay(&mut self, length_s: f64) {
         self.contact_duration_s += length_s;
         self.statistics.time_s += length_s;
-        self.statistics.max_contact_duration_s = self.statistics.max_contact_duration_s.max(self.contact_duration_s);
+        self.statistics.max_contact_duration_s = self
+            .statistics
+            .max_contact_duration_s
+            .max(self.contact_duration_s);
     }
 
     /// Forgets the statistics. What a contact under way is like now counts already: it may never be as deep again.
@@ -125,7 +139,11 @@ impl PortState {
         self.contact_duration_s = 0.0;
         self.statistics = ContactStatistics::default();
         if self.regime == ContactState::Contact {
-            let depth_m = if law.acts_on_both_sides() { self.penetration_m.abs() } else { self.penetration_m.max(0.0) };
+            let depth_m = if law.acts_on_both_sides() {
+                self.penetration_m.abs()
+            } else {
+                self.penetration_m.max(0.0)
+            };
             self.statistics.max_penetration_m = depth_m;
             self.statistics.max_force_n = law.force_n(self.penetration_m, self.rate_m_s).abs();
         }
@@ -142,7 +160,10 @@ impl PortRows {
             velocity: layout.pack(port.map_or(&none, |port| &port.velocity)),
             gap_m: port.map_or(f64::INFINITY, |port| port.gap_m),
             mobility_per_kg: port.map_or(1.0, |port| port.mobility_per_kg),
-            tone_fourth: tones.iter().map(|tone| size(tone) * tone.angular_frequency_rad_s.powi(4)).sum(),
+            tone_fourth: tones
+                .iter()
+                .map(|tone| size(tone) * tone.angular_frequency_rad_s.powi(4))
+                .sum(),
             tone_scale_m: tones.iter().map(size).sum(),
             speed_bound: SpeedBound::of(plant, layout, tones, index),
         }

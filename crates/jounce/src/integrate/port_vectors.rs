@@ -20,7 +20,9 @@ impl PortVectors {
     pub fn of_all(plant: &Plant, meters: &Meters, layout: &StateLayout) -> Vec<Self> {
         let block = &plant.diagonal.block;
         let of = |port: usize| {
-            let row = |meter: &crate::plant::EnergyMeter| FlowRow::row(layout, block, meter.port_row(port));
+            let row = |meter: &crate::plant::EnergyMeter| {
+                FlowRow::row(layout, block, meter.port_row(port))
+            };
             Self {
                 column: FlowRow::column(layout, block, &plant.ports[port].force),
                 loads: meters.loads.iter().map(row).collect(),

@@ -19,7 +19,10 @@ impl Integrator<'_> {
     #[inline(always)]
     pub(super) fn reading<W: Simd>(&self, w: W, p: usize) -> [f64; 2] {
         let rows = &self.ports[p].rows;
-        let mut motion = [dot(w, &rows.displacement, &self.y) - rows.gap_m, dot(w, &rows.velocity, &self.y)];
+        let mut motion = [
+            dot(w, &rows.displacement, &self.y) - rows.gap_m,
+            dot(w, &rows.velocity, &self.y),
+        ];
         let [place, speed] = self.excitation.motion_after(p, 0.0);
         motion = [motion[0] + place, motion[1] + speed];
         for tone in &self.tones {
@@ -59,18 +62,24 @@ impl Integrator<'_> {
     fn carry_on<W: Simd>(&mut self, w: W, change_s: f64) {
         let kernel = self.kernel;
         let (flows, rest_s) = kernel.flows_within(change_s);
-        kernel.generator.carry(w, &flows, (rest_s, kernel.stiffest_rad_s), &mut self.next);
+        kernel
+            .generator
+            .carry(w, &flows, (rest_s, kernel.stiffest_rad_s), &mut self.next);
     }
 
     /// Penetration and rate of a port in `next`, `length_s` after the present time.
     #[inline(always)]
     pub(super) fn motion_ahead<W: Simd>(&self, w: W, p: usize, length_s: f64) -> [f64; 2] {
         let rows = &self.ports[p].rows;
-        let mut motion = [dot(w, &rows.displacement, &self.next) - rows.gap_m, dot(w, &rows.velocity, &self.next)];
+        let mut motion = [
+            dot(w, &rows.displacement, &self.next) - rows.gap_m,
+            dot(w, &rows.velocity, &self.next),
+        ];
         let [place, speed] = self.excitation.motion_after(p, length_s);
         motion = [motion[0] + place, motion[1] + speed];
         for tone in &self.tones {
-            let [place, speed] = tone.motion_after(p, c64::cis(tone.angular_frequency_rad_s * length_s));
+            let [place, speed] =
+                tone.motion_after(p, c64::cis(tone.angular_frequency_rad_s * length_s));
             motion = [motion[0] + place, motion[1] + speed];
         }
         motion
@@ -83,7 +92,8 @@ impl Integrator<'_> {
         std::mem::swap(&mut self.y, &mut self.next);
         self.time_s = end_s;
         self.tones.iter_mut().for_each(|tone| tone.set(end_s));
-        self.excitation.pass(self.kernel, length_s, end_s, &mut self.y);
+        self.excitation
+            .pass(self.kernel, length_s, end_s, &mut self.y);
     }
 
     /// Sets what a port does at the present time.

@@ -45,7 +45,12 @@ const CHATTER_SPEED: f64 = 1e-2;
 impl Integrator<'_> {
     /// Alternates flight, impacts and rest until the end.
     #[inline(always)]
-    pub(super) fn advance_rigid<W: Simd>(&mut self, w: W, law: Rigid, end_s: f64) -> Result<(), IntegrationError> {
+    pub(super) fn advance_rigid<W: Simd>(
+        &mut self,
+        w: W,
+        law: Rigid,
+        end_s: f64,
+    ) -> Result<(), IntegrationError> {
         let mut rounds = ZenoGuard::default();
         while self.time_s < end_s {
             self.poll()?;
@@ -62,13 +67,18 @@ impl Integrator<'_> {
 
     /// One impact; ends in flight, or at rest on the stop where chatter has died away.
     pub(super) fn impact(&mut self, p: usize, law: Rigid) {
-        let (before, mobility, rebound) = (self.ports[p].rate_m_s, self.ports[p].rows.mobility_per_kg, self.rebound(p, law));
+        let (before, mobility, rebound) = (
+            self.ports[p].rate_m_s,
+            self.ports[p].rows.mobility_per_kg,
+            self.rebound(p, law),
+        );
         self.push_by(p, (1.0 + rebound) * before / mobility);
         self.integrals.loss_j += 0.5 * (1.0 - rebound * rebound) * before * before / mobility;
         self.rebounds(p, -rebound * before);
         if rebound == 0.0 && self.ports[p].regime == ContactState::Contact {
             // The bounces left out, a geometric series, are no rest.
-            let left_s = 2.0 * law.restitution * before / ((1.0 - law.restitution) * self.acceleration_m_s2(p));
+            let left_s = 2.0 * law.restitution * before
+                / ((1.0 - law.restitution) * self.acceleration_m_s2(p));
             self.ports[p].statistics.sticking_s -= if left_s.is_finite() { left_s } else { 0.0 };
         }
     }
@@ -76,16 +86,27 @@ impl Integrator<'_> {
     /// Speed after an impact relative to that before it: the restitution, but a rebound too slow to matter, or to be told from
     /// roundoff, is none.
     pub(super) fn rebound(&self, p: usize, law: Rigid) -> f64 {
-        let (after, impact_velocity_m_s) = (law.restitution * self.ports[p].rate_m_s, self.ports[p].impact_velocity_m_s);
+        let (after, impact_velocity_m_s) = (
+            law.restitution * self.ports[p].rate_m_s,
+            self.ports[p].impact_velocity_m_s,
+        );
         let is_slow = after <= CHATTER_SPEED * self.tolerance * impact_velocity_m_s;
         let is_lost = || self.is_lost(p, [self.reading(Portable::new(), p)[0], after]);
-        if is_slow || (after <= FAST_HOP_SPEED * self.speed_m_s(p) && is_lost()) { 0.0 } else { law.restitution }
+        if is_slow || (after <= FAST_HOP_SPEED * self.speed_m_s(p) && is_lost()) {
+            0.0
+        } else {
+            law.restitution
+        }
     }
 
     /// A hop that starts past the stop by roundoff, at a speed, is pressed back before it leaves the stop and the roundoff of the distance.
     pub(super) fn is_lost(&self, p: usize, [depth_m, rate_m_s]: [f64; 2]) -> bool {
         let rows = &self.ports[p].rows;
-        let roundoff_m = f64::EPSILON * self.terms_of(&rows.displacement).max(rows.tone_scale_m).max(rows.gap_m.abs());
+        let roundoff_m = f64::EPSILON
+            * self
+                .terms_of(&rows.displacement)
+                .max(rows.tone_scale_m)
+                .max(rows.gap_m.abs());
         let least_m = MIN_HOP_HEIGHT * roundoff_m + MIN_HOP_PAST_STOP * depth_m.max(0.0);
         // Where what presses it is roundoff it leaves: rest would only let it go again.
         rate_m_s * rate_m_s <= 2.0 * self.acceleration_m_s2(p) * least_m && self.is_pressed(p)
@@ -101,7 +122,10 @@ impl Integrator<'_> {
 
     /// The motion presses a touching point onto its stop: now, or, where its acceleration is roundoff, from now on.
     pub(super) fn is_pressed(&self, p: usize) -> bool {
-        let (acceleration, roundoff) = (self.acceleration_m_s2(p), self.acceleration_roundoff_m_s2(p));
+        let (acceleration, roundoff) = (
+            self.acceleration_m_s2(p),
+            self.acceleration_roundoff_m_s2(p),
+        );
         acceleration > roundoff || acceleration >= -roundoff && self.jerk_m_s3(p) > 0.0
     }
 
@@ -109,20 +133,34 @@ impl Integrator<'_> {
     pub(super) fn acceleration_roundoff_m_s2(&self, p: usize) -> f64 {
         let row = self.layout.pack(&self.kernel.acceleration_row(p));
         let free = self.terms_of(&row);
-        let size = |tone: &super::phasor::Phasor| tone.displacement_m[p].norm() * tone.angular_frequency_rad_s.powi(2);
-        ACCELERATION_ROUNDOFF * (free + self.tones.iter().map(size).sum::<f64>() + self.excitation.acceleration_after(p, 0.0).abs())
+        let size = |tone: &super::phasor::Phasor| {
+            tone.displacement_m[p].norm() * tone.angular_frequency_rad_s.powi(2)
+        };
+        ACCELERATION_ROUNDOFF
+            * (free
+                + self.tones.iter().map(size).sum::<f64>()
+                + self.excitation.acceleration_after(p, 0.0).abs())
     }
 
     /// Rate of the acceleration towards the stop without contact force, m/s^3.
     pub(super) fn jerk_m_s3(&self, p: usize) -> f64 {
-        let row = self.layout.pack(&self.kernel.plant.diagonal.block.rate_row(&self.kernel.acceleration_row(p)));
+        let row = self.layout.pack(
+            &self
+                .kernel
+                .plant
+                .diagonal
+                .block
+                .rate_row(&self.kernel.acceleration_row(p)),
+        );
         let of = |tone: &super::phasor::Phasor| {
             let w = tone.angular_frequency_rad_s;
             acceleration(tone.displacement_m[p] * tone.turn * c64::new(0.0, w), w)
         };
         // The displacement that signals force is a cubic: a difference is its exact rate.
         let after_s = 1.0 / self.kernel.fastest_rad_s;
-        let forced = (self.excitation.acceleration_after(p, after_s) - self.excitation.acceleration_after(p, 0.0)) / after_s;
+        let forced = (self.excitation.acceleration_after(p, after_s)
+            - self.excitation.acceleration_after(p, 0.0))
+            / after_s;
         dot(Portable::new(), &row, &self.y) + self.tones.iter().map(of).sum::<f64>() + forced
     }
 
@@ -133,31 +171,65 @@ impl Integrator<'_> {
         }
         let kernel = self.kernel;
         let column = self.layout.pack(&kernel.plant.ports[p].force);
-        let middle: Vec<F64x8> = self.y.iter().zip(&column).map(|(y, b)| y.add_scaled(0.5 * impulse_n_s, b)).collect();
+        let middle: Vec<F64x8> = self
+            .y
+            .iter()
+            .zip(&column)
+            .map(|(y, b)| y.add_scaled(0.5 * impulse_n_s, b))
+            .collect();
         // The meters' integral of a force that acts in no time: force times the mean of the state before and after.
-        for (sum, meter) in self.integrals.loads_j.iter_mut().zip(&kernel.meters().loads) {
-            *sum += impulse_n_s * dot(Portable::new(), &self.layout.pack(meter.port_row(p)), &middle);
+        for (sum, meter) in self
+            .integrals
+            .loads_j
+            .iter_mut()
+            .zip(&kernel.meters().loads)
+        {
+            *sum += impulse_n_s
+                * dot(
+                    Portable::new(),
+                    &self.layout.pack(meter.port_row(p)),
+                    &middle,
+                );
         }
-        self.integrals.damping_j += impulse_n_s * dot(Portable::new(), &self.layout.pack(kernel.meters().damping.port_row(p)), &middle);
+        self.integrals.damping_j += impulse_n_s
+            * dot(
+                Portable::new(),
+                &self.layout.pack(kernel.meters().damping.port_row(p)),
+                &middle,
+            );
         for (sum, tone) in self.integrals.tones_n_s[p].iter_mut().zip(&self.tones) {
             *sum += tone.turn * impulse_n_s;
         }
         self.excitation.strike_stop(p, impulse_n_s);
         self.ports[p].statistics.impulse_n_s += impulse_n_s;
-        self.y.iter_mut().zip(&column).for_each(|(y, b)| *y = y.add_scaled(impulse_n_s, b));
+        self.y
+            .iter_mut()
+            .zip(&column)
+            .for_each(|(y, b)| *y = y.add_scaled(impulse_n_s, b));
     }
 
     /// Relative acceleration towards the stop without contact force, m/s^2.
     pub(super) fn acceleration_m_s2(&self, p: usize) -> f64 {
         let row = self.layout.pack(&self.kernel.acceleration_row(p));
-        let drive: f64 = self.tones.iter().map(|tone| acceleration(tone.displacement_m[p] * tone.turn, tone.angular_frequency_rad_s)).sum();
+        let drive: f64 = self
+            .tones
+            .iter()
+            .map(|tone| {
+                acceleration(
+                    tone.displacement_m[p] * tone.turn,
+                    tone.angular_frequency_rad_s,
+                )
+            })
+            .sum();
         dot(Portable::new(), &row, &self.y) + drive + self.excitation.acceleration_after(p, 0.0)
     }
 
     /// Speed against which errors of a port at rest are held: the fastest strike, or what its velocity is summed from, where bodies that
     /// push each other from rest have never struck.
     pub(super) fn speed_m_s(&self, p: usize) -> f64 {
-        self.ports[p].impact_velocity_m_s.max(self.velocity_terms_m_s(p))
+        self.ports[p]
+            .impact_velocity_m_s
+            .max(self.velocity_terms_m_s(p))
     }
 
     /// Sum of the magnitudes that the velocity of a port is summed from, m/s.
@@ -167,7 +239,13 @@ impl Integrator<'_> {
 
     /// Sum of the magnitudes that an output is summed from.
     pub(super) fn terms_of(&self, row: &[F64x8]) -> f64 {
-        let terms = |(row, y): (&F64x8, &F64x8)| row.0.iter().zip(y.0).map(|(row, y)| (row * y).abs()).sum::<f64>();
+        let terms = |(row, y): (&F64x8, &F64x8)| {
+            row.0
+                .iter()
+                .zip(y.0)
+                .map(|(row, y)| (row * y).abs())
+                .sum::<f64>()
+        };
         row.iter().zip(&self.y).map(terms).sum()
     }
 
@@ -190,19 +268,32 @@ impl Integrator<'_> {
                 );
                 (&odd.0, &odd.1)
             } else {
-                (self.kernel.table(0, ForceBasis::Smooth, level), self.kernel.sticking(0, level))
+                (
+                    self.kernel.table(0, ForceBasis::Smooth, level),
+                    self.kernel.sticking(0, level),
+                )
             };
             let (force, mismatch_n) = self.holding_force(table, sticking);
-            let size_n = force.iter().fold(f64::MIN_POSITIVE, |max, f| max.max(f.abs()));
+            let size_n = force
+                .iter()
+                .fold(f64::MIN_POSITIVE, |max, f| max.max(f.abs()));
             // Just before the point leaves, its force is no larger than the roundoff of what it is summed from.
-            let roundoff_n = self.acceleration_roundoff_m_s2(0) / self.ports[0].rows.mobility_per_kg;
+            let roundoff_n =
+                self.acceleration_roundoff_m_s2(0) / self.ports[0].rows.mobility_per_kg;
             let allowed_n = (self.tolerance.max(1e-12) * 1e-2 * size_n).max(roundoff_n);
             let pulls = force.iter().any(|f| *f < 0.0);
-            let negligible = force_now * table.length_s <= 1e-3 * self.tolerance * self.speed_m_s(0) / self.ports[0].rows.mobility_per_kg;
+            let negligible = force_now * table.length_s
+                <= 1e-3 * self.tolerance * self.speed_m_s(0) / self.ports[0].rows.mobility_per_kg;
             if (pulls && !negligible) || mismatch_n > allowed_n {
-                level = if landing { Kernel::level_within(remaining) + 1 } else { level + LEVELS_PER_OCTAVE };
+                level = if landing {
+                    Kernel::level_within(remaining) + 1
+                } else {
+                    level + LEVELS_PER_OCTAVE
+                };
                 if level > Kernel::finest() {
-                    return Err(IntegrationError::NotFinite { time_s: self.time_s });
+                    return Err(IntegrationError::NotFinite {
+                        time_s: self.time_s,
+                    });
                 }
                 continue;
             }
@@ -223,29 +314,54 @@ impl Integrator<'_> {
     }
 
     /// Nodal forces that hold the point, and their mismatch at the end of the step, N.
-    fn holding_force(&mut self, table: &ContactTable, sticking: &StickingTable) -> ([f64; NODES], f64) {
+    fn holding_force(
+        &mut self,
+        table: &ContactTable,
+        sticking: &StickingTable,
+    ) -> ([f64; NODES], f64) {
         let w = Portable::new();
-        let mut free = w.store(columns(w, &self.layout, &self.y, &sticking.acceleration.columns, w.zero()));
+        let mut free = w.store(columns(
+            w,
+            &self.layout,
+            &self.y,
+            &sticking.acceleration.columns,
+            w.zero(),
+        ));
         for tone in &mut self.tones {
-            let swing = PhasorSamples::over(tone.angular_frequency_rad_s, &SMOOTH_BASIS, table.length_s);
+            let swing =
+                PhasorSamples::over(tone.angular_frequency_rad_s, &SMOOTH_BASIS, table.length_s);
             tone.swing[0] = swing;
             for i in 0..LANES {
-                let turned = tone.displacement_m[0] * tone.turn * c64::new(swing.cos.0[i], swing.sin.0[i]);
+                let turned =
+                    tone.displacement_m[0] * tone.turn * c64::new(swing.cos.0[i], swing.sin.0[i]);
                 free.0[i] += acceleration(turned, tone.angular_frequency_rad_s);
             }
         }
         for (free, place) in free.0.iter_mut().zip(SMOOTH_BASIS.places) {
-            *free += self.excitation.acceleration_after(0, place * table.length_s);
+            *free += self
+                .excitation
+                .acceleration_after(0, place * table.length_s);
         }
-        let force: [f64; NODES] = std::array::from_fn(|i| (0..NODES).map(|j| sticking.inverse[i][j] * free.0[j]).sum());
-        let end_by_nodes: f64 = (0..NODES).map(|j| SMOOTH_BASIS.at_end.0[j] * force[j]).sum();
-        let felt: f64 = free.0[NODES] + (0..NODES).map(|j| sticking.acceleration.push[j].0[NODES] * force[j]).sum::<f64>();
-        (force, (end_by_nodes - felt / self.ports[0].rows.mobility_per_kg).abs())
+        let force: [f64; NODES] =
+            std::array::from_fn(|i| (0..NODES).map(|j| sticking.inverse[i][j] * free.0[j]).sum());
+        let end_by_nodes: f64 = (0..NODES)
+            .map(|j| SMOOTH_BASIS.at_end.0[j] * force[j])
+            .sum();
+        let felt: f64 = free.0[NODES]
+            + (0..NODES)
+                .map(|j| sticking.acceleration.push[j].0[NODES] * force[j])
+                .sum::<f64>();
+        (
+            force,
+            (end_by_nodes - felt / self.ports[0].rows.mobility_per_kg).abs(),
+        )
     }
 
     /// Takes a step under given nodal forces and puts the point back onto the stop to roundoff.
     fn take_held(&mut self, table: &ContactTable, force: &[f64; NODES]) {
-        let lane = F64x8(std::array::from_fn(|i| if i < NODES { force[i] } else { 0.0 }));
+        let lane = F64x8(std::array::from_fn(
+            |i| if i < NODES { force[i] } else { 0.0 },
+        ));
         let w = Portable::new();
         let step = ContactStep::held(0, table);
         self.note(table.length_s, &[PortForce::new(&step, &lane)]);
@@ -255,7 +371,8 @@ impl Integrator<'_> {
         std::mem::swap(&mut self.y, &mut self.next);
         self.time_s += table.length_s;
         self.tones.iter_mut().for_each(|tone| tone.set(self.time_s));
-        self.excitation.pass(self.kernel, table.length_s, self.time_s, &mut self.y);
+        self.excitation
+            .pass(self.kernel, table.length_s, self.time_s, &mut self.y);
         self.update_port(w, 0);
         self.observe_rest(0, table.length_s, &lane);
         self.put_back(0);
@@ -264,7 +381,10 @@ impl Integrator<'_> {
     /// Adds a step of rest to the statistics.
     pub(super) fn observe_rest(&mut self, p: usize, length_s: f64, force: &F64x8) {
         let port = &mut self.ports[p];
-        port.statistics.max_force_n = force.0.iter().fold(port.statistics.max_force_n, |max, f| max.max(*f));
+        port.statistics.max_force_n = force
+            .0
+            .iter()
+            .fold(port.statistics.max_force_n, |max, f| max.max(*f));
         port.statistics.sticking_s += length_s;
         port.stay(length_s);
     }
@@ -274,9 +394,20 @@ impl Integrator<'_> {
         let (plant, port) = (&self.kernel.plant, &self.ports[p]);
         let mobility = port.rows.mobility_per_kg;
         let shape = &plant.system.stops[p].shape;
-        let shift: Vec<f64> = shape.iter().map(|s| -s * port.penetration_m / mobility).collect();
+        let shift: Vec<f64> = shape
+            .iter()
+            .map(|s| -s * port.penetration_m / mobility)
+            .collect();
         let inverse = &plant.diagonal.from_physical;
-        let moved: Vec<f64> = (0..plant.len()).map(|i| shift.iter().enumerate().map(|(j, q)| inverse[(i, j)] * q).sum()).collect();
+        let moved: Vec<f64> = (0..plant.len())
+            .map(|i| {
+                shift
+                    .iter()
+                    .enumerate()
+                    .map(|(j, q)| inverse[(i, j)] * q)
+                    .sum()
+            })
+            .collect();
         let moved = self.layout.pack(&moved);
         let column = self.layout.pack(&plant.ports[p].force);
         let impulse = port.rate_m_s / mobility;

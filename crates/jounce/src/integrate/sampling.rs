@@ -7,7 +7,13 @@ impl Trajectory {
     /// Calls `look` at the start of every step from segment number `first` on, and inside flights at times at most `gap_s` apart: with the
     /// kernel of the regime, the time and the state in its block coordinates, the steady part left out. Contact steps are short beside the
     /// motion, so that nothing inside them is looked at.
-    pub(crate) fn walk<'k>(&self, kernel: &'k Kernel, first: usize, gap_s: f64, look: &mut impl FnMut(&'k Kernel, f64, &[f64])) {
+    pub(crate) fn walk<'k>(
+        &self,
+        kernel: &'k Kernel,
+        first: usize,
+        gap_s: f64,
+        look: &mut impl FnMut(&'k Kernel, f64, &[f64]),
+    ) {
         for segment in self.segments().iter().skip(first) {
             // A regime that was marched in has been made.
             if let Ok(own) = kernel.in_regime(segment.regime) {
@@ -18,12 +24,21 @@ impl Trajectory {
 }
 
 impl TrajectorySegment {
-    fn walk<'k>(&self, kernel: &'k Kernel, gap_s: f64, look: &mut impl FnMut(&'k Kernel, f64, &[f64])) {
+    fn walk<'k>(
+        &self,
+        kernel: &'k Kernel,
+        gap_s: f64,
+        look: &mut impl FnMut(&'k Kernel, f64, &[f64]),
+    ) {
         let mut whole = |after_s: f64, state: &[f64]| match self.sizes.is_empty() {
             true => look(kernel, self.start_s + after_s, state),
             false => {
                 let forced = kernel.plant.forced(&self.sizes, after_s);
-                let sum: Vec<f64> = state.iter().zip(forced).map(|(y, forced)| y + forced).collect();
+                let sum: Vec<f64> = state
+                    .iter()
+                    .zip(forced)
+                    .map(|(y, forced)| y + forced)
+                    .collect();
                 look(kernel, self.start_s + after_s, &sum);
             }
         };
@@ -33,7 +48,10 @@ impl TrajectorySegment {
         }
         // The flow of many equal steps is made once: its roundoff adds up, which a search for the place of a turn does not feel.
         let inner = (self.length_s / gap_s).ceil().max(1.0);
-        let (flow, mut state) = (kernel.plant.diagonal.block.over(self.length_s / inner), self.state.clone());
+        let (flow, mut state) = (
+            kernel.plant.diagonal.block.over(self.length_s / inner),
+            self.state.clone(),
+        );
         for k in 1..inner as usize {
             flow.advance(&mut state);
             whole(self.length_s * k as f64 / inner, &state);

@@ -46,19 +46,48 @@ impl SignalWork {
     pub fn new(kernel: &Kernel, time_s: f64) -> Self {
         let (plant, layout, meters) = (&kernel.plant, &kernel.layout, kernel.meters());
         let (signals, none) = (plant.forcings.len(), c64::new(0.0, 0.0));
-        let kept = |column: &[f64]| column.iter().zip(&plant.local).map(|(b, local)| if *local { *b } else { 0.0 }).collect::<Vec<_>>();
-        let quadratic = meters.loads.iter().chain([&meters.damping]).filter(|_| signals > 0);
-        let readings = quadratic.map(|meter| (0..plant.ports.len()).map(|port| ExcitationRow::of(plant, meter.port_row(port))).collect());
+        let kept = |column: &[f64]| {
+            column
+                .iter()
+                .zip(&plant.local)
+                .map(|(b, local)| if *local { *b } else { 0.0 })
+                .collect::<Vec<_>>()
+        };
+        let quadratic = meters
+            .loads
+            .iter()
+            .chain([&meters.damping])
+            .filter(|_| signals > 0);
+        let readings = quadratic.map(|meter| {
+            (0..plant.ports.len())
+                .map(|port| ExcitationRow::of(plant, meter.port_row(port)))
+                .collect()
+        });
         Self {
-            sums: SignalIntegrals { states: vec![vec![0.0; plant.len()]; signals], tones: vec![vec![none; plant.tones.len()]; signals] },
+            sums: SignalIntegrals {
+                states: vec![vec![0.0; plant.len()]; signals],
+                tones: vec![vec![none; plant.tones.len()]; signals],
+            },
             since_s: time_s,
             sizes: Vec::new(),
             start: Vec::new(),
             forces: vec![(0.0, vec![0.0; signals]); plant.ports.len()],
             nodes: Vec::new(),
-            tones_rad_s: plant.tones.iter().map(|tone| tone.angular_frequency_rad_s).collect(),
-            columns: plant.forcings.iter().map(|forcing| layout.pack(&forcing.local)).collect(),
-            ports: plant.ports.iter().map(|port| layout.pack(&kept(&port.force))).collect(),
+            tones_rad_s: plant
+                .tones
+                .iter()
+                .map(|tone| tone.angular_frequency_rad_s)
+                .collect(),
+            columns: plant
+                .forcings
+                .iter()
+                .map(|forcing| layout.pack(&forcing.local))
+                .collect(),
+            ports: plant
+                .ports
+                .iter()
+                .map(|port| layout.pack(&kept(&port.force)))
+                .collect(),
             is_local: layout.pack(&kept(&vec![1.0; plant.len()])),
             readings: readings.collect(),
             works_j: vec![0.0; meters.loads.len() + 1],
@@ -78,10 +107,21 @@ impl SignalWork {
     }
 
     /// Closes the piece in hand; sizes and state are those at its end, before any jump.
-    pub fn close(&mut self, kernel: &Kernel, sizes: &[SignalSample], state: &[f64], time_s: f64, length_s: Option<f64>) {
+    pub fn close(
+        &mut self,
+        kernel: &Kernel,
+        sizes: &[SignalSample],
+        state: &[f64],
+        time_s: f64,
+        length_s: Option<f64>,
+    ) {
         let (plant, h) = (&kernel.plant, length_s.unwrap_or(time_s - self.since_s));
         let solve = |y: &[f64]| plant.diagonal.block.solve(y, &plant.local);
-        let mut moved: Vec<f64> = state.iter().zip(&self.start).map(|(end, start)| end - start).collect();
+        let mut moved: Vec<f64> = state
+            .iter()
+            .zip(&self.start)
+            .map(|(end, start)| end - start)
+            .collect();
         for (forcing, [u, s]) in plant.forcings.iter().zip(&self.sizes) {
             add(&mut moved, -h * (u + 0.5 * s * h), &forcing.column);
         }
@@ -90,7 +130,11 @@ impl SignalWork {
         }
         let whole = solve(&moved);
         for (k, ([u, s], [end, _])) in self.sizes.iter().zip(sizes).enumerate() {
-            let mut moved: Vec<f64> = state.iter().zip(&self.start).map(|(y1, y0)| end * y1 - u * y0).collect();
+            let mut moved: Vec<f64> = state
+                .iter()
+                .zip(&self.start)
+                .map(|(y1, y0)| end * y1 - u * y0)
+                .collect();
             add(&mut moved, -s, &whole);
             for (forcing, [v, z]) in plant.forcings.iter().zip(&self.sizes) {
                 let both = h * (u * v + h * (0.5 * (u * z + s * v) + h * s * z / 3.0));
@@ -120,8 +164,17 @@ impl SignalWork {
     }
 
     /// An impulse of one signal; `middle` is the mean of the states before and after it, with their forced part.
-    pub fn strike(&mut self, signal: usize, impulse_s: f64, middle: impl Iterator<Item = f64>, time_s: f64) {
-        self.sums.states[signal].iter_mut().zip(middle).for_each(|(sum, y)| *sum += impulse_s * y);
+    pub fn strike(
+        &mut self,
+        signal: usize,
+        impulse_s: f64,
+        middle: impl Iterator<Item = f64>,
+        time_s: f64,
+    ) {
+        self.sums.states[signal]
+            .iter_mut()
+            .zip(middle)
+            .for_each(|(sum, y)| *sum += impulse_s * y);
         for (sum, w) in self.sums.tones[signal].iter_mut().zip(&self.tones_rad_s) {
             *sum += c64::cis(w * time_s) * impulse_s;
         }
@@ -129,23 +182,40 @@ impl SignalWork {
 
     /// Nodal forces of a contact step that is about to be taken; sizes are those at its start.
     #[inline(always)]
-    pub fn push(&mut self, port: usize, sizes: &[SignalSample], places: &[f64; LANES], length_s: f64, weighted: &F64x8) {
+    pub fn push(
+        &mut self,
+        port: usize,
+        sizes: &[SignalSample],
+        places: &[f64; LANES],
+        length_s: f64,
+        weighted: &F64x8,
+    ) {
         let times_s = places.map(|place| place * length_s);
         let (impulse, products) = &mut self.forces[port];
         *impulse += weighted.0.iter().sum::<f64>();
         for (product, [u, s]) in products.iter_mut().zip(sizes) {
-            *product += times_s.iter().zip(weighted.0).map(|(t, force)| force * (u + s * t)).sum::<f64>();
+            *product += times_s
+                .iter()
+                .zip(weighted.0)
+                .map(|(t, force)| force * (u + s * t))
+                .sum::<f64>();
         }
         for (work_j, readings) in self.works_j.iter_mut().zip(&self.readings) {
             let series = readings[port].series(sizes);
-            *work_j += times_s.iter().zip(weighted.0).map(|(t, force)| force * series.value(*t)).sum::<f64>();
+            *work_j += times_s
+                .iter()
+                .zip(weighted.0)
+                .map(|(t, force)| force * series.value(*t))
+                .sum::<f64>();
         }
         self.nodes.push((port, times_s, *weighted));
     }
 
     /// An impulse of a rigid stop.
     pub fn strike_stop(&mut self, port: usize, sizes: &[SignalSample], impulse_n_s: f64) {
-        let all_at_once = F64x8(std::array::from_fn(|i| if i == 0 { impulse_n_s } else { 0.0 }));
+        let all_at_once = F64x8(std::array::from_fn(
+            |i| if i == 0 { impulse_n_s } else { 0.0 },
+        ));
         self.push(port, sizes, &[0.0; LANES], 0.0, &all_at_once);
         // It takes no time: no share in integrals over a step.
         self.nodes.clear();
@@ -159,10 +229,20 @@ impl SignalWork {
 
     /// Local blocks over a step; sizes are those at its start, `y` is the state at its end.
     #[inline(always)]
-    pub fn pass_local(&mut self, kernel: &Kernel, sizes: &[SignalSample], length_s: f64, y: &[F64x8]) {
+    pub fn pass_local(
+        &mut self,
+        kernel: &Kernel,
+        sizes: &[SignalSample],
+        length_s: f64,
+        y: &[F64x8],
+    ) {
         let lanes = y.len();
         let (mut sum, mut turned) = (vec![F64x8::ZERO; lanes], vec![F64x8::ZERO; lanes]);
-        let local: Vec<F64x8> = y.iter().zip(&self.is_local).map(|(y, is)| F64x8(std::array::from_fn(|i| y.0[i] * is.0[i]))).collect();
+        let local: Vec<F64x8> = y
+            .iter()
+            .zip(&self.is_local)
+            .map(|(y, is)| F64x8(std::array::from_fn(|i| y.0[i] * is.0[i])))
+            .collect();
         for (k, size) in sizes.iter().enumerate() {
             if *size == [0.0; 2] {
                 continue;
@@ -173,15 +253,25 @@ impl SignalWork {
                 kernel.generator.apply(Portable::new(), &sum, &mut turned);
                 let at_end = repeated(*size, order, length_s);
                 for i in 0..lanes {
-                    sum[i] = F64x8::ZERO.add_scaled(-1.0, &turned[i]).add_scaled(at_end, &local[i]);
+                    sum[i] = F64x8::ZERO
+                        .add_scaled(-1.0, &turned[i])
+                        .add_scaled(at_end, &local[i]);
                 }
                 for (column, other) in self.columns.iter().zip(sizes) {
                     let both = repeated_product(*size, *other, order, length_s);
-                    sum.iter_mut().zip(column).for_each(|(sum, b)| *sum = sum.add_scaled(-both, b));
+                    sum.iter_mut()
+                        .zip(column)
+                        .for_each(|(sum, b)| *sum = sum.add_scaled(-both, b));
                 }
                 for (port, times_s, weighted) in &self.nodes {
-                    let pushed: f64 = times_s.iter().zip(weighted.0).map(|(t, force)| force * repeated(*size, order, *t)).sum();
-                    sum.iter_mut().zip(&self.ports[*port]).for_each(|(sum, b)| *sum = sum.add_scaled(-pushed, b));
+                    let pushed: f64 = times_s
+                        .iter()
+                        .zip(weighted.0)
+                        .map(|(t, force)| force * repeated(*size, order, *t))
+                        .sum();
+                    sum.iter_mut()
+                        .zip(&self.ports[*port])
+                        .for_each(|(sum, b)| *sum = sum.add_scaled(-pushed, b));
                 }
             }
             add(&mut self.sums.states[k], 1.0, &kernel.layout.unpack(&sum));
@@ -189,7 +279,13 @@ impl SignalWork {
     }
 
     /// Integrals up to a time, and per meter with a quadratic form the work of the contact forces on what signals force, J.
-    pub fn until(&self, kernel: &Kernel, sizes: &[SignalSample], state: &[f64], time_s: f64) -> (SignalIntegrals, Vec<f64>) {
+    pub fn until(
+        &self,
+        kernel: &Kernel,
+        sizes: &[SignalSample],
+        state: &[f64],
+        time_s: f64,
+    ) -> (SignalIntegrals, Vec<f64>) {
         let mut closed = self.clone();
         if !sizes.is_empty() {
             closed.close(kernel, sizes, state, time_s, None);
@@ -199,7 +295,9 @@ impl SignalWork {
 }
 
 fn add(sum: &mut [f64], factor: f64, values: &[f64]) {
-    sum.iter_mut().zip(values).for_each(|(sum, value)| *sum += factor * value);
+    sum.iter_mut()
+        .zip(values)
+        .for_each(|(sum, value)| *sum += factor * value);
 }
 
 /// `1 / k!`.
@@ -223,7 +321,10 @@ fn repeated([u, s]: SignalSample, k: usize, t: f64) -> f64 {
 #[inline(always)]
 fn repeated_product([u, s]: SignalSample, [v, z]: SignalSample, k: usize, h: f64) -> f64 {
     let (n, share) = (k as f64, h.powi(k as i32 + 1) * INVERSE_FACTORIALS[k]);
-    share * (u * v / (n + 1.0) + h * (u * z + s * v / (n + 1.0)) / (n + 2.0) + h * h * s * z / ((n + 1.0) * (n + 3.0)))
+    share
+        * (u * v / (n + 1.0)
+            + h * (u * z + s * v / (n + 1.0)) / (n + 2.0)
+            + h * h * s * z / ((n + 1.0) * (n + 3.0)))
 }
 
 #[cfg(test)]
@@ -237,13 +338,22 @@ mod tests {
         let simpson = |f: &dyn Fn(f64) -> f64, end: f64| -> f64 {
             let panels = 2000;
             let step = end / f64::from(panels);
-            (0..panels).map(|k| f64::from(k) * step).map(|t| step / 6.0 * (f(t) + 4.0 * f(t + 0.5 * step) + f(t + step))).sum()
+            (0..panels)
+                .map(|k| f64::from(k) * step)
+                .map(|t| step / 6.0 * (f(t) + 4.0 * f(t + 0.5 * step) + f(t + step)))
+                .sum()
         };
         assert!((repeated([u, s], 1, h) - simpson(&|t| u + s * t, h)).abs() < 1e-14);
         for k in 1..5 {
-            assert!((repeated([u, s], k + 1, h) - simpson(&|t| repeated([u, s], k, t), h)).abs() < 1e-13);
+            assert!(
+                (repeated([u, s], k + 1, h) - simpson(&|t| repeated([u, s], k, t), h)).abs()
+                    < 1e-13
+            );
             let product = simpson(&|t| repeated([u, s], k, t) * (v + z * t), h);
-            assert!((repeated_product([u, s], [v, z], k, h) - product).abs() < 1e-13, "{k}");
+            assert!(
+                (repeated_product([u, s], [v, z], k, h) - product).abs() < 1e-13,
+                "{k}"
+            );
         }
     }
 }

@@ -6,7 +6,13 @@ use crate::simd::{F64x8, LANES, Simd};
 
 /// `start + sum_k columns_k y_k`: an output at eight instants.
 #[inline(always)]
-pub fn columns<W: Simd>(w: W, layout: &StateLayout, y: &[F64x8], columns: &[F64x8], start: W::Register) -> W::Register {
+pub fn columns<W: Simd>(
+    w: W,
+    layout: &StateLayout,
+    y: &[F64x8],
+    columns: &[F64x8],
+    start: W::Register,
+) -> W::Register {
     let (p, n) = (layout.pair_lanes, layout.pairs);
     let (of_u, rest) = columns.split_at(n);
     let (of_v, of_r) = rest.split_at(n);
@@ -47,13 +53,23 @@ pub fn spread<W: Simd>(w: W, force: &F64x8) -> [W::Register; NODES] {
 
 /// `start + sum_j push_j f_j`.
 #[inline(always)]
-pub fn pushed<W: Simd>(w: W, start: W::Register, push: &[F64x8; NODES], force: &F64x8) -> W::Register {
+pub fn pushed<W: Simd>(
+    w: W,
+    start: W::Register,
+    push: &[F64x8; NODES],
+    force: &F64x8,
+) -> W::Register {
     pushed_by(w, start, push, &spread(w, force))
 }
 
 /// The same for forces that push more than once.
 #[inline(always)]
-pub fn pushed_by<W: Simd>(w: W, start: W::Register, push: &[F64x8; NODES], force: &[W::Register; NODES]) -> W::Register {
+pub fn pushed_by<W: Simd>(
+    w: W,
+    start: W::Register,
+    push: &[F64x8; NODES],
+    force: &[W::Register; NODES],
+) -> W::Register {
     let (mut even, mut odd) = (start, w.zero());
     for i in 0..NODES / 2 {
         even = w.fma(force[2 * i], w.load(&push[2 * i]), even);

@@ -49,7 +49,11 @@ impl ContactStatistics {
 
     /// Time in contact over the contacts that began, s; 0 without one.
     pub fn mean_contact_duration_s(&self) -> f64 {
-        if self.contacts > 0 { self.time_s / self.contacts as f64 } else { 0.0 }
+        if self.contacts > 0 {
+            self.time_s / self.contacts as f64
+        } else {
+            0.0
+        }
     }
 
     /// Those of two ports together: largest of the largest, sum of the others.
@@ -61,8 +65,12 @@ impl ContactStatistics {
             max_force_n: self.max_force_n.max(other.max_force_n),
             impulse_n_s: self.impulse_n_s + other.impulse_n_s,
             strike_sum_m_s: self.strike_sum_m_s + other.strike_sum_m_s,
-            max_impact_velocity_m_s: self.max_impact_velocity_m_s.max(other.max_impact_velocity_m_s),
-            max_contact_duration_s: self.max_contact_duration_s.max(other.max_contact_duration_s),
+            max_impact_velocity_m_s: self
+                .max_impact_velocity_m_s
+                .max(other.max_impact_velocity_m_s),
+            max_contact_duration_s: self
+                .max_contact_duration_s
+                .max(other.max_contact_duration_s),
             sticking_s: self.sticking_s + other.sticking_s,
         }
     }

@@ -61,20 +61,41 @@ impl Integrator<'_> {
         solved: &SolvedStep,
         (allowed, starts_next): (f64, bool),
     ) -> i32 {
-        let longer = level - levels_to_spare(level, solved.error_n_s, PLANNED_ERROR_SHARE * share(step.shape) * allowed);
+        let longer = level
+            - levels_to_spare(
+                level,
+                solved.error_n_s,
+                PLANNED_ERROR_SHARE * share(step.shape) * allowed,
+            );
         if starts_next {
             self.ports[step.port].entry_level = longer.max(coarsest(law, self.kernel));
         }
         // The error of the onset basis says nothing about the next step.
-        let level = if step.shape == ForceBasis::Onset { level } else { longer };
-        let level = if law.acts_on_both_sides() { level } else { self.before_leaving(level, step, solved, allowed) };
+        let level = if step.shape == ForceBasis::Onset {
+            level
+        } else {
+            longer
+        };
+        let level = if law.acts_on_both_sides() {
+            level
+        } else {
+            self.before_leaving(level, step, solved, allowed)
+        };
         level.max(coarsest(law, self.kernel))
     }
 
     /// The level wanted, or a finer one that respects the end of the contact as it is foretold now.
     #[inline(always)]
-    fn before_leaving(&self, wanted: i32, step: &ContactStep, solved: &SolvedStep, allowed: f64) -> i32 {
-        let Some(leaving_s) = predicted_release_s(&self.ports[step.port], step, solved) else { return wanted };
+    fn before_leaving(
+        &self,
+        wanted: i32,
+        step: &ContactStep,
+        solved: &SolvedStep,
+        allowed: f64,
+    ) -> i32 {
+        let Some(leaving_s) = predicted_release_s(&self.ports[step.port], step, solved) else {
+            return wanted;
+        };
         if leaving_s >= MAX_RELEASE_DISTANCE * Kernel::length_s(wanted) {
             return wanted;
         }
@@ -84,8 +105,15 @@ impl Integrator<'_> {
             return wanted.max(Kernel::level_within(2.0 * leaving_s));
         }
         let whole = Kernel::level_within(leaving_s);
-        let is_enough = |level: &i32| ellipse_power(leaving_s / Kernel::length_s(*level)) * RELEASE_ERROR_GAIN * allowed >= left_n_s;
-        wanted.max((whole..whole + LEVELS_PER_OCTAVE).find(is_enough).unwrap_or(whole + LEVELS_PER_OCTAVE))
+        let is_enough = |level: &i32| {
+            ellipse_power(leaving_s / Kernel::length_s(*level)) * RELEASE_ERROR_GAIN * allowed
+                >= left_n_s
+        };
+        wanted.max(
+            (whole..whole + LEVELS_PER_OCTAVE)
+                .find(is_enough)
+                .unwrap_or(whole + LEVELS_PER_OCTAVE),
+        )
     }
 }
 
@@ -93,7 +121,11 @@ impl Integrator<'_> {
 /// disturbance of them, which the motion itself need not show but its derivative does.
 #[inline(always)]
 pub(super) fn coarsest<L: ContactLaw>(law: L, kernel: &Kernel) -> i32 {
-    if law.acts_on_both_sides() { Kernel::level_within(1.0 / kernel.fastest_rad_s) } else { Kernel::coarsest() }
+    if law.acts_on_both_sides() {
+        Kernel::level_within(1.0 / kernel.fastest_rad_s)
+    } else {
+        Kernel::coarsest()
+    }
 }
 
 /// Time until the penetration ends, by the parabola through the last speeds of a step.

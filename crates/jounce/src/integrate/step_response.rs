@@ -53,14 +53,24 @@ impl BlockOnStep {
 
     /// States of the block.
     pub fn states(&self) -> usize {
-        if matches!(self, BlockOnStep::Single(_)) { 1 } else { 2 }
+        if matches!(self, BlockOnStep::Single(_)) {
+            1
+        } else {
+            2
+        }
     }
 
     /// Factors on `first` and `second` of the output `row` under the force `column` on a step of length `h`.
     pub fn forced(&self, row: &[f64], column: &[f64], h: f64) -> [f64; 2] {
         match self {
-            BlockOnStep::Turning(_) => [h * (row[0] * column[0] + row[1] * column[1]), h * (row[1] * column[0] - row[0] * column[1])],
-            BlockOnStep::Double(_) => [h * (row[0] * column[0] + row[1] * column[1]), h * h * row[0] * column[1]],
+            BlockOnStep::Turning(_) => [
+                h * (row[0] * column[0] + row[1] * column[1]),
+                h * (row[1] * column[0] - row[0] * column[1]),
+            ],
+            BlockOnStep::Double(_) => [
+                h * (row[0] * column[0] + row[1] * column[1]),
+                h * h * row[0] * column[1],
+            ],
             BlockOnStep::Single(_) => [h * row[0] * column[0], 0.0],
         }
     }
@@ -76,7 +86,11 @@ impl BlockOnStep {
 
     /// Factors on `first` and `second` that make the entries `a` and `b` of its flow (see [`super::flow_row`]).
     pub fn entries(&self, h: f64) -> [f64; 2] {
-        if matches!(self, BlockOnStep::Double(_)) { [1.0, h] } else { [1.0, 1.0] }
+        if matches!(self, BlockOnStep::Double(_)) {
+            [1.0, h]
+        } else {
+            [1.0, 1.0]
+        }
     }
 
     /// Its eigenvalue, 1/s.
@@ -94,7 +108,13 @@ impl StepResponse {
         let w = Portable::new();
         let solved = |(_, part)| {
             let mut answers = Self::default();
-            answers.solve(w, &part, basis, length_s, (&factored(w, &[part], basis, length_s), 0));
+            answers.solve(
+                w,
+                &part,
+                basis,
+                length_s,
+                (&factored(w, &[part], basis, length_s), 0),
+            );
             answers
         };
         parts(block).map(solved).collect()
@@ -147,11 +167,16 @@ impl StepResponse {
         }
         (last_re, last_im) = (w.zero(), w.zero());
         for n in (0..count).rev() {
-            let ([after_re, after_im], [inverse_re, inverse_im]) = (at(&factors[n].after), at(&factors[n].inverse));
+            let ([after_re, after_im], [inverse_re, inverse_im]) =
+                (at(&factors[n].after), at(&factors[n].inverse));
             let (c, s, t) = (w.splat(-after_re), w.splat(-after_im), w.splat(after_im));
             let row_re = w.fma(t, last_im, w.fma(c, last_re, w.load(&re[n])));
             let row_im = w.fma(s, last_re, w.fma(c, last_im, w.load(&im[n])));
-            let (c, s, t) = (w.splat(inverse_re), w.splat(inverse_im), w.splat(-inverse_im));
+            let (c, s, t) = (
+                w.splat(inverse_re),
+                w.splat(inverse_im),
+                w.splat(-inverse_im),
+            );
             last_re = w.fma(t, row_im, w.mul(c, row_re));
             last_im = w.fma(s, row_re, w.mul(c, row_im));
             (re[n], im[n]) = (w.store(last_re), w.store(last_im));
@@ -162,7 +187,9 @@ impl StepResponse {
 /// `S g`, as far as the room for it goes.
 #[inline(always)]
 fn integrate<W: Simd>(w: W, series: &[F64x8], out: &mut [F64x8]) {
-    let add = |w: W, lane: &mut F64x8, factor: f64, g: W::Register| *lane = w.store(w.fma(w.splat(factor), g, w.load(lane)));
+    let add = |w: W, lane: &mut F64x8, factor: f64, g: W::Register| {
+        *lane = w.store(w.fma(w.splat(factor), g, w.load(lane)))
+    };
     for (n, lane) in series.iter().enumerate() {
         let g = w.load(lane);
         if n == 0 {
@@ -190,7 +217,8 @@ mod tests {
             for i in 0..NODES {
                 let r = (f64::from(p) + gauss.places[i]) / f64::from(panels);
                 let s = x * r * r;
-                sum += (z * (x - s)).exp() * (basis.at(s)[j] * gauss.weights.0[i] * 2.0 * r * x / f64::from(panels));
+                sum += (z * (x - s)).exp()
+                    * (basis.at(s)[j] * gauss.weights.0[i] * 2.0 * r * x / f64::from(panels));
             }
         }
         sum
@@ -206,7 +234,8 @@ mod tests {
             let powers = legendre(x, answers.first.len());
             let at = |j: usize| -> c64 {
                 let rows = answers.first.iter().zip(&answers.second).zip(&powers);
-                rows.map(|((re, im), p)| c64::new(re.0[j] * p, im.0[j] * p)).sum()
+                rows.map(|((re, im), p)| c64::new(re.0[j] * p, im.0[j] * p))
+                    .sum()
             };
             for j in 0..NODES {
                 let error = at(j) - quadrature(z, basis, j, x);
@@ -221,12 +250,27 @@ mod tests {
     fn agree_with_quadrature_for_small_and_large_rates() {
         let onset = BasisFunctions::onset(1.5).unwrap();
         let mut all: Vec<(c64, f64, [f64; 2])> = Vec::new();
-        for z in [(-1e-9, 1e-7), (-0.3, 1.0), (-0.01, 6.0), (-2.0, 40.0), (-30.0, 0.0), (0.0, 0.0)].map(|(re, im)| c64::new(re, im)) {
+        for z in [
+            (-1e-9, 1e-7),
+            (-0.3, 1.0),
+            (-0.01, 6.0),
+            (-2.0, 40.0),
+            (-30.0, 0.0),
+            (0.0, 0.0),
+        ]
+        .map(|(re, im)| c64::new(re, im))
+        {
             all.push((z, worst(&SMOOTH_BASIS, z)[0], worst(&onset, z)));
         }
         // Onset functions are cut off; a displacement feels less of it by another factor of the number of terms.
-        let within = |z: &c64, smooth: &f64, onset: &[f64; 2]| *smooth < 1e-14 && onset[0] < 1e-7 && onset[1] <= 1e-9 * z.norm();
-        assert!(all.iter().all(|(z, smooth, onset)| within(z, smooth, onset)), "rate, smooth, onset: {all:?}");
+        let within = |z: &c64, smooth: &f64, onset: &[f64; 2]| {
+            *smooth < 1e-14 && onset[0] < 1e-7 && onset[1] <= 1e-9 * z.norm()
+        };
+        assert!(
+            all.iter()
+                .all(|(z, smooth, onset)| within(z, smooth, onset)),
+            "rate, smooth, onset: {all:?}"
+        );
     }
 
     #[test]
@@ -234,10 +278,24 @@ mod tests {
         let (rate, h) = (-3.0, 0.5);
         let mut answers = StepResponse::default();
         let (w, part) = (Portable::new(), BlockOnStep::Double(rate));
-        answers.solve(w, &part, &SMOOTH_BASIS, h, (&factored(w, &[BlockOnStep::Single(-1.0), part], &SMOOTH_BASIS, h), 1));
+        answers.solve(
+            w,
+            &part,
+            &SMOOTH_BASIS,
+            h,
+            (
+                &factored(w, &[BlockOnStep::Single(-1.0), part], &SMOOTH_BASIS, h),
+                1,
+            ),
+        );
         // second in place 7: x e^{z x}
         let powers = legendre(0.7, answers.second.len());
-        let second: f64 = answers.second.iter().zip(&powers).map(|(lane, p)| lane.0[NODES] * p).sum();
+        let second: f64 = answers
+            .second
+            .iter()
+            .zip(&powers)
+            .map(|(lane, p)| lane.0[NODES] * p)
+            .sum();
         assert!((second - 0.7 * (rate * h * 0.7_f64).exp()).abs() < 1e-15);
     }
 }

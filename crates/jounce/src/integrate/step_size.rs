@@ -55,9 +55,21 @@ mod tests {
     fn levels_lie_by_their_lengths() {
         for level in COARSEST_LEVEL + 1..=FINEST_LEVEL {
             let (own_s, next_s) = (Kernel::length_s(level), Kernel::length_s(level - 1));
-            let ratio = if level % LEVELS_PER_OCTAVE == 0 { 1.5 } else { 4.0 / 3.0 };
-            assert!((next_s / own_s - ratio).abs() < 1e-15, "{level}: {}", next_s / own_s);
-            assert!(Kernel::level_within(own_s) == level && Kernel::level_within(own_s.midpoint(next_s)) == level, "{level}");
+            let ratio = if level % LEVELS_PER_OCTAVE == 0 {
+                1.5
+            } else {
+                4.0 / 3.0
+            };
+            assert!(
+                (next_s / own_s - ratio).abs() < 1e-15,
+                "{level}: {}",
+                next_s / own_s
+            );
+            assert!(
+                Kernel::level_within(own_s) == level
+                    && Kernel::level_within(own_s.midpoint(next_s)) == level,
+                "{level}"
+            );
         }
         assert!(Kernel::length_s(0) == 1.0 && Kernel::length_s(LEVELS_PER_OCTAVE) == 0.5);
     }

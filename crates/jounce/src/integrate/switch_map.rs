@@ -31,16 +31,29 @@ struct Capacitances([f64; 2]);
 impl SwitchMap {
     /// Of a bridge at a physical state.
     pub fn of(plant: &Plant, number: usize, x: &[f64]) -> Self {
-        let (bridge, nodes) = (&plant.system.bridges[number], plant.electrical.bridges[number]);
+        let (bridge, nodes) = (
+            &plant.system.bridges[number],
+            plant.electrical.bridges[number],
+        );
         let first = 2 * plant.system.modes.len();
-        let storage_f = nodes.storage.map_or(f64::INFINITY, |node| plant.electrical.nodes[node].capacitance_f);
-        let both = Capacitances([plant.electrical.nodes[nodes.terminal].capacitance_f, storage_f]);
-        let volts = [x[first + nodes.terminal], nodes.storage.map_or(0.0, |node| x[first + node])];
+        let storage_f = nodes.storage.map_or(f64::INFINITY, |node| {
+            plant.electrical.nodes[node].capacitance_f
+        });
+        let both = Capacitances([
+            plant.electrical.nodes[nodes.terminal].capacitance_f,
+            storage_f,
+        ]);
+        let volts = [
+            x[first + nodes.terminal],
+            nodes.storage.map_or(0.0, |node| x[first + node]),
+        ];
         let mut flip = match bridge.scheme {
             Scheme::Standard => Self::left(volts),
-            Scheme::ParallelSshi { inversion } => {
-                Self { volts: [-inversion * volts[0], volts[1]], slopes: [[-inversion, 0.0], [0.0, 1.0]], ..Self::left(volts) }
-            }
+            Scheme::ParallelSshi { inversion } => Self {
+                volts: [-inversion * volts[0], volts[1]],
+                slopes: [[-inversion, 0.0], [0.0, 1.0]],
+                ..Self::left(volts)
+            },
             Scheme::SeriesSshi { inversion } => Self::swung(bridge, inversion, &both, volts),
             Scheme::Extraction { efficiency } => Self::extracted(bridge, efficiency, &both, volts),
         };
@@ -51,7 +64,10 @@ impl SwitchMap {
 
     /// Puts the voltages after it into a physical state.
     pub fn enter(&self, plant: &Plant, number: usize, x: &mut [f64]) {
-        let (nodes, first) = (plant.electrical.bridges[number], 2 * plant.system.modes.len());
+        let (nodes, first) = (
+            plant.electrical.bridges[number],
+            2 * plant.system.modes.len(),
+        );
         x[first + nodes.terminal] = self.volts[0];
         if let Some(storage) = nodes.storage {
             x[first + storage] = self.volts[1];
@@ -60,7 +76,12 @@ impl SwitchMap {
 
     /// A switch that does nothing.
     fn left(volts: [f64; 2]) -> Self {
-        Self { volts, slopes: [[1.0, 0.0], [0.0, 1.0]], taken: RectifiedEnergies::default(), stored_j: 0.0 }
+        Self {
+            volts,
+            slopes: [[1.0, 0.0], [0.0, 1.0]],
+            taken: RectifiedEnergies::default(),
+            stored_j: 0.0,
+        }
     }
 
     /// A swing through an inductor into the storage: the voltage turns over about that against which it conducts.
@@ -73,9 +94,15 @@ impl SwitchMap {
         let (Capacitances([own_f, storage_f]), sign) = (both, volts[0].signum());
         let per_volt_f = (1.0 + inversion) / (1.0 / own_f + 1.0 / storage_f);
         let charge_c = per_volt_f * over_v;
-        flip.volts = [volts[0] - sign * charge_c / own_f, volts[1] + charge_c / storage_f];
+        flip.volts = [
+            volts[0] - sign * charge_c / own_f,
+            volts[1] + charge_c / storage_f,
+        ];
         let by = [sign * per_volt_f, -per_volt_f];
-        flip.slopes = [[1.0 - sign * by[0] / own_f, -sign * by[1] / own_f], [by[0] / storage_f, 1.0 + by[1] / storage_f]];
+        flip.slopes = [
+            [1.0 - sign * by[0] / own_f, -sign * by[1] / own_f],
+            [by[0] / storage_f, 1.0 + by[1] / storage_f],
+        ];
         flip.taken.charge_c = charge_c;
         flip.taken.diodes_j = bridge.drop_v * charge_c;
         flip.taken.battery_j = (bridge.threshold_v() - bridge.drop_v) * charge_c;
@@ -84,13 +111,20 @@ impl SwitchMap {
 
     /// All energy of the patches taken out.
     fn extracted(bridge: &Bridge, efficiency: f64, both: &Capacitances, volts: [f64; 2]) -> Self {
-        let mut flip = Self { volts: [0.0, volts[1]], slopes: [[0.0, 0.0], [0.0, 1.0]], ..Self::left(volts) };
+        let mut flip = Self {
+            volts: [0.0, volts[1]],
+            slopes: [[0.0, 0.0], [0.0, 1.0]],
+            ..Self::left(volts)
+        };
         let arrives_j = efficiency * 0.5 * both.0[0] * volts[0] * volts[0];
         match bridge.storage {
             Storage::Capacitor { capacitance_f, .. } => {
                 flip.volts[1] = (volts[1] * volts[1] + 2.0 * arrives_j / capacitance_f).sqrt();
                 if flip.volts[1] > 0.0 {
-                    flip.slopes[1] = [efficiency * both.0[0] * volts[0] / (capacitance_f * flip.volts[1]), volts[1] / flip.volts[1]];
+                    flip.slopes[1] = [
+                        efficiency * both.0[0] * volts[0] / (capacitance_f * flip.volts[1]),
+                        volts[1] / flip.volts[1],
+                    ];
                 }
             }
             Storage::Battery { .. } => flip.taken.battery_j = arrives_j,
@@ -101,7 +135,12 @@ impl SwitchMap {
 
 impl Capacitances {
     fn energy_j(&self, volts: [f64; 2]) -> f64 {
-        self.0.iter().zip(volts).filter(|(capacitance_f, _)| capacitance_f.is_finite()).map(|(c, v)| 0.5 * c * v * v).sum()
+        self.0
+            .iter()
+            .zip(volts)
+            .filter(|(capacitance_f, _)| capacitance_f.is_finite())
+            .map(|(c, v)| 0.5 * c * v * v)
+            .sum()
     }
 }
 
@@ -115,7 +154,12 @@ mod tests {
     use std::collections::BTreeMap;
 
     fn plant(scheme: Scheme, storage: Storage) -> Plant {
-        let patch = PatchModes { coupling_n_per_v: vec![0.5], capacitance_f: 2.0, leakage_ohm: None, strain: Vec::new() };
+        let patch = PatchModes {
+            coupling_n_per_v: vec![0.5],
+            capacitance_f: 2.0,
+            leakage_ohm: None,
+            strain: Vec::new(),
+        };
         let modes = Modes {
             frequency_rad_s: vec![1.0],
             damping_ratio: vec![0.05],
@@ -127,7 +171,10 @@ mod tests {
         };
         let bridge = Bridge {
             name: "b".into(),
-            connections: vec![Connection { patch: "patch".into(), sign: 1.0 }],
+            connections: vec![Connection {
+                patch: "patch".into(),
+                sign: 1.0,
+            }],
             wiring: Wiring::Parallel,
             scheme,
             storage,
@@ -136,17 +183,31 @@ mod tests {
             leakage_ohm: None,
             state: BridgeState::default(),
         };
-        Plant::new(System { modes: modes.into(), bridges: vec![bridge], ..System::default() }).unwrap()
+        Plant::new(System {
+            modes: modes.into(),
+            bridges: vec![bridge],
+            ..System::default()
+        })
+        .unwrap()
     }
 
     /// The derivative against differences, on either sign of the voltage.
     #[test]
     fn slopes_are_differences_of_the_switch() {
-        let capacitor = Storage::Capacitor { capacitance_f: 7.0, load_ohm: 1.0 };
-        for scheme in
-            [Scheme::ParallelSshi { inversion: 0.6 }, Scheme::SeriesSshi { inversion: 0.6 }, Scheme::Extraction { efficiency: 0.9 }]
-        {
-            for (storage, sign) in [(capacitor, 1.0), (capacitor, -1.0), (Storage::Battery { voltage_v: 0.4 }, -1.0)] {
+        let capacitor = Storage::Capacitor {
+            capacitance_f: 7.0,
+            load_ohm: 1.0,
+        };
+        for scheme in [
+            Scheme::ParallelSshi { inversion: 0.6 },
+            Scheme::SeriesSshi { inversion: 0.6 },
+            Scheme::Extraction { efficiency: 0.9 },
+        ] {
+            for (storage, sign) in [
+                (capacitor, 1.0),
+                (capacitor, -1.0),
+                (Storage::Battery { voltage_v: 0.4 }, -1.0),
+            ] {
                 let plant = plant(scheme, storage);
                 let states = plant.len();
                 let at = |volts: [f64; 2]| {
@@ -156,10 +217,18 @@ mod tests {
                 let volts = [sign * 3.0, 1.1];
                 let (found, step) = (at(volts), 1e-6);
                 for k in 0..states - 2 {
-                    let moved = |by: f64| at(std::array::from_fn(|i| volts[i] + if i == k { by } else { 0.0 })).volts;
+                    let moved = |by: f64| {
+                        at(std::array::from_fn(|i| {
+                            volts[i] + if i == k { by } else { 0.0 }
+                        }))
+                        .volts
+                    };
                     for i in 0..states - 2 {
                         let difference = (moved(step)[i] - moved(-step)[i]) / (2.0 * step);
-                        assert!((difference - found.slopes[i][k]).abs() < 1e-8, "{scheme:?} {i} by {k}: {difference}");
+                        assert!(
+                            (difference - found.slopes[i][k]).abs() < 1e-8,
+                            "{scheme:?} {i} by {k}: {difference}"
+                        );
                     }
                 }
             }

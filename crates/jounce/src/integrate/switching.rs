@@ -54,11 +54,24 @@ impl Integrator<'_> {
         let x = self.physical();
         let current = |nodes: &BridgeNodes| -> f64 {
             let coupling = &self.base.plant.electrical.nodes[nodes.terminal].coupling_n_per_v;
-            coupling.iter().enumerate().map(|(i, theta)| theta * x[coupling.len() + i]).sum()
+            coupling
+                .iter()
+                .enumerate()
+                .map(|(i, theta)| theta * x[coupling.len() + i])
+                .sum()
         };
-        let states: Vec<BridgeState> = (self.base.plant.electrical.bridges.iter().zip(&system.bridges))
-            .map(|(nodes, bridge)| BridgeState { rising: bridge.has_switch() && current(nodes) > 0.0, ..BridgeState::default() })
-            .collect();
+        let states: Vec<BridgeState> = (self
+            .base
+            .plant
+            .electrical
+            .bridges
+            .iter()
+            .zip(&system.bridges))
+        .map(|(nodes, bridge)| BridgeState {
+            rising: bridge.has_switch() && current(nodes) > 0.0,
+            ..BridgeState::default()
+        })
+        .collect();
         self.change_to(&states, &x)?;
         self.change_if_met()
     }
@@ -71,13 +84,23 @@ impl Integrator<'_> {
             let mut x = self.physical();
             self.note_change(guard.change, guard.bridge, &x);
             self.close_regime();
-            let mut states: Vec<BridgeState> = self.kernel.plant.system.bridges.iter().map(|bridge| bridge.state).collect();
+            let mut states: Vec<BridgeState> = self
+                .kernel
+                .plant
+                .system
+                .bridges
+                .iter()
+                .map(|bridge| bridge.state)
+                .collect();
             match guard.change {
                 BridgeChange::Conducts(conduction) => states[guard.bridge].conduction = conduction,
                 BridgeChange::Blocks => states[guard.bridge].conduction = Conduction::Blocked,
                 BridgeChange::Switches => {
                     self.switch(guard.bridge, &mut x);
-                    states[guard.bridge] = BridgeState { conduction: Conduction::Blocked, rising: !states[guard.bridge].rising };
+                    states[guard.bridge] = BridgeState {
+                        conduction: Conduction::Blocked,
+                        rising: !states[guard.bridge].rising,
+                    };
                 }
             }
             self.change_to(&states, &x)?;
@@ -90,19 +113,35 @@ impl Integrator<'_> {
         let (regime, time_s, forces_n) = (self.switching.regime, self.time_s, self.forces_n());
         if let Some(record) = &mut self.record {
             let flipped = (change == BridgeChange::Switches).then_some(bridge);
-            record.push_change(ConductionChange { after: record.segments().len(), time_s, regime, flipped, state: x.to_vec(), forces_n });
+            record.push_change(ConductionChange {
+                after: record.segments().len(),
+                time_s,
+                regime,
+                flipped,
+                state: x.to_vec(),
+                forces_n,
+            });
         }
     }
 
     fn count_change(&mut self, bridge: usize) -> Result<(), IntegrationError> {
         // An instant is found to the roundoff of its time and of what is watched, and no two changes lie at exactly the same one.
-        let instant_s = SIMULTANEOUS_CHANGE / self.base.fastest_rad_s + 64.0 * f64::EPSILON * self.time_s;
+        let instant_s =
+            SIMULTANEOUS_CHANGE / self.base.fastest_rad_s + 64.0 * f64::EPSILON * self.time_s;
         let (time_s, changes) = &mut self.switching.changed;
-        *changes = if self.time_s - *time_s <= instant_s { *changes + 1 } else { 1 };
+        *changes = if self.time_s - *time_s <= instant_s {
+            *changes + 1
+        } else {
+            1
+        };
         *time_s = self.time_s;
         if *changes > MAX_CHANGES_PER_INSTANT {
             let circuit = self.kernel.plant.system.bridges[bridge].name.clone();
-            return Err(IntegrationError::ChangesWithoutEnd { time_s: self.time_s, circuit, changes: *changes });
+            return Err(IntegrationError::ChangesWithoutEnd {
+                time_s: self.time_s,
+                circuit,
+                changes: *changes,
+            });
         }
         Ok(())
     }
@@ -118,14 +157,30 @@ impl Integrator<'_> {
         let (plant, port) = (&self.kernel.plant, &self.ports[p]);
         let guard = &plant.guards[p - plant.system.stops.len()];
         let row = &plant.ports[p].displacement;
-        let terms = row.iter().zip(self.own_state()).map(|(row, y)| (row * y).abs()).sum::<f64>();
+        let terms = row
+            .iter()
+            .zip(self.own_state())
+            .map(|(row, y)| (row * y).abs())
+            .sum::<f64>();
         let mut size = terms + port.rows.tone_scale_m;
         if guard.change != BridgeChange::Switches {
-            let (nodes, first) = (plant.electrical.bridges[guard.bridge], 2 * plant.system.modes.len());
+            let (nodes, first) = (
+                plant.electrical.bridges[guard.bridge],
+                2 * plant.system.modes.len(),
+            );
             let node = &plant.electrical.nodes[nodes.terminal];
-            let displaced_c: f64 = node.coupling_n_per_v.iter().zip(x).map(|(theta, q)| (theta * q).abs()).sum();
-            size += x[first + nodes.terminal].abs() + nodes.storage.map_or(0.0, |storage| x[first + storage].abs());
-            size += plant.system.bridges[guard.bridge].threshold_v() + displaced_c / node.capacitance_f;
+            let displaced_c: f64 = node
+                .coupling_n_per_v
+                .iter()
+                .zip(x)
+                .map(|(theta, q)| (theta * q).abs())
+                .sum();
+            size += x[first + nodes.terminal].abs()
+                + nodes
+                    .storage
+                    .map_or(0.0, |storage| x[first + storage].abs());
+            size +=
+                plant.system.bridges[guard.bridge].threshold_v() + displaced_c / node.capacitance_f;
         }
         // A time is not told better than to its own roundoff.
         EVENT_ROUNDOFF * size + 4.0 * f64::EPSILON * self.time_s * port.rate_m_s.abs()
@@ -135,9 +190,15 @@ impl Integrator<'_> {
     fn change_to(&mut self, states: &[BridgeState], x: &[f64]) -> Result<(), IntegrationError> {
         let regime = self.base.plant.system.regime(states);
         let kernel = self.base.in_regime(regime)?;
-        let mut next = Integrator::in_one_regime(kernel, &kernel.plant.from_physical(x, self.time_s), self.time_s, self.tolerance);
+        let mut next = Integrator::in_one_regime(
+            kernel,
+            &kernel.plant.from_physical(x, self.time_s),
+            self.time_s,
+            self.tolerance,
+        );
         next.base = self.base;
-        (next.flight_level, next.release_error_factor) = (self.flight_level, self.release_error_factor);
+        (next.flight_level, next.release_error_factor) =
+            (self.flight_level, self.release_error_factor);
         (next.work, next.checks) = (self.work, self.checks);
         next.record = self.record.take();
         next.switching = std::mem::take(&mut self.switching);
@@ -150,7 +211,12 @@ impl Integrator<'_> {
                 ContactState::Flight => [seen.penetration_m, seen.rate_m_s],
                 ContactState::Contact => [self.ports[p].penetration_m, self.ports[p].rate_m_s],
             };
-            next.ports[p] = PortState { rows: seen.rows, penetration_m, rate_m_s, ..self.ports[p].clone() };
+            next.ports[p] = PortState {
+                rows: seen.rows,
+                penetration_m,
+                rate_m_s,
+                ..self.ports[p].clone()
+            };
         }
         for p in stops..kernel.plant.ports.len() {
             let roundoff = next.roundoff(p, x);
@@ -179,11 +245,27 @@ impl Integrator<'_> {
     pub(super) fn energies_of_all(&self) -> Energies {
         let (own, plant) = (self.energies_in_regime(), &self.kernel.plant);
         let mut all = self.switching.earlier.clone();
-        let moved: Vec<f64> = self.physical().iter().zip(&self.switching.since.1).map(|(x, since)| x - since).collect();
-        let gains = ChargeBalance { plant, moved: &moved, length_s: self.time_s - self.switching.since.0 };
+        let moved: Vec<f64> = self
+            .physical()
+            .iter()
+            .zip(&self.switching.since.1)
+            .map(|(x, since)| x - since)
+            .collect();
+        let gains = ChargeBalance {
+            plant,
+            moved: &moved,
+            length_s: self.time_s - self.switching.since.0,
+        };
         let loads = plant.system.loads.len();
-        all.loads_j.iter_mut().zip(&own.loads_j).for_each(|(sum, own)| *sum += own);
-        let outputs: Vec<PowerOutput> = plant.bridge_outputs().into_iter().chain(plant.leak_outputs()).collect();
+        all.loads_j
+            .iter_mut()
+            .zip(&own.loads_j)
+            .for_each(|(sum, own)| *sum += own);
+        let outputs: Vec<PowerOutput> = plant
+            .bridge_outputs()
+            .into_iter()
+            .chain(plant.leak_outputs())
+            .collect();
         let mut leaks = all.leaks_j.iter_mut();
         for (output, energy_j) in outputs.iter().zip(&own.loads_j[loads..]) {
             let energy_j = energy_j + gains.standing_j(output);
@@ -195,12 +277,19 @@ impl Integrator<'_> {
             }
         }
         let mut pushed_j = 0.0;
-        for ((k, bridge), taken) in plant.system.bridges.iter().enumerate().zip(&mut all.rectified) {
+        for ((k, bridge), taken) in plant
+            .system
+            .bridges
+            .iter()
+            .enumerate()
+            .zip(&mut all.rectified)
+        {
             let sign = bridge.state.conduction.sign();
             if sign == 0.0 {
                 continue;
             }
-            let charge_c = -sign * (gains.charge_c(plant.electrical.bridges[k].terminal) + gains.leaked_c(k));
+            let charge_c =
+                -sign * (gains.charge_c(plant.electrical.bridges[k].terminal) + gains.leaked_c(k));
             taken.charge_c += charge_c;
             taken.diodes_j += bridge.drop_v * charge_c;
             taken.battery_j += (bridge.threshold_v() - bridge.drop_v) * charge_c;

@@ -42,7 +42,13 @@ impl Kernel {
     /// Flow over a level.
     #[inline(always)]
     pub(super) fn flow(&self, level: i32) -> &Flow {
-        let make = || Flow::over(&self.plant.diagonal.block, &self.layout, Self::length_s(level));
+        let make = || {
+            Flow::over(
+                &self.plant.diagonal.block,
+                &self.layout,
+                Self::length_s(level),
+            )
+        };
         self.levels[Self::index(level)].flow.get_or_init(make)
     }
 
@@ -61,28 +67,61 @@ impl Kernel {
     /// Flight table of a level for a port.
     #[inline(always)]
     pub(super) fn flight(&self, port: usize, level: i32) -> &FlightTable {
-        let make = || FlightTable::new(&self.plant.diagonal.block, &self.layout, &self.plant.ports[port], Self::length_s(level));
-        self.levels[Self::index(level)].ports[port].flight.get_or_init(make)
+        let make = || {
+            FlightTable::new(
+                &self.plant.diagonal.block,
+                &self.layout,
+                &self.plant.ports[port],
+                Self::length_s(level),
+            )
+        };
+        self.levels[Self::index(level)].ports[port]
+            .flight
+            .get_or_init(make)
     }
 
     /// Contact table of a level for a port.
     #[inline(always)]
     pub(super) fn table(&self, port: usize, shape: ForceBasis, level: i32) -> &ContactTable {
         let tables = &self.levels[Self::index(level)].ports[port];
-        let slot = if shape == ForceBasis::Smooth { &tables.smooth } else { &tables.onset };
-        slot.get_or_init(|| Box::new(ContactTable::new(self, port, self.basis(port, shape), Self::length_s(level))))
+        let slot = if shape == ForceBasis::Smooth {
+            &tables.smooth
+        } else {
+            &tables.onset
+        };
+        slot.get_or_init(|| {
+            Box::new(ContactTable::new(
+                self,
+                port,
+                self.basis(port, shape),
+                Self::length_s(level),
+            ))
+        })
     }
 
     /// What each block answers inside a step of a level to the force of a port.
     pub(super) fn answers(&self, port: usize, shape: ForceBasis, level: i32) -> &[StepResponse] {
-        let make = || StepResponse::of_all(&self.plant.diagonal.block, self.basis(port, shape), Self::length_s(level));
+        let make = || {
+            StepResponse::of_all(
+                &self.plant.diagonal.block,
+                self.basis(port, shape),
+                Self::length_s(level),
+            )
+        };
         self.levels[Self::index(level)].ports[port].answers[shape.index()].get_or_init(make)
     }
 
     /// What rest of a port on its stop needs on a step of a level.
     pub(super) fn sticking(&self, port: usize, level: i32) -> &StickingTable {
         let slot = &self.levels[Self::index(level)].ports[port].sticking;
-        slot.get_or_init(|| Box::new(StickingTable::new(self, port, &SMOOTH_BASIS, Self::length_s(level))))
+        slot.get_or_init(|| {
+            Box::new(StickingTable::new(
+                self,
+                port,
+                &SMOOTH_BASIS,
+                Self::length_s(level),
+            ))
+        })
     }
 
     /// What the force of the first port does to the second on a level.
@@ -93,8 +132,14 @@ impl Kernel {
     }
 
     /// What the force of a port does to the flight of another on a level.
-    pub(super) fn forced_flight(&self, port: (usize, ForceBasis), seen: usize, level: i32) -> &ForcedFlight {
-        let slot = &self.levels[Self::index(level)].ports[port.0].seen[seen].flights[port.1.index()];
+    pub(super) fn forced_flight(
+        &self,
+        port: (usize, ForceBasis),
+        seen: usize,
+        level: i32,
+    ) -> &ForcedFlight {
+        let slot =
+            &self.levels[Self::index(level)].ports[port.0].seen[seen].flights[port.1.index()];
         slot.get_or_init(|| Box::new(ForcedFlight::new(self, port, seen, Self::length_s(level))))
     }
 
@@ -109,7 +154,11 @@ impl Kernel {
     /// The basis in which a contact of a port starts.
     #[inline(always)]
     pub(super) fn first_shape(&self, port: usize) -> ForceBasis {
-        if self.onset[port].is_some() { ForceBasis::Onset } else { ForceBasis::Smooth }
+        if self.onset[port].is_some() {
+            ForceBasis::Onset
+        } else {
+            ForceBasis::Smooth
+        }
     }
 }
 
@@ -117,7 +166,13 @@ impl Kernel {
 pub fn levels(plant: &Plant) -> Vec<StepTables> {
     let count = plant.ports.len();
     let others = if count > 1 { count } else { 0 };
-    let port = |_| PortTables { seen: (0..others).map(|_| CrossPortTables::default()).collect(), ..PortTables::default() };
-    let level = |_| StepTables { flow: OnceLock::new(), ports: (0..count).map(port).collect() };
+    let port = |_| PortTables {
+        seen: (0..others).map(|_| CrossPortTables::default()).collect(),
+        ..PortTables::default()
+    };
+    let level = |_| StepTables {
+        flow: OnceLock::new(),
+        ports: (0..count).map(port).collect(),
+    };
     (Kernel::coarsest()..=Kernel::finest()).map(level).collect()
 }

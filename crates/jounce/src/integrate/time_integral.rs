@@ -17,9 +17,12 @@ impl Trajectory {
         let mut made = ResponseCache::default();
         let mut sum = 0.0;
         for segment in self.segments() {
-            let within = [from_s, to_s].map(|time_s| (time_s - segment.start_s).clamp(0.0, segment.length_s));
+            let within = [from_s, to_s]
+                .map(|time_s| (time_s - segment.start_s).clamp(0.0, segment.length_s));
             // A regime that was marched in has been made.
-            let Ok(own) = kernel.in_regime(segment.regime) else { continue };
+            let Ok(own) = kernel.in_regime(segment.regime) else {
+                continue;
+            };
             if within[1] > within[0] {
                 let state = segment.integral(own, within, &mut made);
                 sum += own.plant.integral_of(&state, within[1] - within[0], place);
@@ -31,11 +34,21 @@ impl Trajectory {
 
 impl TrajectorySegment {
     /// Of the state in block coordinates, between two times after its start.
-    fn integral(&self, kernel: &Kernel, [from_s, to_s]: [f64; 2], made: &mut ResponseCache) -> Vec<f64> {
+    fn integral(
+        &self,
+        kernel: &Kernel,
+        [from_s, to_s]: [f64; 2],
+        made: &mut ResponseCache,
+    ) -> Vec<f64> {
         let (plant, length_s) = (&kernel.plant, to_s - from_s);
         let block: &BlockDiagonal = &plant.diagonal.block;
         let mut state = block.integral(length_s, &block.flow(from_s, &self.state));
-        let mut add = |more: Vec<f64>, sign: f64| state.iter_mut().zip(more).for_each(|(sum, more)| *sum += sign * more);
+        let mut add = |more: Vec<f64>, sign: f64| {
+            state
+                .iter_mut()
+                .zip(more)
+                .for_each(|(sum, more)| *sum += sign * more)
+        };
         add(plant.steady_integral(self.start_s + from_s, length_s), 1.0);
         if !self.sizes.is_empty() {
             add(plant.forced_integral(&self.sizes, to_s), 1.0);
@@ -44,7 +57,11 @@ impl TrajectorySegment {
         let [from, to] = [from_s, to_s].map(|time_s| time_s / self.length_s);
         let weights = |count: usize| -> Vec<f64> {
             let [before, after] = [from, to].map(|x| summed(x, count));
-            after.iter().zip(before).map(|(after, before)| (after - before) * self.length_s).collect()
+            after
+                .iter()
+                .zip(before)
+                .map(|(after, before)| (after - before) * self.length_s)
+                .collect()
         };
         for force in &self.forces {
             self.answer(kernel, force, made, &weights, &mut state);
@@ -56,6 +73,12 @@ impl TrajectorySegment {
 /// `int_0^x P_n` of the shifted Legendre polynomials.
 fn summed(x: f64, count: usize) -> Vec<f64> {
     let powers = legendre(x, count + 1);
-    let of = |n: usize| if n == 0 { x } else { (powers[n + 1] - powers[n - 1]) / (2 * (2 * n + 1)) as f64 };
+    let of = |n: usize| {
+        if n == 0 {
+            x
+        } else {
+            (powers[n + 1] - powers[n - 1]) / (2 * (2 * n + 1)) as f64
+        }
+    };
     (0..count).map(of).collect()
 }

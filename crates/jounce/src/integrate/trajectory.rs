@@ -44,7 +44,11 @@ pub struct PortForce {
 impl PortForce {
     /// Of a step, the last place left out.
     pub(super) fn new(step: &ContactStep, force: &F64x8) -> Self {
-        Self { port: step.port, shape: step.shape, nodal_n: std::array::from_fn(|j| force.0[j]) }
+        Self {
+            port: step.port,
+            shape: step.shape,
+            nodal_n: std::array::from_fn(|j| force.0[j]),
+        }
     }
 }
 
@@ -101,7 +105,11 @@ impl Trajectory {
     }
 
     pub(super) fn push_impact(&mut self, port: usize, impulse_n_s: f64) {
-        self.impacts.push(Impact { after: self.segments.len(), port, impulse_n_s });
+        self.impacts.push(Impact {
+            after: self.segments.len(),
+            port,
+            impulse_n_s,
+        });
     }
 
     pub(super) fn push_change(&mut self, change: ConductionChange) {
@@ -140,28 +148,49 @@ impl Trajectory {
     /// fast diodes leave few digits.
     pub fn physical_at(&self, kernel: &Kernel, time_s: f64) -> Vec<f64> {
         let mut found = Vec::new();
-        self.each(kernel, &[time_s], |own, _, instant| found = own.plant.to_physical(&instant.state, instant.time_s));
+        self.each(kernel, &[time_s], |own, _, instant| {
+            found = own.plant.to_physical(&instant.state, instant.time_s)
+        });
         found
     }
 
     /// Visits the states at ascending times, each in the coordinates of its regime.
-    fn each(&self, kernel: &Kernel, times_s: &[f64], mut visit: impl FnMut(&Kernel, usize, TrajectoryState)) {
+    fn each(
+        &self,
+        kernel: &Kernel,
+        times_s: &[f64],
+        mut visit: impl FnMut(&Kernel, usize, TrajectoryState),
+    ) {
         let mut made = ResponseCache::default();
         let mut index = 0;
         for &time_s in times_s {
             while index + 1 < self.segments.len() && self.segments[index + 1].start_s <= time_s {
                 index += 1;
             }
-            let Some(segment) = self.segments.get(index) else { break };
+            let Some(segment) = self.segments.get(index) else {
+                break;
+            };
             // A regime that was marched in has been made.
-            let Ok(own) = kernel.in_regime(segment.regime) else { continue };
+            let Ok(own) = kernel.in_regime(segment.regime) else {
+                continue;
+            };
             let mut instant = segment.free_at(own, time_s);
             let x = (time_s - segment.start_s) / segment.length_s;
             for force in &segment.forces {
                 let functions = own.basis(force.port, force.shape).at(x.clamp(0.0, 1.0));
-                let force_n: f64 = functions.iter().zip(&force.nodal_n).map(|(b, f)| b * f).sum();
+                let force_n: f64 = functions
+                    .iter()
+                    .zip(&force.nodal_n)
+                    .map(|(b, f)| b * f)
+                    .sum();
                 instant.forces_n[force.port] = force_n.max(0.0);
-                segment.answer(own, force, &mut made, &|count| legendre(x, count), &mut instant.state);
+                segment.answer(
+                    own,
+                    force,
+                    &mut made,
+                    &|count| legendre(x, count),
+                    &mut instant.state,
+                );
             }
             visit(own, segment.regime, instant);
         }
@@ -178,9 +207,16 @@ impl TrajectorySegment {
         let mut state = kernel.plant.diagonal.block.flow(after_s, &self.state);
         if !self.sizes.is_empty() {
             let forced = kernel.plant.forced(&self.sizes, after_s);
-            state.iter_mut().zip(forced).for_each(|(y, forced)| *y += forced);
+            state
+                .iter_mut()
+                .zip(forced)
+                .for_each(|(y, forced)| *y += forced);
         }
-        TrajectoryState { time_s, state, forces_n: vec![0.0; kernel.plant.system.stops.len()] }
+        TrajectoryState {
+            time_s,
+            state,
+            forces_n: vec![0.0; kernel.plant.system.stops.len()],
+        }
     }
 
     /// Adds to a state what a force does, its Legendre series weighed.
@@ -198,14 +234,27 @@ impl TrajectorySegment {
             kernel.answers(port, shape, level)
         } else {
             let make = || StepResponse::of_all(block, kernel.basis(port, shape), length_s);
-            made.entry((length_s.to_bits(), port, shape, self.regime)).or_insert_with(make)
+            made.entry((length_s.to_bits(), port, shape, self.regime))
+                .or_insert_with(make)
         };
         let column = &kernel.plant.ports[port].force;
-        let weights = weights(answers.iter().map(|answers| answers.first.len()).max().unwrap_or(0));
+        let weights = weights(
+            answers
+                .iter()
+                .map(|answers| answers.first.len())
+                .max()
+                .unwrap_or(0),
+        );
         for ((first, part), answers) in parts(block).zip(answers) {
             let sum = |series: &[F64x8]| -> f64 {
-                let nodal = |lane: &F64x8| -> f64 { (0..NODES).map(|j| force.nodal_n[j] * lane.0[j]).sum() };
-                series.iter().zip(&weights).map(|(lane, weight)| weight * nodal(lane)).sum()
+                let nodal = |lane: &F64x8| -> f64 {
+                    (0..NODES).map(|j| force.nodal_n[j] * lane.0[j]).sum()
+                };
+                series
+                    .iter()
+                    .zip(&weights)
+                    .map(|(lane, weight)| weight * nodal(lane))
+                    .sum()
             };
             let (one, two) = (sum(&answers.first), sum(&answers.second));
             for s in 0..part.states() {

@@ -19,12 +19,25 @@ impl ZenoGuard {
     /// # Errors
     /// [`IntegrationError::ImpactsWithoutEnd`].
     pub fn count(&mut self, plant: &Plant, time_s: f64) -> Result<(), IntegrationError> {
-        self.count = if time_s == self.time_s { self.count + 1 } else { 0 };
+        self.count = if time_s == self.time_s {
+            self.count + 1
+        } else {
+            0
+        };
         self.time_s = time_s;
         if self.count <= MAX_ROUNDS_PER_INSTANT {
             return Ok(());
         }
-        let stops = plant.system.stops.iter().map(|stop| stop.name.clone()).collect();
-        Err(IntegrationError::ImpactsWithoutEnd { time_s, stops, impacts: MAX_ROUNDS_PER_INSTANT })
+        let stops = plant
+            .system
+            .stops
+            .iter()
+            .map(|stop| stop.name.clone())
+            .collect();
+        Err(IntegrationError::ImpactsWithoutEnd {
+            time_s,
+            stops,
+            impacts: MAX_ROUNDS_PER_INSTANT,
+        })
     }
 }

@@ -24,9 +24,20 @@ const MAX_BRACKET_WIDTH: f64 = 1e-8;
 ///
 /// # Errors
 /// [`RandomError::Unsteady`], [`RandomError::Plant`].
-pub fn noise_bandwidth_hz(plant: &Plant, noise: &NoiseInput, row: &[f64]) -> Result<f64, RandomError> {
-    let unit = NoiseInput { density: 1.0, ..noise.white() };
-    let whole = product(&covariance(plant, std::slice::from_ref(&unit)).map_err(RandomError::unsteady)?, row, row);
+pub fn noise_bandwidth_hz(
+    plant: &Plant,
+    noise: &NoiseInput,
+    row: &[f64],
+) -> Result<f64, RandomError> {
+    let unit = NoiseInput {
+        density: 1.0,
+        ..noise.white()
+    };
+    let whole = product(
+        &covariance(plant, std::slice::from_ref(&unit)).map_err(RandomError::unsteady)?,
+        row,
+        row,
+    );
     let highest = largest_gain(plant, &unit, row)?;
     Ok(if highest > 0.0 { whole / highest } else { 0.0 })
 }
@@ -35,17 +46,38 @@ pub fn noise_bandwidth_hz(plant: &Plant, noise: &NoiseInput, row: &[f64]) -> Res
 ///
 /// # Errors
 /// [`RandomError::Plant`].
-pub fn statistical_bandwidth_hz(plant: &Plant, noises: &[NoiseInput], row: &[f64]) -> Result<f64, RandomError> {
-    let (first, second) = (spectral_moment(plant, noises, row, 1)?, spectral_moment(plant, noises, row, 2)?);
-    Ok(if second > 0.0 { first * first / second } else { 0.0 })
+pub fn statistical_bandwidth_hz(
+    plant: &Plant,
+    noises: &[NoiseInput],
+    row: &[f64],
+) -> Result<f64, RandomError> {
+    let (first, second) = (
+        spectral_moment(plant, noises, row, 1)?,
+        spectral_moment(plant, noises, row, 2)?,
+    );
+    Ok(if second > 0.0 {
+        first * first / second
+    } else {
+        0.0
+    })
 }
 
 /// Frequencies at which answers may be large, Hz, ascending: about every resonance, and a few between.
 pub(super) fn telling_frequencies_hz(plant: &Plant) -> Vec<f64> {
     let mut all = Vec::new();
-    for value in plant.diagonal.block.eigenvalues().into_iter().filter(|value| value.im >= 0.0 && value.norm() > 0.0) {
+    for value in plant
+        .diagonal
+        .block
+        .eigenvalues()
+        .into_iter()
+        .filter(|value| value.im >= 0.0 && value.norm() > 0.0)
+    {
         all.extend([value.im, value.norm()]);
-        all.extend(SEARCH_DISTANCES.iter().flat_map(|k| [value.im - k * value.re, value.im + k * value.re]));
+        all.extend(
+            SEARCH_DISTANCES
+                .iter()
+                .flat_map(|k| [value.im - k * value.re, value.im + k * value.re]),
+        );
         all.extend([0.3, 0.6, 0.9, 1.1, 1.6].map(|k| k * value.norm()));
     }
     all.retain(|w| *w > 0.0);
@@ -58,8 +90,13 @@ pub(super) fn telling_frequencies_hz(plant: &Plant) -> Vec<f64> {
 fn largest_gain(plant: &Plant, noise: &NoiseInput, row: &[f64]) -> Result<f64, RandomError> {
     let at = |frequency_hz: f64| gain(plant, noise, row, frequency_hz);
     let places = telling_frequencies_hz(plant);
-    let sizes = places.iter().map(|place| at(*place)).collect::<Result<Vec<f64>, _>>()?;
-    let Some(best) = (0..sizes.len()).max_by(|i, j| sizes[*i].total_cmp(&sizes[*j])) else { return Ok(0.0) };
+    let sizes = places
+        .iter()
+        .map(|place| at(*place))
+        .collect::<Result<Vec<f64>, _>>()?;
+    let Some(best) = (0..sizes.len()).max_by(|i, j| sizes[*i].total_cmp(&sizes[*j])) else {
+        return Ok(0.0);
+    };
     let mut low = if best == 0 { 0.0 } else { places[best - 1] };
     let mut high = places.get(best + 1).copied().unwrap_or(2.0 * places[best]);
     let golden = (5f64.sqrt() - 1.0) / 2.0;
@@ -68,7 +105,11 @@ fn largest_gain(plant: &Plant, noise: &NoiseInput, row: &[f64]) -> Result<f64, R
         let (one, two) = (high - golden * (high - low), low + golden * (high - low));
         let (first, second) = (at(one)?, at(two)?);
         highest = highest.max(first).max(second);
-        if first > second { high = two } else { low = one }
+        if first > second {
+            high = two
+        } else {
+            low = one
+        }
     }
     Ok(highest)
 }

@@ -22,7 +22,13 @@ pub struct Coupling {
 pub fn couplings(modes: &Modes) -> Vec<Coupling> {
     let mut all = Vec::new();
     for (name, patch) in &modes.patch {
-        for (mode, (w, theta)) in modes.frequency_rad_s.iter().zip(&patch.coupling_n_per_v).enumerate().filter(|(_, (w, _))| **w > 0.0) {
+        for (mode, (w, theta)) in modes
+            .frequency_rad_s
+            .iter()
+            .zip(&patch.coupling_n_per_v)
+            .enumerate()
+            .filter(|(_, (w, _))| **w > 0.0)
+        {
             let coupling_squared = theta * theta / (patch.capacitance_f * w * w);
             all.push(Coupling {
                 patch: name.clone(),

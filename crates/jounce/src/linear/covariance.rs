@@ -42,15 +42,26 @@ pub fn covariance(plant: &Plant, noises: &[NoiseInput]) -> Result<Mat<f64>, (Str
             }
         }
         let kept = filtered(block, &column, noise.band_hz.map(|end_hz| TAU * end_hz));
-        let source = |i: usize, j: usize| 0.5 * noise.density * (kept[i] * column[j] + column[i] * kept[j]);
-        sum += lyapunov(block, LyapunovSide::Columns, source).map_err(|mode_hz| (noise.name.clone(), mode_hz))?;
+        let source =
+            |i: usize, j: usize| 0.5 * noise.density * (kept[i] * column[j] + column[i] * kept[j]);
+        sum += lyapunov(block, LyapunovSide::Columns, source)
+            .map_err(|mode_hz| (noise.name.clone(), mode_hz))?;
     }
     Ok(sum)
 }
 
 /// `c P d^T`.
 pub fn product(covariance: &Mat<f64>, c: &[f64], d: &[f64]) -> f64 {
-    c.iter().enumerate().map(|(i, c)| c * d.iter().enumerate().map(|(j, d)| covariance[(i, j)] * d).sum::<f64>()).sum()
+    c.iter()
+        .enumerate()
+        .map(|(i, c)| {
+            c * d
+                .iter()
+                .enumerate()
+                .map(|(j, d)| covariance[(i, j)] * d)
+                .sum::<f64>()
+        })
+        .sum()
 }
 
 /// `F b`.
@@ -67,13 +78,22 @@ fn filtered(block: &BlockDiagonal, column: &[f64], band_rad_s: [f64; 2]) -> Vec<
                 out.extend([turned.re, turned.im]);
             }
             BlockPair::Jordan { rate } => {
-                let [f, slope] = [share(pair.eigenvalue(), band_rad_s).re, share_slope(rate, band_rad_s)];
+                let [f, slope] = [
+                    share(pair.eigenvalue(), band_rad_s).re,
+                    share_slope(rate, band_rad_s),
+                ];
                 out.extend([f * b[0] + slope * b[1], f * b[1]]);
             }
         }
     }
     let single = &column[2 * block.pairs.len()..];
-    let kept = |(rate, b): (&f64, &f64)| if *b == 0.0 { 0.0 } else { share(c64::new(*rate, 0.0), band_rad_s).re * b };
+    let kept = |(rate, b): (&f64, &f64)| {
+        if *b == 0.0 {
+            0.0
+        } else {
+            share(c64::new(*rate, 0.0), band_rad_s).re * b
+        }
+    };
     out.extend(block.reals.iter().zip(single).map(kept));
     out
 }
@@ -89,6 +109,12 @@ fn share(eigenvalue: c64, [low, high]: [f64; 2]) -> c64 {
 
 /// Its derivative on a real eigenvalue, s.
 fn share_slope(rate: f64, [low, high]: [f64; 2]) -> f64 {
-    let below = |w: f64| if w.is_infinite() { 0.0 } else { w / (PI * (w * w + rate * rate)) };
+    let below = |w: f64| {
+        if w.is_infinite() {
+            0.0
+        } else {
+            w / (PI * (w * w + rate * rate))
+        }
+    };
     below(high) - below(low)
 }

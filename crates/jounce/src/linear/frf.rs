@@ -59,7 +59,9 @@ impl FrfResponse {
             (FrfResponse::Displacement(_), FrfInput::BaseAcceleration) => "m/(m/s^2)",
             (FrfResponse::Velocity(_), FrfInput::BaseAcceleration) => "(m/s)/(m/s^2)",
             (FrfResponse::Acceleration(_), FrfInput::BaseAcceleration) => "(m/s^2)/(m/s^2)",
-            (FrfResponse::Voltage(_) | FrfResponse::LoadVoltage(_), FrfInput::BaseAcceleration) => "V/(m/s^2)",
+            (FrfResponse::Voltage(_) | FrfResponse::LoadVoltage(_), FrfInput::BaseAcceleration) => {
+                "V/(m/s^2)"
+            }
         }
     }
 }
@@ -68,7 +70,12 @@ impl FrfResponse {
 ///
 /// # Errors
 /// [`PlantError::UnknownName`] for a point, patch or circuit that is not there, [`PlantError::UndampedResonance`], [`PlantError::Switches`].
-pub fn frf(plant: &Plant, input: &FrfInput, responses: &[FrfResponse], frequencies_hz: &[f64]) -> Result<Vec<Frf>, PlantError> {
+pub fn frf(
+    plant: &Plant,
+    input: &FrfInput,
+    responses: &[FrfResponse],
+    frequencies_hz: &[f64],
+) -> Result<Vec<Frf>, PlantError> {
     frf_until(plant, input, responses, frequencies_hz, &|| false)
 }
 
@@ -84,21 +91,45 @@ pub fn frf_until(
     is_stopped: &dyn Fn() -> bool,
 ) -> Result<Vec<Frf>, PlantError> {
     if let Some(bridge) = plant.system.bridges.first() {
-        return Err(PlantError::Switches { circuit: bridge.name.clone() });
+        return Err(PlantError::Switches {
+            circuit: bridge.name.clone(),
+        });
     }
     let force: Vec<c64> = match input {
-        FrfInput::Force(point) => shape(plant, point)?.iter().map(|s| c64::new(*s, 0.0)).collect(),
-        FrfInput::BaseAcceleration => plant.system.modes.participation_sqrt_kg.iter().map(|p| c64::new(-p, 0.0)).collect(),
+        FrfInput::Force(point) => shape(plant, point)?
+            .iter()
+            .map(|s| c64::new(*s, 0.0))
+            .collect(),
+        FrfInput::BaseAcceleration => plant
+            .system
+            .modes
+            .participation_sqrt_kg
+            .iter()
+            .map(|p| c64::new(-p, 0.0))
+            .collect(),
     };
-    let rows = responses.iter().map(|response| row(plant, response)).collect::<Result<Vec<_>, _>>()?;
-    let mut answers: Vec<Frf> = responses.iter().map(|r| Frf { response: r.clone(), value: Vec::new() }).collect();
+    let rows = responses
+        .iter()
+        .map(|response| row(plant, response))
+        .collect::<Result<Vec<_>, _>>()?;
+    let mut answers: Vec<Frf> = responses
+        .iter()
+        .map(|r| Frf {
+            response: r.clone(),
+            value: Vec::new(),
+        })
+        .collect();
     for &frequency_hz in frequencies_hz.iter().take_while(|_| !is_stopped()) {
         let w = TAU * frequency_hz;
         let state = plant.steady_state(w, &force)?;
         for (answer, row) in answers.iter_mut().zip(&rows) {
             let value = crate::plant::dot(row, &state);
             let speeded = matches!(answer.response, FrfResponse::Acceleration(_));
-            answer.value.push(if speeded { value * c64::new(0.0, w) } else { value });
+            answer.value.push(if speeded {
+                value * c64::new(0.0, w)
+            } else {
+                value
+            });
         }
     }
     Ok(answers)
@@ -107,16 +138,24 @@ pub fn frf_until(
 fn row(plant: &Plant, response: &FrfResponse) -> Result<Vec<f64>, PlantError> {
     Ok(match response {
         FrfResponse::Displacement(point) => plant.displacement_row(shape(plant, point)?),
-        FrfResponse::Velocity(point) | FrfResponse::Acceleration(point) => plant.velocity_row(shape(plant, point)?),
+        FrfResponse::Velocity(point) | FrfResponse::Acceleration(point) => {
+            plant.velocity_row(shape(plant, point)?)
+        }
         FrfResponse::Voltage(patch) => {
             let patches: Vec<&String> = plant.system.modes.patch.keys().collect();
-            let index = patches.iter().position(|name| *name == patch).ok_or_else(|| unknown("response", patch, &patches))?;
+            let index = patches
+                .iter()
+                .position(|name| *name == patch)
+                .ok_or_else(|| unknown("response", patch, &patches))?;
             plant.voltage_row(index)
         }
         FrfResponse::LoadVoltage(name) => {
             let loads = &plant.system.loads;
             let known: Vec<&String> = loads.iter().map(|load| &load.name).collect();
-            let index = loads.iter().position(|load| load.name == *name).ok_or_else(|| unknown("response", name, &known))?;
+            let index = loads
+                .iter()
+                .position(|load| load.name == *name)
+                .ok_or_else(|| unknown("response", name, &known))?;
             plant.load_voltage_row(index)
         }
     })
@@ -124,10 +163,24 @@ fn row(plant: &Plant, response: &FrfResponse) -> Result<Vec<f64>, PlantError> {
 
 fn shape<'p>(plant: &'p Plant, point: &str) -> Result<&'p Vec<f64>, PlantError> {
     let shapes = &plant.system.modes.shape;
-    shapes.get(point).ok_or_else(|| unknown("force or response", point, &shapes.keys().collect::<Vec<_>>()))
+    shapes.get(point).ok_or_else(|| {
+        unknown(
+            "force or response",
+            point,
+            &shapes.keys().collect::<Vec<_>>(),
+        )
+    })
 }
 
 fn unknown(what: &str, name: &str, known: &[&String]) -> PlantError {
-    let known = known.iter().map(|name| name.as_str()).collect::<Vec<_>>().join(", ");
-    PlantError::UnknownName { what: what.to_owned(), name: name.to_owned(), known }
+    let known = known
+        .iter()
+        .map(|name| name.as_str())
+        .collect::<Vec<_>>()
+        .join(", ");
+    PlantError::UnknownName {
+        what: what.to_owned(),
+        name: name.to_owned(),
+        known,
+    }
 }

@@ -19,7 +19,11 @@ pub use coupling::{Coupling, couplings};
 pub use covariance::{covariance, product};
 pub use crossing::Crossing;
 pub use frf::{Frf, FrfInput, FrfResponse, frf, frf_until};
-pub use noise::{NoiseInput, density, noise_powers_between_w, spectral_moment, white_noise_powers_w};
+pub use noise::{
+    NoiseInput, density, noise_powers_between_w, spectral_moment, white_noise_powers_w,
+};
 pub use optimum::{Optimum, optimal_resistance, steady_power_w};
 pub use random::{Random, RandomError};
-pub use random_response::{Density, RandomLoad, RandomPatch, RandomPoint, RandomResponse, RandomStop};
+pub use random_response::{
+    Density, RandomLoad, RandomPatch, RandomPoint, RandomResponse, RandomStop,
+};

@@ -44,9 +44,21 @@ impl NoiseInput {
     pub fn of_spec(spec: &Spec, modes: &Modes) -> Result<Vec<Self>, PlantError> {
         let mut noises = Vec::new();
         for (name, drive) in &spec.drive {
-            if let DriveSignal::Noise { density, low_hz, high_hz, .. } = drive.signal {
+            if let DriveSignal::Noise {
+                density,
+                low_hz,
+                high_hz,
+                ..
+            } = drive.signal
+            {
                 let shape = driven(modes, name, drive)?;
-                noises.push(Self { name: name.clone(), base: drive.base().map(str::to_owned), shape, density, band_hz: [low_hz, high_hz] });
+                noises.push(Self {
+                    name: name.clone(),
+                    base: drive.base().map(str::to_owned),
+                    shape,
+                    density,
+                    band_hz: [low_hz, high_hz],
+                });
             }
         }
         Ok(noises)
@@ -54,19 +66,38 @@ impl NoiseInput {
 
     /// Acceleration of the base.
     pub fn of_base(plant: &Plant, density_m2_s3: f64, band_hz: [f64; 2]) -> Self {
-        let shape = plant.system.modes.participation_sqrt_kg.iter().map(|p| -p).collect();
-        Self { name: "base".to_owned(), base: None, shape, density: density_m2_s3, band_hz }
+        let shape = plant
+            .system
+            .modes
+            .participation_sqrt_kg
+            .iter()
+            .map(|p| -p)
+            .collect();
+        Self {
+            name: "base".to_owned(),
+            base: None,
+            shape,
+            density: density_m2_s3,
+            band_hz,
+        }
     }
 
     /// The same over all frequencies.
     pub fn white(&self) -> Self {
-        Self { band_hz: [0.0, f64::INFINITY], ..self.clone() }
+        Self {
+            band_hz: [0.0, f64::INFINITY],
+            ..self.clone()
+        }
     }
 
     /// The density at a frequency.
     pub fn density_at(&self, frequency_hz: f64) -> f64 {
         let [low_hz, high_hz] = self.band_hz;
-        if (low_hz..=high_hz).contains(&frequency_hz) { self.density } else { 0.0 }
+        if (low_hz..=high_hz).contains(&frequency_hz) {
+            self.density
+        } else {
+            0.0
+        }
     }
 }
 
@@ -78,7 +109,9 @@ pub fn white_noise_powers_w(plant: &Plant, density_m2_s3: f64) -> Result<Vec<f64
     let column = plant.base_column();
     let meters = Meters::new(plant)?;
     let loads = meters.loads.iter().take(plant.system.loads.len());
-    Ok(loads.map(|meter| 0.5 * density_m2_s3 * meter.after_impulse_j(&column)).collect())
+    Ok(loads
+        .map(|meter| 0.5 * density_m2_s3 * meter.after_impulse_j(&column))
+        .collect())
 }
 
 /// Mean power of each load, W, under acceleration of the base with the one-sided density `density_m2_s3` between two frequencies (Hz;
@@ -86,10 +119,19 @@ pub fn white_noise_powers_w(plant: &Plant, density_m2_s3: f64) -> Result<Vec<f64
 ///
 /// # Errors
 /// [`PlantError::UndampedResonance`] where an undamped mode lies in the band.
-pub fn noise_powers_between_w(plant: &Plant, density_m2_s3: f64, band_hz: [f64; 2]) -> Result<Vec<f64>, PlantError> {
+pub fn noise_powers_between_w(
+    plant: &Plant,
+    density_m2_s3: f64,
+    band_hz: [f64; 2],
+) -> Result<Vec<f64>, PlantError> {
     let noise = [NoiseInput::of_base(plant, density_m2_s3, band_hz)];
     (plant.system.loads.iter().enumerate())
-        .map(|(index, load)| Ok(spectral_moment(plant, &noise, &plant.load_voltage_row(index), 1)? / load.resistance_ohm))
+        .map(|(index, load)| {
+            Ok(
+                spectral_moment(plant, &noise, &plant.load_voltage_row(index), 1)?
+                    / load.resistance_ohm,
+            )
+        })
         .collect()
 }
 
@@ -97,7 +139,12 @@ pub fn noise_powers_between_w(plant: &Plant, density_m2_s3: f64, band_hz: [f64; 
 ///
 /// # Errors
 /// [`PlantError::UndampedResonance`].
-pub fn density(plant: &Plant, noises: &[NoiseInput], row: &[f64], frequency_hz: f64) -> Result<f64, PlantError> {
+pub fn density(
+    plant: &Plant,
+    noises: &[NoiseInput],
+    row: &[f64],
+    frequency_hz: f64,
+) -> Result<f64, PlantError> {
     let mut sum = 0.0;
     for noise in noises {
         let size = noise.density_at(frequency_hz);
@@ -109,7 +156,12 @@ pub fn density(plant: &Plant, noises: &[NoiseInput], row: &[f64], frequency_hz: 
 }
 
 /// `|H|^2` of an output per unit of a noise.
-pub(super) fn gain(plant: &Plant, noise: &NoiseInput, row: &[f64], frequency_hz: f64) -> Result<f64, PlantError> {
+pub(super) fn gain(
+    plant: &Plant,
+    noise: &NoiseInput,
+    row: &[f64],
+    frequency_hz: f64,
+) -> Result<f64, PlantError> {
     let force: Vec<c64> = noise.shape.iter().map(|s| c64::new(*s, 0.0)).collect();
     Ok(dot(row, &plant.steady_state(TAU * frequency_hz, &force)?).norm_sqr())
 }
@@ -118,19 +170,42 @@ pub(super) fn gain(plant: &Plant, noise: &NoiseInput, row: &[f64], frequency_hz:
 ///
 /// # Errors
 /// [`PlantError::UndampedResonance`] where an undamped mode lies in a band.
-pub fn spectral_moment(plant: &Plant, noises: &[NoiseInput], row: &[f64], power: i32) -> Result<f64, PlantError> {
+pub fn spectral_moment(
+    plant: &Plant,
+    noises: &[NoiseInput],
+    row: &[f64],
+    power: i32,
+) -> Result<f64, PlantError> {
     let ends = noises.iter().flat_map(|noise| noise.band_hz);
-    let (low_hz, high_hz) = ends.clone().fold((f64::INFINITY, 0.0_f64), |(low, high), end| (low.min(end), high.max(end)));
-    let mut cuts_hz: Vec<f64> = plant.diagonal.block.eigenvalues().iter().map(|value| value.norm() / TAU).collect();
+    let (low_hz, high_hz) = ends
+        .clone()
+        .fold((f64::INFINITY, 0.0_f64), |(low, high), end| {
+            (low.min(end), high.max(end))
+        });
+    let mut cuts_hz: Vec<f64> = plant
+        .diagonal
+        .block
+        .eigenvalues()
+        .iter()
+        .map(|value| value.norm() / TAU)
+        .collect();
     cuts_hz.retain(|cut_hz| *cut_hz > low_hz && *cut_hz < high_hz);
     cuts_hz.extend(ends);
     cuts_hz.sort_by(f64::total_cmp);
     cuts_hz.dedup_by(|one, other| (*one - *other).abs() <= 1e-12 * other.abs());
     let (mut moment, mut failed) = (0.0, None);
     for piece in cuts_hz.windows(2) {
-        let middle_hz = if piece[1].is_finite() { 0.5 * (piece[0] + piece[1]) } else { 2.0 * piece[0] };
+        let middle_hz = if piece[1].is_finite() {
+            0.5 * (piece[0] + piece[1])
+        } else {
+            2.0 * piece[0]
+        };
         // The ends of bands are ends of pieces: what drives a piece drives all of it.
-        let driving: Vec<NoiseInput> = noises.iter().filter(|noise| noise.density_at(middle_hz) > 0.0).map(NoiseInput::white).collect();
+        let driving: Vec<NoiseInput> = noises
+            .iter()
+            .filter(|noise| noise.density_at(middle_hz) > 0.0)
+            .map(NoiseInput::white)
+            .collect();
         if driving.is_empty() {
             continue;
         }

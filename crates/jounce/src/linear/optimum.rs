@@ -35,13 +35,24 @@ pub fn optimal_resistance(plant: &Plant, load: usize) -> Result<Optimum, PlantEr
         let mut system = plant.system.clone();
         system.loads[load].resistance_ohm = resistance_ohm;
         let plant = Plant::new(system)?;
-        Ok(plant.tones.first().map_or(faer::c64::new(0.0, 0.0), |tone| crate::plant::dot(&plant.load_voltage_row(load), &tone.steady)))
+        Ok(plant
+            .tones
+            .first()
+            .map_or(faer::c64::new(0.0, 0.0), |tone| {
+                crate::plant::dot(&plant.load_voltage_row(load), &tone.steady)
+            }))
     };
     // V (1/R + Y) = I at two resistances gives Y.
-    let (r1, r2) = (plant.system.loads[load].resistance_ohm, 2.0 * plant.system.loads[load].resistance_ohm);
+    let (r1, r2) = (
+        plant.system.loads[load].resistance_ohm,
+        2.0 * plant.system.loads[load].resistance_ohm,
+    );
     let (v1, v2) = (voltage(r1)?, voltage(r2)?);
     let admittance = (v2 / r2 - v1 / r1) / (v1 - v2);
     let resistance_ohm = 1.0 / admittance.norm();
     let power = 0.5 * voltage(resistance_ohm)?.norm_sqr() / resistance_ohm;
-    Ok(Optimum { resistance_ohm, mean_power_w: power })
+    Ok(Optimum {
+        resistance_ohm,
+        mean_power_w: power,
+    })
 }

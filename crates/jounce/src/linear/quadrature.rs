@@ -20,9 +20,27 @@ const MAX_ABSCISSA: f64 = 4.0;
 pub(super) fn integral(mut f: impl FnMut(f64) -> f64, a: f64, b: f64) -> f64 {
     if b.is_infinite() {
         // x = a / u
-        return finite(|from_zero, _| if from_zero > 0.0 { f(a / from_zero) * a / (from_zero * from_zero) } else { 0.0 }, 1.0);
+        return finite(
+            |from_zero, _| {
+                if from_zero > 0.0 {
+                    f(a / from_zero) * a / (from_zero * from_zero)
+                } else {
+                    0.0
+                }
+            },
+            1.0,
+        );
     }
-    finite(|from_a, from_b| if from_a < from_b { f(a + from_a) } else { f(b - from_b) }, b - a)
+    finite(
+        |from_a, from_b| {
+            if from_a < from_b {
+                f(a + from_a)
+            } else {
+                f(b - from_b)
+            }
+        },
+        b - a,
+    )
 }
 
 /// Integral over an interval of this length of a function of the distances from both ends, each exact near its own end.
@@ -30,9 +48,16 @@ fn finite(mut f: impl FnMut(f64, f64) -> f64, length: f64) -> f64 {
     let mut term = |t: f64| {
         let u = FRAC_PI_2 * t.sinh();
         // 1 / (1 + exp(2 u)) is the part of the length that is left to the end.
-        let (left, right) = (length / (1.0 + (-2.0 * u).exp()), length / (1.0 + (2.0 * u).exp()));
+        let (left, right) = (
+            length / (1.0 + (-2.0 * u).exp()),
+            length / (1.0 + (2.0 * u).exp()),
+        );
         let weight = length * FRAC_PI_2 * t.cosh() / (2.0 * u.cosh() * u.cosh());
-        if left > 0.0 && right > 0.0 && weight > 0.0 { weight * f(left, right) } else { 0.0 }
+        if left > 0.0 && right > 0.0 && weight > 0.0 {
+            weight * f(left, right)
+        } else {
+            0.0
+        }
     };
     let mut step = 0.5;
     let count = (MAX_ABSCISSA / step) as i32;
@@ -41,7 +66,10 @@ fn finite(mut f: impl FnMut(f64, f64) -> f64, length: f64) -> f64 {
     for _ in 0..MAX_HALVINGS {
         step *= 0.5;
         let count = (MAX_ABSCISSA / step) as i32;
-        sum += (-count..=count).filter(|k| k % 2 != 0).map(|k| term(f64::from(k) * step)).sum::<f64>();
+        sum += (-count..=count)
+            .filter(|k| k % 2 != 0)
+            .map(|k| term(f64::from(k) * step))
+            .sum::<f64>();
         let now = sum * step;
         if (now - before).abs() <= QUADRATURE_TOLERANCE * now.abs() {
             return now;
@@ -61,7 +89,11 @@ mod tests {
         let width = 1e-5_f64;
         let peak = |x: f64| width / ((x - 2.0).powi(2) + width * width);
         let exact = (1.0 / width).atan();
-        assert!((integral(peak, 1.0, 2.0) / exact - 1.0).abs() < 1e-10, "{}", integral(peak, 1.0, 2.0) / exact - 1.0);
+        assert!(
+            (integral(peak, 1.0, 2.0) / exact - 1.0).abs() < 1e-10,
+            "{}",
+            integral(peak, 1.0, 2.0) / exact - 1.0
+        );
         assert!((integral(peak, 2.0, f64::INFINITY) / FRAC_PI_2 - 1.0).abs() < 1e-10);
         assert!((integral(f64::sqrt, 0.0, 4.0) / (16.0 / 3.0) - 1.0).abs() < 1e-12);
     }

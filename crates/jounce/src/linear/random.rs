@@ -8,7 +8,9 @@ use super::bandwidth::{noise_bandwidth_hz, statistical_bandwidth_hz, telling_fre
 use super::covariance::{covariance, product};
 use super::crossing::Crossing;
 use super::noise::{NoiseInput, density, spectral_moment};
-use super::random_response::{Density, RandomLoad, RandomPatch, RandomPoint, RandomResponse, RandomStop};
+use super::random_response::{
+    Density, RandomLoad, RandomPatch, RandomPoint, RandomResponse, RandomStop,
+};
 use crate::plant::{Plant, PlantError, System};
 use crate::spec::{Interface, Spec, Stop};
 use crate::structure::{self, StructureError};
@@ -29,7 +31,9 @@ pub enum RandomError {
     #[error(transparent)]
     Plant(#[from] PlantError),
     /// No noise.
-    #[error("no drive has signal = \"noise\", so that there is no random answer; `jounce frf` tells what a sinusoid does")]
+    #[error(
+        "no drive has signal = \"noise\", so that there is no random answer; `jounce frf` tells what a sinusoid does"
+    )]
     NoNoise,
     /// A circuit that is not linear.
     #[error(
@@ -74,21 +78,42 @@ impl Random {
     /// # Errors
     /// Every variant of [`RandomError`].
     pub fn new(spec: &Spec) -> Result<Self, RandomError> {
-        if let Some((name, _)) = spec.circuit.iter().find(|(_, circuit)| circuit.interface != Interface::Resistor) {
-            return Err(RandomError::Rectified { circuit: name.clone() });
+        if let Some((name, _)) = spec
+            .circuit
+            .iter()
+            .find(|(_, circuit)| circuit.interface != Interface::Resistor)
+        {
+            return Err(RandomError::Rectified {
+                circuit: name.clone(),
+            });
         }
         let modes = structure::modes(spec)?;
         let noises = NoiseInput::of_spec(spec, &modes)?;
         if noises.is_empty() {
             return Err(RandomError::NoNoise);
         }
-        let left_out = spec.drive.keys().filter(|name| noises.iter().all(|noise| noise.name != **name)).cloned().collect();
+        let left_out = spec
+            .drive
+            .keys()
+            .filter(|name| noises.iter().all(|noise| noise.name != **name))
+            .cloned()
+            .collect();
         let mut still = spec.clone();
         still.take_drives_away();
         let plant = Plant::new(System::assemble(&still, modes)?)?;
         let covariance = covariance(&plant, &noises).map_err(RandomError::unsteady)?;
-        let carried = spec.stop.iter().filter_map(|(name, stop)| Some((name.clone(), carrier(spec, stop, &noises)?))).collect();
-        Ok(Self { plant, noises, covariance, left_out, carried })
+        let carried = spec
+            .stop
+            .iter()
+            .filter_map(|(name, stop)| Some((name.clone(), carrier(spec, stop, &noises)?)))
+            .collect();
+        Ok(Self {
+            plant,
+            noises,
+            covariance,
+            left_out,
+            carried,
+        })
     }
 
     /// Means and mean squares.
@@ -97,7 +122,9 @@ impl Random {
     /// [`RandomError::Plant`] where a quadrature meets an undamped mode.
     pub fn answer(&self) -> Result<RandomResponse, RandomError> {
         let modes = &self.plant.system.modes;
-        let loads = (0..self.plant.system.loads.len()).map(|load| self.load(load)).collect::<Result<Vec<_>, _>>()?;
+        let loads = (0..self.plant.system.loads.len())
+            .map(|load| self.load(load))
+            .collect::<Result<Vec<_>, _>>()?;
         let patches = modes.patch.keys().enumerate();
         let point = |(name, shape): (&String, &Vec<f64>)| RandomPoint {
             name: name.clone(),
@@ -107,10 +134,16 @@ impl Random {
         Ok(RandomResponse {
             drives: self.noises.iter().map(|noise| noise.name.clone()).collect(),
             left_out: self.left_out.clone(),
-            mean_power_w: loads.iter().map(|load| load.mean_power_w).fold(0.0, |sum, own| sum + own),
+            mean_power_w: loads
+                .iter()
+                .map(|load| load.mean_power_w)
+                .fold(0.0, |sum, own| sum + own),
             loads,
             patches: patches
-                .map(|(index, name)| RandomPatch { name: name.clone(), voltage_rms_v: self.rms(&self.plant.voltage_row(index)) })
+                .map(|(index, name)| RandomPatch {
+                    name: name.clone(),
+                    voltage_rms_v: self.rms(&self.plant.voltage_row(index)),
+                })
                 .collect(),
             points: modes.shape.iter().map(point).collect(),
             stops: self.stops(),
@@ -132,9 +165,17 @@ impl Random {
             name: load.name.clone(),
             mean_power_w,
             spectral_power_w,
-            difference_relative: if difference == 0.0 { 0.0 } else { difference / mean_power_w },
+            difference_relative: if difference == 0.0 {
+                0.0
+            } else {
+                difference / mean_power_w
+            },
             voltage_rms_v,
-            noise_bandwidth_hz: self.noises.iter().map(|noise| noise_bandwidth_hz(plant, noise, &row)).collect::<Result<_, _>>()?,
+            noise_bandwidth_hz: self
+                .noises
+                .iter()
+                .map(|noise| noise_bandwidth_hz(plant, noise, &row))
+                .collect::<Result<_, _>>()?,
             statistical_bandwidth_hz: statistical_bandwidth_hz(plant, &self.noises, &row)?,
         })
     }
@@ -143,7 +184,12 @@ impl Random {
         let rest = self.plant.resting();
         let stop = |(stop, port): (&crate::plant::Stop, &crate::plant::Port)| {
             let crossing = Crossing {
-                mean_m: port.displacement.iter().zip(&rest).map(|(row, y)| row * y).sum(),
+                mean_m: port
+                    .displacement
+                    .iter()
+                    .zip(&rest)
+                    .map(|(row, y)| row * y)
+                    .sum(),
                 deviation_m: self.rms(&port.displacement),
                 velocity_m_s: self.rms(&port.velocity),
                 level_m: stop.gap_m,
@@ -160,21 +206,35 @@ impl Random {
                 carried_by,
             }
         };
-        self.plant.system.stops.iter().zip(&self.plant.ports).map(stop).collect()
+        self.plant
+            .system
+            .stops
+            .iter()
+            .zip(&self.plant.ports)
+            .map(stop)
+            .collect()
     }
 
     /// Band over which densities are told where no other is asked for, Hz: that of the noises, from a thousandth of its end where it begins
     /// at 0.
     pub fn usual_band_hz(&self) -> [f64; 2] {
         let ends = self.noises.iter().map(|noise| noise.band_hz);
-        let [low, high] = ends.fold([f64::INFINITY, 0.0_f64], |[low, high], [from, to]| [low.min(from), high.max(to)]);
+        let [low, high] = ends.fold([f64::INFINITY, 0.0_f64], |[low, high], [from, to]| {
+            [low.min(from), high.max(to)]
+        });
         [low.max(LOWEST_SHARE * high), high]
     }
 
     /// Frequencies from one to another, Hz, ascending: evenly spaced, and closer about each resonance.
     pub fn frequencies_hz(&self, from_hz: f64, to_hz: f64, points: usize) -> Vec<f64> {
-        let mut all: Vec<f64> = (0..points).map(|k| from_hz + (to_hz - from_hz) * k as f64 / (points - 1) as f64).collect();
-        all.extend(telling_frequencies_hz(&self.plant).into_iter().filter(|place| (from_hz..=to_hz).contains(place)));
+        let mut all: Vec<f64> = (0..points)
+            .map(|k| from_hz + (to_hz - from_hz) * k as f64 / (points - 1) as f64)
+            .collect();
+        all.extend(
+            telling_frequencies_hz(&self.plant)
+                .into_iter()
+                .filter(|place| (from_hz..=to_hz).contains(place)),
+        );
         all.sort_by(f64::total_cmp);
         all.dedup();
         all
@@ -192,17 +252,41 @@ impl Random {
     ///
     /// # Errors
     /// As [`Random::densities`].
-    pub fn densities_until(&self, frequency_hz: &[f64], is_stopped: &dyn Fn() -> bool) -> Result<Vec<Density>, RandomError> {
+    pub fn densities_until(
+        &self,
+        frequency_hz: &[f64],
+        is_stopped: &dyn Fn() -> bool,
+    ) -> Result<Vec<Density>, RandomError> {
         let (plant, modes) = (&self.plant, &self.plant.system.modes);
         let loads = plant.system.loads.iter().enumerate();
-        let loads = loads.map(|(index, load)| (format!("{}.load_voltage", load.name), "V^2/Hz", plant.load_voltage_row(index)));
+        let loads = loads.map(|(index, load)| {
+            (
+                format!("{}.load_voltage", load.name),
+                "V^2/Hz",
+                plant.load_voltage_row(index),
+            )
+        });
         let patches = modes.patch.keys().enumerate();
-        let patches = patches.map(|(index, name)| (format!("{name}.voltage"), "V^2/Hz", plant.voltage_row(index)));
-        let points = modes.shape.iter().map(|(name, shape)| (format!("{name}.displacement"), "m^2/Hz", plant.displacement_row(shape)));
+        let patches = patches.map(|(index, name)| {
+            (
+                format!("{name}.voltage"),
+                "V^2/Hz",
+                plant.voltage_row(index),
+            )
+        });
+        let points = modes.shape.iter().map(|(name, shape)| {
+            (
+                format!("{name}.displacement"),
+                "m^2/Hz",
+                plant.displacement_row(shape),
+            )
+        });
         (loads.chain(patches).chain(points))
             .map(|(name, unit, row)| {
                 let wanted = frequency_hz.iter().take_while(|_| !is_stopped());
-                let value = wanted.map(|place| density(plant, &self.noises, &row, *place)).collect::<Result<_, _>>()?;
+                let value = wanted
+                    .map(|place| density(plant, &self.noises, &row, *place))
+                    .collect::<Result<_, _>>()?;
                 Ok(Density { name, unit, value })
             })
             .collect()
@@ -212,6 +296,11 @@ impl Random {
 /// The noise that moves the base of one side of a stop and not that of the other.
 fn carrier(spec: &Spec, stop: &Stop, noises: &[NoiseInput]) -> Option<String> {
     let under = [&stop.at, &stop.frame].map(|point| spec.base_under(point));
-    let carries = |noise: &&NoiseInput| noise.base.as_deref().is_some_and(|base| (under[0] == base) != (under[1] == base));
+    let carries = |noise: &&NoiseInput| {
+        noise
+            .base
+            .as_deref()
+            .is_some_and(|base| (under[0] == base) != (under[1] == base))
+    };
     noises.iter().find(carries).map(|noise| noise.name.clone())
 }

@@ -48,7 +48,11 @@ impl Electroelastic {
     pub fn ceramic(&self) -> Ceramic {
         let [d31_m_per_v, _, permittivity_f_m] = self.free();
         let relative_permittivity = permittivity_f_m / VACUUM_PERMITTIVITY_F_M;
-        Ceramic { compliance_per_pa: self.compliance()[(0, 0)], d31_m_per_v, relative_permittivity }
+        Ceramic {
+            compliance_per_pa: self.compliance()[(0, 0)],
+            d31_m_per_v,
+            relative_permittivity,
+        }
     }
 
     /// `d31` and `d33`, m/V, and the permittivity at constant stress along the pole, F/m: `d = e S`, `kappa_T = kappa + d e^T`.
@@ -64,7 +68,9 @@ impl Electroelastic {
     fn compliance(&self) -> Mat<f64> {
         let (a, b, c, d) = (self.c11_pa, self.c12_pa, self.c13_pa, self.c33_pa);
         let rows = [[a, b, c], [b, a, c], [c, c, d]];
-        Mat::from_fn(3, 3, |i, j| rows[i][j]).partial_piv_lu().inverse()
+        Mat::from_fn(3, 3, |i, j| rows[i][j])
+            .partial_piv_lu()
+            .inverse()
     }
 
     /// Field, V/m, by which `-E` is measured so that all entries of `L` have one size.
@@ -86,8 +92,18 @@ impl Electroelastic {
             (4, 4, self.c44_pa),
             (5, 5, c66_pa),
         ];
-        let coupling = [(8, 0, self.e31_c_m2), (8, 1, self.e31_c_m2), (8, 2, self.e33_c_m2), (7, 3, self.e15_c_m2), (6, 4, self.e15_c_m2)];
-        let permittivity = [(6, self.permittivity_11_f_m), (7, self.permittivity_11_f_m), (8, self.permittivity_33_f_m)];
+        let coupling = [
+            (8, 0, self.e31_c_m2),
+            (8, 1, self.e31_c_m2),
+            (8, 2, self.e33_c_m2),
+            (7, 3, self.e15_c_m2),
+            (6, 4, self.e15_c_m2),
+        ];
+        let permittivity = [
+            (6, self.permittivity_11_f_m),
+            (7, self.permittivity_11_f_m),
+            (8, self.permittivity_33_f_m),
+        ];
         let coupling = coupling.map(|(i, j, e)| (i, j, e * scale));
         let permittivity = permittivity.map(|(i, kappa)| (i, i, -kappa * scale * scale));
         for (i, j, value) in stiffness.into_iter().chain(coupling).chain(permittivity) {

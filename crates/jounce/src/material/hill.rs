@@ -26,7 +26,11 @@ pub(super) fn hill(medium: &Mat<f64>, pores: PoreGeometry) -> Mat<f64> {
         for k in 0..AROUND_PLACES {
             let around = TAU * k as f64 / AROUND_PLACES as f64;
             let sin = (1.0 - cos * cos).sqrt();
-            let along = if let PoreGeometry::Spheroids(ratio) = pores { cos / ratio } else { 0.0 };
+            let along = if let PoreGeometry::Spheroids(ratio) = pores {
+                cos / ratio
+            } else {
+                0.0
+            };
             let b = gradient([sin * around.cos(), sin * around.sin(), along]);
             let acoustic = (b.transpose() * medium * &b).partial_piv_lu().inverse();
             sum += &b * acoustic * b.transpose() * (weight / (2.0 * AROUND_PLACES as f64));

@@ -18,13 +18,21 @@ const MFC_SOURCE: &str = "Smart Material Corp., MFC engineering properties (E1, 
 pub const LIBRARY: &[Material] = &[
     ceramic(
         "PZT-5A",
-        Ceramic { compliance_per_pa: 16.4e-12, d31_m_per_v: -171e-12, relative_permittivity: 1700.0 },
+        Ceramic {
+            compliance_per_pa: 16.4e-12,
+            d31_m_per_v: -171e-12,
+            relative_permittivity: 1700.0,
+        },
         7750.0,
         "Jaffe, Cook and Jaffe, Piezoelectric Ceramics (1971); Erturk and Inman, Piezoelectric Energy Harvesting (2011), table E.1",
     ),
     ceramic(
         "PZT-5H",
-        Ceramic { compliance_per_pa: 16.5e-12, d31_m_per_v: -274e-12, relative_permittivity: 3400.0 },
+        Ceramic {
+            compliance_per_pa: 16.5e-12,
+            d31_m_per_v: -274e-12,
+            relative_permittivity: 3400.0,
+        },
         7500.0,
         "Jaffe, Cook and Jaffe, Piezoelectric Ceramics (1971); Erturk and Inman, Piezoelectric Energy Harvesting (2011), table E.1",
     ),
@@ -43,7 +51,11 @@ pub const LIBRARY: &[Material] = &[
     },
     ceramic(
         "PVDF",
-        Ceramic { compliance_per_pa: 1.0 / 3e9, d31_m_per_v: 23e-12, relative_permittivity: 12.5 },
+        Ceramic {
+            compliance_per_pa: 1.0 / 3e9,
+            d31_m_per_v: 23e-12,
+            relative_permittivity: 12.5,
+        },
         1780.0,
         "TE Connectivity (Measurement Specialties), Piezo Film Sensors Technical Manual: modulus 2 to 4 GPa, d31 23 pC/N, 110 pF/m",
     ),
@@ -73,14 +85,44 @@ pub const LIBRARY: &[Material] = &[
         }),
         source: MFC_SOURCE,
     },
-    structural("aluminium", 70e9, 2700.0, "nominal; ASM Handbook vol. 2 (6061: 69 GPa, 2700 kg/m^3)"),
-    structural("steel", 200e9, 7850.0, "nominal; ASM Handbook vol. 1 (carbon steel)"),
-    structural("brass", 110e9, 8530.0, "nominal; ASM Handbook vol. 2 (C26000)"),
-    structural("bronze", 110e9, 8860.0, "nominal; ASM Handbook vol. 2 (phosphor bronze C51000)"),
-    structural("silicon", 169e9, 2329.0, "beam along <110>; Hopcroft, Nix and Kenny, J. Microelectromech. Syst. 19 (2010) 229"),
+    structural(
+        "aluminium",
+        70e9,
+        2700.0,
+        "nominal; ASM Handbook vol. 2 (6061: 69 GPa, 2700 kg/m^3)",
+    ),
+    structural(
+        "steel",
+        200e9,
+        7850.0,
+        "nominal; ASM Handbook vol. 1 (carbon steel)",
+    ),
+    structural(
+        "brass",
+        110e9,
+        8530.0,
+        "nominal; ASM Handbook vol. 2 (C26000)",
+    ),
+    structural(
+        "bronze",
+        110e9,
+        8860.0,
+        "nominal; ASM Handbook vol. 2 (phosphor bronze C51000)",
+    ),
+    structural(
+        "silicon",
+        169e9,
+        2329.0,
+        "beam along <110>; Hopcroft, Nix and Kenny, J. Microelectromech. Syst. 19 (2010) 229",
+    ),
 ];
 
-const fn ceramic(name: &'static str, ceramic: Ceramic, density_kg_m3: f64, source: &'static str) -> Material {
+const fn ceramic(
+    name: &'static str,
+    ceramic: Ceramic,
+    density_kg_m3: f64,
+    source: &'static str,
+) -> Material {
     Material {
         name,
         youngs_modulus_pa: ceramic.youngs_modulus_pa(),
@@ -96,6 +138,19 @@ const fn ceramic(name: &'static str, ceramic: Ceramic, density_kg_m3: f64, sourc
     }
 }
 
-const fn structural(name: &'static str, youngs_modulus_pa: f64, density_kg_m3: f64, source: &'static str) -> Material {
-    Material { name, youngs_modulus_pa, density_kg_m3, strain_limit: None, voltage_limits_v: None, active: None, source }
+const fn structural(
+    name: &'static str,
+    youngs_modulus_pa: f64,
+    density_kg_m3: f64,
+    source: &'static str,
+) -> Material {
+    Material {
+        name,
+        youngs_modulus_pa,
+        density_kg_m3,
+        strain_limit: None,
+        voltage_limits_v: None,
+        active: None,
+        source,
+    }
 }

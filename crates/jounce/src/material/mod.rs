@@ -74,7 +74,8 @@ impl Ceramic {
 
     /// `eps33bar = eps33T - d31^2 / s11E`, F/m.
     pub const fn clamped_permittivity_f_m(&self) -> f64 {
-        self.relative_permittivity * VACUUM_PERMITTIVITY_F_M - self.d31_m_per_v * self.d31_m_per_v / self.compliance_per_pa
+        self.relative_permittivity * VACUUM_PERMITTIVITY_F_M
+            - self.d31_m_per_v * self.d31_m_per_v / self.compliance_per_pa
     }
 }
 
@@ -96,8 +97,12 @@ mod tests {
 
     #[test]
     fn the_words_of_a_spec_are_the_library() {
-        let active =
-            |wanted: bool| LIBRARY.iter().filter(move |material| material.active.is_some() == wanted).map(|material| material.name);
+        let active = |wanted: bool| {
+            LIBRARY
+                .iter()
+                .filter(move |material| material.active.is_some() == wanted)
+                .map(|material| material.name)
+        };
         assert!(active(true).eq(PIEZOELECTRIC.iter().copied()));
         assert!(active(false).eq(STRUCTURAL.iter().copied()));
     }
@@ -105,13 +110,23 @@ mod tests {
     /// Erturk and Inman (2011), table E.2, thin beams: 61.0 and 60.6 GPa, -10.4 and -16.6 C/m^2, 13.3 and 25.55 nF/m, as printed.
     #[test]
     fn ceramics_reduce_to_the_published_beam_constants() {
-        for (name, modulus_gpa, charge_c_m2, permittivity_nf_m) in [("PZT-5A", 61.0, -10.4, 13.3), ("PZT-5H", 60.6, -16.6, 25.55)] {
+        for (name, modulus_gpa, charge_c_m2, permittivity_nf_m) in [
+            ("PZT-5A", 61.0, -10.4, 13.3),
+            ("PZT-5H", 60.6, -16.6, 25.55),
+        ] {
             let material = named(name).unwrap();
             let active = material.active.unwrap();
-            assert!((material.youngs_modulus_pa / 1e9 - modulus_gpa).abs() < 0.05, "{name}");
+            assert!(
+                (material.youngs_modulus_pa / 1e9 - modulus_gpa).abs() < 0.05,
+                "{name}"
+            );
             let charge = active.charge_coefficient_m_per_v * material.youngs_modulus_pa;
             assert!((charge - charge_c_m2).abs() < 0.05, "{name}: {charge}");
-            assert!((active.permittivity_f_m * 1e9 - permittivity_nf_m).abs() < 0.05, "{name}: {}", active.permittivity_f_m);
+            assert!(
+                (active.permittivity_f_m * 1e9 - permittivity_nf_m).abs() < 0.05,
+                "{name}: {}",
+                active.permittivity_f_m
+            );
         }
     }
 }

@@ -57,8 +57,12 @@ impl Electroelastic {
         let effective = match scheme {
             Scheme::MoriTanaka => {
                 let difference = &pore - &matrix;
-                let single = (&one + hill(&matrix, pores) * &difference).partial_piv_lu().inverse();
-                let mean = (&one * (1.0 - porosity) + &single * porosity).partial_piv_lu().inverse();
+                let single = (&one + hill(&matrix, pores) * &difference)
+                    .partial_piv_lu()
+                    .inverse();
+                let mean = (&one * (1.0 - porosity) + &single * porosity)
+                    .partial_piv_lu()
+                    .inverse();
                 &matrix + &difference * &single * &mean * porosity
             }
             Scheme::SelfConsistent => self_consistent(&matrix, &pore, porosity, pores)?,
@@ -68,14 +72,27 @@ impl Electroelastic {
 }
 
 /// The fixed point of the self-consistent equations, half a step at a time.
-fn self_consistent(matrix: &Mat<f64>, pore: &Mat<f64>, porosity: f64, pores: PoreGeometry) -> Option<Mat<f64>> {
+fn self_consistent(
+    matrix: &Mat<f64>,
+    pore: &Mat<f64>,
+    porosity: f64,
+    pores: PoreGeometry,
+) -> Option<Mat<f64>> {
     let one = Mat::<f64>::identity(9, 9);
     let mut effective = matrix.clone();
     for _ in 0..MAX_SCHEME_STEPS {
         let hill = hill(&effective, pores);
-        let concentration = |phase: &Mat<f64>| (&one + &hill * (phase - &effective)).partial_piv_lu().inverse();
-        let (in_matrix, in_pore) = (concentration(matrix) * (1.0 - porosity), concentration(pore) * porosity);
-        let next = (matrix * &in_matrix + pore * &in_pore) * (&in_matrix + &in_pore).partial_piv_lu().inverse();
+        let concentration = |phase: &Mat<f64>| {
+            (&one + &hill * (phase - &effective))
+                .partial_piv_lu()
+                .inverse()
+        };
+        let (in_matrix, in_pore) = (
+            concentration(matrix) * (1.0 - porosity),
+            concentration(pore) * porosity,
+        );
+        let next = (matrix * &in_matrix + pore * &in_pore)
+            * (&in_matrix + &in_pore).partial_piv_lu().inverse();
         let change = (&next - &effective).norm_max();
         effective = (&effective + &next) * 0.5;
         if !effective.norm_max().is_finite() || effective[(2, 2)] <= 1e-6 * matrix[(2, 2)] {
@@ -94,7 +111,10 @@ mod tests {
     use super::*;
 
     fn isotropic(bulk_pa: f64, shear_pa: f64, relative_permittivity: f64) -> Electroelastic {
-        let (c11_pa, c12_pa) = (bulk_pa + 4.0 / 3.0 * shear_pa, bulk_pa - 2.0 / 3.0 * shear_pa);
+        let (c11_pa, c12_pa) = (
+            bulk_pa + 4.0 / 3.0 * shear_pa,
+            bulk_pa - 2.0 / 3.0 * shear_pa,
+        );
         let permittivity = relative_permittivity * VACUUM_PERMITTIVITY_F_M;
         Electroelastic {
             c11_pa,
@@ -114,17 +134,25 @@ mod tests {
     #[test]
     fn spherical_pores_in_an_isotropic_matrix_have_closed_forms() {
         let (k, g, f) = (100e9, 60e9, 0.2);
-        let found = isotropic(k, g, 10.0).porous(f, PoreGeometry::Spheroids(1.0), Scheme::MoriTanaka).unwrap();
+        let found = isotropic(k, g, 10.0)
+            .porous(f, PoreGeometry::Spheroids(1.0), Scheme::MoriTanaka)
+            .unwrap();
         let sum = 3.0 * k + 4.0 * g;
         let bulk = k - f * k * sum / (sum - 3.0 * (1.0 - f) * k);
-        let shear = g - 5.0 * f * g * g * sum / (5.0 * g * sum - 6.0 * (1.0 - f) * g * (k + 2.0 * g));
+        let shear =
+            g - 5.0 * f * g * g * sum / (5.0 * g * sum - 6.0 * (1.0 - f) * g * (k + 2.0 * g));
         let permittivity = 10.0 + 3.0 * f * 10.0 * (1.0 - 10.0) / (1.0 + 20.0 - f * (1.0 - 10.0));
-        let close = |found: f64, exact: f64| assert!((found / exact - 1.0).abs() < 1e-12, "{found:e} {exact:e}");
+        let close = |found: f64, exact: f64| {
+            assert!((found / exact - 1.0).abs() < 1e-12, "{found:e} {exact:e}")
+        };
         close((found.c11_pa + 2.0 * found.c12_pa) / 3.0, bulk);
         close(found.c44_pa, shear);
         close((found.c11_pa - found.c12_pa) / 2.0, shear);
         close(found.c33_pa, found.c11_pa);
-        close(found.permittivity_33_f_m / VACUUM_PERMITTIVITY_F_M, permittivity);
+        close(
+            found.permittivity_33_f_m / VACUUM_PERMITTIVITY_F_M,
+            permittivity,
+        );
         close(bulk, 64e9);
     }
 
@@ -133,10 +161,16 @@ mod tests {
     fn cylinders_along_the_pole_are_exact() {
         let [d31, d33, permittivity] = PZT_5A.free();
         for scheme in [Scheme::MoriTanaka, Scheme::SelfConsistent] {
-            let found = PZT_5A.porous(0.3, PoreGeometry::Cylinders, scheme).unwrap().free();
+            let found = PZT_5A
+                .porous(0.3, PoreGeometry::Cylinders, scheme)
+                .unwrap()
+                .free();
             let mixed = 0.7 * permittivity + 0.3 * VACUUM_PERMITTIVITY_F_M;
             for (found, exact) in found.iter().zip([d31, d33, mixed]) {
-                assert!((found / exact - 1.0).abs() < 1e-9, "{scheme:?}: {found:e} {exact:e}");
+                assert!(
+                    (found / exact - 1.0).abs() < 1e-9,
+                    "{scheme:?}: {found:e} {exact:e}"
+                );
             }
         }
     }
@@ -147,27 +181,75 @@ mod tests {
     fn porous_pzt_5a_is_that_of_a_second_program() {
         let spheres = PoreGeometry::Spheroids(1.0);
         for (pores, scheme, f, expected) in [
-            (spheres, Scheme::MoriTanaka, 0.1, [92.952, 53.369, 82.747, 17.796, -3.200, 14.148, 744.36, 1451.2, -155.76, 371.90]),
-            (spheres, Scheme::MoriTanaka, 0.3, [55.954, 28.100, 47.996, 12.273, -0.894, 10.393, 559.17, 1019.4, -130.75, 369.63]),
-            (spheres, Scheme::SelfConsistent, 0.1, [89.35, 50.58, 79.49, 17.46, -3.02, 13.98, 746.5, 1440.0, -154.51, 372.48]),
-            (spheres, Scheme::SelfConsistent, 0.3, [36.28, 15.66, 31.66, 9.37, -0.39, 8.20, 569.3, 928.5, -118.81, 376.50]),
+            (
+                spheres,
+                Scheme::MoriTanaka,
+                0.1,
+                [
+                    92.952, 53.369, 82.747, 17.796, -3.200, 14.148, 744.36, 1451.2, -155.76, 371.90,
+                ],
+            ),
+            (
+                spheres,
+                Scheme::MoriTanaka,
+                0.3,
+                [
+                    55.954, 28.100, 47.996, 12.273, -0.894, 10.393, 559.17, 1019.4, -130.75, 369.63,
+                ],
+            ),
+            (
+                spheres,
+                Scheme::SelfConsistent,
+                0.1,
+                [
+                    89.35, 50.58, 79.49, 17.46, -3.02, 13.98, 746.5, 1440.0, -154.51, 372.48,
+                ],
+            ),
+            (
+                spheres,
+                Scheme::SelfConsistent,
+                0.3,
+                [
+                    36.28, 15.66, 31.66, 9.37, -0.39, 8.20, 569.3, 928.5, -118.81, 376.50,
+                ],
+            ),
             (
                 PoreGeometry::Cylinders,
                 Scheme::MoriTanaka,
                 0.3,
-                [41.079, 22.966, 54.976, 11.362, -1.649, 12.692, 594.53, 1193.0, -170.40, 373.23],
+                [
+                    41.079, 22.966, 54.976, 11.362, -1.649, 12.692, 594.53, 1193.0, -170.40, 373.23,
+                ],
             ),
         ] {
             let c = PZT_5A.porous(f, pores, scheme).unwrap();
             let [d31, d33, permittivity] = c.free();
             let stiffness = [c.c11_pa, c.c13_pa, c.c33_pa, c.c44_pa].map(|pa| pa / 1e9);
-            let relative = [c.permittivity_33_f_m, permittivity].map(|value| value / VACUUM_PERMITTIVITY_F_M);
-            let found = [&stiffness[..], &[c.e31_c_m2, c.e33_c_m2], &relative, &[d31 * 1e12, d33 * 1e12]].concat();
-            let allowed = if scheme == Scheme::MoriTanaka { 1e-3 } else { 5e-3 };
+            let relative =
+                [c.permittivity_33_f_m, permittivity].map(|value| value / VACUUM_PERMITTIVITY_F_M);
+            let found = [
+                &stiffness[..],
+                &[c.e31_c_m2, c.e33_c_m2],
+                &relative,
+                &[d31 * 1e12, d33 * 1e12],
+            ]
+            .concat();
+            let allowed = if scheme == Scheme::MoriTanaka {
+                1e-3
+            } else {
+                5e-3
+            };
             for (found, expected) in found.iter().zip(expected) {
                 // The last printed digit of small constants is coarser than that.
-                let digit = if scheme == Scheme::MoriTanaka { 6e-4 } else { 6e-3 };
-                assert!((found - expected).abs() <= allowed * expected.abs() + digit, "{scheme:?} {f}: {found} {expected}");
+                let digit = if scheme == Scheme::MoriTanaka {
+                    6e-4
+                } else {
+                    6e-3
+                };
+                assert!(
+                    (found - expected).abs() <= allowed * expected.abs() + digit,
+                    "{scheme:?} {f}: {found} {expected}"
+                );
             }
         }
     }

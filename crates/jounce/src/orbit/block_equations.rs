@@ -32,23 +32,45 @@ pub struct EnergyCoordinates<'c> {
 
 impl BlockEquations {
     /// Of a period map in block coordinates, with the border `[R_u b; row corner]` in energy coordinates.
-    pub fn new(map: &Mat<f64>, by: &[f64], (row, corner): (&[f64], f64), coordinates: EnergyCoordinates) -> Self {
+    pub fn new(
+        map: &Mat<f64>,
+        by: &[f64],
+        (row, corner): (&[f64], f64),
+        coordinates: EnergyCoordinates,
+    ) -> Self {
         let n = row.len();
         let sizes: Vec<f64> = (0..n).map(|j| coordinates.size(j)).collect();
         let mut matrix = map.clone();
         for j in 0..n {
             let column = matrix.col_as_slice_mut(j);
             column[j] -= 1.0;
-            column.iter_mut().zip(&sizes).for_each(|(entry, size)| *entry *= size / sizes[j]);
+            column
+                .iter_mut()
+                .zip(&sizes)
+                .for_each(|(entry, size)| *entry *= size / sizes[j]);
         }
-        let (own, column) = (coordinates.row(row, &sizes), coordinates.inwards(by, &sizes));
-        Self { first: Border::new((row, corner)), factored: Bordered::new(&matrix, &column, (&own, corner)), sizes }
+        let (own, column) = (
+            coordinates.row(row, &sizes),
+            coordinates.inwards(by, &sizes),
+        );
+        Self {
+            first: Border::new((row, corner)),
+            factored: Bordered::new(&matrix, &column, (&own, corner)),
+            sizes,
+        }
     }
 
     /// Solves `[R_u b; row corner] (du, dp) = (right, last)`.
-    pub fn solve(&self, border: (&[f64], f64), right: (&[f64], f64), coordinates: EnergyCoordinates) -> BorderedSolution {
+    pub fn solve(
+        &self,
+        border: (&[f64], f64),
+        right: (&[f64], f64),
+        coordinates: EnergyCoordinates,
+    ) -> BorderedSolution {
         self.first.other(border, right, |right, last| {
-            let (own, parameter) = self.factored.solve(&coordinates.inwards(right, &self.sizes), last)?;
+            let (own, parameter) = self
+                .factored
+                .solve(&coordinates.inwards(right, &self.sizes), last)?;
             Some((coordinates.outwards(&own, &self.sizes), parameter))
         })
     }
@@ -58,7 +80,13 @@ impl EnergyCoordinates<'_> {
     /// Length of the energy coordinates of a unit of block coordinate `j`.
     fn size(&self, j: usize) -> f64 {
         let column = self.diagonal.to_physical.col_as_slice(j);
-        column.iter().zip(self.scale).map(|(x, w)| (x * w).powi(2)).sum::<f64>().sqrt().max(f64::MIN_POSITIVE)
+        column
+            .iter()
+            .zip(self.scale)
+            .map(|(x, w)| (x * w).powi(2))
+            .sum::<f64>()
+            .sqrt()
+            .max(f64::MIN_POSITIVE)
     }
 
     /// `D T^-1 W^-1 u`.
@@ -72,14 +100,30 @@ impl EnergyCoordinates<'_> {
     fn outwards(&self, v: &[f64], sizes: &[f64]) -> Vec<f64> {
         let block: Vec<f64> = v.iter().zip(sizes).map(|(v, size)| v / size).collect();
         let physical = product(&self.diagonal.to_physical, &block);
-        physical.iter().zip(self.scale).map(|(x, w)| x * w).collect()
+        physical
+            .iter()
+            .zip(self.scale)
+            .map(|(x, w)| x * w)
+            .collect()
     }
 
     /// `row W T D^-1`.
     fn row(&self, row: &[f64], sizes: &[f64]) -> Vec<f64> {
         let physical: Vec<f64> = row.iter().zip(self.scale).map(|(r, w)| r * w).collect();
-        let along = |j: usize| self.diagonal.to_physical.col_as_slice(j).iter().zip(&physical).map(|(x, r)| x * r).sum::<f64>();
-        sizes.iter().enumerate().map(|(j, size)| along(j) / size).collect()
+        let along = |j: usize| {
+            self.diagonal
+                .to_physical
+                .col_as_slice(j)
+                .iter()
+                .zip(&physical)
+                .map(|(x, r)| x * r)
+                .sum::<f64>()
+        };
+        sizes
+            .iter()
+            .enumerate()
+            .map(|(j, size)| along(j) / size)
+            .collect()
     }
 }
 
@@ -96,20 +140,45 @@ mod tests {
         let inverse = [[1.0, -2.0, -2.0], [-3.0, 1.0, 1.0], [-3.0, 6.0, 1.0]];
         let to_physical = Mat::from_fn(3, 3, |i, j| rows[i][j]);
         let from_physical = Mat::from_fn(3, 3, |i, j| inverse[i][j] / -5.0);
-        let diagonal = Diagonal { block: BlockDiagonal::default(), to_physical, from_physical };
+        let diagonal = Diagonal {
+            block: BlockDiagonal::default(),
+            to_physical,
+            from_physical,
+        };
         let scale = [4.0, 1.0, 0.1];
-        let map = Mat::from_fn(3, 3, |i, j| [[0.6, -0.7, 0.1], [0.7, 0.6, 0.0], [0.2, 0.0, 1e-3]][i][j]);
+        let map = Mat::from_fn(3, 3, |i, j| {
+            [[0.6, -0.7, 0.1], [0.7, 0.6, 0.0], [0.2, 0.0, 1e-3]][i][j]
+        });
         let whole = &diagonal.to_physical * &map * &diagonal.from_physical;
-        let energy = Mat::from_fn(3, 3, |i, j| whole[(i, j)] * scale[i] / scale[j] - f64::from(u8::from(i == j)));
-        let coordinates = EnergyCoordinates { diagonal: &diagonal, scale: &scale };
+        let energy = Mat::from_fn(3, 3, |i, j| {
+            whole[(i, j)] * scale[i] / scale[j] - f64::from(u8::from(i == j))
+        });
+        let coordinates = EnergyCoordinates {
+            diagonal: &diagonal,
+            scale: &scale,
+        };
         let (by, right) = ([0.3, -2.0, 1.0], [1.0, 0.5, -0.2]);
         let equations = BlockEquations::new(&map, &by, (&[1.0, 2.0, 3.0], 0.5), coordinates);
         for (row, corner) in [([1.0, 2.0, 3.0], 0.5), ([0.0, -1.0, 0.2], 2.0)] {
-            let found = equations.solve((&row, corner), (&right, 0.7), coordinates).unwrap_or_default();
-            let exact = solve_bordered(&energy, &by, (&row, corner), (&right, 0.7)).unwrap_or_default();
-            let apart = found.0.iter().zip(&exact.0).map(|(a, b)| (a - b).abs()).fold((found.1 - exact.1).abs(), f64::max);
-            let size = exact.0.iter().fold(exact.1.abs(), |max, x| max.max(x.abs()));
-            assert!(exact.0.len() == 3 && apart < 1e-12 * size, "{found:?} {exact:?}");
+            let found = equations
+                .solve((&row, corner), (&right, 0.7), coordinates)
+                .unwrap_or_default();
+            let exact =
+                solve_bordered(&energy, &by, (&row, corner), (&right, 0.7)).unwrap_or_default();
+            let apart = found
+                .0
+                .iter()
+                .zip(&exact.0)
+                .map(|(a, b)| (a - b).abs())
+                .fold((found.1 - exact.1).abs(), f64::max);
+            let size = exact
+                .0
+                .iter()
+                .fold(exact.1.abs(), |max, x| max.max(x.abs()));
+            assert!(
+                exact.0.len() == 3 && apart < 1e-12 * size,
+                "{found:?} {exact:?}"
+            );
         }
     }
 }

@@ -19,7 +19,9 @@ impl Bordered {
     pub fn new(matrix: &Mat<f64>, column: &[f64], (row, corner): (&[f64], f64)) -> Self {
         let n = row.len();
         let row_size = row.iter().fold(corner.abs(), |max, r| max.max(r.abs()));
-        let column_size = column.iter().fold(f64::MIN_POSITIVE, |max, r| max.max(r.abs()));
+        let column_size = column
+            .iter()
+            .fold(f64::MIN_POSITIVE, |max, r| max.max(r.abs()));
         let mut whole = Mat::zeros(n + 1, n + 1);
         for j in 0..n {
             whole.col_as_slice_mut(j)[..n].copy_from_slice(matrix.col_as_slice(j));
@@ -27,20 +29,34 @@ impl Bordered {
             whole[(j, n)] = column[j] / column_size;
         }
         whole[(n, n)] = corner / (row_size * column_size);
-        Self { factors: LuFactors::of(whole), row_size, column_size }
+        Self {
+            factors: LuFactors::of(whole),
+            row_size,
+            column_size,
+        }
     }
 
     /// Solves `[A b; row corner] (x, p) = (right, last)`.
     pub fn solve(&self, right: &[f64], last: f64) -> BorderedSolution {
-        let mut unknown: Vec<f64> = right.iter().copied().chain([last / self.row_size]).collect();
+        let mut unknown: Vec<f64> = right
+            .iter()
+            .copied()
+            .chain([last / self.row_size])
+            .collect();
         self.factors.solve(&mut unknown);
         let parameter = unknown.pop()? / self.column_size;
-        (parameter.is_finite() && unknown.iter().all(|u| u.is_finite())).then_some((unknown, parameter))
+        (parameter.is_finite() && unknown.iter().all(|u| u.is_finite()))
+            .then_some((unknown, parameter))
     }
 }
 
 /// Solves `[A b; row corner] (x, p) = (right, last)`.
-pub fn solve_bordered(matrix: &Mat<f64>, column: &[f64], border: (&[f64], f64), (right, last): (&[f64], f64)) -> BorderedSolution {
+pub fn solve_bordered(
+    matrix: &Mat<f64>,
+    column: &[f64],
+    border: (&[f64], f64),
+    (right, last): (&[f64], f64),
+) -> BorderedSolution {
     Bordered::new(matrix, column, border).solve(right, last)
 }
 
@@ -54,7 +70,10 @@ pub struct Border {
 impl Border {
     /// One as given.
     pub fn new((row, corner): (&[f64], f64)) -> Self {
-        Self { row: row.to_vec(), corner }
+        Self {
+            row: row.to_vec(),
+            corner,
+        }
     }
 
     /// `row . x`.
@@ -80,9 +99,18 @@ impl Border {
         }
         let none = vec![0.0; right.len()];
         let unit = solve(&none, 1.0)?;
-        let start = if right == none { moved(&(none, 0.0), last, &unit) } else { solve(right, last)? };
+        let start = if right == none {
+            moved(&(none, 0.0), last, &unit)
+        } else {
+            solve(right, last)?
+        };
         let along = |(unknown, parameter): &(Vec<f64>, f64)| {
-            let apart: f64 = row.iter().zip(&self.row).zip(unknown).map(|((a, b), u)| (a - b) * u).sum();
+            let apart: f64 = row
+                .iter()
+                .zip(&self.row)
+                .zip(unknown)
+                .map(|((a, b), u)| (a - b) * u)
+                .sum();
             apart + (corner - self.corner) * parameter
         };
         let found = moved(&start, -along(&start) / (1.0 + along(&unit)), &unit);
@@ -92,7 +120,10 @@ impl Border {
 
 /// `x + share z`.
 fn moved(x: &(Vec<f64>, f64), share: f64, z: &(Vec<f64>, f64)) -> (Vec<f64>, f64) {
-    (x.0.iter().zip(&z.0).map(|(x, z)| x + share * z).collect(), x.1 + share * z.1)
+    (
+        x.0.iter().zip(&z.0).map(|(x, z)| x + share * z).collect(),
+        x.1 + share * z.1,
+    )
 }
 
 #[cfg(test)]
@@ -105,15 +136,28 @@ mod tests {
         let matrix = Mat::from_fn(2, 2, |i, j| [[0.0, 2.0], [1.0, 0.5]][i][j]);
         let column = [1e-6, 3e-6];
         let first = ([1.0, -1.0], 0.5);
-        let (border, factored) = (Border::new((&first.0, first.1)), Bordered::new(&matrix, &column, (&first.0, first.1)));
-        for (row, corner, right, last) in
-            [(first.0, first.1, [1.0, 2.0], 3.0), ([2e8, 0.0], 40.0, [0.0, 0.0], 1.0), ([0.0, 0.0], 1.0, [-1.0, 4.0], 0.0)]
-        {
-            let found = border.other((&row, corner), (&right, last), |right, last| factored.solve(right, last));
+        let (border, factored) = (
+            Border::new((&first.0, first.1)),
+            Bordered::new(&matrix, &column, (&first.0, first.1)),
+        );
+        for (row, corner, right, last) in [
+            (first.0, first.1, [1.0, 2.0], 3.0),
+            ([2e8, 0.0], 40.0, [0.0, 0.0], 1.0),
+            ([0.0, 0.0], 1.0, [-1.0, 4.0], 0.0),
+        ] {
+            let found = border.other((&row, corner), (&right, last), |right, last| {
+                factored.solve(right, last)
+            });
             let (x, p) = found.unwrap_or_default();
-            let off = |i: usize| (0..2).map(|j| matrix[(i, j)] * x[j]).sum::<f64>() + column[i] * p - right[i];
+            let off = |i: usize| {
+                (0..2).map(|j| matrix[(i, j)] * x[j]).sum::<f64>() + column[i] * p - right[i]
+            };
             let bottom = row[0] * x[0] + row[1] * x[1] + corner * p - last;
-            assert!(off(0).abs() + off(1).abs() < 1e-13 && bottom.abs() < 1e-13 * (corner * p).abs().max(1.0), "{x:?} {p}");
+            assert!(
+                off(0).abs() + off(1).abs() < 1e-13
+                    && bottom.abs() < 1e-13 * (corner * p).abs().max(1.0),
+                "{x:?} {p}"
+            );
         }
     }
 }

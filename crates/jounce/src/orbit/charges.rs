@@ -12,17 +12,30 @@ use crate::plant::{Conduction, Plant};
 use faer::Mat;
 
 /// Orthonormal rows that span the charges kept, in energy coordinates of a scale.
-pub fn conserved_charges(plant: &Plant, scale: &[f64], trajectories: &[Trajectory]) -> Vec<Vec<f64>> {
+pub fn conserved_charges(
+    plant: &Plant,
+    scale: &[f64],
+    trajectories: &[Trajectory],
+) -> Vec<Vec<f64>> {
     let (electrical, first) = (&plant.electrical, 2 * plant.system.modes.len());
     let is_let_go = |node: usize| {
         let own = |bridge: &usize| electrical.bridges[*bridge].terminal == node;
-        (0..electrical.bridges.len()).filter(own).any(|bridge| trajectories.iter().any(|trajectory| acts(plant, bridge, trajectory)))
+        (0..electrical.bridges.len()).filter(own).any(|bridge| {
+            trajectories
+                .iter()
+                .any(|trajectory| acts(plant, bridge, trajectory))
+        })
     };
     let mut rows: Vec<Vec<f64>> = Vec::new();
-    for node in (0..electrical.nodes.len()).filter(|node| electrical.is_open(*node) && !is_let_go(*node)) {
+    for node in
+        (0..electrical.nodes.len()).filter(|node| electrical.is_open(*node) && !is_let_go(*node))
+    {
         let mut row = vec![0.0; scale.len()];
         row[first + node] = electrical.nodes[node].capacitance_f / scale[first + node];
-        row.iter_mut().zip(&electrical.nodes[node].coupling_n_per_v).zip(scale).for_each(|((l, theta), w)| *l = theta / w);
+        row.iter_mut()
+            .zip(&electrical.nodes[node].coupling_n_per_v)
+            .zip(scale)
+            .for_each(|((l, theta), w)| *l = theta / w);
         for known in &rows {
             let along: f64 = known.iter().zip(&row).map(|(a, b)| a * b).sum();
             row.iter_mut().zip(known).for_each(|(l, k)| *l -= along * k);
@@ -36,14 +49,26 @@ pub fn conserved_charges(plant: &Plant, scale: &[f64], trajectories: &[Trajector
 
 /// True where the diodes of a bridge conduct or its switch closes.
 fn acts(plant: &Plant, bridge: usize, trajectory: &Trajectory) -> bool {
-    let conducts = |regime: usize| plant.system.bridge_states(regime)[bridge].conduction != Conduction::Blocked;
-    trajectory.changes().iter().any(|change| change.flipped == Some(bridge) || conducts(change.regime))
-        || trajectory.segments().iter().any(|segment| conducts(segment.regime))
+    let conducts = |regime: usize| {
+        plant.system.bridge_states(regime)[bridge].conduction != Conduction::Blocked
+    };
+    trajectory
+        .changes()
+        .iter()
+        .any(|change| change.flipped == Some(bridge) || conducts(change.regime))
+        || trajectory
+            .segments()
+            .iter()
+            .any(|segment| conducts(segment.regime))
 }
 
 /// A period map with 0 in place of the multipliers 1 of some rows.
 pub fn without_conserved(map: Mat<f64>, rows: &[Vec<f64>]) -> Mat<f64> {
-    rows.iter().fold(map, |map, row| Mat::from_fn(map.nrows(), map.ncols(), |i, j| map[(i, j)] - row[i] * row[j]))
+    rows.iter().fold(map, |map, row| {
+        Mat::from_fn(map.nrows(), map.ncols(), |i, j| {
+            map[(i, j)] - row[i] * row[j]
+        })
+    })
 }
 
 #[cfg(test)]

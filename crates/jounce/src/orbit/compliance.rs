@@ -32,7 +32,11 @@ impl FourierGrid {
     /// A grid of an even number of samples.
     pub fn new(samples: usize) -> Self {
         let mut planner = RealFftPlanner::new();
-        Self { samples, forward: planner.plan_fft_forward(samples), backward: planner.plan_fft_inverse(samples) }
+        Self {
+            samples,
+            forward: planner.plan_fft_forward(samples),
+            backward: planner.plan_fft_inverse(samples),
+        }
     }
 
     /// Coefficients `f_n`, `n = 0..=samples / 2`, of `sum_n f_n e^{i n x}` over all integers, those below zero being conjugate.
@@ -41,7 +45,10 @@ impl FourierGrid {
         let mut output = self.forward.make_output_vec();
         // The lengths come from the plan itself: no error is possible.
         let _ = self.forward.process(&mut input, &mut output);
-        output.iter().map(|value| *value / self.samples as f64).collect()
+        output
+            .iter()
+            .map(|value| *value / self.samples as f64)
+            .collect()
     }
 
     /// Values of such a sum on the grid.
@@ -69,12 +76,25 @@ pub struct TransferFunction {
 impl TransferFunction {
     /// From a force on a `column` to an output `row`; `step_rad_s` is `w / p`. States that nothing brings back are left out: see
     /// [`moves_without_end`].
-    pub fn new(plant: &Plant, row: &[f64], column: &[f64], step_rad_s: f64, harmonics: usize) -> Self {
+    pub fn new(
+        plant: &Plant,
+        row: &[f64],
+        column: &[f64],
+        step_rad_s: f64,
+        harmonics: usize,
+    ) -> Self {
         let none = vec![c64::new(0.0, 0.0); harmonics + 1];
-        let mut transfer = Self { values: none.clone(), slopes: none };
+        let mut transfer = Self {
+            values: none.clone(),
+            slopes: none,
+        };
         let block = &plant.diagonal.block;
         let free = block.free();
-        for (pair, ((c, u), free)) in block.pairs.iter().zip(row.chunks_exact(2).zip(column.chunks_exact(2)).zip(free.chunks_exact(2))) {
+        for (pair, ((c, u), free)) in block.pairs.iter().zip(
+            row.chunks_exact(2)
+                .zip(column.chunks_exact(2))
+                .zip(free.chunks_exact(2)),
+        ) {
             if free[0] {
                 continue;
             }
@@ -84,7 +104,12 @@ impl TransferFunction {
             transfer.add(step_rad_s, [first, rest], [1.0, -a - e, a * e - b * d]);
         }
         let paired = 2 * block.pairs.len();
-        for (rate, ((c, u), free)) in block.reals.iter().zip(row[paired..].iter().zip(&column[paired..]).zip(&free[paired..])) {
+        for (rate, ((c, u), free)) in block.reals.iter().zip(
+            row[paired..]
+                .iter()
+                .zip(&column[paired..])
+                .zip(&free[paired..]),
+        ) {
             if *free {
                 continue;
             }
@@ -115,12 +140,24 @@ pub fn moves_without_end(plant: &Plant) -> bool {
     let ports = &plant.ports[..plant.system.stops.len()];
     // Either state of a pair may be the one that is pushed.
     let share = |row: &[f64], column: &[f64], i: usize| row[i].abs() * column[i ^ 1].abs();
-    ports.iter().flat_map(|a| ports.iter().map(move |b| (&a.displacement, &b.force))).any(|(row, column)| {
-        let paired = 2 * plant.diagonal.block.pairs.len();
-        let of = |i: usize| (row[i] * column[i]).abs() + if i < paired { share(row, column, i) } else { 0.0 };
-        let whole: f64 = (0..row.len()).map(of).sum();
-        (0..row.len()).filter(|i| free[*i]).any(|i| of(i) > FREE_STATE_SHARE * whole)
-    })
+    ports
+        .iter()
+        .flat_map(|a| ports.iter().map(move |b| (&a.displacement, &b.force)))
+        .any(|(row, column)| {
+            let paired = 2 * plant.diagonal.block.pairs.len();
+            let of = |i: usize| {
+                (row[i] * column[i]).abs()
+                    + if i < paired {
+                        share(row, column, i)
+                    } else {
+                        0.0
+                    }
+            };
+            let whole: f64 = (0..row.len()).map(of).sum();
+            (0..row.len())
+                .filter(|i| free[*i])
+                .any(|i| of(i) > FREE_STATE_SHARE * whole)
+        })
 }
 
 /// Adds a harmonic of the drive, complex displacement of the port in m, to the harmonics of a period of `cycles` of it.
@@ -138,7 +175,10 @@ mod tests {
     #[test]
     fn a_quotient_and_its_slope() {
         let none = vec![c64::new(0.0, 0.0); 2];
-        let mut transfer = TransferFunction { values: none.clone(), slopes: none };
+        let mut transfer = TransferFunction {
+            values: none.clone(),
+            slopes: none,
+        };
         transfer.add(2.0, [0.0, 1.0], [1.0, 3.0, 5.0]);
         let below = c64::new(1.0, 6.0);
         assert!((transfer.values[1] - 1.0 / below).norm() < 1e-16);

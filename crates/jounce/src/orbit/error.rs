@@ -25,7 +25,9 @@ pub enum OrbitError<H: std::error::Error> {
         frequencies: usize,
     },
     /// Harmonic balance of several frequencies.
-    #[error("harmonic balance takes drives of one frequency, and these have {frequencies}: use the method shooting")]
+    #[error(
+        "harmonic balance takes drives of one frequency, and these have {frequencies}: use the method shooting"
+    )]
     Summed {
         /// How many there are.
         frequencies: usize,
@@ -44,7 +46,9 @@ pub enum OrbitError<H: std::error::Error> {
     )]
     Free,
     /// Harmonic balance of diodes and switches.
-    #[error("harmonic balance does not know the diodes and switches of circuit `{circuit}`: use the method shooting")]
+    #[error(
+        "harmonic balance does not know the diodes and switches of circuit `{circuit}`: use the method shooting"
+    )]
     Rectified {
         /// Name of the circuit.
         circuit: String,

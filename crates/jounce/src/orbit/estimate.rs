@@ -1,6 +1,9 @@
 //! What a shot says of the orbit near it, and how far off that may be.
 
-use super::{Orbit, OrbitError, ParametricModel, Shooting, ShootingEvaluation, displacement_peak_m, multipliers};
+use super::{
+    Orbit, OrbitError, ParametricModel, Shooting, ShootingEvaluation, displacement_peak_m,
+    multipliers,
+};
 use crate::continuation::Linearization;
 use crate::integrate::{Integrator, Kernel, SensitivityError};
 use crate::plant::{Storage, System};
@@ -13,7 +16,9 @@ impl<H: ParametricModel> Shooting<'_, H> {
     /// What a shot says, but for its error.
     pub(super) fn answer(&self, shot: &ShootingEvaluation) -> Result<Orbit, OrbitError<H::Error>> {
         let Some(multipliers) = multipliers(&shot.block_map) else {
-            return Err(OrbitError::Multipliers { frequency_hz: f64::from(self.cycles) / shot.period_s });
+            return Err(OrbitError::Multipliers {
+                frequency_hz: f64::from(self.cycles) / shot.period_s,
+            });
         };
         Ok(shot.as_orbit(multipliers))
     }
@@ -24,12 +29,22 @@ impl<H: ParametricModel> Shooting<'_, H> {
     /// A defect of the march over one period reaches the orbit multiplied by `(I - M)^-1`; Newton is made to mend one of the
     /// size of the tolerance too.
     pub(super) fn estimate(&self, shot: &ShootingEvaluation, orbit: &Orbit) -> f64 {
-        let nearest = orbit.multipliers.iter().map(|value| (*value - 1.0).norm()).fold(1.0, f64::min);
+        let nearest = orbit
+            .multipliers
+            .iter()
+            .map(|value| (*value - 1.0).norm())
+            .fold(1.0, f64::min);
         let defect = shot.tolerance / nearest.max(f64::EPSILON);
-        let Some(correction) = shot.correction() else { return f64::INFINITY };
+        let Some(correction) = shot.correction() else {
+            return f64::INFINITY;
+        };
         let size = |vector: &[f64]| ColRef::from_slice(vector).norm_l2();
         let state = size(&correction) / size(&shot.strobe_states[0]).max(f64::MIN_POSITIVE);
-        let there: Vec<f64> = shot.strobe_states[0].iter().zip(&correction).map(|(u, d)| u + d).collect();
+        let there: Vec<f64> = shot.strobe_states[0]
+            .iter()
+            .zip(&correction)
+            .map(|(u, d)| u + d)
+            .collect();
         // Beside a fold the correction can lead so far that nothing can be marched there: its own length is then all that is known.
         // Diodes may pass as little as they like: power counts from a small part of what the motion holds.
         let least_w = if shot.kernel.plant.system.bridges.is_empty() {
@@ -39,7 +54,9 @@ impl<H: ParametricModel> Shooting<'_, H> {
         };
         let power = self
             .marched_power_w(&shot.kernel, &there)
-            .map_or(state, |exact_w| (orbit.mean_power_w - exact_w).abs() / exact_w.abs().max(least_w));
+            .map_or(state, |exact_w| {
+                (orbit.mean_power_w - exact_w).abs() / exact_w.abs().max(least_w)
+            });
         defect + state.max(power)
     }
 
@@ -47,17 +64,35 @@ impl<H: ParametricModel> Shooting<'_, H> {
     ///
     /// # Errors
     /// A march that fails.
-    pub(super) fn mean_power_w(&self, unknown: &[f64], parameter: f64) -> Result<f64, OrbitError<H::Error>> {
-        self.marched_power_w(&self.harvester.at(parameter).map_err(OrbitError::Harvester)?.kernel, unknown)
+    pub(super) fn mean_power_w(
+        &self,
+        unknown: &[f64],
+        parameter: f64,
+    ) -> Result<f64, OrbitError<H::Error>> {
+        self.marched_power_w(
+            &self
+                .harvester
+                .at(parameter)
+                .map_err(OrbitError::Harvester)?
+                .kernel,
+            unknown,
+        )
     }
 
-    fn marched_power_w(&self, kernel: &Kernel, unknown: &[f64]) -> Result<f64, OrbitError<H::Error>> {
+    fn marched_power_w(
+        &self,
+        kernel: &Kernel,
+        unknown: &[f64],
+    ) -> Result<f64, OrbitError<H::Error>> {
         let cycle_s = kernel.plant.period_s().unwrap_or(1.0);
         let mut y = kernel.plant.from_physical(&self.physical(unknown), 0.0);
         let mut sum_j = 0.0;
         for _ in 0..self.cycles {
-            let mut integrator = Integrator::new(kernel, &y, 0.0, self.tolerance).map_err(SensitivityError::March)?;
-            integrator.advance_to(cycle_s).map_err(SensitivityError::March)?;
+            let mut integrator = Integrator::new(kernel, &y, 0.0, self.tolerance)
+                .map_err(SensitivityError::March)?;
+            integrator
+                .advance_to(cycle_s)
+                .map_err(SensitivityError::March)?;
             sum_j += integrator.energies().delivered_j();
             y = integrator.state();
         }
@@ -68,7 +103,10 @@ impl<H: ParametricModel> Shooting<'_, H> {
 /// Voltage at the first of what takes power, rms, V; NaN where nothing does.
 fn voltage_rms_v(system: &System, power_w: f64) -> f64 {
     let across = |resistance_ohm: f64| (power_w * resistance_ohm).max(0.0).sqrt();
-    match (system.loads.first(), system.bridges.first().map(|bridge| bridge.storage)) {
+    match (
+        system.loads.first(),
+        system.bridges.first().map(|bridge| bridge.storage),
+    ) {
         (Some(load), _) => across(load.resistance_ohm),
         (None, Some(Storage::Capacitor { load_ohm, .. })) => across(load_ohm),
         (None, Some(Storage::Battery { voltage_v })) => voltage_v,
@@ -84,9 +122,15 @@ impl ShootingEvaluation {
             strobe_states: self.strobe_states.clone(),
             // A sum of nothing is -0.
             mean_power_w: self.loads_w.iter().sum::<f64>() + 0.0,
-            voltage_rms_v: self.loads_w.first().map_or(f64::NAN, |power_w| voltage_rms_v(&self.kernel.plant.system, *power_w)),
+            voltage_rms_v: self.loads_w.first().map_or(f64::NAN, |power_w| {
+                voltage_rms_v(&self.kernel.plant.system, *power_w)
+            }),
             contacts: self.contacts,
-            switches: self.trajectories.iter().map(|trajectory| trajectory.changes().len() as u64).sum(),
+            switches: self
+                .trajectories
+                .iter()
+                .map(|trajectory| trajectory.changes().len() as u64)
+                .sum(),
             max_penetration_m: self.max_penetration_m,
             displacement_peak_m: displacement_peak_m(self),
             multipliers,
@@ -98,8 +142,13 @@ impl ShootingEvaluation {
     fn correction(&self) -> Option<Vec<f64>> {
         let size = ColRef::from_slice(&self.strobe_states[0]).norm_l2();
         let defect = self.tolerance * size / (self.residual.len() as f64).sqrt();
-        let right: Vec<f64> = self.residual.iter().map(|r| -r - defect.copysign(*r)).collect();
+        let right: Vec<f64> = self
+            .residual
+            .iter()
+            .map(|r| -r - defect.copysign(*r))
+            .collect();
         let fixed = vec![0.0; right.len()];
-        self.bordered(&fixed, 1.0, &right, 0.0).map(|(change, _)| change)
+        self.bordered(&fixed, 1.0, &right, 0.0)
+            .map(|(change, _)| change)
     }
 }

@@ -18,8 +18,20 @@ impl LuFactors {
     pub fn of(matrix: Mat<f64>) -> Self {
         let n = matrix.nrows();
         let (mut both, mut rows, mut back) = (matrix, vec![0; n], vec![0; n]);
-        let mut room = MemBuffer::new(factor::lu_in_place_scratch::<usize, f64>(n, n, Par::Seq, Default::default()));
-        factor::lu_in_place(both.as_mut(), &mut rows, &mut back, Par::Seq, MemStack::new(&mut room), Default::default());
+        let mut room = MemBuffer::new(factor::lu_in_place_scratch::<usize, f64>(
+            n,
+            n,
+            Par::Seq,
+            Default::default(),
+        ));
+        factor::lu_in_place(
+            both.as_mut(),
+            &mut rows,
+            &mut back,
+            Par::Seq,
+            MemStack::new(&mut room),
+            Default::default(),
+        );
         Self { both, rows, back }
     }
 
@@ -29,7 +41,14 @@ impl LuFactors {
         let exchanged = PermRef::new_checked(&self.rows, &self.back, n);
         let mut room = MemBuffer::new(solve::solve_in_place_scratch::<usize, f64>(n, 1, Par::Seq));
         let right = ColMut::from_slice_mut(right).as_mat_mut();
-        solve::solve_in_place(self.both.as_ref(), self.both.as_ref(), exchanged, right, Par::Seq, MemStack::new(&mut room));
+        solve::solve_in_place(
+            self.both.as_ref(),
+            self.both.as_ref(),
+            exchanged,
+            right,
+            Par::Seq,
+            MemStack::new(&mut room),
+        );
     }
 }
 
@@ -44,6 +63,12 @@ mod tests {
         let exact = [1.0, -2.0, 0.5];
         let mut right = rows.map(|row| row.iter().zip(exact).map(|(a, x)| a * x).sum::<f64>());
         factors.solve(&mut right);
-        assert!(right.iter().zip(exact).all(|(found, exact)| (found - exact).abs() < 1e-15), "{right:?}");
+        assert!(
+            right
+                .iter()
+                .zip(exact)
+                .all(|(found, exact)| (found - exact).abs() < 1e-15),
+            "{right:?}"
+        );
     }
 }

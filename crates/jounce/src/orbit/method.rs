@@ -34,7 +34,11 @@ pub trait OrbitMethod: Problem<Error = OrbitError<Self::Fault>> {
     ///
     /// # Errors
     /// A march that fails.
-    fn error_ratio(&self, _local: &Self::Evaluation, _parameter_scale: f64) -> Result<f64, Self::Error> {
+    fn error_ratio(
+        &self,
+        _local: &Self::Evaluation,
+        _parameter_scale: f64,
+    ) -> Result<f64, Self::Error> {
         Ok(0.0)
     }
 

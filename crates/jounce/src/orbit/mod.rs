@@ -33,5 +33,9 @@ pub use periodic::{Orbit, determinant_at, nearest_pair_to_circle, pairs_outside}
 pub use quantity::OrbitQuantity;
 pub use shooting::Shooting;
 pub use shooting_evaluation::ShootingEvaluation;
-pub use tracking::{Condition, ExtendedEvaluation, ExtendedProblem, Gradient, GrazingPoint, TwoParameterProblem};
-pub use turning_points::{TurningPoint, displacement_peak_m, nearest_extremum_m, nearest_turn, turns};
+pub use tracking::{
+    Condition, ExtendedEvaluation, ExtendedProblem, Gradient, GrazingPoint, TwoParameterProblem,
+};
+pub use turning_points::{
+    TurningPoint, displacement_peak_m, nearest_extremum_m, nearest_turn, turns,
+};

@@ -26,7 +26,10 @@ const BALANCING_ROUNDS: usize = 4;
 pub fn multipliers(map: &Mat<f64>) -> Option<Vec<c64>> {
     let balanced = balanced(map);
     let (blocks, rest) = blocks(&balanced);
-    let mut values: Vec<c64> = blocks.into_iter().flat_map(|block| own(&balanced, block)).collect();
+    let mut values: Vec<c64> = blocks
+        .into_iter()
+        .flat_map(|block| own(&balanced, block))
+        .collect();
     values.extend(part(&balanced, &rest).eigenvalues().ok()?);
     values.sort_by(|a, b| b.norm().total_cmp(&a.norm()));
     Some(values)
@@ -47,15 +50,29 @@ pub struct EigenvalueDisc {
 /// Discs of a map in block coordinates, in which its first `pairs` blocks have two states; one for each of them.
 pub fn discs(map: &Mat<f64>, pairs: usize) -> Vec<EigenvalueDisc> {
     let (map, n) = (balanced(map), map.nrows());
-    let blocks = (0..pairs).map(|k| [2 * k, 2 * k + 1]).chain((2 * pairs..n).map(|k| [k, k]));
+    let blocks = (0..pairs)
+        .map(|k| [2 * k, 2 * k + 1])
+        .chain((2 * pairs..n).map(|k| [k, k]));
     let of_block = |[i, j]: [usize; 2]| {
         let rows = if i == j { vec![i] } else { vec![i, j] };
-        let beside = (0..n).filter(|k| !rows.contains(k)).map(|k| rows.iter().map(|r| map[(*r, k)].powi(2)).sum::<f64>().sqrt());
+        let beside = (0..n).filter(|k| !rows.contains(k)).map(|k| {
+            rows.iter()
+                .map(|r| map[(*r, k)].powi(2))
+                .sum::<f64>()
+                .sqrt()
+        });
         // A block turns by its even part and stretches by its odd one.
         let (a, b, c, d) = (map[(i, i)], map[(i, j)], map[(j, i)], map[(j, j)]);
-        let largest = if i == j { a.abs() } else { 0.5 * ((a + d).hypot(c - b) + (a - d).hypot(b + c)) };
+        let largest = if i == j {
+            a.abs()
+        } else {
+            0.5 * ((a + d).hypot(c - b) + (a - d).hypot(b + c))
+        };
         let radius = largest + beside.sum::<f64>();
-        own(&map, [i, j]).into_iter().map(move |value| EigenvalueDisc { value, radius }).collect::<Vec<_>>()
+        own(&map, [i, j])
+            .into_iter()
+            .map(move |value| EigenvalueDisc { value, radius })
+            .collect::<Vec<_>>()
     };
     blocks.flat_map(of_block).collect()
 }
@@ -82,30 +99,50 @@ impl Eigenbasis {
         let eigen = part(map, &states).eigen().ok()?;
         let vectors = eigen.U().to_owned();
         let inverse = vectors.partial_piv_lu().solve(Mat::<c64>::identity(n, n));
-        Some(Self { states, values: (0..n).map(|k| eigen.S()[k]).collect(), vectors, inverse })
+        Some(Self {
+            states,
+            values: (0..n).map(|k| eigen.S()[k]).collect(),
+            vectors,
+            inverse,
+        })
     }
 
     /// The couplings of the eigenvalues in another map `B`: `sqrt |C_ij C_ji|` with `C = V^-1 B V` and the eigenvectors `V`. Two equal eigenvalues split
     /// by their coupling. `other` is the basis of `B`, `map` the map of this one. The result has the eigenvalues in its order.
     ///
     /// Source: G. W. Stewart and J. Sun, *Matrix Perturbation Theory* (1990), ch. V.
-    pub fn couplings(&self, map: &Mat<f64>, (other, beyond): (&Self, &Mat<f64>)) -> Option<(Vec<c64>, Mat<f64>)> {
+    pub fn couplings(
+        &self,
+        map: &Mat<f64>,
+        (other, beyond): (&Self, &Mat<f64>),
+    ) -> Option<(Vec<c64>, Mat<f64>)> {
         // A block that stands alone in one map need not do so in the other.
-        let more: Vec<usize> = other.states.iter().copied().filter(|k| !self.states.contains(k)).collect();
+        let more: Vec<usize> = other
+            .states
+            .iter()
+            .copied()
+            .filter(|k| !self.states.contains(k))
+            .collect();
         if !more.is_empty() {
-            return Self::over(map, [&self.states[..], &more].concat())?.couplings(map, (other, beyond));
+            return Self::over(map, [&self.states[..], &more].concat())?
+                .couplings(map, (other, beyond));
         }
         let n = self.states.len();
         let own = part(beyond, &self.states);
         let complex = Mat::from_fn(n, n, |i, j| c64::new(own[(i, j)], 0.0));
         let seen = &self.inverse * (complex * &self.vectors);
-        Some((self.values.clone(), Mat::from_fn(n, n, |i, j| (seen[(i, j)] * seen[(j, i)]).norm().sqrt())))
+        Some((
+            self.values.clone(),
+            Mat::from_fn(n, n, |i, j| (seen[(i, j)] * seen[(j, i)]).norm().sqrt()),
+        ))
     }
 }
 
 /// The rows and columns of some states.
 fn part(map: &Mat<f64>, states: &[usize]) -> Mat<f64> {
-    Mat::from_fn(states.len(), states.len(), |i, j| map[(states[i], states[j])])
+    Mat::from_fn(states.len(), states.len(), |i, j| {
+        map[(states[i], states[j])]
+    })
 }
 
 /// The map with each state scaled by a power of two, so that its row and its column are about equally long (the diagonal left out).
@@ -121,7 +158,10 @@ fn balanced(map: &Mat<f64>) -> Mat<f64> {
                 continue;
             }
             is_even = false;
-            balanced.col_as_slice_mut(i).iter_mut().for_each(|entry| *entry *= factor);
+            balanced
+                .col_as_slice_mut(i)
+                .iter_mut()
+                .for_each(|entry| *entry *= factor);
             (0..n).for_each(|j| balanced[(i, j)] /= factor);
         }
         if is_even {
@@ -135,13 +175,26 @@ fn balanced(map: &Mat<f64>) -> Mat<f64> {
 fn lengths(map: &Mat<f64>, i: usize) -> (f64, f64) {
     let (own, n) = (map[(i, i)].abs(), map.nrows());
     let row = (0..n).map(|j| map[(i, j)].abs()).sum::<f64>() - own;
-    (row, map.col_as_slice(i).iter().map(|entry| entry.abs()).sum::<f64>() - own)
+    (
+        row,
+        map.col_as_slice(i)
+            .iter()
+            .map(|entry| entry.abs())
+            .sum::<f64>()
+            - own,
+    )
 }
 
 /// Blocks of one or two states (the same number twice is one) that stand alone, and the states that are left.
 fn blocks(map: &Mat<f64>) -> (Vec<[usize; 2]>, Vec<usize>) {
     let n = map.nrows();
-    let square = |i: usize, j: usize| if i == j { 0.0 } else { map[(i, j)] * map[(i, j)] };
+    let square = |i: usize, j: usize| {
+        if i == j {
+            0.0
+        } else {
+            map[(i, j)] * map[(i, j)]
+        }
+    };
     let mut rest: Vec<usize> = (0..n).collect();
     // Squares of the lengths of each row and each column.
     let mut squares: Vec<[f64; 2]> = vec![[0.0; 2]; n];
@@ -175,15 +228,25 @@ fn blocks(map: &Mat<f64>) -> (Vec<[usize; 2]>, Vec<usize>) {
             }
             let beside = square(i, j) + square(j, i);
             let is_pair = i < j && partners[j] == i && rest.contains(&j);
-            (is_pair && is_apart(row + squares[j][0] - beside, column + squares[j][1] - beside)).then_some([i, j])
+            (is_pair
+                && is_apart(
+                    row + squares[j][0] - beside,
+                    column + squares[j][1] - beside,
+                ))
+            .then_some([i, j])
         };
-        let Some([i, j]) = rest.iter().find_map(stands_alone) else { return (found, rest) };
+        let Some([i, j]) = rest.iter().find_map(stands_alone) else {
+            return (found, rest);
+        };
         found.push([i, j]);
         rest.retain(|k| *k != i && *k != j);
         for k in &rest {
             for gone in &[i, j][usize::from(i == j)..] {
                 let [row, column] = squares[*k];
-                squares[*k] = [(row - square(*k, *gone)).max(0.0), (column - square(*gone, *k)).max(0.0)];
+                squares[*k] = [
+                    (row - square(*k, *gone)).max(0.0),
+                    (column - square(*gone, *k)).max(0.0),
+                ];
             }
         }
     }
@@ -194,7 +257,10 @@ fn own(map: &Mat<f64>, [i, j]: [usize; 2]) -> Vec<c64> {
     if i == j {
         return vec![c64::new(map[(i, i)], 0.0)];
     }
-    let (mean, half) = (0.5 * (map[(i, i)] + map[(j, j)]), 0.5 * (map[(i, i)] - map[(j, j)]));
+    let (mean, half) = (
+        0.5 * (map[(i, i)] + map[(j, j)]),
+        0.5 * (map[(i, i)] - map[(j, j)]),
+    );
     let root = c64::new(half * half + map[(i, j)] * map[(j, i)], 0.0).sqrt();
     vec![root + mean, -root + mean]
 }
@@ -207,15 +273,31 @@ mod tests {
     #[test]
     fn a_fast_pair_is_taken_by_itself() {
         let weak = 1e-7;
-        let rows = [[0.6, -0.7, weak, 0.0], [0.7, 0.6, 0.0, weak], [weak, weak, 3e-4, -4e-4], [0.0, weak, 4e-4, 3e-4]];
+        let rows = [
+            [0.6, -0.7, weak, 0.0],
+            [0.7, 0.6, 0.0, weak],
+            [weak, weak, 3e-4, -4e-4],
+            [0.0, weak, 4e-4, 3e-4],
+        ];
         let map = Mat::from_fn(4, 4, |i, j| rows[i][j]);
         let (found, rest) = blocks(&balanced(&map));
-        assert!(found.contains(&[2, 3]) && !rest.contains(&2), "{found:?} {rest:?}");
+        assert!(
+            found.contains(&[2, 3]) && !rest.contains(&2),
+            "{found:?} {rest:?}"
+        );
         let values = multipliers(&map).unwrap_or_default();
         // To first order in the product of the couplings.
-        let exact = [c64::new(0.6, 0.7), c64::new(0.6, -0.7), c64::new(3e-4, 4e-4), c64::new(3e-4, -4e-4)];
+        let exact = [
+            c64::new(0.6, 0.7),
+            c64::new(0.6, -0.7),
+            c64::new(3e-4, 4e-4),
+            c64::new(3e-4, -4e-4),
+        ];
         for exact in exact {
-            let apart = values.iter().map(|value| (value - exact).norm()).fold(f64::INFINITY, f64::min);
+            let apart = values
+                .iter()
+                .map(|value| (value - exact).norm())
+                .fold(f64::INFINITY, f64::min);
             assert!(apart < 1e-13, "{exact}: {apart:e} {values:?}");
         }
     }
@@ -233,10 +315,19 @@ mod tests {
         let map = Mat::from_fn(5, 5, |i, j| rows[i][j]);
         let discs = discs(&map, 2);
         assert_eq!(discs.len(), 5);
-        let (fast, widest) = (discs[2].radius, discs.iter().map(|disc| disc.radius).fold(0.0, f64::max));
-        assert!(fast < 0.6 && (discs[2].value.norm() - 0.5).abs() < 1e-12, "{discs:?}");
+        let (fast, widest) = (
+            discs[2].radius,
+            discs.iter().map(|disc| disc.radius).fold(0.0, f64::max),
+        );
+        assert!(
+            fast < 0.6 && (discs[2].value.norm() - 0.5).abs() < 1e-12,
+            "{discs:?}"
+        );
         let values = multipliers(&map).unwrap_or_default();
-        assert_eq!(values.iter().filter(|value| value.norm() <= fast).count(), 3);
+        assert_eq!(
+            values.iter().filter(|value| value.norm() <= fast).count(),
+            3
+        );
         assert!(values.iter().all(|value| value.norm() <= widest));
     }
 

@@ -11,7 +11,10 @@ pub fn null_vector(matrix: &Mat<f64>) -> Vec<f64> {
     let n = matrix.nrows();
     // Off the singular matrix by roundoff of its size.
     let size = (0..n).map(|i| matrix[(i, i)].abs()).fold(1.0, f64::max);
-    let solver = Mat::from_fn(n, n, |i, j| matrix[(i, j)] + if i == j { 1e-12 * size } else { 0.0 }).partial_piv_lu();
+    let solver = Mat::from_fn(n, n, |i, j| {
+        matrix[(i, j)] + if i == j { 1e-12 * size } else { 0.0 }
+    })
+    .partial_piv_lu();
     let mut vector = Mat::from_fn(n, 1, |i, _| 1.0 + 0.1 * i as f64);
     for _ in 0..INVERSE_ITERATIONS {
         vector = solver.solve(&vector);

@@ -77,8 +77,13 @@ impl Orbit {
     /// Difference of the state half a period on; `None` for an odd number of cycles.
     pub fn halves_apart(&self) -> Option<Vec<f64>> {
         let half = self.period_cycles as usize / 2;
-        (self.period_cycles.is_multiple_of(2))
-            .then(|| self.strobe_states[half].iter().zip(&self.strobe_states[0]).map(|(a, b)| a - b).collect())
+        (self.period_cycles.is_multiple_of(2)).then(|| {
+            self.strobe_states[half]
+                .iter()
+                .zip(&self.strobe_states[0])
+                .map(|(a, b)| a - b)
+                .collect()
+        })
     }
 
     /// True when the orbit is one of fewer cycles, gone through several times.
@@ -88,14 +93,23 @@ impl Orbit {
 
     /// The least number of cycles, fewer than those of the period, after which the orbit repeats.
     pub fn shorter_period(&self) -> Option<u32> {
-        let apart = |look: &[f64]| (ColRef::from_slice(look) - ColRef::from_slice(self.start())).norm_l2();
-        let repeats = |shorter: &u32| apart(&self.strobe_states[*shorter as usize]) < SAME_STATE_DISTANCE * self.size();
-        (1..self.period_cycles).filter(|shorter| self.period_cycles.is_multiple_of(*shorter)).find(repeats)
+        let apart =
+            |look: &[f64]| (ColRef::from_slice(look) - ColRef::from_slice(self.start())).norm_l2();
+        let repeats = |shorter: &u32| {
+            apart(&self.strobe_states[*shorter as usize]) < SAME_STATE_DISTANCE * self.size()
+        };
+        (1..self.period_cycles)
+            .filter(|shorter| self.period_cycles.is_multiple_of(*shorter))
+            .find(repeats)
     }
 
     /// `det(M - s I)` up to a positive factor, for `s` of modulus one.
     pub fn determinant_at(&self, s: f64) -> f64 {
-        self.multipliers.iter().map(|value| *value - s).product::<c64>().re
+        self.multipliers
+            .iter()
+            .map(|value| *value - s)
+            .product::<c64>()
+            .re
     }
 
     /// Multipliers outside the unit circle that come in complex pairs.
@@ -107,17 +121,25 @@ impl Orbit {
 /// Distance to the unit circle of the complex pair that lies nearest to it; 1 without one.
 pub fn nearest_pair_to_circle(multipliers: &[c64]) -> f64 {
     let pairs = multipliers.iter().filter(|value| value.im > 1e-9);
-    pairs.map(|value| (value.norm() - 1.0).abs()).fold(1.0, f64::min)
+    pairs
+        .map(|value| (value.norm() - 1.0).abs())
+        .fold(1.0, f64::min)
 }
 
 /// Multipliers outside the unit circle that come in complex pairs.
 pub fn pairs_outside(multipliers: &[c64]) -> usize {
-    multipliers.iter().filter(|value| value.norm() > 1.0 && value.im > 1e-9).count()
+    multipliers
+        .iter()
+        .filter(|value| value.norm() > 1.0 && value.im > 1e-9)
+        .count()
 }
 
 /// `det(M - s I)` of a period map: zero where `s` is a multiplier.
 pub fn determinant_at(map: &Mat<f64>, s: f64) -> f64 {
-    Mat::from_fn(map.nrows(), map.ncols(), |i, j| map[(i, j)] - if i == j { s } else { 0.0 }).determinant()
+    Mat::from_fn(map.nrows(), map.ncols(), |i, j| {
+        map[(i, j)] - if i == j { s } else { 0.0 }
+    })
+    .determinant()
 }
 
 #[cfg(test)]
@@ -126,9 +148,18 @@ mod tests {
 
     #[test]
     fn a_multiplier_within_the_error_of_one_decides_nothing() {
-        let orbit =
-            |modulus: f64, error_estimate: f64| Orbit { multipliers: vec![c64::new(-modulus, 0.0)], error_estimate, ..Orbit::of_cycles(8) };
-        assert!(orbit(1.0 + 1e-9, 1e-8).is_stability_undecided() && orbit(1.0 - 1e-9, 1e-8).is_stability_undecided());
-        assert!(!orbit(1.0 + 1e-7, 1e-8).is_stability_undecided() && !Orbit::of_cycles(1).is_stability_undecided());
+        let orbit = |modulus: f64, error_estimate: f64| Orbit {
+            multipliers: vec![c64::new(-modulus, 0.0)],
+            error_estimate,
+            ..Orbit::of_cycles(8)
+        };
+        assert!(
+            orbit(1.0 + 1e-9, 1e-8).is_stability_undecided()
+                && orbit(1.0 - 1e-9, 1e-8).is_stability_undecided()
+        );
+        assert!(
+            !orbit(1.0 + 1e-7, 1e-8).is_stability_undecided()
+                && !Orbit::of_cycles(1).is_stability_undecided()
+        );
     }
 }

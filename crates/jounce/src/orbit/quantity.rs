@@ -28,11 +28,26 @@ impl OrbitQuantity {
         let plant = &shot.kernel.plant;
         match self {
             OrbitQuantity::MeanPower => shot.loads_w.iter().sum(),
-            OrbitQuantity::Voltage(patch) => largest(shot, |state, _| plant.patch_voltages_v(state)[patch].abs()),
+            OrbitQuantity::Voltage(patch) => {
+                largest(shot, |state, _| plant.patch_voltages_v(state)[patch].abs())
+            }
             OrbitQuantity::Strain(patch) => {
-                let shapes = plant.system.modes.patch.values().nth(patch).map_or(&[][..], |patch| &patch.strain);
+                let shapes = plant
+                    .system
+                    .modes
+                    .patch
+                    .values()
+                    .nth(patch)
+                    .map_or(&[][..], |patch| &patch.strain);
                 largest(shot, |state, _| {
-                    let strain = |shape: &Vec<f64>| shape.iter().zip(state).map(|(s, q)| s * q).sum::<f64>().abs();
+                    let strain = |shape: &Vec<f64>| {
+                        shape
+                            .iter()
+                            .zip(state)
+                            .map(|(s, q)| s * q)
+                            .sum::<f64>()
+                            .abs()
+                    };
                     shapes.iter().map(strain).fold(0.0, f64::max)
                 })
             }
@@ -48,13 +63,25 @@ fn largest(shot: &ShootingEvaluation, value: impl Fn(&[f64], &[f64]) -> f64) -> 
     let of_cycle = |trajectory: &Trajectory| {
         let at = |times_s: &[f64]| -> Vec<f64> {
             let instants = trajectory.at(&shot.kernel, times_s);
-            instants.iter().map(|at| value(&plant.to_physical(&at.state, at.time_s), &at.forces_n)).collect()
+            instants
+                .iter()
+                .map(|at| value(&plant.to_physical(&at.state, at.time_s), &at.forces_n))
+                .collect()
         };
         let step_s = cycle_s / SAMPLES_PER_CYCLE as f64;
-        let rough = at(&(0..=SAMPLES_PER_CYCLE).map(|k| k as f64 * step_s).collect::<Vec<_>>());
-        let top = (0..rough.len()).max_by(|a, b| rough[*a].total_cmp(&rough[*b])).unwrap_or(0);
-        let (from, closer_s) = (top.saturating_sub(1) as f64 * step_s, 2.0 * step_s / REFINED_SAMPLES as f64);
-        let times: Vec<f64> = (0..=REFINED_SAMPLES).map(|k| (from + k as f64 * closer_s).min(cycle_s)).collect();
+        let rough = at(&(0..=SAMPLES_PER_CYCLE)
+            .map(|k| k as f64 * step_s)
+            .collect::<Vec<_>>());
+        let top = (0..rough.len())
+            .max_by(|a, b| rough[*a].total_cmp(&rough[*b]))
+            .unwrap_or(0);
+        let (from, closer_s) = (
+            top.saturating_sub(1) as f64 * step_s,
+            2.0 * step_s / REFINED_SAMPLES as f64,
+        );
+        let times: Vec<f64> = (0..=REFINED_SAMPLES)
+            .map(|k| (from + k as f64 * closer_s).min(cycle_s))
+            .collect();
         parabola_top(&at(&times)).max(rough[top])
     };
     shot.trajectories.iter().map(of_cycle).fold(0.0, f64::max)
@@ -62,12 +89,21 @@ fn largest(shot: &ShootingEvaluation, value: impl Fn(&[f64], &[f64]) -> f64) -> 
 
 /// Top of the parabola through the highest of equally spaced values and its neighbours.
 fn parabola_top(values: &[f64]) -> f64 {
-    let top = (0..values.len()).max_by(|a, b| values[*a].total_cmp(&values[*b])).unwrap_or(0);
+    let top = (0..values.len())
+        .max_by(|a, b| values[*a].total_cmp(&values[*b]))
+        .unwrap_or(0);
     if top == 0 || top + 1 >= values.len() {
         return values.get(top).copied().unwrap_or(0.0);
     }
-    let (slope, bend) = (0.5 * (values[top + 1] - values[top - 1]), values[top + 1] - 2.0 * values[top] + values[top - 1]);
-    if bend < 0.0 { values[top] - 0.5 * slope * slope / bend } else { values[top] }
+    let (slope, bend) = (
+        0.5 * (values[top + 1] - values[top - 1]),
+        values[top + 1] - 2.0 * values[top] + values[top - 1],
+    );
+    if bend < 0.0 {
+        values[top] - 0.5 * slope * slope / bend
+    } else {
+        values[top]
+    }
 }
 
 #[cfg(test)]

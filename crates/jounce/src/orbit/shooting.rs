@@ -9,7 +9,9 @@
 //! parameter it is exact for drive, gap and stiffness, and a difference otherwise.
 
 use super::charges::{conserved_charges, without_conserved};
-use super::{Orbit, OrbitError, OrbitMethod, ParameterDerivatives, ParametricModel, ShootingEvaluation};
+use super::{
+    Orbit, OrbitError, OrbitMethod, ParameterDerivatives, ParametricModel, ShootingEvaluation,
+};
 use crate::continuation::Problem;
 use crate::integrate::{FlowSensitivity, Kernel, ParameterSensitivity};
 use crate::plant::{Plant, product};
@@ -35,10 +37,25 @@ impl<'h, H: ParametricModel> Shooting<'h, H> {
     /// Orbits of `cycles` drive cycles; `kernel` is the harvester at any value of its parameter.
     pub fn new(harvester: &'h H, kernel: &Kernel, cycles: u32, tolerance: f64) -> Self {
         let modes = &kernel.plant.system.modes;
-        let drive = kernel.plant.tones.first().map_or(1.0, |tone| tone.angular_frequency_rad_s);
-        let stiff = modes.frequency_rad_s.iter().map(|w| if *w > 0.0 { *w } else { drive });
-        let scale = stiff.chain(std::iter::repeat_n(1.0, modes.len())).chain(kernel.plant.electrical.energy_scale());
-        Self { harvester, cycles, tolerance, scale: scale.collect(), charged: Vec::new() }
+        let drive = kernel
+            .plant
+            .tones
+            .first()
+            .map_or(1.0, |tone| tone.angular_frequency_rad_s);
+        let stiff = modes
+            .frequency_rad_s
+            .iter()
+            .map(|w| if *w > 0.0 { *w } else { drive });
+        let scale = stiff
+            .chain(std::iter::repeat_n(1.0, modes.len()))
+            .chain(kernel.plant.electrical.energy_scale());
+        Self {
+            harvester,
+            cycles,
+            tolerance,
+            scale: scale.collect(),
+            charged: Vec::new(),
+        }
     }
 
     /// The same at the charges of a physical state.
@@ -50,21 +67,38 @@ impl<'h, H: ParametricModel> Shooting<'h, H> {
 
     /// `u` of a physical state.
     pub fn unknown(&self, physical: &[f64]) -> Vec<f64> {
-        physical.iter().zip(&self.scale).map(|(x, w)| x * w).collect()
+        physical
+            .iter()
+            .zip(&self.scale)
+            .map(|(x, w)| x * w)
+            .collect()
     }
 
     /// The physical state of `u`.
     pub fn physical(&self, unknown: &[f64]) -> Vec<f64> {
-        unknown.iter().zip(&self.scale).map(|(u, w)| u / w).collect()
+        unknown
+            .iter()
+            .zip(&self.scale)
+            .map(|(u, w)| u / w)
+            .collect()
     }
 
     /// Marches the period; true when the derivative with respect to the parameter is exact.
-    pub(crate) fn shoot(&self, unknown: &[f64], parameter: f64) -> Result<(ShootingEvaluation, bool), OrbitError<H::Error>> {
-        let setting = self.harvester.at(parameter).map_err(OrbitError::Harvester)?;
+    pub(crate) fn shoot(
+        &self,
+        unknown: &[f64],
+        parameter: f64,
+    ) -> Result<(ShootingEvaluation, bool), OrbitError<H::Error>> {
+        let setting = self
+            .harvester
+            .at(parameter)
+            .map_err(OrbitError::Harvester)?;
         let kernel = setting.kernel;
         let plant = &kernel.plant;
         let Some(cycle_s) = plant.period_s() else {
-            return Err(OrbitError::Frequencies { frequencies: plant.tones.len() });
+            return Err(OrbitError::Frequencies {
+                frequencies: plant.tones.len(),
+            });
         };
         let exact = setting.change.is_some();
         let n = plant.len();
@@ -79,25 +113,43 @@ impl<'h, H: ParametricModel> Shooting<'h, H> {
         let mut map: Option<Mat<f64>> = None;
         // d y / dp: the state is held, so that its part without the steady one moves against it.
         let mut by_parameter: Vec<f64> = change.steady.iter().map(|s| -s).collect();
-        let (mut trajectories, mut contacts, mut max_penetration_m, mut loads_w) =
-            (Vec::new(), 0, 0.0_f64, vec![0.0; plant.system.loads.len() + plant.system.bridges.len()]);
+        let (mut trajectories, mut contacts, mut max_penetration_m, mut loads_w) = (
+            Vec::new(),
+            0,
+            0.0_f64,
+            vec![0.0; plant.system.loads.len() + plant.system.bridges.len()],
+        );
         for _ in 0..self.cycles {
-            let cycle = FlowSensitivity::march(&kernel, &y, 0.0, cycle_s, self.tolerance, &change.drift)?;
+            let cycle =
+                FlowSensitivity::march(&kernel, &y, 0.0, cycle_s, self.tolerance, &change.drift)?;
             by_parameter = carried(&cycle, &by_parameter, cycle_s * change.period_relative);
-            map = Some(map.map_or_else(|| cycle.jacobian.clone(), |before| &cycle.jacobian * &before));
+            map = Some(map.map_or_else(
+                || cycle.jacobian.clone(),
+                |before| &cycle.jacobian * &before,
+            ));
             y = cycle.end;
             let full: Vec<f64> = y.iter().zip(&steady).map(|(y, s)| y + s).collect();
             looks.push(self.unknown(&product(&plant.diagonal.to_physical, &full)));
             contacts += cycle.statistics.contacts;
             max_penetration_m = max_penetration_m.max(cycle.statistics.max_penetration_m);
-            loads_w.iter_mut().zip(&cycle.delivered_j).for_each(|(sum, j)| *sum += j / (cycle_s * f64::from(self.cycles)));
+            loads_w
+                .iter_mut()
+                .zip(&cycle.delivered_j)
+                .for_each(|(sum, j)| *sum += j / (cycle_s * f64::from(self.cycles)));
             trajectories.push(cycle.trajectory);
         }
-        by_parameter.iter_mut().zip(&change.steady).for_each(|(y, s)| *y += s);
+        by_parameter
+            .iter_mut()
+            .zip(&change.steady)
+            .for_each(|(y, s)| *y += s);
         let by_parameter = self.unknown(&product(&plant.diagonal.to_physical, &by_parameter));
         let kept = conserved_charges(plant, &self.scale, &trajectories);
         let whole = map.unwrap_or_else(|| Mat::identity(n, n));
-        let block_map = if kept.is_empty() { whole } else { self.without_kept(plant, &whole, &kept) };
+        let block_map = if kept.is_empty() {
+            whole
+        } else {
+            self.without_kept(plant, &whole, &kept)
+        };
         let residual = self.residual(unknown, &looks[looks.len() - 1], &kept);
         let shot = ShootingEvaluation {
             kernel,
@@ -125,16 +177,29 @@ impl<H> Shooting<'_, H> {
     fn without_kept(&self, plant: &Plant, whole: &Mat<f64>, kept: &[Vec<f64>]) -> Mat<f64> {
         let (into, out) = (&plant.diagonal.from_physical, &plant.diagonal.to_physical);
         let left = Mat::from_fn(plant.len(), plant.len(), |i, j| self.scale[i] * out[(i, j)]);
-        let right = Mat::from_fn(plant.len(), plant.len(), |i, j| into[(i, j)] / self.scale[j]);
+        let right = Mat::from_fn(plant.len(), plant.len(), |i, j| {
+            into[(i, j)] / self.scale[j]
+        });
         &right * without_conserved(&left * whole * &right, kept) * &left
     }
 
     /// `R`; charges that nothing lets go are held at those that are meant.
     fn residual(&self, unknown: &[f64], end: &[f64], kept: &[Vec<f64>]) -> Vec<f64> {
-        let mut residual: Vec<f64> = end.iter().zip(unknown).map(|(end, start)| end - start).collect();
+        let mut residual: Vec<f64> = end
+            .iter()
+            .zip(unknown)
+            .map(|(end, start)| end - start)
+            .collect();
         for row in kept {
-            let missing: f64 = row.iter().enumerate().map(|(i, l)| l * (self.charged.get(i).copied().unwrap_or(0.0) - unknown[i])).sum();
-            residual.iter_mut().zip(row).for_each(|(r, l)| *r += l * missing);
+            let missing: f64 = row
+                .iter()
+                .enumerate()
+                .map(|(i, l)| l * (self.charged.get(i).copied().unwrap_or(0.0) - unknown[i]))
+                .sum();
+            residual
+                .iter_mut()
+                .zip(row)
+                .for_each(|(r, l)| *r += l * missing);
         }
         residual
     }
@@ -149,7 +214,12 @@ impl<H: ParametricModel> Problem for Shooting<'_, H> {
         if !exact {
             let step = self.harvester.difference();
             let (ahead, _) = self.shoot(unknown, parameter + step)?;
-            shot.by_parameter = ahead.residual.iter().zip(&shot.residual).map(|(a, b)| (a - b) / step).collect();
+            shot.by_parameter = ahead
+                .residual
+                .iter()
+                .zip(&shot.residual)
+                .map(|(a, b)| (a - b) / step)
+                .collect();
         }
         Ok(shot)
     }
@@ -168,7 +238,10 @@ impl<H: ParametricModel> OrbitMethod for Shooting<'_, H> {
         Ok(orbit)
     }
 
-    fn shot<'l>(&self, shot: &'l ShootingEvaluation) -> Result<&'l ShootingEvaluation, Self::Error> {
+    fn shot<'l>(
+        &self,
+        shot: &'l ShootingEvaluation,
+    ) -> Result<&'l ShootingEvaluation, Self::Error> {
         Ok(shot)
     }
 
@@ -180,5 +253,7 @@ impl<H: ParametricModel> OrbitMethod for Shooting<'_, H> {
 /// `d y / dp` after a cycle whose length changes by `longer_s` per unit of the parameter.
 fn carried(cycle: &FlowSensitivity, before: &[f64], longer_s: f64) -> Vec<f64> {
     let through = product(&cycle.jacobian, before);
-    (0..before.len()).map(|i| through[i] + cycle.drift[i] + cycle.rate[i] * longer_s).collect()
+    (0..before.len())
+        .map(|i| through[i] + cycle.drift[i] + cycle.rate[i] * longer_s)
+        .collect()
 }

@@ -48,14 +48,25 @@ impl ShootingEvaluation {
         self.map.get_or_init(|| {
             let diagonal = &self.kernel.plant.diagonal;
             let whole = &diagonal.to_physical * &self.block_map * &diagonal.from_physical;
-            Mat::from_fn(whole.nrows(), whole.ncols(), |i, j| whole[(i, j)] * self.scale[i] / self.scale[j])
+            Mat::from_fn(whole.nrows(), whole.ncols(), |i, j| {
+                whole[(i, j)] * self.scale[i] / self.scale[j]
+            })
         })
     }
 
     /// The way to the curve of orbits by Newton across it, and its length relative to the state: finite at a fold too.
     pub(super) fn across(&self, parameter: f64, parameter_scale: f64) -> Option<(Direction, f64)> {
-        let metric = Metric::at(&Position { unknown: self.strobe_states[0].clone(), parameter }, parameter_scale);
-        let up = Direction { unknown: vec![0.0; self.residual.len()], parameter: parameter_scale };
+        let metric = Metric::at(
+            &Position {
+                unknown: self.strobe_states[0].clone(),
+                parameter,
+            },
+            parameter_scale,
+        );
+        let up = Direction {
+            unknown: vec![0.0; self.residual.len()],
+            parameter: parameter_scale,
+        };
         let right: Vec<f64> = self.residual.iter().map(|r| -r).collect();
         let along = tangent(self, &metric, &up)?;
         let (row, corner) = metric.row(&along);
@@ -73,9 +84,13 @@ impl ShootingEvaluation {
     /// Displacement of the port of a stop, m, at `samples` equal times of the period.
     pub fn displacements_m(&self, stop: usize, samples: usize) -> Vec<f64> {
         let plant = &self.kernel.plant;
-        let Some(port) = plant.ports.get(stop) else { return vec![0.0; samples] };
+        let Some(port) = plant.ports.get(stop) else {
+            return vec![0.0; samples];
+        };
         let cycle_s = self.period_s / self.trajectories.len() as f64;
-        let times: Vec<f64> = (0..samples).map(|k| self.period_s * k as f64 / samples as f64).collect();
+        let times: Vec<f64> = (0..samples)
+            .map(|k| self.period_s * k as f64 / samples as f64)
+            .collect();
         let mut values = Vec::with_capacity(samples);
         for (cycle, trajectory) in self.trajectories.iter().enumerate() {
             let own: Vec<f64> = (times.iter())
@@ -83,7 +98,12 @@ impl ShootingEvaluation {
                 .map(|time_s| time_s - cycle as f64 * cycle_s)
                 .collect();
             values.extend(trajectory.at(&self.kernel, &own).iter().map(|at| {
-                let moving: f64 = port.displacement.iter().zip(&at.state).map(|(c, y)| c * y).sum();
+                let moving: f64 = port
+                    .displacement
+                    .iter()
+                    .zip(&at.state)
+                    .map(|(c, y)| c * y)
+                    .sum();
                 moving + plant.driven(port, at.time_s)[0]
             }));
         }
@@ -91,7 +111,10 @@ impl ShootingEvaluation {
     }
 
     fn coordinates(&self) -> EnergyCoordinates<'_> {
-        EnergyCoordinates { diagonal: &self.kernel.plant.diagonal, scale: &self.scale }
+        EnergyCoordinates {
+            diagonal: &self.kernel.plant.diagonal,
+            scale: &self.scale,
+        }
     }
 }
 
@@ -103,14 +126,37 @@ impl Linearization for ShootingEvaluation {
     /// By mode and by electrical state.
     fn parts(&self) -> ResidualReport {
         let modes = self.kernel.plant.system.modes.len();
-        let moving = (0..modes).map(|k| (format!("mode {}", k + 1), self.residual[k].hypot(self.residual[modes + k])));
-        let charged = self.residual[2 * modes..].iter().enumerate().map(|(k, own)| (format!("electrical state {}", k + 1), own.abs()));
-        ResidualReport { unit: "sqrt(J)", sizes: moving.chain(charged).collect() }
+        let moving = (0..modes).map(|k| {
+            (
+                format!("mode {}", k + 1),
+                self.residual[k].hypot(self.residual[modes + k]),
+            )
+        });
+        let charged = self.residual[2 * modes..]
+            .iter()
+            .enumerate()
+            .map(|(k, own)| (format!("electrical state {}", k + 1), own.abs()));
+        ResidualReport {
+            unit: "sqrt(J)",
+            sizes: moving.chain(charged).collect(),
+        }
     }
 
-    fn bordered(&self, row: &[f64], corner: f64, right: &[f64], last: f64) -> Option<(Vec<f64>, f64)> {
-        let equations =
-            self.equations.get_or_init(|| BlockEquations::new(&self.block_map, &self.by_parameter, (row, corner), self.coordinates()));
+    fn bordered(
+        &self,
+        row: &[f64],
+        corner: f64,
+        right: &[f64],
+        last: f64,
+    ) -> Option<(Vec<f64>, f64)> {
+        let equations = self.equations.get_or_init(|| {
+            BlockEquations::new(
+                &self.block_map,
+                &self.by_parameter,
+                (row, corner),
+                self.coordinates(),
+            )
+        });
         equations.solve((row, corner), (right, last), self.coordinates())
     }
 }

@@ -14,35 +14,63 @@ impl<H: ParametricModel> Shooting<'_, H> {
     ///
     /// # Errors
     /// A harvester that cannot be made, one whose drives do not repeat themselves together, a march that fails.
-    pub fn marched_orbit(&self, physical: &[f64], parameter: f64) -> Result<Orbit, OrbitError<H::Error>> {
-        let kernel = self.harvester.at(parameter).map_err(OrbitError::Harvester)?.kernel;
+    pub fn marched_orbit(
+        &self,
+        physical: &[f64],
+        parameter: f64,
+    ) -> Result<Orbit, OrbitError<H::Error>> {
+        let kernel = self
+            .harvester
+            .at(parameter)
+            .map_err(OrbitError::Harvester)?
+            .kernel;
         let plant = &kernel.plant;
         let Some(cycle_s) = plant.period_s() else {
-            return Err(OrbitError::Frequencies { frequencies: plant.tones.len() });
+            return Err(OrbitError::Frequencies {
+                frequencies: plant.tones.len(),
+            });
         };
         let period_s = cycle_s * f64::from(self.cycles);
         let mut y = plant.from_physical(physical, 0.0);
         // A march that begins at rest may strike once by roundoff; one that goes on from it does not.
-        let mut through = Integrator::new(&kernel, &y, 0.0, self.tolerance).map_err(SensitivityError::March)?;
-        through.advance_to(period_s).map_err(SensitivityError::March)?;
+        let mut through =
+            Integrator::new(&kernel, &y, 0.0, self.tolerance).map_err(SensitivityError::March)?;
+        through
+            .advance_to(period_s)
+            .map_err(SensitivityError::March)?;
         through.reset_statistics();
-        through.advance_to(2.0 * period_s).map_err(SensitivityError::March)?;
+        through
+            .advance_to(2.0 * period_s)
+            .map_err(SensitivityError::March)?;
         let statistics = through.statistics();
         let (mut looks, mut trajectories) = (vec![self.unknown(physical)], Vec::new());
         let mut loads_w = vec![0.0; plant.system.loads.len() + plant.system.bridges.len()];
         for _ in 0..self.cycles {
-            let mut integrator = Integrator::new(&kernel, &y, 0.0, self.tolerance).map_err(SensitivityError::March)?;
+            let mut integrator = Integrator::new(&kernel, &y, 0.0, self.tolerance)
+                .map_err(SensitivityError::March)?;
             integrator.start_record();
-            integrator.advance_to(cycle_s).map_err(SensitivityError::March)?;
+            integrator
+                .advance_to(cycle_s)
+                .map_err(SensitivityError::March)?;
             let energies = integrator.energies();
-            let rectified = energies.rectified.iter().map(|own| own.load_j + own.battery_j);
+            let rectified = energies
+                .rectified
+                .iter()
+                .map(|own| own.load_j + own.battery_j);
             let delivered_j = energies.loads_j.iter().copied().chain(rectified);
-            loads_w.iter_mut().zip(delivered_j).for_each(|(sum, j)| *sum += j / period_s);
+            loads_w
+                .iter_mut()
+                .zip(delivered_j)
+                .for_each(|(sum, j)| *sum += j / period_s);
             y = integrator.state();
             looks.push(self.unknown(&plant.to_physical(&y, 0.0)));
             trajectories.push(integrator.take_record());
         }
-        let residual: Vec<f64> = looks[looks.len() - 1].iter().zip(&looks[0]).map(|(end, start)| end - start).collect();
+        let residual: Vec<f64> = looks[looks.len() - 1]
+            .iter()
+            .zip(&looks[0])
+            .map(|(end, start)| end - start)
+            .collect();
         let open = ColRef::from_slice(&residual).norm_l2();
         let shot = ShootingEvaluation {
             kernel,

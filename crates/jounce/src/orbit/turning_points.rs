@@ -44,9 +44,22 @@ impl TurningPoint {
         }
         let cycle_s = shot.period_s / shot.trajectories.len() as f64;
         let half_s = 0.5 * cycle_s / COARSE_SAMPLES_PER_CYCLE;
-        let (from_s, to_s) = ((self.time_s - half_s).max(0.0), (self.time_s + half_s).min(cycle_s));
-        let found = closer(&shot.kernel, self.port, &shot.trajectories[self.cycle], from_s, to_s);
-        found.map_or(self, |(time_s, past_m)| Self { time_s, past_m, ..self })
+        let (from_s, to_s) = (
+            (self.time_s - half_s).max(0.0),
+            (self.time_s + half_s).min(cycle_s),
+        );
+        let found = closer(
+            &shot.kernel,
+            self.port,
+            &shot.trajectories[self.cycle],
+            from_s,
+            to_s,
+        );
+        found.map_or(self, |(time_s, past_m)| Self {
+            time_s,
+            past_m,
+            ..self
+        })
     }
 }
 
@@ -57,17 +70,22 @@ pub fn nearest_turn(shot: &ShootingEvaluation) -> Option<TurningPoint> {
     let stops = &shot.kernel.plant.system.stops;
     let ports = (0..stops.len()).filter(|port| !stops[*port].law.acts_on_both_sides());
     let turning = ports.flat_map(|port| {
-        shot.trajectories.iter().enumerate().flat_map(move |(cycle, trajectory)| {
-            let found = turning_points(&shot.kernel, port, trajectory, cycle_s);
-            found.into_iter().map(move |(time_s, past_m, is_maximum)| TurningPoint {
-                port,
-                cycle,
-                time_s,
-                past_m,
-                is_maximum,
-                is_struck: false,
+        shot.trajectories
+            .iter()
+            .enumerate()
+            .flat_map(move |(cycle, trajectory)| {
+                let found = turning_points(&shot.kernel, port, trajectory, cycle_s);
+                found
+                    .into_iter()
+                    .map(move |(time_s, past_m, is_maximum)| TurningPoint {
+                        port,
+                        cycle,
+                        time_s,
+                        past_m,
+                        is_maximum,
+                        is_struck: false,
+                    })
             })
-        })
     });
     turning.min_by(|a, b| a.past_m.abs().total_cmp(&b.past_m.abs()))
 }
@@ -79,21 +97,39 @@ pub fn turns(shot: &ShootingEvaluation) -> Vec<TurningPoint> {
     let cycle_s = shot.period_s / shot.trajectories.len() as f64;
     let stops = &shot.kernel.plant.system.stops;
     let ports = (0..stops.len()).filter(|port| !stops[*port].law.acts_on_both_sides());
-    ports.flat_map(|port| turns_of(shot, port, cycle_s)).collect()
+    ports
+        .flat_map(|port| turns_of(shot, port, cycle_s))
+        .collect()
 }
 
 fn turns_of(shot: &ShootingEvaluation, port: usize, cycle_s: f64) -> Vec<TurningPoint> {
     let kernel = &shot.kernel;
     let strikes = matches!(kernel.plant.system.stops[port].law, Law::Rigid(_));
-    let looks: Vec<Vec<SampledMotion>> =
-        shot.trajectories.iter().map(|trajectory| sampled_motions(kernel, port, trajectory, (COARSE_SAMPLES_PER_CYCLE, cycle_s))).collect();
+    let looks: Vec<Vec<SampledMotion>> = shot
+        .trajectories
+        .iter()
+        .map(|trajectory| {
+            sampled_motions(
+                kernel,
+                port,
+                trajectory,
+                (COARSE_SAMPLES_PER_CYCLE, cycle_s),
+            )
+        })
+        .collect();
     let mut found = Vec::new();
     for (cycle, own) in looks.iter().enumerate() {
         // The first look of the next cycle is at the end of this one.
-        let end = looks[(cycle + 1) % looks.len()].first().map(|next| (cycle_s, next.1, next.2));
+        let end = looks[(cycle + 1) % looks.len()]
+            .first()
+            .map(|next| (cycle_s, next.1, next.2));
         let own: Vec<SampledMotion> = own.iter().copied().chain(end).collect();
         for (from, to) in own.windows(2).map(|pair| (pair[0], pair[1])) {
-            let coming = if strikes { unstruck(kernel, port, &shot.trajectories[cycle], (from, to)) } else { to };
+            let coming = if strikes {
+                unstruck(kernel, port, &shot.trajectories[cycle], (from, to))
+            } else {
+                to
+            };
             let turn = |time_s: f64, past_m: f64, is_struck: bool| TurningPoint {
                 port,
                 cycle,
@@ -124,30 +160,61 @@ pub fn displacement_peak_m(shot: &ShootingEvaluation) -> f64 {
         return 0.0;
     }
     let cycle_s = shot.period_s / shot.trajectories.len() as f64;
-    let strikes = shot.kernel.plant.system.stops.iter().any(|stop| matches!(stop.law, Law::Rigid(_)));
-    let cycles = shot
-        .trajectories
+    let strikes = shot
+        .kernel
+        .plant
+        .system
+        .stops
         .iter()
-        .map(|trajectory| (trajectory, sampled_motions(&shot.kernel, 0, trajectory, (COARSE_SAMPLES_PER_CYCLE, cycle_s))));
-    let range = cycles.fold((f64::INFINITY, f64::NEG_INFINITY), |range, (trajectory, looks)| {
-        let own = looks.windows(2).flat_map(|pair| {
-            let to = if strikes { unstruck(&shot.kernel, 0, trajectory, (pair[0], pair[1])) } else { pair[1] };
-            [pair[0].1, turn_between(pair[0], to).1]
-        });
-        own.chain(looks.last().map(|last| last.1)).fold(range, |(low, high), past_m| (low.min(past_m), high.max(past_m)))
+        .any(|stop| matches!(stop.law, Law::Rigid(_)));
+    let cycles = shot.trajectories.iter().map(|trajectory| {
+        (
+            trajectory,
+            sampled_motions(
+                &shot.kernel,
+                0,
+                trajectory,
+                (COARSE_SAMPLES_PER_CYCLE, cycle_s),
+            ),
+        )
     });
+    let range = cycles.fold(
+        (f64::INFINITY, f64::NEG_INFINITY),
+        |range, (trajectory, looks)| {
+            let own = looks.windows(2).flat_map(|pair| {
+                let to = if strikes {
+                    unstruck(&shot.kernel, 0, trajectory, (pair[0], pair[1]))
+                } else {
+                    pair[1]
+                };
+                [pair[0].1, turn_between(pair[0], to).1]
+            });
+            own.chain(looks.last().map(|last| last.1))
+                .fold(range, |(low, high), past_m| {
+                    (low.min(past_m), high.max(past_m))
+                })
+        },
+    );
     0.5 * (range.1 - range.0).max(0.0)
 }
 
 /// The second of two neighbouring looks as the motion comes to it, before any impact that a rigid stop makes there: the speed jumps at no
 /// other place than the start of a step, which is a look. Only where the speed changes sign does it matter.
-fn unstruck(kernel: &Kernel, port: usize, trajectory: &Trajectory, (from, to): (SampledMotion, SampledMotion)) -> SampledMotion {
+fn unstruck(
+    kernel: &Kernel,
+    port: usize,
+    trajectory: &Trajectory,
+    (from, to): (SampledMotion, SampledMotion),
+) -> SampledMotion {
     if from.2 * to.2 >= 0.0 {
         return to;
     }
     let just_before_s = to.0 - BEFORE_IMPACT * (to.0 - from.0);
     let coming = trajectory.at(kernel, &[just_before_s]);
-    let rate_m_s = coming.first().and_then(|at| motion(kernel, port, at.time_s, &at.state)).map_or(to.2, |coming| coming.2);
+    let rate_m_s = coming
+        .first()
+        .and_then(|at| motion(kernel, port, at.time_s, &at.state))
+        .map_or(to.2, |coming| coming.2);
     (to.0, to.1, rate_m_s)
 }
 
@@ -170,37 +237,75 @@ fn turn_between(from: SampledMotion, to: SampledMotion) -> (f64, f64) {
     let root = (b * b - u * c).max(0.0).sqrt();
     // The slope changes sign once: of both roots the one inside.
     let q = -(b + root.copysign(b));
-    let x = [u / q, q / c].into_iter().find(|x| (0.0..=1.0).contains(x)).unwrap_or(0.5);
+    let x = [u / q, q / c]
+        .into_iter()
+        .find(|x| (0.0..=1.0).contains(x))
+        .unwrap_or(0.5);
     (x, from.1 + step_s * x * (u + x * (b + x * c / 3.0)))
 }
 
 /// Time, distance past the stop and its rate.
 type SampledMotion = (f64, f64, f64);
 
-fn turning_points(kernel: &Kernel, port: usize, trajectory: &Trajectory, cycle_s: f64) -> Vec<(f64, f64, bool)> {
+fn turning_points(
+    kernel: &Kernel,
+    port: usize,
+    trajectory: &Trajectory,
+    cycle_s: f64,
+) -> Vec<(f64, f64, bool)> {
     let looks = sampled_motions(kernel, port, trajectory, (SAMPLES_PER_CYCLE, cycle_s));
-    let mut turns: Vec<(SampledMotion, SampledMotion)> =
-        looks.windows(2).map(|pair| (pair[0], pair[1])).filter(|(a, b)| a.2 * b.2 <= 0.0).collect();
+    let mut turns: Vec<(SampledMotion, SampledMotion)> = looks
+        .windows(2)
+        .map(|pair| (pair[0], pair[1]))
+        .filter(|(a, b)| a.2 * b.2 <= 0.0)
+        .collect();
     turns.sort_by(|a, b| a.0.1.abs().total_cmp(&b.0.1.abs()));
     turns.truncate(MAX_REFINED_POINTS);
-    let closer = |from: SampledMotion, to: SampledMotion| closer(kernel, port, trajectory, from.0, to.0);
-    turns.into_iter().filter_map(|(from, to)| closer(from, to).map(|(time_s, past_m)| (time_s, past_m, from.2 > 0.0))).collect()
+    let closer =
+        |from: SampledMotion, to: SampledMotion| closer(kernel, port, trajectory, from.0, to.0);
+    turns
+        .into_iter()
+        .filter_map(|(from, to)| {
+            closer(from, to).map(|(time_s, past_m)| (time_s, past_m, from.2 > 0.0))
+        })
+        .collect()
 }
 
 /// Motion at the start of every step, and between those of a flight.
-fn sampled_motions(kernel: &Kernel, port: usize, trajectory: &Trajectory, (count, cycle_s): (f64, f64)) -> Vec<SampledMotion> {
+fn sampled_motions(
+    kernel: &Kernel,
+    port: usize,
+    trajectory: &Trajectory,
+    (count, cycle_s): (f64, f64),
+) -> Vec<SampledMotion> {
     let mut looks = Vec::new();
-    trajectory.walk(kernel, 0, cycle_s / count, &mut |own, time_s, state| looks.extend(motion(own, port, time_s, state)));
+    trajectory.walk(kernel, 0, cycle_s / count, &mut |own, time_s, state| {
+        looks.extend(motion(own, port, time_s, state))
+    });
     looks
 }
 
 /// Time and distance of the turning point between two times: the speed is taken as linear between close looks, which leaves an error of
 /// second order in a place where the distance does not depend on time.
-fn closer(kernel: &Kernel, port: usize, trajectory: &Trajectory, from_s: f64, to_s: f64) -> Option<(f64, f64)> {
-    let times: Vec<f64> = (0..=REFINED_SAMPLES).map(|k| from_s + (to_s - from_s) * k as f64 / REFINED_SAMPLES as f64).collect();
+fn closer(
+    kernel: &Kernel,
+    port: usize,
+    trajectory: &Trajectory,
+    from_s: f64,
+    to_s: f64,
+) -> Option<(f64, f64)> {
+    let times: Vec<f64> = (0..=REFINED_SAMPLES)
+        .map(|k| from_s + (to_s - from_s) * k as f64 / REFINED_SAMPLES as f64)
+        .collect();
     let states = trajectory.at(kernel, &times);
-    let motions: Vec<SampledMotion> = states.iter().filter_map(|at| motion(kernel, port, at.time_s, &at.state)).collect();
-    let (a, b) = motions.windows(2).map(|pair| (pair[0], pair[1])).find(|(a, b)| a.2 * b.2 <= 0.0)?;
+    let motions: Vec<SampledMotion> = states
+        .iter()
+        .filter_map(|at| motion(kernel, port, at.time_s, &at.state))
+        .collect();
+    let (a, b) = motions
+        .windows(2)
+        .map(|pair| (pair[0], pair[1]))
+        .find(|(a, b)| a.2 * b.2 <= 0.0)?;
     let share = if a.2 == b.2 { 0.5 } else { a.2 / (a.2 - b.2) };
     // From the nearer look with half the speed on the way.
     let way_s = share * (b.0 - a.0);
@@ -208,9 +313,15 @@ fn closer(kernel: &Kernel, port: usize, trajectory: &Trajectory, from_s: f64, to
 }
 
 /// Distance past the stop, m, and its rate, m/s, of a port at a time in a drive cycle of the period.
-pub(super) fn port_motion(shot: &ShootingEvaluation, port: usize, (cycle, time_s): (usize, f64)) -> [f64; 2] {
+pub(super) fn port_motion(
+    shot: &ShootingEvaluation,
+    port: usize,
+    (cycle, time_s): (usize, f64),
+) -> [f64; 2] {
     let at = shot.trajectories[cycle].at(&shot.kernel, &[time_s]);
-    let found = at.first().and_then(|at| motion(&shot.kernel, port, at.time_s, &at.state));
+    let found = at
+        .first()
+        .and_then(|at| motion(&shot.kernel, port, at.time_s, &at.state));
     found.map_or([f64::NAN; 2], |(_, past_m, rate_m_s)| [past_m, rate_m_s])
 }
 
@@ -220,7 +331,11 @@ fn motion(kernel: &Kernel, port: usize, time_s: f64, state: &[f64]) -> Option<Sa
     let (port, stop) = plant.ports.get(port).zip(plant.system.stops.get(port))?;
     let dot = |row: &[f64]| row.iter().zip(state).map(|(r, y)| r * y).sum::<f64>();
     let driven = plant.driven(port, time_s);
-    Some((time_s, dot(&port.displacement) + driven[0] - stop.gap_m, dot(&port.velocity) + driven[1]))
+    Some((
+        time_s,
+        dot(&port.displacement) + driven[0] - stop.gap_m,
+        dot(&port.velocity) + driven[1],
+    ))
 }
 
 #[cfg(test)]

@@ -30,17 +30,29 @@ pub enum Scale {
 impl Axis {
     /// A linear axis that spans its data.
     pub fn linear(quantity: &str, unit: &str) -> Self {
-        Self { quantity: quantity.to_owned(), unit: unit.to_owned(), scale: Scale::Linear, range: None, step: None }
+        Self {
+            quantity: quantity.to_owned(),
+            unit: unit.to_owned(),
+            scale: Scale::Linear,
+            range: None,
+            step: None,
+        }
     }
 
     /// A logarithmic axis that spans its data.
     pub fn log(quantity: &str, unit: &str) -> Self {
-        Self { scale: Scale::Log, ..Self::linear(quantity, unit) }
+        Self {
+            scale: Scale::Log,
+            ..Self::linear(quantity, unit)
+        }
     }
 
     /// An axis of the given scale that spans its data.
     pub fn of(scale: Scale, quantity: &str, unit: &str) -> Self {
-        Self { scale, ..Self::linear(quantity, unit) }
+        Self {
+            scale,
+            ..Self::linear(quantity, unit)
+        }
     }
 
     /// The same from `low` to `high`.
@@ -61,10 +73,18 @@ impl Axis {
     pub(super) fn checked_range(&self) -> Result<Option<(f64, f64)>, PictureError> {
         let log = self.scale == Scale::Log;
         let fits = |(low, high): (f64, f64)| {
-            low < high && low.abs() <= MAX_PLOTTED_VALUE && high.abs() <= MAX_PLOTTED_VALUE && (!log || low > 0.0)
+            low < high
+                && low.abs() <= MAX_PLOTTED_VALUE
+                && high.abs() <= MAX_PLOTTED_VALUE
+                && (!log || low > 0.0)
         };
         match self.range {
-            Some((low, high)) if !fits((low, high)) => Err(PictureError::Range { axis: self.quantity.clone(), low, high, log }),
+            Some((low, high)) if !fits((low, high)) => Err(PictureError::Range {
+                axis: self.quantity.clone(),
+                low,
+                high,
+                log,
+            }),
             range => Ok(range),
         }
     }

@@ -27,7 +27,14 @@ pub enum Colour {
 impl Colour {
     /// The colour of curve number `index`, from 0, in a picture of several; after six they start again.
     pub fn nth(index: usize) -> Self {
-        [Self::Blue, Self::Vermilion, Self::Green, Self::Purple, Self::Orange, Self::Sky][index % 6]
+        [
+            Self::Blue,
+            Self::Vermilion,
+            Self::Green,
+            Self::Purple,
+            Self::Orange,
+            Self::Sky,
+        ][index % 6]
     }
 
     /// As `#rrggbb`.

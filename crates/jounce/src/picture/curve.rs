@@ -9,9 +9,10 @@ pub(super) fn runs(points: impl Iterator<Item = Option<(f64, f64)>>) -> Vec<Vec<
     let mut runs = vec![Vec::new()];
     for point in points {
         match (point, runs.last_mut()) {
-            (Some((x, y)), Some(run)) => {
-                run.push((x.clamp(-MAX_PIXEL_DISTANCE, MAX_PIXEL_DISTANCE), y.clamp(-MAX_PIXEL_DISTANCE, MAX_PIXEL_DISTANCE)))
-            }
+            (Some((x, y)), Some(run)) => run.push((
+                x.clamp(-MAX_PIXEL_DISTANCE, MAX_PIXEL_DISTANCE),
+                y.clamp(-MAX_PIXEL_DISTANCE, MAX_PIXEL_DISTANCE),
+            )),
             _ => runs.push(Vec::new()),
         }
     }
@@ -27,7 +28,13 @@ pub(super) fn path(run: &[(f64, f64)]) -> String {
     let mut steps = String::new();
     let thinned = thin(run);
     for (index, (x, y)) in thinned.iter().enumerate() {
-        let _ = write!(steps, "{}{} {}", if index == 0 { "M" } else { "L" }, number(*x), number(*y));
+        let _ = write!(
+            steps,
+            "{}{} {}",
+            if index == 0 { "M" } else { "L" },
+            number(*x),
+            number(*y)
+        );
     }
     if thinned.len() == 1 {
         steps.push_str("h0");
@@ -44,7 +51,11 @@ fn thin(run: &[(f64, f64)]) -> Vec<(f64, f64)> {
     let column = |point: &(f64, f64)| (2.0 * point.0).floor();
     let mut thinned = Vec::new();
     for points in run.chunk_by(|a, b| column(a) == column(b)) {
-        let extreme = |sign: f64| (0..points.len()).max_by(|&a, &b| (sign * points[a].1).total_cmp(&(sign * points[b].1))).unwrap_or(0);
+        let extreme = |sign: f64| {
+            (0..points.len())
+                .max_by(|&a, &b| (sign * points[a].1).total_cmp(&(sign * points[b].1)))
+                .unwrap_or(0)
+        };
         let mut kept = vec![0, extreme(1.0), extreme(-1.0), points.len() - 1];
         kept.sort_unstable();
         kept.dedup();
@@ -59,7 +70,11 @@ pub(super) fn along(run: &[(f64, f64)], step: f64) -> Vec<(f64, f64)> {
     for pair in thin(run).windows(2) {
         let ((x0, y0), (x1, y1)) = (pair[0], pair[1]);
         let count = ((x1 - x0).hypot(y1 - y0) / step).ceil().clamp(1.0, 1000.0);
-        points.extend((1..=count as usize).map(|i| i as f64 / count).map(|s| (x0 + s * (x1 - x0), y0 + s * (y1 - y0))));
+        points.extend(
+            (1..=count as usize)
+                .map(|i| i as f64 / count)
+                .map(|s| (x0 + s * (x1 - x0), y0 + s * (y1 - y0))),
+        );
     }
     points
 }
@@ -70,15 +85,31 @@ mod tests {
 
     #[test]
     fn gaps_split_a_line_and_far_points_come_nearer() {
-        let points = [Some((0.0, 1.0)), Some((1.0, 1e30)), None, None, Some((3.0, 1.0))];
-        assert_eq!(runs(points.into_iter()), [vec![(0.0, 1.0), (1.0, 1e5)], vec![(3.0, 1.0)]]);
+        let points = [
+            Some((0.0, 1.0)),
+            Some((1.0, 1e30)),
+            None,
+            None,
+            Some((3.0, 1.0)),
+        ];
+        assert_eq!(
+            runs(points.into_iter()),
+            [vec![(0.0, 1.0), (1.0, 1e5)], vec![(3.0, 1.0)]]
+        );
         assert_eq!(path(&[(0.0, 1.0), (2.5, 3.0)]), "M0 1L2.5 3");
         assert_eq!(path(&[(0.0, 1.0)]), "M0 1h0");
     }
 
     #[test]
     fn a_dense_record_keeps_its_extremes_in_few_points() {
-        let run: Vec<_> = (0..200_000).map(|i| (f64::from(i) * 600.0 / 2e5, (f64::from(i) * 0.37).sin() * 100.0)).collect();
+        let run: Vec<_> = (0..200_000)
+            .map(|i| {
+                (
+                    f64::from(i) * 600.0 / 2e5,
+                    (f64::from(i) * 0.37).sin() * 100.0,
+                )
+            })
+            .collect();
         let thinned = thin(&run);
         assert!(thinned.len() <= 4800, "{}", thinned.len());
         let highest = |points: &[(f64, f64)]| points.iter().fold(f64::MIN, |m, p| m.max(p.1));

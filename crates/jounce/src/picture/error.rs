@@ -21,7 +21,9 @@ pub enum PictureError {
         log: bool,
     },
     /// A series with more places than values, or the other way round.
-    #[error("the series \"{series}\" has {x} places and {y} values; it needs as many of the one as of the other")]
+    #[error(
+        "the series \"{series}\" has {x} places and {y} values; it needs as many of the one as of the other"
+    )]
     Lengths {
         /// Label of the series.
         series: String,
@@ -31,7 +33,9 @@ pub enum PictureError {
         y: usize,
     },
     /// A size that no picture can have.
-    #[error("a picture of {width} by {height} pixels cannot be drawn; both must lie between 1 and 20000")]
+    #[error(
+        "a picture of {width} by {height} pixels cannot be drawn; both must lie between 1 and 20000"
+    )]
     Size {
         /// Width, pixels.
         width: f64,

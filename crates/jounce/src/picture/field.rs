@@ -39,11 +39,19 @@ const LEVELS: usize = 24;
 
 impl Field {
     pub(super) fn check(&self) -> Result<(), PictureError> {
-        let fault = |x, y| PictureError::Lengths { series: "a field".to_owned(), x, y };
+        let fault = |x, y| PictureError::Lengths {
+            series: "a field".to_owned(),
+            x,
+            y,
+        };
         if self.x.len() != self.columns.len() + 1 {
             return Err(fault(self.x.len(), self.columns.len() + 1));
         }
-        match self.columns.iter().find(|column| column.len() + 1 != self.y.len()) {
+        match self
+            .columns
+            .iter()
+            .find(|column| column.len() + 1 != self.y.len())
+        {
             Some(column) => Err(fault(column.len() + 1, self.y.len())),
             None => Ok(()),
         }
@@ -58,11 +66,19 @@ impl Field {
     pub(super) fn draw(&self, svg: &mut Svg, plot: &Plot<'_>) {
         let mut paths = vec![String::new(); LEVELS];
         for row in 0..self.y.len().saturating_sub(1) {
-            let level = |column: usize| self.columns.get(column).and_then(|values| self.level(values[row]));
+            let level = |column: usize| {
+                self.columns
+                    .get(column)
+                    .and_then(|values| self.level(values[row]))
+            };
             let mut from = 0;
             while from < self.columns.len() {
-                let until = (from..self.columns.len()).find(|column| level(*column) != level(from)).unwrap_or(self.columns.len());
-                let corners = plot.pixel(self.x[from], self.y[row]).zip(plot.pixel(self.x[until], self.y[row + 1]));
+                let until = (from..self.columns.len())
+                    .find(|column| level(*column) != level(from))
+                    .unwrap_or(self.columns.len());
+                let corners = plot
+                    .pixel(self.x[from], self.y[row])
+                    .zip(plot.pixel(self.x[until], self.y[row + 1]));
                 if let (Some(level), Some(((left, low), (right, high)))) = (level(from), corners) {
                     let [x, y, w, h] = [left, high, right - left, low - high].map(number);
                     let _ = write!(paths[level], "M{x} {y}h{w}v{h}h-{w}z");
@@ -71,7 +87,13 @@ impl Field {
             }
         }
         for (level, path) in paths.iter().enumerate() {
-            svg.path(path, &format!("fill=\"{0}\" stroke=\"{0}\" stroke-width=\"0.3\"", colour(level)));
+            svg.path(
+                path,
+                &format!(
+                    "fill=\"{0}\" stroke=\"{0}\" stroke-width=\"0.3\"",
+                    colour(level)
+                ),
+            );
         }
     }
 }
@@ -81,7 +103,9 @@ fn colour(level: usize) -> String {
     let place = level as f64 / (LEVELS - 1) as f64 * (ANCHORS.len() - 1) as f64;
     let below = (place as usize).min(ANCHORS.len() - 2);
     let share = place - below as f64;
-    let part = |k: usize| (ANCHORS[below][k] + share * (ANCHORS[below + 1][k] - ANCHORS[below][k])).round() as u8;
+    let part = |k: usize| {
+        (ANCHORS[below][k] + share * (ANCHORS[below + 1][k] - ANCHORS[below][k])).round() as u8
+    };
     format!("#{:02x}{:02x}{:02x}", part(0), part(1), part(2))
 }
 
@@ -92,22 +116,46 @@ mod tests {
     use super::*;
 
     fn drawn(columns: Vec<Vec<f64>>) -> Result<String, PictureError> {
-        let field = Field { x: vec![0.0, 1.0, 2.0, 3.0], y: vec![0.0, 1.0, 2.0], columns, range: (0.0, 1.0) };
-        Figure::new("").with(Panel::new(Axis::linear("", ""), Axis::linear("", "")).field(field)).to_svg()
+        let field = Field {
+            x: vec![0.0, 1.0, 2.0, 3.0],
+            y: vec![0.0, 1.0, 2.0],
+            columns,
+            range: (0.0, 1.0),
+        };
+        Figure::new("")
+            .with(Panel::new(Axis::linear("", ""), Axis::linear("", "")).field(field))
+            .to_svg()
     }
 
     #[test]
     fn equal_neighbours_are_one_cell_and_gaps_none() {
         let svg = drawn(vec![vec![0.0, 1.0], vec![0.0, f64::NAN], vec![0.9999, 2.0]]).unwrap();
-        let cells = |colour: &str| svg.lines().filter(|line| line.contains(colour)).map(|line| line.matches('M').count()).sum::<usize>();
+        let cells = |colour: &str| {
+            svg.lines()
+                .filter(|line| line.contains(colour))
+                .map(|line| line.matches('M').count())
+                .sum::<usize>()
+        };
         // The lowest row has one rectangle over two columns; the highest colour is there three times, each apart.
-        assert_eq!((cells(&colour(0)), cells(&colour(LEVELS - 1))), (1, 3), "{svg}");
-        assert!(!svg.contains("no data") && colour(0) == "#440154" && colour(LEVELS - 1) == "#fde725");
+        assert_eq!(
+            (cells(&colour(0)), cells(&colour(LEVELS - 1))),
+            (1, 3),
+            "{svg}"
+        );
+        assert!(
+            !svg.contains("no data") && colour(0) == "#440154" && colour(LEVELS - 1) == "#fde725"
+        );
     }
 
     #[test]
     fn columns_that_do_not_fit_are_an_error() {
-        assert!(matches!(drawn(vec![vec![0.0, 1.0]; 2]), Err(PictureError::Lengths { .. })));
-        assert!(matches!(drawn(vec![vec![0.0]; 3]), Err(PictureError::Lengths { .. })));
+        assert!(matches!(
+            drawn(vec![vec![0.0, 1.0]; 2]),
+            Err(PictureError::Lengths { .. })
+        ));
+        assert!(matches!(
+            drawn(vec![vec![0.0]; 3]),
+            Err(PictureError::Lengths { .. })
+        ));
     }
 }

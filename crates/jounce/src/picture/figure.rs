@@ -24,7 +24,11 @@ pub struct Figure {
 impl Figure {
     /// A figure without panels yet, 720 pixels wide.
     pub fn new(title: &str) -> Self {
-        Self { title: title.to_owned(), panels: Vec::new(), width_px: 720.0 }
+        Self {
+            title: title.to_owned(),
+            panels: Vec::new(),
+            width_px: 720.0,
+        }
     }
 
     /// The same with one more panel below.
@@ -42,15 +46,30 @@ impl Figure {
         self.check()?;
         let layout = FigureLayout::new(self, 0.0)?;
         let places: Vec<_> = layout.plots.iter().map(legend::place).collect();
-        let beside = |(plot, place): (&Plot<'_>, &LegendPlace)| (*place == LegendPlace::Beside).then(|| legend::size(plot.panel)).flatten();
-        let aside = layout.plots.iter().zip(&places).filter_map(beside).map(|(wide, _)| wide).fold(0.0, f64::max);
+        let beside = |(plot, place): (&Plot<'_>, &LegendPlace)| {
+            (*place == LegendPlace::Beside)
+                .then(|| legend::size(plot.panel))
+                .flatten()
+        };
+        let aside = layout
+            .plots
+            .iter()
+            .zip(&places)
+            .filter_map(beside)
+            .map(|(wide, _)| wide)
+            .fold(0.0, f64::max);
         if aside == 0.0 {
             return Ok(self.draw(&layout, &places));
         }
         // A narrower frame: where there was room inside there may be none now, so those legends are placed again.
         let layout = FigureLayout::new(self, aside)?;
-        let again =
-            |(plot, place): (_, &LegendPlace)| if *place == LegendPlace::Beside { LegendPlace::Beside } else { legend::place(plot) };
+        let again = |(plot, place): (_, &LegendPlace)| {
+            if *place == LegendPlace::Beside {
+                LegendPlace::Beside
+            } else {
+                legend::place(plot)
+            }
+        };
         let places: Vec<_> = layout.plots.iter().zip(&places).map(again).collect();
         Ok(self.draw(&layout, &places))
     }
@@ -75,13 +94,31 @@ impl Figure {
         let mut series = self.panels.iter().flat_map(|panel| &panel.series);
         if let Some(series) = series.find(|series| series.x.len() != series.y.len()) {
             let (x, y) = (series.x.len(), series.y.len());
-            return Err(PictureError::Lengths { series: series.label.clone().unwrap_or_default(), x, y });
+            return Err(PictureError::Lengths {
+                series: series.label.clone().unwrap_or_default(),
+                x,
+                y,
+            });
         }
-        self.panels.iter().filter_map(|panel| panel.field.as_ref()).try_for_each(|field| field.check())?;
+        self.panels
+            .iter()
+            .filter_map(|panel| panel.field.as_ref())
+            .try_for_each(|field| field.check())?;
         let possible = |length: f64| (1.0..=raster::MAX_SIDE).contains(&length);
-        match self.panels.iter().map(|panel| panel.height_px).find(|height| !possible(*height)) {
-            Some(height) => Err(PictureError::Size { width: self.width_px, height }),
-            None if !possible(self.width_px) => Err(PictureError::Size { width: self.width_px, height: 1.0 }),
+        match self
+            .panels
+            .iter()
+            .map(|panel| panel.height_px)
+            .find(|height| !possible(*height))
+        {
+            Some(height) => Err(PictureError::Size {
+                width: self.width_px,
+                height,
+            }),
+            None if !possible(self.width_px) => Err(PictureError::Size {
+                width: self.width_px,
+                height: 1.0,
+            }),
             None => Ok(()),
         }
     }
@@ -89,11 +126,25 @@ impl Figure {
     fn draw(&self, layout: &FigureLayout<'_>, places: &[LegendPlace]) -> String {
         let mut svg = Svg::new(self.width_px, &self.title);
         let left = layout.plots.first().map_or(12.0, |plot| plot.left);
-        let widest = layout.title.iter().map(|line| width(line, TITLE)).fold(0.0, f64::max);
+        let widest = layout
+            .title
+            .iter()
+            .map(|line| width(line, TITLE))
+            .fold(0.0, f64::max);
         // Flush with the frame where the title fits there, else from the edge of the picture.
-        let left = if left + widest <= self.width_px - 12.0 { left } else { 12.0 };
+        let left = if left + widest <= self.width_px - 12.0 {
+            left
+        } else {
+            12.0
+        };
         for (line, text) in layout.title.iter().enumerate() {
-            svg.text(left, 12.0 + TITLE + line as f64 * TITLE * LEADING, TITLE, Anchor::Start, text);
+            svg.text(
+                left,
+                12.0 + TITLE + line as f64 * TITLE * LEADING,
+                TITLE,
+                Anchor::Start,
+                text,
+            );
         }
         for (plot, place) in layout.plots.iter().zip(places) {
             grid(&mut svg, plot);

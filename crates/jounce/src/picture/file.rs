@@ -12,11 +12,18 @@ const SCALE: f64 = 2.0;
 ///
 /// # Errors
 /// What `svg` has, another ending, a size no picture can have, a place that cannot be written.
-pub(super) fn write(path: &Path, svg: impl FnOnce() -> Result<String, PictureError>) -> Result<(), PictureError> {
+pub(super) fn write(
+    path: &Path,
+    svg: impl FnOnce() -> Result<String, PictureError>,
+) -> Result<(), PictureError> {
     let content = match path.extension().and_then(|ending| ending.to_str()) {
         Some("svg") => svg()?.into_bytes(),
         Some("png") => raster::png(&svg()?, SCALE)?,
-        _ => return Err(PictureError::Format { path: path.to_owned() }),
+        _ => {
+            return Err(PictureError::Format {
+                path: path.to_owned(),
+            });
+        }
     };
     Ok(store::write(path, &content)?)
 }

@@ -15,11 +15,33 @@ pub(super) fn grid(svg: &mut Svg, plot: &Plot<'_>) {
         return;
     }
     let mut steps = String::new();
-    for x in plot.x_ticks.major.iter().filter_map(|(value, _)| plot.x.place(*value)) {
-        let _ = write!(steps, "M{} {}v{}", number(plot.left + x * plot.width), number(plot.top), number(plot.height));
+    for x in plot
+        .x_ticks
+        .major
+        .iter()
+        .filter_map(|(value, _)| plot.x.place(*value))
+    {
+        let _ = write!(
+            steps,
+            "M{} {}v{}",
+            number(plot.left + x * plot.width),
+            number(plot.top),
+            number(plot.height)
+        );
     }
-    for y in plot.y_ticks.major.iter().filter_map(|(value, _)| plot.y.place(*value)) {
-        let _ = write!(steps, "M{} {}h{}", number(plot.left), number(plot.top + (1.0 - y) * plot.height), number(plot.width));
+    for y in plot
+        .y_ticks
+        .major
+        .iter()
+        .filter_map(|(value, _)| plot.y.place(*value))
+    {
+        let _ = write!(
+            steps,
+            "M{} {}h{}",
+            number(plot.left),
+            number(plot.top + (1.0 - y) * plot.height),
+            number(plot.width)
+        );
     }
     svg.path(&steps, GRID);
 }
@@ -32,7 +54,13 @@ pub(super) fn frame(svg: &mut Svg, plot: &Plot<'_>) {
     for (value, label) in &plot.y_ticks.major {
         if let Some(place) = plot.y.place(*value) {
             let y = plot.top + (1.0 - place) * plot.height;
-            svg.text(plot.left - TICK - 3.0, y + 0.36 * SMALL, SMALL, Anchor::End, label);
+            svg.text(
+                plot.left - TICK - 3.0,
+                y + 0.36 * SMALL,
+                SMALL,
+                Anchor::End,
+                label,
+            );
         }
     }
     for (line, text) in plot.y_title.iter().rev().enumerate() {
@@ -44,27 +72,65 @@ pub(super) fn frame(svg: &mut Svg, plot: &Plot<'_>) {
     }
     for (value, label) in &plot.x_ticks.major {
         if let Some(place) = plot.x.place(*value) {
-            svg.text(plot.left + place * plot.width, bottom + TICK + 3.0 + 0.9 * SMALL, SMALL, Anchor::Middle, label);
+            svg.text(
+                plot.left + place * plot.width,
+                bottom + TICK + 3.0 + 0.9 * SMALL,
+                SMALL,
+                Anchor::Middle,
+                label,
+            );
         }
     }
     let y = bottom + TICK + 3.0 + SMALL * LEADING + LABEL + 2.0;
-    svg.text(plot.left + plot.width / 2.0, y, LABEL, Anchor::Middle, &plot.x_ticks.title);
+    svg.text(
+        plot.left + plot.width / 2.0,
+        y,
+        LABEL,
+        Anchor::Middle,
+        &plot.x_ticks.title,
+    );
 }
 
 /// Ticks point outwards, so that they cover no data.
 fn ticks(plot: &Plot<'_>) -> String {
     let mut steps = String::new();
-    let major = |list: &[(f64, String)]| list.iter().map(|(value, _)| (*value, TICK)).collect::<Vec<_>>();
-    let minor = |list: &[f64]| list.iter().map(|value| (*value, 0.55 * TICK)).collect::<Vec<_>>();
+    let major = |list: &[(f64, String)]| {
+        list.iter()
+            .map(|(value, _)| (*value, TICK))
+            .collect::<Vec<_>>()
+    };
+    let minor = |list: &[f64]| {
+        list.iter()
+            .map(|value| (*value, 0.55 * TICK))
+            .collect::<Vec<_>>()
+    };
     let bottom = plot.top + plot.height;
-    for (value, length) in major(&plot.x_ticks.major).into_iter().chain(minor(&plot.x_ticks.minor)) {
+    for (value, length) in major(&plot.x_ticks.major)
+        .into_iter()
+        .chain(minor(&plot.x_ticks.minor))
+    {
         if let Some(place) = plot.x.place(value).filter(|_| plot.x.holds(value)) {
-            let _ = write!(steps, "M{} {}v{}", number(plot.left + place * plot.width), number(bottom), number(length));
+            let _ = write!(
+                steps,
+                "M{} {}v{}",
+                number(plot.left + place * plot.width),
+                number(bottom),
+                number(length)
+            );
         }
     }
-    for (value, length) in major(&plot.y_ticks.major).into_iter().chain(minor(&plot.y_ticks.minor)) {
+    for (value, length) in major(&plot.y_ticks.major)
+        .into_iter()
+        .chain(minor(&plot.y_ticks.minor))
+    {
         if let Some(place) = plot.y.place(value).filter(|_| plot.y.holds(value)) {
-            let _ = write!(steps, "M{} {}h-{}", number(plot.left), number(plot.top + (1.0 - place) * plot.height), number(length));
+            let _ = write!(
+                steps,
+                "M{} {}h-{}",
+                number(plot.left),
+                number(plot.top + (1.0 - place) * plot.height),
+                number(length)
+            );
         }
     }
     steps

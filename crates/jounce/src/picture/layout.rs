@@ -39,14 +39,26 @@ pub(super) struct FigureLayout<'a> {
 impl Plot<'_> {
     /// A point in pixels from the upper left corner of the frame.
     pub fn pixel(&self, x: f64, y: f64) -> Option<(f64, f64)> {
-        Some((self.x.place(x)? * self.width, (1.0 - self.y.place(y)?) * self.height))
+        Some((
+            self.x.place(x)? * self.width,
+            (1.0 - self.y.place(y)?) * self.height,
+        ))
     }
 
     /// Whether there are coloured cells, or any series has a point inside the frame.
     pub fn has_data(&self) -> bool {
         let inside = |(x, y): (&f64, &f64)| self.x.holds(*x) && self.y.holds(*y);
-        let cells = self.panel.field.as_ref().is_some_and(|field| !field.columns.is_empty());
-        cells || self.panel.series.iter().any(|series| series.x.iter().zip(&series.y).any(inside))
+        let cells = self
+            .panel
+            .field
+            .as_ref()
+            .is_some_and(|field| !field.columns.is_empty());
+        cells
+            || self
+                .panel
+                .series
+                .iter()
+                .any(|series| series.x.iter().zip(&series.y).any(inside))
     }
 }
 
@@ -54,14 +66,21 @@ impl<'a> FigureLayout<'a> {
     /// Lays a figure out, leaving `aside` pixels at the right for legends.
     pub fn new(figure: &'a Figure, aside: f64) -> Result<Self, PictureError> {
         let spans = spans(figure)?;
-        let mut plots: Vec<_> =
-            figure.panels.iter().zip(spans).enumerate().map(|(i, (panel, (x, y)))| start(figure, i, panel, x, y)).collect();
+        let mut plots: Vec<_> = figure
+            .panels
+            .iter()
+            .zip(spans)
+            .enumerate()
+            .map(|(i, (panel, (x, y)))| start(figure, i, panel, x, y))
+            .collect();
         let labels = plots.iter().map(label_room).fold(0.0, f64::max);
         let left = plots.iter().map(title_room).fold(0.0, f64::max) + labels;
         let right = plots.iter().map(right_room).fold(BORDER, f64::max) + aside;
         let inner = (figure.width_px - left - right).max(40.0);
         let title = wrap(&figure.title, TITLE, figure.width_px - 2.0 * BORDER);
-        let mut top = BORDER + title.len() as f64 * TITLE * LEADING + if title.is_empty() { 0.0 } else { GAP };
+        let mut top = BORDER
+            + title.len() as f64 * TITLE * LEADING
+            + if title.is_empty() { 0.0 } else { GAP };
         for plot in &mut plots {
             (plot.left, plot.width) = (left, inner);
             plot.y_title_right = left - labels;
@@ -69,7 +88,11 @@ impl<'a> FigureLayout<'a> {
             plot.top = top + room_above(plot);
             top = plot.top + plot.height + room_below(plot);
         }
-        Ok(Self { height: (top + BORDER - GAP).max(2.0 * BORDER).ceil(), title, plots })
+        Ok(Self {
+            height: (top + BORDER - GAP).max(2.0 * BORDER).ceil(),
+            title,
+            plots,
+        })
     }
 }
 
@@ -78,7 +101,20 @@ fn start<'a>(figure: &Figure, index: usize, panel: &'a Panel, x: Span, y: Span) 
     let y_title = wrap(&y_ticks.title, LABEL, panel.height_px.max(120.0));
     let labels_x = index + 1 == figure.panels.len() || !shares_x(figure);
     let x_ticks = Ticks::of(&panel.x, &x, figure.width_px / 100.0);
-    Plot { panel, left: 0.0, top: 0.0, width: 0.0, height: panel.height_px, x, y, x_ticks, y_ticks, labels_x, y_title, y_title_right: 0.0 }
+    Plot {
+        panel,
+        left: 0.0,
+        top: 0.0,
+        width: 0.0,
+        height: panel.height_px,
+        x,
+        y,
+        x_ticks,
+        y_ticks,
+        labels_x,
+        y_title,
+        y_title_right: 0.0,
+    }
 }
 
 /// Panels over equal horizontal axes share one.
@@ -87,28 +123,64 @@ fn shares_x(figure: &Figure) -> bool {
 }
 
 fn spans(figure: &Figure) -> Result<Vec<(Span, Span)>, PictureError> {
-    let marked = figure.panels.iter().flat_map(|panel| &panel.series).any(|series| series.marker.is_some());
+    let marked = figure
+        .panels
+        .iter()
+        .flat_map(|panel| &panel.series)
+        .any(|series| series.marker.is_some());
     let x_margin = if marked { 0.015 } else { 0.0 };
-    let cells = |panel: &Panel| panel.field.as_ref().map_or_else(Vec::new, |field| field.x.clone());
-    let x_of = |panel: &Panel| panel.series.iter().flat_map(|series| series.x.clone()).chain(cells(panel)).collect::<Vec<_>>();
+    let cells = |panel: &Panel| {
+        panel
+            .field
+            .as_ref()
+            .map_or_else(Vec::new, |field| field.x.clone())
+    };
+    let x_of = |panel: &Panel| {
+        panel
+            .series
+            .iter()
+            .flat_map(|series| series.x.clone())
+            .chain(cells(panel))
+            .collect::<Vec<_>>()
+    };
     let shares_y = shares_x(figure) && figure.panels.windows(2).all(|pair| pair[0].y == pair[1].y);
     let common: Vec<f64> = figure.panels.iter().flat_map(x_of).collect();
     let span = |panel: &Panel| {
-        let places = if shares_x(figure) { common.clone() } else { x_of(panel) };
+        let places = if shares_x(figure) {
+            common.clone()
+        } else {
+            x_of(panel)
+        };
         let x = Span::settle(&panel.x, places.into_iter(), x_margin)?;
-        let panels = if shares_y { &figure.panels[..] } else { std::slice::from_ref(panel) };
+        let panels = if shares_y {
+            &figure.panels[..]
+        } else {
+            std::slice::from_ref(panel)
+        };
         // Notes stand above their points and need room there.
         let margin = if panel.notes.is_empty() { 0.05 } else { 0.13 };
-        Ok((x, Span::settle(&panel.y, panels.iter().flat_map(|panel| shown(panel, x)), margin)?))
+        Ok((
+            x,
+            Span::settle(
+                &panel.y,
+                panels.iter().flat_map(|panel| shown(panel, x)),
+                margin,
+            )?,
+        ))
     };
     figure.panels.iter().map(span).collect()
 }
 
 /// The values in what the horizontal axis shows: the vertical axis spans these.
 fn shown(panel: &Panel, x: Span) -> impl Iterator<Item = f64> {
-    let points = panel.series.iter().flat_map(|series| series.x.iter().zip(&series.y));
+    let points = panel
+        .series
+        .iter()
+        .flat_map(|series| series.x.iter().zip(&series.y));
     let cells = panel.field.iter().flat_map(|field| field.y.iter().copied());
-    points.filter_map(move |(place, value)| x.holds(*place).then_some(*value)).chain(cells)
+    points
+        .filter_map(move |(place, value)| x.holds(*place).then_some(*value))
+        .chain(cells)
 }
 
 /// As many ticks as have room for their labels side by side.
@@ -116,9 +188,17 @@ fn roomy_ticks(plot: &Plot<'_>) -> Ticks {
     let mut room = plot.width / 65.0;
     loop {
         let ticks = Ticks::of(&plot.panel.x, &plot.x, room);
-        let edges = |(value, label): &(f64, String)| plot.x.place(*value).map(|at| (at * plot.width, width(label, SMALL) / 2.0));
+        let edges = |(value, label): &(f64, String)| {
+            plot.x
+                .place(*value)
+                .map(|at| (at * plot.width, width(label, SMALL) / 2.0))
+        };
         let edges: Vec<_> = ticks.major.iter().filter_map(edges).collect();
-        if room < 2.0 || edges.windows(2).all(|pair| pair[0].0 + pair[0].1 + GAP <= pair[1].0 - pair[1].1) {
+        if room < 2.0
+            || edges
+                .windows(2)
+                .all(|pair| pair[0].0 + pair[0].1 + GAP <= pair[1].0 - pair[1].1)
+        {
             return ticks;
         }
         room *= 0.8;
@@ -130,23 +210,49 @@ fn title_room(plot: &Plot<'_>) -> f64 {
 }
 
 fn label_room(plot: &Plot<'_>) -> f64 {
-    GAP / 2.0 + plot.y_ticks.major.iter().map(|(_, label)| width(label, SMALL)).fold(0.0, f64::max) + TICK + 3.0
+    GAP / 2.0
+        + plot
+            .y_ticks
+            .major
+            .iter()
+            .map(|(_, label)| width(label, SMALL))
+            .fold(0.0, f64::max)
+        + TICK
+        + 3.0
 }
 
 fn right_room(plot: &Plot<'_>) -> f64 {
-    let last = plot.x_ticks.major.last().map_or(0.0, |(_, label)| width(label, SMALL) / 2.0);
-    let names = names(plot, Along::Y).map(|name| width(name, SMALL) + 6.0).fold(0.0, f64::max);
+    let last = plot
+        .x_ticks
+        .major
+        .last()
+        .map_or(0.0, |(_, label)| width(label, SMALL) / 2.0);
+    let names = names(plot, Along::Y)
+        .map(|name| width(name, SMALL) + 6.0)
+        .fold(0.0, f64::max);
     BORDER + last.max(names)
 }
 
 fn room_above(plot: &Plot<'_>) -> f64 {
-    if names(plot, Along::X).next().is_some() { SMALL * LEADING + 2.0 } else { 0.0 }
+    if names(plot, Along::X).next().is_some() {
+        SMALL * LEADING + 2.0
+    } else {
+        0.0
+    }
 }
 
 fn room_below(plot: &Plot<'_>) -> f64 {
-    if plot.labels_x { TICK + 3.0 + SMALL * LEADING + LABEL * LEADING + 2.0 * GAP } else { 2.0 * GAP }
+    if plot.labels_x {
+        TICK + 3.0 + SMALL * LEADING + LABEL * LEADING + 2.0 * GAP
+    } else {
+        2.0 * GAP
+    }
 }
 
 fn names<'a>(plot: &'a Plot<'_>, along: Along) -> impl Iterator<Item = &'a str> {
-    plot.panel.references.iter().filter(move |line| line.along == along).filter_map(|line| line.label.as_deref())
+    plot.panel
+        .references
+        .iter()
+        .filter(move |line| line.along == along)
+        .filter_map(|line| line.label.as_deref())
 }

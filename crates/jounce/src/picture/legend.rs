@@ -27,18 +27,31 @@ pub(super) enum LegendPlace {
 /// Width and height of the legend of a panel; `None` where nothing has a name.
 pub(super) fn size(panel: &Panel) -> Option<(f64, f64)> {
     let names = names(panel);
-    let widest = names.iter().map(|name| width(name, SMALL)).fold(0.0, f64::max);
-    (!names.is_empty()).then_some((widest + KEY + 3.0 * PADDING, names.len() as f64 * ROW + PADDING))
+    let widest = names
+        .iter()
+        .map(|name| width(name, SMALL))
+        .fold(0.0, f64::max);
+    (!names.is_empty()).then_some((
+        widest + KEY + 3.0 * PADDING,
+        names.len() as f64 * ROW + PADDING,
+    ))
 }
 
 fn names(panel: &Panel) -> Vec<&str> {
-    let series = panel.series.iter().filter_map(|series| series.label.as_deref());
-    series.chain(panel.bands.iter().filter_map(|band| band.label.as_deref())).collect()
+    let series = panel
+        .series
+        .iter()
+        .filter_map(|series| series.label.as_deref());
+    series
+        .chain(panel.bands.iter().filter_map(|band| band.label.as_deref()))
+        .collect()
 }
 
 /// The first place in the frame that covers no data; beside the frame where there is none.
 pub(super) fn place(plot: &Plot<'_>) -> LegendPlace {
-    let Some((w, h)) = size(plot.panel) else { return LegendPlace::None };
+    let Some((w, h)) = size(plot.panel) else {
+        return LegendPlace::None;
+    };
     let covered = covered(plot);
     let (left, centre, right) = (CLEAR, (plot.width - w) / 2.0, plot.width - w - CLEAR);
     let (top, bottom) = (CLEAR, plot.height - h - CLEAR);
@@ -46,10 +59,19 @@ pub(super) fn place(plot: &Plot<'_>) -> LegendPlace {
         return LegendPlace::Beside;
     }
     let middle = (plot.height - h) / 2.0;
-    let candidates =
-        [(right, top), (left, top), (right, bottom), (left, bottom), (centre, top), (centre, bottom), (right, middle), (left, middle)];
-    let hits =
-        |(x, y): &(f64, f64), (px, py): &(f64, f64)| (x - CLEAR..x + w + CLEAR).contains(px) && (y - CLEAR..y + h + CLEAR).contains(py);
+    let candidates = [
+        (right, top),
+        (left, top),
+        (right, bottom),
+        (left, bottom),
+        (centre, top),
+        (centre, bottom),
+        (right, middle),
+        (left, middle),
+    ];
+    let hits = |(x, y): &(f64, f64), (px, py): &(f64, f64)| {
+        (x - CLEAR..x + w + CLEAR).contains(px) && (y - CLEAR..y + h + CLEAR).contains(py)
+    };
     candidates
         .into_iter()
         .find(|at| !covered.iter().any(|point| hits(at, point)))
@@ -62,7 +84,11 @@ fn covered(plot: &Plot<'_>) -> Vec<(f64, f64)> {
     let mut points = Vec::new();
     for series in &plot.panel.series {
         if series.line.is_some() {
-            points.extend(pixel_runs(plot, series).iter().flat_map(|run| along(run, ROW / 2.0)));
+            points.extend(
+                pixel_runs(plot, series)
+                    .iter()
+                    .flat_map(|run| along(run, ROW / 2.0)),
+            );
         }
         if series.marker.is_some() {
             points.extend(marker_places(plot, series));
@@ -71,7 +97,10 @@ fn covered(plot: &Plot<'_>) -> Vec<(f64, f64)> {
     for note in &plot.panel.notes {
         if let Some((x, y)) = plot.pixel(note.x, note.y) {
             let half = width(&note.text, SMALL) / 2.0;
-            points.extend(along(&[(x - half, y - SMALL), (x + half, y - SMALL)], ROW / 2.0));
+            points.extend(along(
+                &[(x - half, y - SMALL), (x + half, y - SMALL)],
+                ROW / 2.0,
+            ));
         }
     }
     points
@@ -89,7 +118,12 @@ pub(super) fn legend(svg: &mut Svg, plot: &Plot<'_>, place: LegendPlace) {
         svg.rect(x, y, w, h, look);
     }
     let mut row = y + PADDING / 2.0 + ROW / 2.0;
-    for series in plot.panel.series.iter().filter(|series| series.label.is_some()) {
+    for series in plot
+        .panel
+        .series
+        .iter()
+        .filter(|series| series.label.is_some())
+    {
         key(svg, series, x + PADDING, row);
         entry(svg, series.label.as_deref(), x, &mut row);
     }
@@ -100,15 +134,27 @@ pub(super) fn legend(svg: &mut Svg, plot: &Plot<'_>, place: LegendPlace) {
 }
 
 fn entry(svg: &mut Svg, label: Option<&str>, x: f64, row: &mut f64) {
-    svg.text(x + 2.0 * PADDING + KEY, *row + 0.36 * SMALL, SMALL, Anchor::Start, label.unwrap_or_default());
+    svg.text(
+        x + 2.0 * PADDING + KEY,
+        *row + 0.36 * SMALL,
+        SMALL,
+        Anchor::Start,
+        label.unwrap_or_default(),
+    );
     *row += ROW;
 }
 
 fn key(svg: &mut Svg, series: &Series, x: f64, y: f64) {
     if let Some(line) = series.line {
-        svg.path(&format!("M{} {}h{}", number(x), number(y), number(KEY)), &line_look(line, series.colour));
+        svg.path(
+            &format!("M{} {}h{}", number(x), number(y), number(KEY)),
+            &line_look(line, series.colour),
+        );
     }
     if let Some(marker) = series.marker {
-        svg.path(&marker_path(marker, x + KEY / 2.0, y, 1.0), &marker_look(marker, series.colour));
+        svg.path(
+            &marker_path(marker, x + KEY / 2.0, y, 1.0),
+            &marker_look(marker, series.colour),
+        );
     }
 }

@@ -22,12 +22,20 @@ pub(super) fn marks(svg: &mut Svg, plot: &Plot<'_>) {
     references(svg, plot);
     for series in &plot.panel.series {
         if let Some(line) = series.line {
-            pixel_runs(plot, series).iter().for_each(|run| svg.path(&path(run), &line_look(line, series.colour)));
+            pixel_runs(plot, series)
+                .iter()
+                .for_each(|run| svg.path(&path(run), &line_look(line, series.colour)));
         }
     }
     svg.close_window();
     if !plot.has_data() {
-        svg.text(plot.left + plot.width / 2.0, plot.top + plot.height / 2.0, SMALL, Anchor::Middle, "no data");
+        svg.text(
+            plot.left + plot.width / 2.0,
+            plot.top + plot.height / 2.0,
+            SMALL,
+            Anchor::Middle,
+            "no data",
+        );
     }
     names(svg, plot);
     notes(svg, plot);
@@ -38,7 +46,10 @@ pub(super) fn markers(svg: &mut Svg, plot: &Plot<'_>) {
     for series in &plot.panel.series {
         if let Some(marker) = series.marker {
             let places = marker_places(plot, series);
-            let steps: String = places.iter().map(|(x, y)| marker_path(marker, plot.left + x, plot.top + y, 1.0)).collect();
+            let steps: String = places
+                .iter()
+                .map(|(x, y)| marker_path(marker, plot.left + x, plot.top + y, 1.0))
+                .collect();
             svg.path(&steps, &marker_look(marker, series.colour));
         }
     }
@@ -46,7 +57,13 @@ pub(super) fn markers(svg: &mut Svg, plot: &Plot<'_>) {
 
 /// The stretches of a series without gap, in pixels of the frame.
 pub(super) fn pixel_runs(plot: &Plot<'_>, series: &Series) -> Vec<Vec<(f64, f64)>> {
-    runs(series.x.iter().zip(&series.y).map(|(x, y)| plot.pixel(*x, *y)))
+    runs(
+        series
+            .x
+            .iter()
+            .zip(&series.y)
+            .map(|(x, y)| plot.pixel(*x, *y)),
+    )
 }
 
 /// Attributes of a line.
@@ -56,7 +73,11 @@ pub(super) fn line_look(line: Line, colour: Colour) -> String {
         Line::Dashed => ("1.8", " stroke-dasharray=\"6 4\""),
         Line::Thin => ("1.1", ""),
     };
-    let class = if colour == Colour::Ink { "class=\"jounce-rule\" " } else { "" };
+    let class = if colour == Colour::Ink {
+        "class=\"jounce-rule\" "
+    } else {
+        ""
+    };
     format!(
         "{class}fill=\"none\" stroke=\"{}\" stroke-width=\"{weight}\"{dash} stroke-linejoin=\"round\" stroke-linecap=\"round\"",
         colour.hex()
@@ -65,14 +86,28 @@ pub(super) fn line_look(line: Line, colour: Colour) -> String {
 
 /// Attributes of a marker: filled, or open with white paper inside.
 pub(super) fn marker_look(marker: Marker, colour: Colour) -> String {
-    let rule = if colour == Colour::Ink { " jounce-rule" } else { "" };
+    let rule = if colour == Colour::Ink {
+        " jounce-rule"
+    } else {
+        ""
+    };
     match marker {
         Marker::Ring | Marker::Left => {
-            format!("class=\"jounce-paper{rule}\" fill=\"#ffffff\" stroke=\"{}\" stroke-width=\"1.2\"", colour.hex())
+            format!(
+                "class=\"jounce-paper{rule}\" fill=\"#ffffff\" stroke=\"{}\" stroke-width=\"1.2\"",
+                colour.hex()
+            )
         }
         _ => {
-            let ink = if colour == Colour::Ink { "class=\"jounce-ink jounce-rule\" " } else { "" };
-            format!("{ink}fill=\"{0}\" stroke=\"{0}\" stroke-width=\"0.6\"", colour.hex())
+            let ink = if colour == Colour::Ink {
+                "class=\"jounce-ink jounce-rule\" "
+            } else {
+                ""
+            };
+            format!(
+                "{ink}fill=\"{0}\" stroke=\"{0}\" stroke-width=\"0.6\"",
+                colour.hex()
+            )
         }
     }
 }
@@ -83,9 +118,19 @@ pub(super) fn marker_path(marker: Marker, x: f64, y: f64, scale: f64) -> String 
     match marker {
         Marker::Circle | Marker::Ring => {
             let r = number(3.0 * scale);
-            format!("M{}a{r} {r} 0 1 0 {d} 0a{r} {r} 0 1 0 -{d} 0z", at(-3.0, 0.0), d = number(6.0 * scale))
+            format!(
+                "M{}a{r} {r} 0 1 0 {d} 0a{r} {r} 0 1 0 -{d} 0z",
+                at(-3.0, 0.0),
+                d = number(6.0 * scale)
+            )
         }
-        Marker::Square => format!("M{}L{}L{}L{}z", at(-2.7, -2.7), at(2.7, -2.7), at(2.7, 2.7), at(-2.7, 2.7)),
+        Marker::Square => format!(
+            "M{}L{}L{}L{}z",
+            at(-2.7, -2.7),
+            at(2.7, -2.7),
+            at(2.7, 2.7),
+            at(-2.7, 2.7)
+        ),
         Marker::Right => format!("M{}L{}L{}z", at(-2.8, -3.6), at(4.2, 0.0), at(-2.8, 3.6)),
         Marker::Left => format!("M{}L{}L{}z", at(2.8, -3.6), at(-4.2, 0.0), at(2.8, 3.6)),
     }
@@ -94,9 +139,17 @@ pub(super) fn marker_path(marker: Marker, x: f64, y: f64, scale: f64) -> String 
 /// Points to mark: all that lie in the frame; on a line, none closer than the marker distance to the one before.
 pub(super) fn marker_places(plot: &Plot<'_>, series: &Series) -> Vec<(f64, f64)> {
     let mut places: Vec<(f64, f64)> = Vec::new();
-    for (x, y) in series.x.iter().zip(&series.y).filter(|(x, y)| plot.x.holds(**x) && plot.y.holds(**y)) {
-        let Some(place) = plot.pixel(*x, *y) else { continue };
-        let near = |before: &(f64, f64)| (place.0 - before.0).hypot(place.1 - before.1) < MARKER_DISTANCE;
+    for (x, y) in series
+        .x
+        .iter()
+        .zip(&series.y)
+        .filter(|(x, y)| plot.x.holds(**x) && plot.y.holds(**y))
+    {
+        let Some(place) = plot.pixel(*x, *y) else {
+            continue;
+        };
+        let near =
+            |before: &(f64, f64)| (place.0 - before.0).hypot(place.1 - before.1) < MARKER_DISTANCE;
         if series.line.is_none() || !places.last().is_some_and(near) {
             places.push(place);
         }
@@ -106,12 +159,28 @@ pub(super) fn marker_places(plot: &Plot<'_>, series: &Series) -> Vec<(f64, f64)>
 
 fn bands(svg: &mut Svg, plot: &Plot<'_>) {
     for band in &plot.panel.bands {
-        let span = if band.along == Along::X { plot.x } else { plot.y };
-        let (Some(low), Some(high)) = (span.place(band.low), span.place(band.high)) else { continue };
+        let span = if band.along == Along::X {
+            plot.x
+        } else {
+            plot.y
+        };
+        let (Some(low), Some(high)) = (span.place(band.low), span.place(band.high)) else {
+            continue;
+        };
         let (low, high) = (low.min(high).clamp(0.0, 1.0), low.max(high).clamp(0.0, 1.0));
         let (x, y, w, h) = match band.along {
-            Along::X => (low * plot.width, 0.0, (high - low) * plot.width, plot.height),
-            Along::Y => (0.0, (1.0 - high) * plot.height, plot.width, (high - low) * plot.height),
+            Along::X => (
+                low * plot.width,
+                0.0,
+                (high - low) * plot.width,
+                plot.height,
+            ),
+            Along::Y => (
+                0.0,
+                (1.0 - high) * plot.height,
+                plot.width,
+                (high - low) * plot.height,
+            ),
         };
         svg.rect(x, y, w, h, &band_look(band.colour));
     }
@@ -126,11 +195,31 @@ fn references(svg: &mut Svg, plot: &Plot<'_>) {
     let mut steps = String::new();
     for line in &plot.panel.references {
         let _ = match line.along {
-            Along::X => plot.x.place(line.value).map(|x| write!(steps, "M{} 0v{}", number(x * plot.width), number(plot.height))),
-            Along::Y => plot.y.place(line.value).map(|y| write!(steps, "M0 {}h{}", number((1.0 - y) * plot.height), number(plot.width))),
+            Along::X => plot.x.place(line.value).map(|x| {
+                write!(
+                    steps,
+                    "M{} 0v{}",
+                    number(x * plot.width),
+                    number(plot.height)
+                )
+            }),
+            Along::Y => plot.y.place(line.value).map(|y| {
+                write!(
+                    steps,
+                    "M0 {}h{}",
+                    number((1.0 - y) * plot.height),
+                    number(plot.width)
+                )
+            }),
         };
     }
-    svg.path(&steps, &format!("fill=\"none\" stroke=\"{}\" stroke-width=\"1\" stroke-dasharray=\"1.5 3\"", Colour::Grey.hex()));
+    svg.path(
+        &steps,
+        &format!(
+            "fill=\"none\" stroke=\"{}\" stroke-width=\"1\" stroke-dasharray=\"1.5 3\"",
+            Colour::Grey.hex()
+        ),
+    );
 }
 
 /// Names of reference lines, outside the frame; one that would touch an earlier one is left out.
@@ -139,30 +228,69 @@ fn names(svg: &mut Svg, plot: &Plot<'_>) {
     let (mut across, mut down) = (Vec::<(f64, f64)>::new(), Vec::<(f64, f64)>::new());
     for line in &plot.panel.references {
         let Some(name) = &line.label else { continue };
-        let (span, taken) = if line.along == Along::X { (plot.x, &mut across) } else { (plot.y, &mut down) };
-        let Some(place) = span.place(line.value).filter(|_| span.holds(line.value)) else { continue };
+        let (span, taken) = if line.along == Along::X {
+            (plot.x, &mut across)
+        } else {
+            (plot.y, &mut down)
+        };
+        let Some(place) = span.place(line.value).filter(|_| span.holds(line.value)) else {
+            continue;
+        };
         let (centre, half) = match line.along {
             Along::X => (place * plot.width, width(name, SMALL) / 2.0 + 3.0),
             Along::Y => ((1.0 - place) * plot.height, SMALL * 0.6),
         };
-        if taken.iter().any(|(other, reach)| (centre - other).abs() < half + reach) {
+        if taken
+            .iter()
+            .any(|(other, reach)| (centre - other).abs() < half + reach)
+        {
             continue;
         }
         taken.push((centre, half));
         match line.along {
-            Along::X => svg.text(plot.left + centre, plot.top - 5.0, SMALL, Anchor::Middle, name),
-            Along::Y => svg.text(plot.left + plot.width + 6.0, plot.top + centre + 0.36 * SMALL, SMALL, Anchor::Start, name),
+            Along::X => svg.text(
+                plot.left + centre,
+                plot.top - 5.0,
+                SMALL,
+                Anchor::Middle,
+                name,
+            ),
+            Along::Y => svg.text(
+                plot.left + plot.width + 6.0,
+                plot.top + centre + 0.36 * SMALL,
+                SMALL,
+                Anchor::Start,
+                name,
+            ),
         }
     }
 }
 
 fn notes(svg: &mut Svg, plot: &Plot<'_>) {
     for note in &plot.panel.notes {
-        let Some((x, y)) = plot.pixel(note.x, note.y).filter(|_| plot.x.holds(note.x) && plot.y.holds(note.y)) else { continue };
+        let Some((x, y)) = plot
+            .pixel(note.x, note.y)
+            .filter(|_| plot.x.holds(note.x) && plot.y.holds(note.y))
+        else {
+            continue;
+        };
         let half = width(&note.text, SMALL) / 2.0 + 4.0;
-        let x = x.clamp(half.min(plot.width / 2.0), (plot.width - half).max(plot.width / 2.0));
+        let x = x.clamp(
+            half.min(plot.width / 2.0),
+            (plot.width - half).max(plot.width / 2.0),
+        );
         // Above the point where there is room, else below it.
-        let y = if y > 1.6 * SMALL { y - 7.0 } else { y + SMALL + 6.0 };
-        svg.text(plot.left + x, plot.top + y, SMALL, Anchor::Middle, &note.text);
+        let y = if y > 1.6 * SMALL {
+            y - 7.0
+        } else {
+            y + SMALL + 6.0
+        };
+        svg.text(
+            plot.left + x,
+            plot.top + y,
+            SMALL,
+            Anchor::Middle,
+            &note.text,
+        );
     }
 }

@@ -34,17 +34,18 @@ mod unit;
 pub use axis::{Axis, Scale};
 pub use colour::Colour;
 pub use drawing::{
-    Drawing, DrawnBeam, DrawnBody, DrawnCircuit, DrawnContact, DrawnDrive, DrawnElement, DrawnPatch, DrawnPlace, DrawnShape, Grip,
-    GripPart, GripSheet, Rect, Seat,
+    Drawing, DrawnBeam, DrawnBody, DrawnCircuit, DrawnContact, DrawnDrive, DrawnElement,
+    DrawnPatch, DrawnPlace, DrawnShape, Grip, GripPart, GripSheet, Rect, Seat,
 };
 pub use error::PictureError;
 pub use field::Field;
 pub use figure::Figure;
 pub use panel::{Along, Panel, PanelBand, PanelNote, ReferenceLine};
 pub use ready::{
-    BifurcationLine, BranchLine, BranchMark, DensityLine, DiagramDots, DiagramView, LineDirection, ModeShape, ResponseLine, ShapePatch,
-    SpectrumLine, SweepLine, SweepLook, TimeSpectrum, Trace, bifurcations, branches, densities, diagram, ensemble, frequency_responses,
-    mode_shapes, power_against_resistance, spectra, spectrogram, sweep, time_histories,
+    BifurcationLine, BranchLine, BranchMark, DensityLine, DiagramDots, DiagramView, LineDirection,
+    ModeShape, ResponseLine, ShapePatch, SpectrumLine, SweepLine, SweepLook, TimeSpectrum, Trace,
+    bifurcations, branches, densities, diagram, ensemble, frequency_responses, mode_shapes,
+    power_against_resistance, spectra, spectrogram, sweep, time_histories,
 };
 pub use series::{Line, Marker, Series};
 pub(crate) use svg::escape;

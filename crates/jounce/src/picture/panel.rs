@@ -72,7 +72,16 @@ pub struct PanelNote {
 impl Panel {
     /// Empty axes, 300 pixels high.
     pub fn new(x: Axis, y: Axis) -> Self {
-        Self { x, y, field: None, series: Vec::new(), bands: Vec::new(), references: Vec::new(), notes: Vec::new(), height_px: 300.0 }
+        Self {
+            x,
+            y,
+            field: None,
+            series: Vec::new(),
+            bands: Vec::new(),
+            references: Vec::new(),
+            notes: Vec::new(),
+            height_px: 300.0,
+        }
     }
 
     /// The same with one more series.
@@ -92,21 +101,35 @@ impl Panel {
     /// The same with a shaded range.
     #[must_use]
     pub fn band(mut self, along: Along, low: f64, high: f64, label: Option<&str>) -> Self {
-        self.bands.push(PanelBand { along, low, high, label: label.map(str::to_owned), colour: Colour::Grey });
+        self.bands.push(PanelBand {
+            along,
+            low,
+            high,
+            label: label.map(str::to_owned),
+            colour: Colour::Grey,
+        });
         self
     }
 
     /// The same with a reference line.
     #[must_use]
     pub fn reference(mut self, along: Along, value: f64, label: Option<&str>) -> Self {
-        self.references.push(ReferenceLine { along, value, label: label.map(str::to_owned) });
+        self.references.push(ReferenceLine {
+            along,
+            value,
+            label: label.map(str::to_owned),
+        });
         self
     }
 
     /// The same with a text at a point.
     #[must_use]
     pub fn note(mut self, x: f64, y: f64, text: &str) -> Self {
-        self.notes.push(PanelNote { x, y, text: text.to_owned() });
+        self.notes.push(PanelNote {
+            x,
+            y,
+            text: text.to_owned(),
+        });
         self
     }
 

@@ -49,17 +49,34 @@ pub enum Marker {
 impl Series {
     /// Points joined by a solid line.
     pub fn line(x: Vec<f64>, y: Vec<f64>) -> Self {
-        Self { x, y, label: None, colour: Colour::default(), line: Some(Line::Solid), marker: None }
+        Self {
+            x,
+            y,
+            label: None,
+            colour: Colour::default(),
+            line: Some(Line::Solid),
+            marker: None,
+        }
     }
 
     /// Marked points.
     pub fn points(x: Vec<f64>, y: Vec<f64>, marker: Marker) -> Self {
-        Self { line: None, marker: Some(marker), ..Self::line(x, y) }
+        Self {
+            line: None,
+            marker: Some(marker),
+            ..Self::line(x, y)
+        }
     }
 
     /// No points, only an entry in the legend that explains a style.
     pub fn key(label: &str, line: Option<Line>, marker: Option<Marker>) -> Self {
-        Self { line, marker, ..Self::line(Vec::new(), Vec::new()) }.label(label).colour(Colour::Ink)
+        Self {
+            line,
+            marker,
+            ..Self::line(Vec::new(), Vec::new())
+        }
+        .label(label)
+        .colour(Colour::Ink)
     }
 
     /// The same under a name in the legend.

@@ -15,12 +15,20 @@ pub(super) struct Span {
 
 impl Span {
     /// The range asked for, or one that holds all drawable data with `margin` (a fraction of the span) at both ends.
-    pub fn settle(axis: &Axis, data: impl Iterator<Item = f64>, margin: f64) -> Result<Self, PictureError> {
+    pub fn settle(
+        axis: &Axis,
+        data: impl Iterator<Item = f64>,
+        margin: f64,
+    ) -> Result<Self, PictureError> {
         let (low, high) = match axis.checked_range()? {
             Some(range) => range,
             None => around(axis.scale, data, margin),
         };
-        Ok(Self { low, high, scale: axis.scale })
+        Ok(Self {
+            low,
+            high,
+            scale: axis.scale,
+        })
     }
 
     /// Where a value lies, 0 at the low end and 1 at the high end; `None` for what cannot be drawn.
@@ -36,7 +44,8 @@ impl Span {
 
     /// Whether a value lies between the ends, rounding allowed for.
     pub fn holds(&self, value: f64) -> bool {
-        self.place(value).is_some_and(|place| (-1e-9..=1.0 + 1e-9).contains(&place))
+        self.place(value)
+            .is_some_and(|place| (-1e-9..=1.0 + 1e-9).contains(&place))
     }
 }
 
@@ -45,8 +54,11 @@ fn drawable(scale: Scale, value: f64) -> bool {
 }
 
 fn around(scale: Scale, data: impl Iterator<Item = f64>, margin: f64) -> (f64, f64) {
-    let (low, high) =
-        data.filter(|&x| drawable(scale, x)).fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
+    let (low, high) = data
+        .filter(|&x| drawable(scale, x))
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| {
+            (low.min(x), high.max(x))
+        });
     match scale {
         Scale::Linear if low > high => (0.0, 1.0),
         Scale::Log if low > high => (1.0, 10.0),
@@ -69,7 +81,14 @@ fn widen(low: f64, high: f64, margin: f64) -> (f64, f64) {
     } else {
         let gap = (high - low) * margin;
         // Positive data that come near zero start there.
-        (if low > 0.0 && low < gap { 0.0 } else { low - gap }, high + gap)
+        (
+            if low > 0.0 && low < gap {
+                0.0
+            } else {
+                low - gap
+            },
+            high + gap,
+        )
     }
 }
 
@@ -86,7 +105,10 @@ mod tests {
     #[test]
     fn data_with_gaps_outliers_or_nothing_give_a_range() {
         let (linear, log) = (Axis::linear("a", ""), Axis::log("a", ""));
-        assert_eq!(settled(&linear, &[f64::NAN, 0.0, 10.0, f64::INFINITY, 1e305]), (-1.0, 11.0));
+        assert_eq!(
+            settled(&linear, &[f64::NAN, 0.0, 10.0, f64::INFINITY, 1e305]),
+            (-1.0, 11.0)
+        );
         assert_eq!(settled(&linear, &[]), (0.0, 1.0));
         assert_eq!(settled(&linear, &[0.0, 0.0]), (-1.0, 1.0));
         assert_eq!(settled(&linear, &[5.0, 5.0]), (4.5, 5.5));
@@ -97,19 +119,48 @@ mod tests {
 
     #[test]
     fn places_follow_the_scale() {
-        let log = Span { low: 1.0, high: 1e4, scale: Scale::Log };
+        let log = Span {
+            low: 1.0,
+            high: 1e4,
+            scale: Scale::Log,
+        };
         assert!((log.place(100.0).unwrap() - 0.5).abs() < 1e-15);
         assert!(log.place(0.0).is_none() && log.place(f64::NAN).is_none() && !log.holds(1e5));
-        assert_eq!(Span { low: -1.0, high: 3.0, scale: Scale::Linear }.place(0.0), Some(0.25));
+        assert_eq!(
+            Span {
+                low: -1.0,
+                high: 3.0,
+                scale: Scale::Linear
+            }
+            .place(0.0),
+            Some(0.25)
+        );
     }
 
     #[test]
     fn reversed_infinite_and_non_positive_log_ranges_are_errors() {
-        for (low, high) in [(1.0, 1.0), (2.0, 1.0), (f64::NAN, 1.0), (0.0, f64::INFINITY)] {
+        for (low, high) in [
+            (1.0, 1.0),
+            (2.0, 1.0),
+            (f64::NAN, 1.0),
+            (0.0, f64::INFINITY),
+        ] {
             let axis = Axis::linear("Power", "W").between(low, high);
-            assert!(matches!(Span::settle(&axis, std::iter::empty(), 0.0), Err(PictureError::Range { .. })));
+            assert!(matches!(
+                Span::settle(&axis, std::iter::empty(), 0.0),
+                Err(PictureError::Range { .. })
+            ));
         }
-        let fault = Span::settle(&Axis::log("Power", "W").between(0.0, 1.0), std::iter::empty(), 0.0).unwrap_err().to_string();
-        assert!(fault.contains("\"Power\"") && fault.contains("> 0"), "{fault}");
+        let fault = Span::settle(
+            &Axis::log("Power", "W").between(0.0, 1.0),
+            std::iter::empty(),
+            0.0,
+        )
+        .unwrap_err()
+        .to_string();
+        assert!(
+            fault.contains("\"Power\"") && fault.contains("> 0"),
+            "{fault}"
+        );
     }
 }

@@ -22,13 +22,21 @@ pub(super) enum Anchor {
 impl Svg {
     /// An empty page of white paper with an accessible title.
     pub fn new(width: f64, title: &str) -> Self {
-        Self { width, title: escape(title), body: String::new() }
+        Self {
+            width,
+            title: escape(title),
+            body: String::new(),
+        }
     }
 
     /// The finished document: how high it is shows when all is drawn.
     pub fn finish(self, height: f64) -> String {
         let (w, h, body) = (number(self.width), number(height), self.body);
-        let title = if self.title.is_empty() { String::new() } else { format!("<title>{}</title>\n", self.title) };
+        let title = if self.title.is_empty() {
+            String::new()
+        } else {
+            format!("<title>{}</title>\n", self.title)
+        };
         format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{w}\" height=\"{h}\" viewBox=\"0 0 {w} {h}\" role=\"img\" font-family=\"{FAMILY}\">\n\
              {title}<rect class=\"jounce-paper\" width=\"{w}\" height=\"{h}\" fill=\"#ffffff\"/>\n{body}</svg>\n"
@@ -38,7 +46,10 @@ impl Svg {
     /// Opens a window: what follows is clipped to it, with coordinates from its upper left corner.
     pub fn open_window(&mut self, x: f64, y: f64, width: f64, height: f64) {
         let (x, y, w, h) = (number(x), number(y), number(width), number(height));
-        let _ = writeln!(self.body, "<svg x=\"{x}\" y=\"{y}\" width=\"{w}\" height=\"{h}\" overflow=\"hidden\">");
+        let _ = writeln!(
+            self.body,
+            "<svg x=\"{x}\" y=\"{y}\" width=\"{w}\" height=\"{h}\" overflow=\"hidden\">"
+        );
     }
 
     /// Closes the last window.
@@ -49,7 +60,10 @@ impl Svg {
     /// A rectangle; `look` are its attributes.
     pub fn rect(&mut self, x: f64, y: f64, width: f64, height: f64, look: &str) {
         let (x, y, w, h) = (number(x), number(y), number(width), number(height));
-        let _ = writeln!(self.body, "<rect x=\"{x}\" y=\"{y}\" width=\"{w}\" height=\"{h}\" {look}/>");
+        let _ = writeln!(
+            self.body,
+            "<rect x=\"{x}\" y=\"{y}\" width=\"{w}\" height=\"{h}\" {look}/>"
+        );
     }
 
     /// A path; `look` are its attributes. Nothing for an empty path.
@@ -104,7 +118,9 @@ pub(crate) fn escape(text: &str) -> String {
             '"' => escaped.push_str("&quot;"),
             '\'' => escaped.push_str("&#39;"),
             '\t' | '\n' | '\r' => escaped.push(' '),
-            letter if letter.is_control() || matches!(letter, '\u{fffe}' | '\u{ffff}') => escaped.push('\u{fffd}'),
+            letter if letter.is_control() || matches!(letter, '\u{fffe}' | '\u{ffff}') => {
+                escaped.push('\u{fffd}')
+            }
             letter => escaped.push(letter),
         }
     }
@@ -117,7 +133,13 @@ mod tests {
 
     #[test]
     fn numbers_are_short_and_texts_are_escaped() {
-        assert_eq!([0.0, -0.001, 1.0, 1.005, 12.3456, 100.0].map(number), ["0", "0", "1", "1", "12.35", "100"]);
-        assert_eq!(escape("a<b & \"c\" 'd'\u{0}"), "a&lt;b &amp; &quot;c&quot; &#39;d&#39;\u{fffd}");
+        assert_eq!(
+            [0.0, -0.001, 1.0, 1.005, 12.3456, 100.0].map(number),
+            ["0", "0", "1", "1", "12.35", "100"]
+        );
+        assert_eq!(
+            escape("a<b & \"c\" 'd'\u{0}"),
+            "a&lt;b &amp; &quot;c&quot; &#39;d&#39;\u{fffd}"
+        );
     }
 }

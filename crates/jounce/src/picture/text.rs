@@ -17,14 +17,26 @@ pub(super) const SMALL: f64 = 12.0;
 /// Distance of two lines of text over their size.
 pub(super) const LEADING: f64 = 1.3;
 
-static FACE: LazyLock<FontRef<'static>> =
-    LazyLock::new(|| FontRef::new(dejavu::sans::regular()).expect("the font that comes with the program is whole"));
+static FACE: LazyLock<FontRef<'static>> = LazyLock::new(|| {
+    FontRef::new(dejavu::sans::regular()).expect("the font that comes with the program is whole")
+});
 
 /// Width of a text at a size, pixels.
 pub(super) fn width(text: &str, size: f64) -> f64 {
-    let (letters, metrics) = (FACE.charmap(), FACE.glyph_metrics(Size::unscaled(), LocationRef::default()));
-    let units_per_em = f64::from(FACE.metrics(Size::unscaled(), LocationRef::default()).units_per_em);
-    let advance = |letter| letters.map(letter).and_then(|glyph| metrics.advance_width(glyph)).map_or(0.6 * units_per_em, f64::from);
+    let (letters, metrics) = (
+        FACE.charmap(),
+        FACE.glyph_metrics(Size::unscaled(), LocationRef::default()),
+    );
+    let units_per_em = f64::from(
+        FACE.metrics(Size::unscaled(), LocationRef::default())
+            .units_per_em,
+    );
+    let advance = |letter| {
+        letters
+            .map(letter)
+            .and_then(|glyph| metrics.advance_width(glyph))
+            .map_or(0.6 * units_per_em, f64::from)
+    };
     text.chars().map(advance).sum::<f64>() * size / units_per_em
 }
 
@@ -50,14 +62,25 @@ mod tests {
     /// Advance widths of DejaVu Sans in units of 1/2048 em: `0` 1303, `−` 1716, `A` 1401.
     #[test]
     fn widths_are_those_of_the_font() {
-        assert!((width("0−A", 2048.0) - (1303.0 + 1716.0 + 1401.0)).abs() < 1e-9, "{}", width("0−A", 2048.0));
+        assert!(
+            (width("0−A", 2048.0) - (1303.0 + 1716.0 + 1401.0)).abs() < 1e-9,
+            "{}",
+            width("0−A", 2048.0)
+        );
         assert!(width("Ωµ²⁻¹⁰×°½", 10.0) > 30.0);
     }
 
     #[test]
     fn long_texts_break_between_words() {
-        let lines = wrap("The voltage output with impact for an excitation of 13 Hz", 15.0, 200.0);
-        assert!(lines.len() >= 2 && lines.iter().all(|line| width(line, 15.0) <= 200.0), "{lines:?}");
+        let lines = wrap(
+            "The voltage output with impact for an excitation of 13 Hz",
+            15.0,
+            200.0,
+        );
+        assert!(
+            lines.len() >= 2 && lines.iter().all(|line| width(line, 15.0) <= 200.0),
+            "{lines:?}"
+        );
         assert_eq!(wrap("  ", 15.0, 200.0).len(), 0);
     }
 }

@@ -22,17 +22,28 @@ impl Ticks {
     /// Ticks for an axis with room for about `room` labels.
     pub fn of(axis: &Axis, span: &Span, room: f64) -> Self {
         let unit = unit::printed(&axis.unit);
-        let exponent = if unit::takes_prefix(&unit) { prefix_exponent(span) } else { 0 };
+        let exponent = if unit::takes_prefix(&unit) {
+            prefix_exponent(span)
+        } else {
+            0
+        };
         let factor = 10f64.powi(exponent);
         let (values, minor, decimals) = places(axis, span, factor, room.max(2.0));
         let power = decimals.and_then(|_| common_power(span, factor));
         let label = |&value: &f64| match (decimals, power) {
             (Some(decimals), None) => decimal(value / factor, decimals),
-            (Some(decimals), Some(power)) => decimal(value / factor / 10f64.powi(power), (decimals + power).max(0)),
+            (Some(decimals), Some(power)) => decimal(
+                value / factor / 10f64.powi(power),
+                (decimals + power).max(0),
+            ),
             (None, _) => scientific(value / factor, axis_is_plain(span, factor)),
         };
         let major = values.iter().map(|value| (*value, label(value))).collect();
-        Self { major, minor, title: title(&axis.quantity, &unit, exponent, power) }
+        Self {
+            major,
+            minor,
+            title: title(&axis.quantity, &unit, exponent, power),
+        }
     }
 }
 
@@ -55,14 +66,22 @@ fn prefix_exponent(span: &Span) -> i32 {
             let largest = span.low.abs().max(span.high.abs());
             let exponent = thousands(largest);
             // A round thousand at the end of an axis does not yet change the unit: 0 to 1000 Hz.
-            let exponent = if exponent > 0 && largest < 1.1 * 10f64.powi(exponent) { exponent - 3 } else { exponent };
+            let exponent = if exponent > 0 && largest < 1.1 * 10f64.powi(exponent) {
+                exponent - 3
+            } else {
+                exponent
+            };
             exponent.clamp(-18, 12)
         }
         Scale::Log => {
             let candidates = [0, thousands(span.low), thousands(span.low) + 3];
             // Over many decades a prefix helps nobody: 10⁻⁵ W reads better than 10000 nW.
             let short = (span.high / span.low).log10() < 4.5;
-            let plain = |e: &i32| (*e == 0 || short) && unit::prefix(*e).is_some() && axis_is_plain(span, 10f64.powi(*e));
+            let plain = |e: &i32| {
+                (*e == 0 || short)
+                    && unit::prefix(*e).is_some()
+                    && axis_is_plain(span, 10f64.powi(*e))
+            };
             candidates.into_iter().find(plain).unwrap_or(0)
         }
     }
@@ -84,7 +103,8 @@ fn common_power(span: &Span, factor: f64) -> Option<i32> {
 fn places(axis: &Axis, span: &Span, factor: f64, room: f64) -> (Vec<f64>, Vec<f64>, Option<i32>) {
     let decades = (span.high / span.low).log10();
     if span.scale == Scale::Linear || decades < 0.7 {
-        let (major, minor, decimals) = equal_steps(axis.step.map(|step| step / factor), span, factor, room);
+        let (major, minor, decimals) =
+            equal_steps(axis.step.map(|step| step / factor), span, factor, room);
         (major, minor, Some(decimals))
     } else {
         let (major, minor) = decade_steps(span, decades, room);
@@ -92,7 +112,12 @@ fn places(axis: &Axis, span: &Span, factor: f64, room: f64) -> (Vec<f64>, Vec<f6
     }
 }
 
-fn equal_steps(wanted: Option<f64>, span: &Span, factor: f64, room: f64) -> (Vec<f64>, Vec<f64>, i32) {
+fn equal_steps(
+    wanted: Option<f64>,
+    span: &Span,
+    factor: f64,
+    room: f64,
+) -> (Vec<f64>, Vec<f64>, i32) {
     let (low, high) = (span.low / factor, span.high / factor);
     let rough = (high - low) / room;
     let exponent = (rough.log10() + 1e-9).floor() as i32;
@@ -104,8 +129,20 @@ fn equal_steps(wanted: Option<f64>, span: &Span, factor: f64, room: f64) -> (Vec
     };
     let (step, parts, decimals) = match wanted {
         // Thirds of 90 degrees, fifths of anything else.
-        Some(step) if step > 0.0 && (high - low) / step < 50.0 => (step, if step % 3.0 == 0.0 { 3.0 } else { 5.0 }, decimals_of(step)),
-        _ => (mantissa * 10f64.powi(exponent), parts, if mantissa >= 10.0 { -exponent - 1 } else { -exponent }),
+        Some(step) if step > 0.0 && (high - low) / step < 50.0 => (
+            step,
+            if step % 3.0 == 0.0 { 3.0 } else { 5.0 },
+            decimals_of(step),
+        ),
+        _ => (
+            mantissa * 10f64.powi(exponent),
+            parts,
+            if mantissa >= 10.0 {
+                -exponent - 1
+            } else {
+                -exponent
+            },
+        ),
     };
     let multiples = |step: f64| {
         let (first, last) = ((low / step - 1e-9).ceil(), (high / step + 1e-9).floor());
@@ -113,24 +150,47 @@ fn equal_steps(wanted: Option<f64>, span: &Span, factor: f64, room: f64) -> (Vec
             .map(move |i| (first + i as f64) * step * factor)
             .take(((last - first).max(-1.0) + 1.0) as usize)
     };
-    (multiples(step).collect(), multiples(step / parts).collect(), decimals)
+    (
+        multiples(step).collect(),
+        multiples(step / parts).collect(),
+        decimals,
+    )
 }
 
 fn decimals_of(step: f64) -> i32 {
-    (0..12).find(|&d| (step * 10f64.powi(d)).fract().abs() < 1e-9).unwrap_or(12)
+    (0..12)
+        .find(|&d| (step * 10f64.powi(d)).fract().abs() < 1e-9)
+        .unwrap_or(12)
 }
 
 fn decade_steps(span: &Span, decades: f64, room: f64) -> (Vec<f64>, Vec<f64>) {
-    let (first, last) = (span.low.log10().floor() as i32, span.high.log10().ceil() as i32);
+    let (first, last) = (
+        span.low.log10().floor() as i32,
+        span.high.log10().ceil() as i32,
+    );
     let inside = |value: &f64| span.holds(*value);
-    let multiples =
-        |mantissas: &'static [f64]| (first..=last).flat_map(|e| mantissas.iter().map(move |m| m * 10f64.powi(e))).filter(inside);
+    let multiples = |mantissas: &'static [f64]| {
+        (first..=last)
+            .flat_map(|e| mantissas.iter().map(move |m| m * 10f64.powi(e)))
+            .filter(inside)
+    };
     if decades < 1.6 {
-        return (multiples(&[1.0, 2.0, 5.0]).collect(), multiples(&[3.0, 4.0, 6.0, 7.0, 8.0, 9.0]).collect());
+        return (
+            multiples(&[1.0, 2.0, 5.0]).collect(),
+            multiples(&[3.0, 4.0, 6.0, 7.0, 8.0, 9.0]).collect(),
+        );
     }
     let stride = (decades / room).ceil().max(1.0) as i32;
-    let major = (first..=last).filter(|e| e.rem_euclid(stride) == 0).map(|e| 10f64.powi(e)).filter(inside).collect();
-    let minor = if stride == 1 { &[2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0][..] } else { &[1.0] };
+    let major = (first..=last)
+        .filter(|e| e.rem_euclid(stride) == 0)
+        .map(|e| 10f64.powi(e))
+        .filter(inside)
+        .collect();
+    let minor = if stride == 1 {
+        &[2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0][..]
+    } else {
+        &[1.0]
+    };
     (major, multiples(minor).collect())
 }
 
@@ -152,7 +212,11 @@ fn scientific(value: f64, plain: bool) -> String {
         return decimal(value, -exponent);
     }
     let power = format!("10{}", unit::raised(&exponent.to_string()));
-    if mantissa <= 1.0 { power } else { format!("{mantissa}×{power}") }
+    if mantissa <= 1.0 {
+        power
+    } else {
+        format!("{mantissa}×{power}")
+    }
 }
 
 #[cfg(test)]
@@ -162,60 +226,134 @@ mod tests {
 
     fn ticks(axis: Axis, room: f64) -> (String, Vec<String>) {
         let (low, high) = axis.range.unwrap();
-        let ticks = Ticks::of(&axis, &Span { low, high, scale: axis.scale }, room);
-        (ticks.title, ticks.major.into_iter().map(|(_, label)| label).collect())
+        let ticks = Ticks::of(
+            &axis,
+            &Span {
+                low,
+                high,
+                scale: axis.scale,
+            },
+            room,
+        );
+        (
+            ticks.title,
+            ticks.major.into_iter().map(|(_, label)| label).collect(),
+        )
     }
 
     #[test]
     fn linear_axes_read_as_short_decimals_of_a_prefixed_unit() {
         let (title, labels) = ticks(Axis::linear("Voltage", "V").between(-0.3, 0.3), 6.0);
-        assert_eq!((title.as_str(), labels.join(" ").as_str()), ("Voltage (mV)", "−300 −200 −100 0 100 200 300"));
+        assert_eq!(
+            (title.as_str(), labels.join(" ").as_str()),
+            ("Voltage (mV)", "−300 −200 −100 0 100 200 300")
+        );
         let (title, labels) = ticks(Axis::linear("Power", "W/N^2").between(0.0, 4.2e-5), 5.0);
-        assert_eq!((title.as_str(), labels.join(" ").as_str()), ("Power (µW/N²)", "0 10 20 30 40"));
+        assert_eq!(
+            (title.as_str(), labels.join(" ").as_str()),
+            ("Power (µW/N²)", "0 10 20 30 40")
+        );
         let (title, labels) = ticks(Axis::linear("Frequency", "Hz").between(0.0, 1000.0), 5.0);
-        assert_eq!((title.as_str(), labels.join(" ").as_str()), ("Frequency (Hz)", "0 200 400 600 800 1000"));
+        assert_eq!(
+            (title.as_str(), labels.join(" ").as_str()),
+            ("Frequency (Hz)", "0 200 400 600 800 1000")
+        );
         let (title, labels) = ticks(Axis::linear("Time", "s").between(19.0, 20.0), 5.0);
-        assert_eq!((title.as_str(), labels.join(" ").as_str()), ("Time (s)", "19.0 19.2 19.4 19.6 19.8 20.0"));
-        assert_eq!(ticks(Axis::linear("Ratio", "").between(0.1, 0.4), 4.0).1.join(" "), "0.1 0.2 0.3 0.4");
+        assert_eq!(
+            (title.as_str(), labels.join(" ").as_str()),
+            ("Time (s)", "19.0 19.2 19.4 19.6 19.8 20.0")
+        );
+        assert_eq!(
+            ticks(Axis::linear("Ratio", "").between(0.1, 0.4), 4.0)
+                .1
+                .join(" "),
+            "0.1 0.2 0.3 0.4"
+        );
     }
 
     #[test]
     fn units_without_prefix_take_a_power_of_ten() {
         let (title, labels) = ticks(Axis::linear("Mass", "kg").between(0.0, 3e-7), 3.0);
-        assert_eq!((title.as_str(), labels.join(" ").as_str()), ("Mass (10⁻⁷ kg)", "0 1 2 3"));
+        assert_eq!(
+            (title.as_str(), labels.join(" ").as_str()),
+            ("Mass (10⁻⁷ kg)", "0 1 2 3")
+        );
         let (title, labels) = ticks(Axis::linear("Count", "").between(0.0, 2e6), 4.0);
-        assert_eq!((title.as_str(), labels.join(" ").as_str()), ("Count (10⁶)", "0.0 0.5 1.0 1.5 2.0"));
+        assert_eq!(
+            (title.as_str(), labels.join(" ").as_str()),
+            ("Count (10⁶)", "0.0 0.5 1.0 1.5 2.0")
+        );
     }
 
     #[test]
     fn a_wanted_step_is_kept() {
-        let labels = ticks(Axis::linear("Phase", "deg").between(-180.0, 180.0).every(90.0), 9.0);
-        assert_eq!((labels.0.as_str(), labels.1.join(" ").as_str()), ("Phase (°)", "−180 −90 0 90 180"));
+        let labels = ticks(
+            Axis::linear("Phase", "deg")
+                .between(-180.0, 180.0)
+                .every(90.0),
+            9.0,
+        );
+        assert_eq!(
+            (labels.0.as_str(), labels.1.join(" ").as_str()),
+            ("Phase (°)", "−180 −90 0 90 180")
+        );
     }
 
     #[test]
     fn log_axes_are_plain_where_they_can_be() {
         let (title, labels) = ticks(Axis::log("Load", "ohm").between(1e4, 1e7), 6.0);
-        assert_eq!((title.as_str(), labels.join(" ").as_str()), ("Load (kΩ)", "10 100 1000 10000"));
+        assert_eq!(
+            (title.as_str(), labels.join(" ").as_str()),
+            ("Load (kΩ)", "10 100 1000 10000")
+        );
         let (title, labels) = ticks(Axis::log("Frequency", "Hz").between(1.0, 1000.0), 6.0);
-        assert_eq!((title.as_str(), labels.join(" ").as_str()), ("Frequency (Hz)", "1 10 100 1000"));
+        assert_eq!(
+            (title.as_str(), labels.join(" ").as_str()),
+            ("Frequency (Hz)", "1 10 100 1000")
+        );
         let (title, labels) = ticks(Axis::log("Power", "W/N^2").between(1e-10, 1e-4), 8.0);
-        assert_eq!((title.as_str(), labels.join(" ").as_str()), ("Power (W/N²)", "10⁻¹⁰ 10⁻⁹ 10⁻⁸ 10⁻⁷ 10⁻⁶ 10⁻⁵ 10⁻⁴"));
-        assert_eq!(ticks(Axis::log("Power", "W").between(0.02, 0.5), 8.0).1.join(" "), "0.02 0.05 0.1 0.2 0.5");
+        assert_eq!(
+            (title.as_str(), labels.join(" ").as_str()),
+            ("Power (W/N²)", "10⁻¹⁰ 10⁻⁹ 10⁻⁸ 10⁻⁷ 10⁻⁶ 10⁻⁵ 10⁻⁴")
+        );
+        assert_eq!(
+            ticks(Axis::log("Power", "W").between(0.02, 0.5), 8.0)
+                .1
+                .join(" "),
+            "0.02 0.05 0.1 0.2 0.5"
+        );
     }
 
     #[test]
     fn many_decades_are_thinned_and_short_spans_step_equally() {
         assert!(ticks(Axis::log("a", "").between(1e-30, 1e30), 8.0).1.len() <= 9);
-        assert_eq!(ticks(Axis::log("Frequency", "Hz").between(8.0, 14.0), 6.0).1.join(" "), "8 9 10 11 12 13 14");
+        assert_eq!(
+            ticks(Axis::log("Frequency", "Hz").between(8.0, 14.0), 6.0)
+                .1
+                .join(" "),
+            "8 9 10 11 12 13 14"
+        );
     }
 
     #[test]
     fn extreme_spans_neither_panic_nor_flood() {
-        for (low, high) in [(0.0, 5e-290), (-1e300, 1e300), (1.0, 1.000_002), (1e15, 1e15 + 1e10), (-1e-7, 1e12)] {
-            let count = ticks(Axis::linear("a", "V").between(low, high), 7.0).1.len();
+        for (low, high) in [
+            (0.0, 5e-290),
+            (-1e300, 1e300),
+            (1.0, 1.000_002),
+            (1e15, 1e15 + 1e10),
+            (-1e-7, 1e12),
+        ] {
+            let count = ticks(Axis::linear("a", "V").between(low, high), 7.0)
+                .1
+                .len();
             assert!((2..=12).contains(&count), "{low} {high}: {count}");
         }
-        assert!(ticks(Axis::log("a", "W").between(1e-299, 1e299), 7.0).1.len() <= 9);
+        assert!(
+            ticks(Axis::log("a", "W").between(1e-299, 1e299), 7.0)
+                .1
+                .len()
+                <= 9
+        );
     }
 }

@@ -20,7 +20,11 @@ use std::sync::Arc;
 impl Stop {
     /// Displacement towards the stop per displacement of a base.
     fn share_of(&self, base: Option<&String>) -> f64 {
-        self.bases.iter().filter(|(own, _)| Some(own) == base).map(|(_, share)| share).sum()
+        self.bases
+            .iter()
+            .filter(|(own, _)| Some(own) == base)
+            .map(|(_, share)| share)
+            .sum()
     }
 }
 
@@ -30,42 +34,88 @@ impl Plant {
         let mut sums = vec![c64::new(0.0, 0.0); self.tones.len()];
         for drive in &self.system.drives {
             let (w, share) = (TAU * drive.frequency_hz, stop.share_of(drive.base.as_ref()));
-            let tones = self.tones.iter().zip(&mut sums).filter(|(tone, _)| share != 0.0 && tone.angular_frequency_rad_s == w);
+            let tones = self
+                .tones
+                .iter()
+                .zip(&mut sums)
+                .filter(|(tone, _)| share != 0.0 && tone.angular_frequency_rad_s == w);
             // X sin(w t + a) = Re(-i X e^{i a} e^{i w t}), X = -acceleration / w^2
-            tones.for_each(|(_, sum)| *sum += c64::new(0.0, share * drive.amplitude_n / (w * w)) * c64::cis(drive.phase_rad));
+            tones.for_each(|(_, sum)| {
+                *sum +=
+                    c64::new(0.0, share * drive.amplitude_n / (w * w)) * c64::cis(drive.phase_rad)
+            });
         }
         sums
     }
 
     /// Displacement towards a stop per displacement of the base that each signal moves.
     fn approach_of_signals(&self, stop: &Stop) -> Vec<f64> {
-        self.system.signals.iter().map(|signal| stop.share_of(signal.base.as_ref())).collect()
+        self.system
+            .signals
+            .iter()
+            .map(|signal| stop.share_of(signal.base.as_ref()))
+            .collect()
     }
 
     /// Tells every port what the signals do to its gap, and where they take the bases.
     pub(super) fn approach(&mut self) {
-        let shares: Vec<Vec<f64>> = self.system.stops.iter().map(|stop| self.approach_of_signals(stop)).collect();
+        let shares: Vec<Vec<f64>> = self
+            .system
+            .stops
+            .iter()
+            .map(|stop| self.approach_of_signals(stop))
+            .collect();
         let matters = |signal: usize| shares.iter().any(|own| own[signal] != 0.0);
-        let travel = |(k, wave): (usize, &Wave)| (matters(k) && !wave.is_constant()).then(|| Arc::new(Travel::of(wave)));
-        self.travels = self.system.signals.iter().map(|signal| &signal.wave).enumerate().map(travel).collect();
-        self.ports.iter_mut().zip(shares).for_each(|(port, own)| port.approach = own);
+        let travel = |(k, wave): (usize, &Wave)| {
+            (matters(k) && !wave.is_constant()).then(|| Arc::new(Travel::of(wave)))
+        };
+        self.travels = self
+            .system
+            .signals
+            .iter()
+            .map(|signal| &signal.wave)
+            .enumerate()
+            .map(travel)
+            .collect();
+        self.ports
+            .iter_mut()
+            .zip(shares)
+            .for_each(|(port, own)| port.approach = own);
     }
 
     /// Displacement towards a stop that the motions of the bases have made by a time, m.
     pub fn approached_m(&self, stop: usize, time_s: f64) -> f64 {
-        let Some(port) = self.ports.get(stop) else { return 0.0 };
-        let turned = |(tone, x): (&super::Tone, &c64)| (x * c64::cis(tone.angular_frequency_rad_s * time_s)).re;
+        let Some(port) = self.ports.get(stop) else {
+            return 0.0;
+        };
+        let turned = |(tone, x): (&super::Tone, &c64)| {
+            (x * c64::cis(tone.angular_frequency_rad_s * time_s)).re
+        };
         let tones: f64 = self.tones.iter().zip(&port.approach_m).map(turned).sum();
-        let signals = self.system.signals.iter().zip(&self.travels).zip(&port.approach);
+        let signals = self
+            .system
+            .signals
+            .iter()
+            .zip(&self.travels)
+            .zip(&port.approach);
         let travelled = signals.filter_map(|((signal, travel), share)| {
             let index = signal.wave.index_at(time_s);
-            Some(share * travel.as_ref()?.at(index, &signal.wave.piece(index), time_s)[0])
+            Some(
+                share
+                    * travel
+                        .as_ref()?
+                        .at(index, &signal.wave.piece(index), time_s)[0],
+            )
         });
         tones + travelled.sum::<f64>()
     }
 
     /// The first stop between two bases, by name.
     pub fn stop_between_bases(&self) -> Option<&str> {
-        self.system.stops.iter().find(|stop| !stop.bases.is_empty()).map(|stop| stop.name.as_str())
+        self.system
+            .stops
+            .iter()
+            .find(|stop| !stop.bases.is_empty())
+            .map(|stop| stop.name.as_str())
     }
 }

@@ -40,7 +40,12 @@ impl BlockPair {
             BlockPair::Oscillatory { decay, frequency } => {
                 let (sin, cos) = (frequency * time_s).sin_cos();
                 let envelope = (decay * time_s).exp();
-                [envelope * cos, -envelope * sin, envelope * sin, envelope * cos]
+                [
+                    envelope * cos,
+                    -envelope * sin,
+                    envelope * sin,
+                    envelope * cos,
+                ]
             }
             BlockPair::Jordan { rate } => {
                 let envelope = (rate * time_s).exp();
@@ -116,7 +121,10 @@ impl BlockFlow {
         for ([a, b, c, d], uv) in self.pairs.iter().zip(paired.chunks_exact_mut(2)) {
             (uv[0], uv[1]) = (a * uv[0] + b * uv[1], c * uv[0] + d * uv[1]);
         }
-        single.iter_mut().zip(&self.reals).for_each(|(r, decay)| *r *= decay);
+        single
+            .iter_mut()
+            .zip(&self.reals)
+            .for_each(|(r, decay)| *r *= decay);
     }
 }
 
@@ -143,22 +151,49 @@ impl BlockDiagonal {
 
     /// `int_0^t e^{A s} y ds`.
     pub fn integral(&self, time_s: f64, y: &[f64]) -> Vec<f64> {
-        self.map(y, |pair| pair.integral(time_s), |rate| grown(c64::new(rate, 0.0), time_s).re)
+        self.map(
+            y,
+            |pair| pair.integral(time_s),
+            |rate| grown(c64::new(rate, 0.0), time_s).re,
+        )
     }
 
     /// `e^{A t}`, to be applied many times.
     pub fn over(&self, time_s: f64) -> BlockFlow {
         let pairs = self.pairs.iter().map(|pair| pair.flow(time_s)).collect();
-        BlockFlow { pairs, reals: self.reals.iter().map(|rate| (rate * time_s).exp()).collect() }
+        BlockFlow {
+            pairs,
+            reals: self
+                .reals
+                .iter()
+                .map(|rate| (rate * time_s).exp())
+                .collect(),
+        }
     }
 
-    fn map(&self, y: &[f64], pair: impl Fn(&BlockPair) -> [f64; 4], real: impl Fn(f64) -> f64) -> Vec<f64> {
+    fn map(
+        &self,
+        y: &[f64],
+        pair: impl Fn(&BlockPair) -> [f64; 4],
+        real: impl Fn(f64) -> f64,
+    ) -> Vec<f64> {
         let (paired, single) = y.split_at(2 * self.pairs.len());
-        let turned = self.pairs.iter().zip(paired.chunks_exact(2)).flat_map(|(block, uv)| {
-            let [a, b, c, d] = pair(block);
-            [a * uv[0] + b * uv[1], c * uv[0] + d * uv[1]]
-        });
-        turned.chain(self.reals.iter().zip(single).map(|(rate, r)| real(*rate) * r)).collect()
+        let turned = self
+            .pairs
+            .iter()
+            .zip(paired.chunks_exact(2))
+            .flat_map(|(block, uv)| {
+                let [a, b, c, d] = pair(block);
+                [a * uv[0] + b * uv[1], c * uv[0] + d * uv[1]]
+            });
+        turned
+            .chain(
+                self.reals
+                    .iter()
+                    .zip(single)
+                    .map(|(rate, r)| real(*rate) * r),
+            )
+            .collect()
     }
 
     /// `(s I - A)^-1 y` for a complex `s` that is no eigenvalue.
@@ -171,7 +206,12 @@ impl BlockDiagonal {
             out.push((uv[0] * c + (s - a) * uv[1]) / det);
         }
         let paired = 2 * self.pairs.len();
-        out.extend(self.reals.iter().zip(&y[paired..]).map(|(rate, r)| *r / (s - *rate)));
+        out.extend(
+            self.reals
+                .iter()
+                .zip(&y[paired..])
+                .map(|(rate, r)| *r / (s - *rate)),
+        );
         out
     }
 
@@ -185,7 +225,12 @@ impl BlockDiagonal {
             out.push((row[0] * b + row[1] * (s - a)) / det);
         }
         let paired = 2 * self.pairs.len();
-        out.extend(self.reals.iter().zip(&c[paired..]).map(|(rate, r)| *r / (s - *rate)));
+        out.extend(
+            self.reals
+                .iter()
+                .zip(&c[paired..])
+                .map(|(rate, r)| *r / (s - *rate)),
+        );
         out
     }
 
@@ -196,28 +241,47 @@ impl BlockDiagonal {
             let [a, b, d, e] = pair.matrix();
             out.extend([c[0] * a + c[1] * d, c[0] * b + c[1] * e]);
         }
-        out.extend(self.reals.iter().zip(&row[2 * self.pairs.len()..]).map(|(rate, c)| rate * c));
+        out.extend(
+            self.reals
+                .iter()
+                .zip(&row[2 * self.pairs.len()..])
+                .map(|(rate, c)| rate * c),
+        );
         out
     }
 
     /// `|eigenvalue|` of the block of each state, rad/s.
     pub fn speeds(&self) -> Vec<f64> {
-        let pairs = self.pairs.iter().flat_map(|pair| [pair.eigenvalue().norm(); 2]);
-        pairs.chain(self.reals.iter().map(|rate| rate.abs())).collect()
+        let pairs = self
+            .pairs
+            .iter()
+            .flat_map(|pair| [pair.eigenvalue().norm(); 2]);
+        pairs
+            .chain(self.reals.iter().map(|rate| rate.abs()))
+            .collect()
     }
 
     /// Largest `|eigenvalue|` of the blocks that steps in time resolve, rad/s: all but the decays that are far faster than the pairs.
     pub fn fastest_resolved_rad_s(&self) -> f64 {
-        let pairs = self.pairs.iter().fold(0.0, |max: f64, pair| max.max(pair.eigenvalue().norm()));
+        let pairs = self
+            .pairs
+            .iter()
+            .fold(0.0, |max: f64, pair| max.max(pair.eigenvalue().norm()));
         let resolved = |rate: &&f64| pairs == 0.0 || rate.abs() <= STIFF_RATIO * pairs;
-        self.reals.iter().filter(resolved).fold(pairs, |max, rate| max.max(rate.abs()))
+        self.reals
+            .iter()
+            .filter(resolved)
+            .fold(pairs, |max, rate| max.max(rate.abs()))
     }
 
     /// States that nothing brings back: their rate is zero but for roundoff. Free bodies, and the charge of an open patch.
     pub fn free(&self) -> Vec<bool> {
         let speeds = self.speeds();
         let fastest = speeds.iter().fold(0.0_f64, |max, speed| max.max(*speed));
-        speeds.iter().map(|speed| *speed <= ZERO_RATE * fastest).collect()
+        speeds
+            .iter()
+            .map(|speed| *speed <= ZERO_RATE * fastest)
+            .collect()
     }
 
     /// `A^-1 y`, with 0 in place of the states that are left out; free ones must be.
@@ -227,7 +291,10 @@ impl BlockDiagonal {
             [d, -b, -c, a].map(|entry| entry / (a * d - b * c))
         };
         let mut out = self.map(y, inverse, |rate| 1.0 / rate);
-        out.iter_mut().zip(left_out).filter(|(_, left_out)| **left_out).for_each(|(value, _)| *value = 0.0);
+        out.iter_mut()
+            .zip(left_out)
+            .filter(|(_, left_out)| **left_out)
+            .for_each(|(value, _)| *value = 0.0);
         out
     }
 
@@ -252,13 +319,22 @@ mod tests {
     #[test]
     fn integrals_of_the_flow_are_those_by_quadrature() {
         let pairs = vec![
-            BlockPair::Oscillatory { decay: -0.3, frequency: 5.0 },
-            BlockPair::Oscillatory { decay: -1e-9, frequency: 1e-4 },
+            BlockPair::Oscillatory {
+                decay: -0.3,
+                frequency: 5.0,
+            },
+            BlockPair::Oscillatory {
+                decay: -1e-9,
+                frequency: 1e-4,
+            },
             BlockPair::Jordan { rate: -4.0 },
             BlockPair::Jordan { rate: -0.2 },
             BlockPair::Jordan { rate: 0.0 },
         ];
-        let block = BlockDiagonal { pairs, reals: vec![-7.0, -1e-8, 0.0] };
+        let block = BlockDiagonal {
+            pairs,
+            reals: vec![-7.0, -1e-8, 0.0],
+        };
         let y: Vec<f64> = (0..block.len()).map(|i| 1.0 - 0.1 * i as f64).collect();
         let (time_s, panels) = (1.7, 2000);
         let (h, half) = (time_s / f64::from(panels), 0.5 / 3.0_f64.sqrt());
@@ -266,19 +342,32 @@ mod tests {
         for panel in 0..panels {
             for place in [0.5 - half, 0.5 + half] {
                 let at = block.flow((f64::from(panel) + place) * h, &y);
-                sum.iter_mut().zip(at).for_each(|(sum, at)| *sum += 0.5 * h * at);
+                sum.iter_mut()
+                    .zip(at)
+                    .for_each(|(sum, at)| *sum += 0.5 * h * at);
             }
         }
         let found = block.integral(time_s, &y);
-        let worst = found.iter().zip(&sum).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        let worst = found
+            .iter()
+            .zip(&sum)
+            .map(|(a, b)| (a - b).abs())
+            .fold(0.0, f64::max);
         assert!(worst < 1e-12, "{worst:e}");
     }
 
     /// A rate so fast that nothing of the state is left, and one so slow that nothing is lost.
     #[test]
     fn integrals_keep_their_digits_at_any_rate() {
-        for (rate, time_s, exact) in [(-1e9, 1.0, 1e-9), (-1e-12, 3.0, 3.0 - 4.5e-12), (0.0, 2.0, 2.0)] {
-            let block = BlockDiagonal { pairs: Vec::new(), reals: vec![rate] };
+        for (rate, time_s, exact) in [
+            (-1e9, 1.0, 1e-9),
+            (-1e-12, 3.0, 3.0 - 4.5e-12),
+            (0.0, 2.0, 2.0),
+        ] {
+            let block = BlockDiagonal {
+                pairs: Vec::new(),
+                reals: vec![rate],
+            };
             assert!((block.integral(time_s, &[1.0])[0] / exact - 1.0).abs() < 1e-15);
         }
     }

@@ -128,7 +128,11 @@ impl Bridge {
 
     fn place(&self, state: BridgeState) -> usize {
         let conduction = state.conduction as usize;
-        if self.has_switch() { 2 * conduction + usize::from(state.rising) } else { conduction }
+        if self.has_switch() {
+            2 * conduction + usize::from(state.rising)
+        } else {
+            conduction
+        }
     }
 }
 
@@ -140,7 +144,12 @@ impl System {
 
     /// Number of the regime in which the bridges have some states; 0 is that in which all are blocked.
     pub fn regime(&self, states: &[BridgeState]) -> usize {
-        self.bridges.iter().zip(states).fold(0, |number, (bridge, state)| number * bridge.states() + bridge.place(*state))
+        self.bridges
+            .iter()
+            .zip(states)
+            .fold(0, |number, (bridge, state)| {
+                number * bridge.states() + bridge.place(*state)
+            })
     }
 
     /// The states of the bridges in a regime.
@@ -150,8 +159,16 @@ impl System {
             .map(|bridge| {
                 let place = rest % bridge.states();
                 rest /= bridge.states();
-                let (conduction, rising) = if bridge.has_switch() { (place / 2, place % 2 == 1) } else { (place, false) };
-                let conduction = [Conduction::Blocked, Conduction::Positive, Conduction::Negative][conduction];
+                let (conduction, rising) = if bridge.has_switch() {
+                    (place / 2, place % 2 == 1)
+                } else {
+                    (place, false)
+                };
+                let conduction = [
+                    Conduction::Blocked,
+                    Conduction::Positive,
+                    Conduction::Negative,
+                ][conduction];
                 BridgeState { conduction, rising }
             })
             .collect();
@@ -163,11 +180,18 @@ impl System {
     /// pushes the structure as a constant force.
     pub fn in_regime(&self, regime: usize) -> Self {
         let mut system = self.clone();
-        system.bridges.iter_mut().zip(self.bridge_states(regime)).for_each(|(bridge, state)| bridge.state = state);
+        system
+            .bridges
+            .iter_mut()
+            .zip(self.bridge_states(regime))
+            .for_each(|(bridge, state)| bridge.state = state);
         let electrical = Electrical::of(&system);
         for (number, bridge) in self.bridges.iter().enumerate() {
             for node in electrical.nodes_of(number) {
-                let (pushed_v, shape) = (electrical.zero_v[node], &electrical.nodes[node].coupling_n_per_v);
+                let (pushed_v, shape) = (
+                    electrical.zero_v[node],
+                    &electrical.nodes[node].coupling_n_per_v,
+                );
                 if pushed_v != 0.0 && shape.iter().any(|theta| *theta != 0.0) {
                     system.signals.push(Signal {
                         name: bridge.name.clone(),
@@ -202,10 +226,22 @@ mod tests {
 
     #[test]
     fn regimes_are_numbered_without_gap() {
-        let bridges = vec![bridge(Scheme::Standard), bridge(Scheme::ParallelSshi { inversion: 0.5 }), bridge(Scheme::Standard)];
-        let system = System { bridges, ..System::default() };
+        let bridges = vec![
+            bridge(Scheme::Standard),
+            bridge(Scheme::ParallelSshi { inversion: 0.5 }),
+            bridge(Scheme::Standard),
+        ];
+        let system = System {
+            bridges,
+            ..System::default()
+        };
         assert_eq!(system.regimes(), 54);
         assert!((0..54).all(|regime| system.regime(&system.bridge_states(regime)) == regime));
-        assert!(system.bridge_states(0).iter().all(|state| *state == BridgeState::default()));
+        assert!(
+            system
+                .bridge_states(0)
+                .iter()
+                .all(|state| *state == BridgeState::default())
+        );
     }
 }

@@ -61,16 +61,26 @@ impl CoupledMatrix {
             let parts = &electrical.patch[leak.patch];
             for (node, own) in parts {
                 for (other, factor) in parts {
-                    let taken = leak.conductance_per_ohm * own * factor / electrical.nodes[*node].capacitance_f;
+                    let taken = leak.conductance_per_ohm * own * factor
+                        / electrical.nodes[*node].capacitance_f;
                     matrix[(2 * n + node, 2 * n + other)] -= taken;
                 }
             }
         }
-        let open = (0..nodes).filter(|node| electrical.is_open(*node)).map(|node| 2 * n + node).collect();
+        let open = (0..nodes)
+            .filter(|node| electrical.is_open(*node))
+            .map(|node| 2 * n + node)
+            .collect();
         let mut matrix = Mat::from_fn(size, size, |i, j| matrix[(i, j)] * scale[i] / scale[j]);
         let paths = ConductionPath::of_all(electrical, 2 * n);
         paths.iter().for_each(|path| path.enter(&mut matrix));
-        Self { matrix, scale, paths, modes: n, open }
+        Self {
+            matrix,
+            scale,
+            paths,
+            modes: n,
+            open,
+        }
     }
 }
 
@@ -96,24 +106,41 @@ pub(super) fn components(system: &System, electrical: &Electrical) -> Vec<Vec<us
     let n = system.modes.len();
     let mut groups: Vec<Vec<usize>> = (0..n).map(|mode| vec![mode]).collect();
     for dashpot in &system.dashpots {
-        let (joined, apart): (Vec<_>, Vec<_>) =
-            groups.into_iter().partition(|group: &Vec<usize>| group.iter().any(|&mode| dashpot.shape[mode] != 0.0));
+        let (joined, apart): (Vec<_>, Vec<_>) = groups
+            .into_iter()
+            .partition(|group: &Vec<usize>| group.iter().any(|&mode| dashpot.shape[mode] != 0.0));
         groups = apart;
         groups.extend(Some(joined.concat()).filter(|modes| !modes.is_empty()));
     }
     for (k, node) in electrical.nodes.iter().enumerate() {
-        let touches = |group: &Vec<usize>| group.iter().any(|&state| state < n && node.coupling_n_per_v[state] != 0.0);
+        let touches = |group: &Vec<usize>| {
+            group
+                .iter()
+                .any(|&state| state < n && node.coupling_n_per_v[state] != 0.0)
+        };
         let (mut joined, apart): (Vec<_>, Vec<_>) = groups.into_iter().partition(touches);
         joined.push(vec![2 * n + k]);
-        let inductors = electrical.inductors.iter().enumerate().filter(|(_, inductor)| inductor.node == k);
-        joined.push(inductors.map(|(index, _)| 2 * n + electrical.nodes.len() + index).collect());
+        let inductors = electrical
+            .inductors
+            .iter()
+            .enumerate()
+            .filter(|(_, inductor)| inductor.node == k);
+        joined.push(
+            inductors
+                .map(|(index, _)| 2 * n + electrical.nodes.len() + index)
+                .collect(),
+        );
         groups = apart;
         groups.push(joined.concat());
     }
-    let linked = electrical.links.iter().filter_map(|link| Some((link.node, link.to?.0)));
+    let linked = electrical
+        .links
+        .iter()
+        .filter_map(|link| Some((link.node, link.to?.0)));
     for (node, other) in linked.chain(electrical.leaking_pairs()) {
-        let (joined, apart) =
-            groups.into_iter().partition(|group: &Vec<usize>| group.contains(&(2 * n + node)) || group.contains(&(2 * n + other)));
+        let (joined, apart) = groups.into_iter().partition(|group: &Vec<usize>| {
+            group.contains(&(2 * n + node)) || group.contains(&(2 * n + other))
+        });
         groups = apart;
         let joined: Vec<Vec<usize>> = joined;
         groups.push(joined.concat());
@@ -124,9 +151,17 @@ pub(super) fn components(system: &System, electrical: &Electrical) -> Vec<Vec<us
 }
 
 /// Closed form of a mode that drives no patch, in energy coordinates `(w q, q')`; `(q, q')` of a free body.
-pub(super) fn single_mode(system: &System, mode: usize, assembly: &CoupledMatrix) -> Vec<PieceBlock> {
+pub(super) fn single_mode(
+    system: &System,
+    mode: usize,
+    assembly: &CoupledMatrix,
+) -> Vec<PieceBlock> {
     let w = system.modes.frequency_rad_s[mode];
-    let friction_per_s: f64 = system.dashpots.iter().map(|dashpot| dashpot.damping_per_s(mode, mode)).sum();
+    let friction_per_s: f64 = system
+        .dashpots
+        .iter()
+        .map(|dashpot| dashpot.damping_per_s(mode, mode))
+        .sum();
     let column = |displacement: f64, velocity: f64| {
         let mut column = vec![0.0; assembly.scale.len()];
         column[mode] = displacement;
@@ -137,72 +172,138 @@ pub(super) fn single_mode(system: &System, mode: usize, assembly: &CoupledMatrix
         // Where it is stays; its velocity decays, and with it the way that is left, q'/a.
         let length = 1.0_f64.hypot(friction_per_s);
         let slowing = column(1.0 / length, -friction_per_s / length);
-        return vec![PieceBlock::Real(0.0, column(1.0, 0.0)), PieceBlock::Real(-friction_per_s, slowing)];
+        return vec![
+            PieceBlock::Real(0.0, column(1.0, 0.0)),
+            PieceBlock::Real(-friction_per_s, slowing),
+        ];
     }
     if w == 0.0 {
-        return vec![PieceBlock::Pair(BlockPair::Jordan { rate: 0.0 }, [column(1.0, 0.0), column(0.0, 1.0)])];
+        return vec![PieceBlock::Pair(
+            BlockPair::Jordan { rate: 0.0 },
+            [column(1.0, 0.0), column(0.0, 1.0)],
+        )];
     }
     let zeta = system.modes.damping_ratio[mode] + 0.5 * friction_per_s / w;
     if zeta == 1.0 {
-        return vec![PieceBlock::Pair(BlockPair::Jordan { rate: -w }, [column(1.0, -1.0), column(0.0, 1.0 / w)])];
+        return vec![PieceBlock::Pair(
+            BlockPair::Jordan { rate: -w },
+            [column(1.0, -1.0), column(0.0, 1.0 / w)],
+        )];
     }
     let decay = -zeta * w;
     if zeta < 1.0 {
         let frequency = w * ((1.0 - zeta) * (1.0 + zeta)).sqrt();
         let pair = BlockPair::Oscillatory { decay, frequency };
-        return vec![PieceBlock::Pair(pair, [column(1.0, decay / w), column(0.0, -frequency / w)])];
+        return vec![PieceBlock::Pair(
+            pair,
+            [column(1.0, decay / w), column(0.0, -frequency / w)],
+        )];
     }
     let fast = decay - w * ((zeta - 1.0) * (zeta + 1.0)).sqrt();
     // The product of the two rates is w^2: no cancellation in the slow one.
     [fast, w * w / fast]
         .into_iter()
-        .map(|rate| PieceBlock::Real(rate, column(1.0_f64.min(w / rate.abs()), rate / w * 1.0_f64.min(w / rate.abs()))))
+        .map(|rate| {
+            PieceBlock::Real(
+                rate,
+                column(
+                    1.0_f64.min(w / rate.abs()),
+                    rate / w * 1.0_f64.min(w / rate.abs()),
+                ),
+            )
+        })
         .collect()
 }
 
 /// Eigenvectors of a component with patches, in energy coordinates.
-pub(super) fn coupled(states: &[usize], assembly: &CoupledMatrix) -> Result<Vec<ComponentBlock>, PlantError> {
+pub(super) fn coupled(
+    states: &[usize],
+    assembly: &CoupledMatrix,
+) -> Result<Vec<ComponentBlock>, PlantError> {
     let n = assembly.modes;
-    let all: Vec<usize> = states.iter().flat_map(|&s| if s < n { vec![s, n + s] } else { vec![s] }).collect();
-    let local = Mat::from_fn(all.len(), all.len(), |i, j| assembly.matrix[(all[i], all[j])]);
+    let all: Vec<usize> = states
+        .iter()
+        .flat_map(|&s| if s < n { vec![s, n + s] } else { vec![s] })
+        .collect();
+    let local = Mat::from_fn(all.len(), all.len(), |i, j| {
+        assembly.matrix[(all[i], all[j])]
+    });
     let charged = conserved_charges(&all, &local, assembly);
     let spread = |value: &dyn Fn(usize) -> f64| {
         let mut column = vec![0.0; assembly.scale.len()];
-        all.iter().enumerate().for_each(|(i, &state)| column[state] = value(i));
+        all.iter()
+            .enumerate()
+            .for_each(|(i, &state)| column[state] = value(i));
         column
     };
-    let kept = charged.iter().map(|state| PieceBlock::Real(0.0, spread(&|i: usize| state[i])));
-    let kept: Vec<ComponentBlock> = kept.map(|block| ComponentBlock { block, exact: true }).collect();
+    let kept = charged
+        .iter()
+        .map(|state| PieceBlock::Real(0.0, spread(&|i: usize| state[i])));
+    let kept: Vec<ComponentBlock> = kept
+        .map(|block| ComponentBlock { block, exact: true })
+        .collect();
     if kept.len() == all.len() {
         return Ok(kept);
     }
     let basis = complement(&charged, all.len());
     let matrix = basis.transpose() * &local * &basis;
-    let eigen = matrix.eigen().map_err(|_| PlantError::NoEigenvalues { states: all.len() })?;
-    let (mut values, mut within) = (eigen.S().column_vector().iter().copied().collect::<Vec<c64>>(), eigen.U().to_owned());
+    let eigen = matrix
+        .eigen()
+        .map_err(|_| PlantError::NoEigenvalues { states: all.len() })?;
+    let (mut values, mut within) = (
+        eigen
+            .S()
+            .column_vector()
+            .iter()
+            .copied()
+            .collect::<Vec<c64>>(),
+        eigen.U().to_owned(),
+    );
     if !assembly.paths.is_empty() {
         (values, within) = refined(&matrix, values, within);
     }
     let column = |j: usize, part: fn(c64) -> f64| {
-        let entry = |i: usize| (0..within.nrows()).map(|k| basis[(i, k)] * part(within[(k, j)])).sum::<f64>();
+        let entry = |i: usize| {
+            (0..within.nrows())
+                .map(|k| basis[(i, k)] * part(within[(k, j)]))
+                .sum::<f64>()
+        };
         spread(&entry)
     };
     let mut order: Vec<usize> = (0..values.len()).filter(|&j| values[j].im >= 0.0).collect();
-    order.sort_by(|&i, &j| values[i].im.total_cmp(&values[j].im).then(values[i].re.total_cmp(&values[j].re)));
+    order.sort_by(|&i, &j| {
+        values[i]
+            .im
+            .total_cmp(&values[j].im)
+            .then(values[i].re.total_cmp(&values[j].re))
+    });
     let pieces = order.into_iter().map(|j| match values[j] {
         c64 { re, im: 0.0 } => PieceBlock::Real(re, column(j, |x| x.re)),
-        c64 { re, im } => {
-            PieceBlock::Pair(BlockPair::Oscillatory { decay: re, frequency: im }, [column(j, |x| x.re), column(j, |x| -x.im)])
-        }
+        c64 { re, im } => PieceBlock::Pair(
+            BlockPair::Oscillatory {
+                decay: re,
+                frequency: im,
+            },
+            [column(j, |x| x.re), column(j, |x| -x.im)],
+        ),
     });
-    Ok(pieces.map(|block| ComponentBlock { block, exact: false }).chain(kept).collect())
+    Ok(pieces
+        .map(|block| ComponentBlock {
+            block,
+            exact: false,
+        })
+        .chain(kept)
+        .collect())
 }
 
 /// The states at rest that the charges of open nodes hold, `sqrt(C) V = 1` and `w q = theta V / w`, one per open node of a component;
 /// none where a rigid-body mode is coupled, whose rest they do not define.
 fn conserved_charges(all: &[usize], local: &Mat<f64>, assembly: &CoupledMatrix) -> Vec<Vec<f64>> {
     let n = assembly.modes;
-    let open = all.iter().enumerate().filter(|(_, state)| assembly.open.contains(state));
+    let open = all
+        .iter()
+        .enumerate()
+        .filter(|(_, state)| assembly.open.contains(state));
     let at_rest = |(k, _): (usize, &usize)| -> Option<Vec<f64>> {
         let mut state = vec![0.0; all.len()];
         state[k] = 1.0;
@@ -216,7 +317,9 @@ fn conserved_charges(all: &[usize], local: &Mat<f64>, assembly: &CoupledMatrix) 
         }
         Some(state)
     };
-    open.map(at_rest).collect::<Option<Vec<_>>>().unwrap_or_default()
+    open.map(at_rest)
+        .collect::<Option<Vec<_>>>()
+        .unwrap_or_default()
 }
 
 /// Orthonormal columns that span what is orthogonal to some states; the identity where there are none.
@@ -224,6 +327,10 @@ fn complement(states: &[Vec<f64>], size: usize) -> Mat<f64> {
     if states.is_empty() {
         return Mat::identity(size, size);
     }
-    let full = Mat::from_fn(size, states.len(), |i, j| states[j][i]).qr().compute_Q();
-    Mat::from_fn(size, size - states.len(), |i, j| full[(i, states.len() + j)])
+    let full = Mat::from_fn(size, states.len(), |i, j| states[j][i])
+        .qr()
+        .compute_Q();
+    Mat::from_fn(size, size - states.len(), |i, j| {
+        full[(i, states.len() + j)]
+    })
 }

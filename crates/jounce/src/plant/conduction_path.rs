@@ -25,7 +25,10 @@ impl ConductionPath {
     pub fn of_all(electrical: &Electrical, states: usize) -> Vec<Self> {
         let of = |link: &super::electrical::Conductance| {
             let along = |node: usize, sign: f64| sign / electrical.nodes[node].capacitance_f.sqrt();
-            let own = [along(link.node, 1.0), link.to.map_or(0.0, |(other, sign)| along(other, -sign))];
+            let own = [
+                along(link.node, 1.0),
+                link.to.map_or(0.0, |(other, sign)| along(other, -sign)),
+            ];
             let length = own[0].hypot(own[1]);
             Self {
                 first: states + link.node,
@@ -42,7 +45,8 @@ impl ConductionPath {
     pub fn enter(&self, matrix: &mut Mat<f64>) {
         if let Some(second) = self.second {
             for j in 0..matrix.ncols() {
-                (matrix[(self.first, j)], matrix[(second, j)]) = self.turned(matrix[(self.first, j)], matrix[(second, j)]);
+                (matrix[(self.first, j)], matrix[(second, j)]) =
+                    self.turned(matrix[(self.first, j)], matrix[(second, j)]);
             }
             self.enter_columns(matrix);
         }
@@ -53,7 +57,8 @@ impl ConductionPath {
     fn enter_columns(&self, rows: &mut Mat<f64>) {
         let Some(second) = self.second else { return };
         for i in 0..rows.nrows() {
-            (rows[(i, self.first)], rows[(i, second)]) = self.turned(rows[(i, self.first)], rows[(i, second)]);
+            (rows[(i, self.first)], rows[(i, second)]) =
+                self.turned(rows[(i, self.first)], rows[(i, second)]);
         }
     }
 
@@ -61,7 +66,8 @@ impl ConductionPath {
     pub fn leave(&self, columns: &mut Mat<f64>) {
         let Some(second) = self.second else { return };
         for j in 0..columns.ncols() {
-            (columns[(self.first, j)], columns[(second, j)]) = self.turned_back(columns[(self.first, j)], columns[(second, j)]);
+            (columns[(self.first, j)], columns[(second, j)]) =
+                self.turned_back(columns[(self.first, j)], columns[(second, j)]);
         }
     }
 
@@ -69,15 +75,22 @@ impl ConductionPath {
     pub fn leave_columns(&self, rows: &mut Mat<f64>) {
         let Some(second) = self.second else { return };
         for i in 0..rows.nrows() {
-            (rows[(i, self.first)], rows[(i, second)]) = self.turned_back(rows[(i, self.first)], rows[(i, second)]);
+            (rows[(i, self.first)], rows[(i, second)]) =
+                self.turned_back(rows[(i, self.first)], rows[(i, second)]);
         }
     }
 
     fn turned(&self, u: f64, v: f64) -> (f64, f64) {
-        (self.cosine * u + self.sine * v, self.cosine * v - self.sine * u)
+        (
+            self.cosine * u + self.sine * v,
+            self.cosine * v - self.sine * u,
+        )
     }
 
     fn turned_back(&self, along: f64, across: f64) -> (f64, f64) {
-        (self.cosine * along - self.sine * across, self.sine * along + self.cosine * across)
+        (
+            self.cosine * along - self.sine * across,
+            self.sine * along + self.cosine * across,
+        )
     }
 }

@@ -1,7 +1,9 @@
 //! The linear plant with its ports, tones and outputs.
 
 use super::stiff::check_speeds;
-use super::{Across, Diagonal, Electrical, EventFunction, Forcing, PlantError, Signal, System, Tone};
+use super::{
+    Across, Diagonal, Electrical, EventFunction, Forcing, PlantError, Signal, System, Tone,
+};
 use crate::drive::Travel;
 use faer::{Mat, c64};
 use std::sync::Arc;
@@ -61,10 +63,25 @@ impl Plant {
         let diagonal = Arc::new(Diagonal::of(&system, &electrical)?);
         let (tones, forcings, local, ports) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         let guards = system.guards();
-        let mut plant = Self { system, electrical, diagonal, tones, forcings, travels: Vec::new(), local, ports, guards };
+        let mut plant = Self {
+            system,
+            electrical,
+            diagonal,
+            tones,
+            forcings,
+            travels: Vec::new(),
+            local,
+            ports,
+            guards,
+        };
         plant.tones = plant.make_tones()?;
         plant.local = plant.local_states(&plant.system.signals);
-        plant.forcings = plant.system.signals.iter().map(|signal| Forcing::of(&plant, signal)).collect();
+        plant.forcings = plant
+            .system
+            .signals
+            .iter()
+            .map(|signal| Forcing::of(&plant, signal))
+            .collect();
         plant.ports = plant.make_ports();
         plant.approach();
         Ok(plant)
@@ -87,7 +104,10 @@ impl Plant {
     pub fn with_signals(&self, signals: Vec<Signal>) -> Self {
         let mut plant = self.clone();
         plant.local = self.local_states(&signals);
-        plant.forcings = signals.iter().map(|signal| Forcing::of(&plant, signal)).collect();
+        plant.forcings = signals
+            .iter()
+            .map(|signal| Forcing::of(&plant, signal))
+            .collect();
         plant.system.signals = signals;
         plant.approach();
         plant
@@ -95,8 +115,16 @@ impl Plant {
 
     /// Size of the motion at the ports, m: the largest steady amplitude or magnitude of a gap of any; 0 without one.
     pub fn scale_m(&self) -> f64 {
-        let size = |(port, stop): (&Port, &super::Stop)| port.steady_m.iter().fold(stop.gap_m.abs(), |max, s| max.max(s.norm()));
-        self.ports.iter().zip(&self.system.stops).map(size).fold(0.0, f64::max)
+        let size = |(port, stop): (&Port, &super::Stop)| {
+            port.steady_m
+                .iter()
+                .fold(stop.gap_m.abs(), |max, s| max.max(s.norm()))
+        };
+        self.ports
+            .iter()
+            .zip(&self.system.stops)
+            .map(size)
+            .fold(0.0, f64::max)
     }
 
     /// The same plant against other stops.
@@ -137,7 +165,9 @@ impl Plant {
     /// Row in block coordinates of the voltage of patch number `patch` (in the order of `system.modes.patch`).
     pub fn voltage_row(&self, patch: usize) -> Vec<f64> {
         let mut values = vec![0.0; self.electrical.nodes.len()];
-        self.electrical.patch[patch].iter().for_each(|(node, factor)| values[*node] += factor);
+        self.electrical.patch[patch]
+            .iter()
+            .for_each(|(node, factor)| values[*node] += factor);
         self.row(&values, 2 * self.system.modes.len())
     }
 
@@ -147,25 +177,51 @@ impl Plant {
         match self.electrical.load[load] {
             None => vec![0.0; self.len()],
             Some(Across::Node(node)) => self.row(&[1.0], first + node),
-            Some(Across::Inductor(inductor, resistance_ohm)) => self.row(&[resistance_ohm], first + self.electrical.nodes.len() + inductor),
+            Some(Across::Inductor(inductor, resistance_ohm)) => self.row(
+                &[resistance_ohm],
+                first + self.electrical.nodes.len() + inductor,
+            ),
         }
     }
 
     /// Voltage of each patch in a physical state, V.
     pub fn patch_voltages_v(&self, x: &[f64]) -> Vec<f64> {
         let nodes = &x[2 * self.system.modes.len()..];
-        self.electrical.patch.iter().map(|parts| parts.iter().map(|(node, factor)| factor * nodes[*node]).sum()).collect()
+        self.electrical
+            .patch
+            .iter()
+            .map(|parts| {
+                parts
+                    .iter()
+                    .map(|(node, factor)| factor * nodes[*node])
+                    .sum()
+            })
+            .collect()
     }
 
     /// Column in block coordinates of a modal force `shape`.
     pub fn force_column(&self, shape: &[f64]) -> Vec<f64> {
         let (n, inverse) = (self.system.modes.len(), &self.diagonal.from_physical);
-        (0..self.len()).map(|i| shape.iter().enumerate().map(|(j, s)| inverse[(i, n + j)] * s).sum()).collect()
+        (0..self.len())
+            .map(|i| {
+                shape
+                    .iter()
+                    .enumerate()
+                    .map(|(j, s)| inverse[(i, n + j)] * s)
+                    .sum()
+            })
+            .collect()
     }
 
     /// Column in block coordinates of a unit acceleration of the base, per m/s^2.
     pub fn base_column(&self) -> Vec<f64> {
-        let against: Vec<f64> = self.system.modes.participation_sqrt_kg.iter().map(|participation| -participation).collect();
+        let against: Vec<f64> = self
+            .system
+            .modes
+            .participation_sqrt_kg
+            .iter()
+            .map(|participation| -participation)
+            .collect();
         self.force_column(&against)
     }
 
@@ -173,7 +229,9 @@ impl Plant {
     pub fn from_physical(&self, x: &[f64], time_s: f64) -> Vec<f64> {
         let steady = self.steady_at(time_s);
         let mut y = product(&self.diagonal.from_physical, &self.counted(x));
-        y.iter_mut().zip(&steady).for_each(|(y, steady)| *y -= steady);
+        y.iter_mut()
+            .zip(&steady)
+            .for_each(|(y, steady)| *y -= steady);
         y
     }
 
@@ -182,48 +240,81 @@ impl Plant {
         let steady = self.steady_at(time_s);
         let full: Vec<f64> = y.iter().zip(&steady).map(|(y, s)| y + s).collect();
         let mut x = product(&self.diagonal.to_physical, &full);
-        x[2 * self.system.modes.len()..].iter_mut().zip(&self.electrical.zero_v).for_each(|(v, zero)| *v += zero);
+        x[2 * self.system.modes.len()..]
+            .iter_mut()
+            .zip(&self.electrical.zero_v)
+            .for_each(|(v, zero)| *v += zero);
         x
     }
 
     /// One number of the physical state, integrated over a time, of integrated block coordinates.
     pub fn integral_of(&self, y: &[f64], length_s: f64, place: usize) -> f64 {
         let matrix = &self.diagonal.to_physical;
-        let zero_v = place.checked_sub(2 * self.system.modes.len()).and_then(|node| self.electrical.zero_v.get(node));
-        y.iter().enumerate().map(|(j, y)| matrix[(place, j)] * y).sum::<f64>() + zero_v.map_or(0.0, |zero_v| zero_v * length_s)
+        let zero_v = place
+            .checked_sub(2 * self.system.modes.len())
+            .and_then(|node| self.electrical.zero_v.get(node));
+        y.iter()
+            .enumerate()
+            .map(|(j, y)| matrix[(place, j)] * y)
+            .sum::<f64>()
+            + zero_v.map_or(0.0, |zero_v| zero_v * length_s)
     }
 
     /// Rate of the block coordinates of a physical state at a time, given the rate of that.
     pub fn moving(&self, rate: &[f64], time_s: f64) -> Vec<f64> {
         let turning = |i: usize| -> f64 {
             let of = |tone: &Tone| {
-                (c64::cis(tone.angular_frequency_rad_s * time_s) * tone.steady[i] * c64::new(0.0, tone.angular_frequency_rad_s)).re
+                (c64::cis(tone.angular_frequency_rad_s * time_s)
+                    * tone.steady[i]
+                    * c64::new(0.0, tone.angular_frequency_rad_s))
+                .re
             };
             self.tones.iter().map(of).sum()
         };
-        product(&self.diagonal.from_physical, rate).iter().enumerate().map(|(i, own)| own - turning(i)).collect()
+        product(&self.diagonal.from_physical, rate)
+            .iter()
+            .enumerate()
+            .map(|(i, own)| own - turning(i))
+            .collect()
     }
 
     /// A physical state with each voltage counted from the zero of its node.
     fn counted(&self, x: &[f64]) -> Vec<f64> {
         let mut counted = x.to_vec();
-        counted[2 * self.system.modes.len()..].iter_mut().zip(&self.electrical.zero_v).for_each(|(v, zero)| *v -= zero);
+        counted[2 * self.system.modes.len()..]
+            .iter_mut()
+            .zip(&self.electrical.zero_v)
+            .for_each(|(v, zero)| *v -= zero);
         counted
     }
 
     /// Largest `|eigenvalue|`, rad/s.
     pub fn fastest_rad_s(&self) -> f64 {
-        self.diagonal.block.eigenvalues().iter().fold(0.0, |max, l| max.max(l.norm()))
+        self.diagonal
+            .block
+            .eigenvalues()
+            .iter()
+            .fold(0.0, |max, l| max.max(l.norm()))
     }
 
     pub(super) fn row(&self, values: &[f64], first: usize) -> Vec<f64> {
         let matrix = &self.diagonal.to_physical;
-        (0..self.len()).map(|j| values.iter().enumerate().map(|(i, v)| v * matrix[(first + i, j)]).sum()).collect()
+        (0..self.len())
+            .map(|j| {
+                values
+                    .iter()
+                    .enumerate()
+                    .map(|(i, v)| v * matrix[(first + i, j)])
+                    .sum()
+            })
+            .collect()
     }
 
     fn make_ports(&self) -> Vec<Port> {
         let stops = self.system.stops.iter().map(|stop| self.port(stop));
-        stops.chain(self.guards.iter().map(|guard| self.guard_port(guard))).collect()
+        stops
+            .chain(self.guards.iter().map(|guard| self.guard_port(guard)))
+            .collect()
     }
 
     fn port(&self, stop: &super::Stop) -> Port {
@@ -232,7 +323,12 @@ impl Plant {
         let approach_m = self.approach_of_tones(stop);
         let pushed_back: Vec<f64> = shape.iter().map(|s| -s).collect();
         Port {
-            steady_m: self.steady_output(&displacement).iter().zip(&approach_m).map(|(own, bases)| own + bases).collect(),
+            steady_m: self
+                .steady_output(&displacement)
+                .iter()
+                .zip(&approach_m)
+                .map(|(own, bases)| own + bases)
+                .collect(),
             approach_m,
             approach: Vec::new(),
             displacement,
@@ -248,7 +344,9 @@ impl Plant {
 pub(crate) fn product(matrix: &Mat<f64>, vector: &[f64]) -> Vec<f64> {
     let mut sum = vec![0.0; matrix.nrows()];
     for (j, factor) in vector.iter().enumerate() {
-        sum.iter_mut().zip(matrix.col_as_slice(j)).for_each(|(sum, entry)| *sum += entry * factor);
+        sum.iter_mut()
+            .zip(matrix.col_as_slice(j))
+            .for_each(|(sum, entry)| *sum += entry * factor);
     }
     sum
 }

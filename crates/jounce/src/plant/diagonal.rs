@@ -16,7 +16,9 @@
 //!
 //! Validation: `tests/plant` checks the residual of `A T = T J` and the eigenvalues against the secular equation.
 
-use super::component::{ComponentBlock, CoupledMatrix, PieceBlock, components, coupled, single_mode};
+use super::component::{
+    ComponentBlock, CoupledMatrix, PieceBlock, components, coupled, single_mode,
+};
 use super::{BlockDiagonal, BlockPair, Electrical, PlantError, System};
 use faer::Mat;
 use faer::linalg::solvers::DenseSolveCore;
@@ -45,9 +47,11 @@ impl Diagonal {
         let mut pieces = Vec::new();
         for component in components(system, electrical) {
             match component.as_slice() {
-                [mode] if *mode < assembly.modes => {
-                    pieces.extend(single_mode(system, *mode, &assembly).into_iter().map(|block| ComponentBlock { block, exact: true }))
-                }
+                [mode] if *mode < assembly.modes => pieces.extend(
+                    single_mode(system, *mode, &assembly)
+                        .into_iter()
+                        .map(|block| ComponentBlock { block, exact: true }),
+                ),
                 states => pieces.extend(coupled(states, &assembly)?),
             }
         }
@@ -73,16 +77,31 @@ impl Diagonal {
             }
         }
         let vectors = Mat::from_fn(n, n, |i, j| columns[j][i]);
-        let singular = vectors.singular_values().map_err(|_| PlantError::NoEigenvalues { states: n })?;
+        let singular = vectors
+            .singular_values()
+            .map_err(|_| PlantError::NoEigenvalues { states: n })?;
         let condition = singular[0] / singular[n - 1];
         if condition.is_nan() || condition > MAX_CONDITION {
-            return Err(PlantError::Defective { condition, allowed: MAX_CONDITION });
+            return Err(PlantError::Defective {
+                condition,
+                allowed: MAX_CONDITION,
+            });
         }
         let inverse = vectors.partial_piv_lu().inverse();
-        polish(&mut block, &exact, &(&inverse * &assembly.matrix * &vectors));
+        polish(
+            &mut block,
+            &exact,
+            &(&inverse * &assembly.matrix * &vectors),
+        );
         let (scale, mut columns, mut rows) = (&assembly.scale, vectors, inverse);
-        assembly.paths.iter().for_each(|path| path.leave(&mut columns));
-        assembly.paths.iter().for_each(|path| path.leave_columns(&mut rows));
+        assembly
+            .paths
+            .iter()
+            .for_each(|path| path.leave(&mut columns));
+        assembly
+            .paths
+            .iter()
+            .for_each(|path| path.leave_columns(&mut rows));
         Ok(Self {
             block,
             to_physical: Mat::from_fn(n, n, |i, j| columns[(i, j)] / scale[i]),
@@ -95,7 +114,12 @@ impl Diagonal {
 /// their own relative roundoff where the eigenvalue solver only holds the largest. Closed forms stay: next to critical damping
 /// their difference would drown in the roundoff of the product.
 fn polish(block: &mut BlockDiagonal, exact: &[bool], transformed: &Mat<f64>) {
-    for (k, pair) in block.pairs.iter_mut().enumerate().filter(|(k, _)| !exact[*k]) {
+    for (k, pair) in block
+        .pairs
+        .iter_mut()
+        .enumerate()
+        .filter(|(k, _)| !exact[*k])
+    {
         let (u, v) = (2 * k, 2 * k + 1);
         if let BlockPair::Oscillatory { decay, frequency } = pair {
             *decay = 0.5 * (transformed[(u, u)] + transformed[(v, v)]);
@@ -103,7 +127,12 @@ fn polish(block: &mut BlockDiagonal, exact: &[bool], transformed: &Mat<f64>) {
         }
     }
     let pairs = block.pairs.len();
-    for (k, rate) in block.reals.iter_mut().enumerate().filter(|(k, _)| !exact[pairs + k]) {
+    for (k, rate) in block
+        .reals
+        .iter_mut()
+        .enumerate()
+        .filter(|(k, _)| !exact[pairs + k])
+    {
         *rate = transformed[(2 * pairs + k, 2 * pairs + k)];
     }
 }

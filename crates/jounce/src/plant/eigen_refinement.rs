@@ -19,23 +19,39 @@ const REFINEMENT_STEPS: usize = 2;
 const MAX_CORRECTION: f64 = 1e-4;
 
 /// Eigenvalues and eigenvectors, corrected; real ones stay real.
-pub(super) fn refined(matrix: &Mat<f64>, mut values: Vec<c64>, mut vectors: Mat<c64>) -> (Vec<c64>, Mat<c64>) {
+pub(super) fn refined(
+    matrix: &Mat<f64>,
+    mut values: Vec<c64>,
+    mut vectors: Mat<c64>,
+) -> (Vec<c64>, Mat<c64>) {
     let n = values.len();
     let full = Mat::from_fn(n, n, |i, j| c64::new(matrix[(i, j)], 0.0));
     let is_real: Vec<bool> = values.iter().map(|value| value.im == 0.0).collect();
-    let kept = |j: usize, number: c64| if is_real[j] { c64::new(number.re, 0.0) } else { number };
+    let kept = |j: usize, number: c64| {
+        if is_real[j] {
+            c64::new(number.re, 0.0)
+        } else {
+            number
+        }
+    };
     for _ in 0..REFINEMENT_STEPS {
         let applied = &full * &vectors;
         let left = Mat::from_fn(n, n, |i, j| applied[(i, j)] - vectors[(i, j)] * values[j]);
         let within = vectors.partial_piv_lu().inverse() * left;
         let apart = |i: usize, j: usize| {
             let share = within[(i, j)] / (values[j] - values[i]);
-            if i != j && share.norm() < MAX_CORRECTION { share } else { c64::new(0.0, 0.0) }
+            if i != j && share.norm() < MAX_CORRECTION {
+                share
+            } else {
+                c64::new(0.0, 0.0)
+            }
         };
         let correction = Mat::from_fn(n, n, apart);
         let moved = &vectors * &correction;
         vectors = Mat::from_fn(n, n, |i, j| kept(j, vectors[(i, j)] + moved[(i, j)]));
-        values = (0..n).map(|j| kept(j, values[j] + within[(j, j)])).collect();
+        values = (0..n)
+            .map(|j| kept(j, values[j] + within[(j, j)]))
+            .collect();
     }
     (values, vectors)
 }
@@ -59,12 +75,23 @@ mod tests {
         ];
         let matrix = Mat::from_fn(4, 4, |i, j| rows[i][j]);
         let eigen = matrix.eigen().unwrap();
-        let (values, vectors) = refined(&matrix, eigen.S().column_vector().iter().copied().collect(), eigen.U().to_owned());
+        let (values, vectors) = refined(
+            &matrix,
+            eigen.S().column_vector().iter().copied().collect(),
+            eigen.U().to_owned(),
+        );
         let sum = fast + slow;
-        let exact = -(fast * slow - a * b) / (0.5 * (sum + (sum * sum - 4.0 * (fast * slow - a * b)).sqrt()));
-        let found: Vec<f64> = values.iter().map(|value| value.re).filter(|rate| *rate > -1e3).collect();
+        let exact = -(fast * slow - a * b)
+            / (0.5 * (sum + (sum * sum - 4.0 * (fast * slow - a * b)).sqrt()));
+        let found: Vec<f64> = values
+            .iter()
+            .map(|value| value.re)
+            .filter(|rate| *rate > -1e3)
+            .collect();
         assert_eq!(found.len(), 2);
-        found.iter().for_each(|rate| assert!((rate / exact - 1.0).abs() < 4e-15, "{rate:e} {exact:e}"));
+        found
+            .iter()
+            .for_each(|rate| assert!((rate / exact - 1.0).abs() < 4e-15, "{rate:e} {exact:e}"));
         let sizes = vectors.singular_values().unwrap();
         assert!(sizes[3] > 0.1 * sizes[0], "{sizes:?}");
     }

@@ -97,13 +97,26 @@ impl Electrical {
     /// The nodes and inductors of a system, in the order of its patches.
     pub fn of(system: &System) -> Self {
         let patches = &system.modes.patch;
-        let mut electrical = Self { patch: vec![Vec::new(); patches.len()], ..Self::default() };
+        let mut electrical = Self {
+            patch: vec![Vec::new(); patches.len()],
+            ..Self::default()
+        };
         let mut placed: Vec<Option<Across>> = vec![None; system.loads.len()];
         let mut terminals: Vec<Option<usize>> = vec![None; system.bridges.len()];
-        let carries = |connections: &[Connection], name: &str| connections.iter().any(|connection| connection.patch == name);
+        let carries = |connections: &[Connection], name: &str| {
+            connections
+                .iter()
+                .any(|connection| connection.patch == name)
+        };
         for (index, (name, patch)) in patches.iter().enumerate() {
-            let load = system.loads.iter().position(|load| carries(&load.connections, name));
-            let bridge = system.bridges.iter().position(|bridge| carries(&bridge.connections, name));
+            let load = system
+                .loads
+                .iter()
+                .position(|load| carries(&load.connections, name));
+            let bridge = system
+                .bridges
+                .iter()
+                .position(|bridge| carries(&bridge.connections, name));
             match (load, bridge) {
                 (None, None) => {
                     let node = electrical.add(patch.capacitance_f, patch.coupling_n_per_v.clone());
@@ -116,7 +129,8 @@ impl Electrical {
                 }
                 (None, Some(bridge)) if terminals[bridge].is_none() => {
                     let own = &system.bridges[bridge];
-                    terminals[bridge] = Some(electrical.connect(system, &own.connections, own.wiring));
+                    terminals[bridge] =
+                        Some(electrical.connect(system, &own.connections, own.wiring));
                 }
                 _ => {}
             }
@@ -130,7 +144,10 @@ impl Electrical {
         electrical.zero_v.resize(electrical.nodes.len(), 0.0);
         for (number, bridge) in system.bridges.iter().enumerate() {
             let threshold_v = bridge.state.conduction.sign() * bridge.threshold_v();
-            electrical.standing_v(number, threshold_v).into_iter().for_each(|(node, voltage)| electrical.zero_v[node] = voltage);
+            electrical
+                .standing_v(number, threshold_v)
+                .into_iter()
+                .for_each(|(node, voltage)| electrical.zero_v[node] = voltage);
         }
         electrical
     }
@@ -139,9 +156,15 @@ impl Electrical {
     fn rectify(&mut self, number: usize, bridge: &Bridge, terminal: usize, modes: usize) {
         let storage = match bridge.storage {
             Storage::Battery { .. } => None,
-            Storage::Capacitor { capacitance_f, load_ohm } => {
+            Storage::Capacitor {
+                capacitance_f,
+                load_ohm,
+            } => {
                 let node = self.add(capacitance_f, vec![0.0; modes]);
-                self.nodes[node].resistance_ohm = Some(1.0 / (1.0 / load_ohm + bridge.leakage_ohm.map_or(0.0, |leakage| 1.0 / leakage)));
+                self.nodes[node].resistance_ohm = Some(
+                    1.0 / (1.0 / load_ohm
+                        + bridge.leakage_ohm.map_or(0.0, |leakage| 1.0 / leakage)),
+                );
                 Some(node)
             }
         };
@@ -149,7 +172,12 @@ impl Electrical {
         let sign = bridge.state.conduction.sign();
         if sign != 0.0 {
             let to = storage.map(|node| (node, sign));
-            self.links.push(Conductance { bridge: number, node: terminal, to, conductance_per_ohm: 1.0 / bridge.diode_ohm });
+            self.links.push(Conductance {
+                bridge: number,
+                node: terminal,
+                to,
+                conductance_per_ohm: 1.0 / bridge.diode_ohm,
+            });
         }
     }
 
@@ -174,22 +202,38 @@ impl Electrical {
     /// Factor of each electrical state whose square is twice its energy: `sqrt(C)`, `sqrt(L)`.
     pub fn energy_scale(&self) -> impl Iterator<Item = f64> {
         let nodes = self.nodes.iter().map(|node| node.capacitance_f.sqrt());
-        nodes.chain(self.inductors.iter().map(|inductor| inductor.inductance_h.sqrt()))
+        nodes.chain(
+            self.inductors
+                .iter()
+                .map(|inductor| inductor.inductance_h.sqrt()),
+        )
     }
 
     pub(super) fn add(&mut self, capacitance_f: f64, coupling_n_per_v: Vec<f64>) -> usize {
-        self.nodes.push(ElectricalNode { capacitance_f, coupling_n_per_v, resistance_ohm: None });
+        self.nodes.push(ElectricalNode {
+            capacitance_f,
+            coupling_n_per_v,
+            resistance_ohm: None,
+        });
         self.nodes.len() - 1
     }
 
     fn across(&mut self, node: usize, load: &Load) -> Across {
         match load.inductor {
             Some((inductance_h, Wiring::Series)) => {
-                self.inductors.push(Inductor { node, inductance_h, resistance_ohm: load.resistance_ohm });
+                self.inductors.push(Inductor {
+                    node,
+                    inductance_h,
+                    resistance_ohm: load.resistance_ohm,
+                });
                 Across::Inductor(self.inductors.len() - 1, load.resistance_ohm)
             }
             Some((inductance_h, Wiring::Parallel)) => {
-                self.inductors.push(Inductor { node, inductance_h, resistance_ohm: 0.0 });
+                self.inductors.push(Inductor {
+                    node,
+                    inductance_h,
+                    resistance_ohm: 0.0,
+                });
                 self.nodes[node].resistance_ohm = Some(load.resistance_ohm);
                 Across::Node(node)
             }

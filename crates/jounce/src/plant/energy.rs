@@ -62,7 +62,11 @@ impl Meters {
     pub fn under(quadratics: &Quadratics, plant: &Plant) -> Self {
         let meter = |quadratic: &Arc<Quadratic>| EnergyMeter::squares(plant, quadratic);
         let loads = quadratics.loads.iter().map(meter).collect();
-        Self { loads, damping: meter(&quadratics.damping), input: EnergyMeter::drive(plant) }
+        Self {
+            loads,
+            damping: meter(&quadratics.damping),
+            input: EnergyMeter::drive(plant),
+        }
     }
 }
 
@@ -74,7 +78,11 @@ impl EnergyMeter {
             let value: c64 = row.iter().zip(y).map(|(r, y)| *r * *y).sum();
             sum += (c64::cis(w * time_s) * value).re;
         }
-        sum + self.steady_terms.iter().map(|(w, a)| (a * c64::cis(w * time_s)).re).sum::<f64>()
+        sum + self
+            .steady_terms
+            .iter()
+            .map(|(w, a)| (a * c64::cis(w * time_s)).re)
+            .sum::<f64>()
     }
 
     /// `b^T P b`: the energy, J, that the meter counts after an impulse that sets the block coordinates to `b`, without drives.
@@ -84,8 +92,18 @@ impl EnergyMeter {
 
     /// `y^T P y`, J.
     fn quadratic_j(&self, y: &[f64]) -> f64 {
-        let Some(quadratic) = &self.quadratic else { return 0.0 };
-        let column = |j: usize| quadratic.gramian.col_as_slice(j).iter().zip(y).map(|(p, y)| p * y).sum::<f64>();
+        let Some(quadratic) = &self.quadratic else {
+            return 0.0;
+        };
+        let column = |j: usize| {
+            quadratic
+                .gramian
+                .col_as_slice(j)
+                .iter()
+                .zip(y)
+                .map(|(p, y)| p * y)
+                .sum::<f64>()
+        };
         y.iter().enumerate().map(|(j, y)| y * column(j)).sum()
     }
 
@@ -102,18 +120,31 @@ impl EnergyMeter {
     /// Energy, J, that the contact force of one port adds to `[B]`, from `integral f (P b) . y dt` (J) and, per tone,
     /// `integral f e^{i w t} dt` (N s).
     pub fn contact_j(&self, port: usize, work_j: f64, impulse_n_s: &[c64]) -> f64 {
-        2.0 * work_j - self.port_cross[port].iter().zip(impulse_n_s).map(|(rb, f)| (rb * f).re).sum::<f64>()
+        2.0 * work_j
+            - self.port_cross[port]
+                .iter()
+                .zip(impulse_n_s)
+                .map(|(rb, f)| (rb * f).re)
+                .sum::<f64>()
     }
 
     fn squares(plant: &Plant, quadratic: &Arc<Quadratic>) -> Self {
         // C = 2 Q S
-        let forcings: Vec<Vec<c64>> = plant.tones.iter().map(|tone| quadratic.slope(&tone.steady)).collect();
+        let forcings: Vec<Vec<c64>> = plant
+            .tones
+            .iter()
+            .map(|tone| quadratic.slope(&tone.steady))
+            .collect();
         let (mut mean, mut terms) = (0.0, Vec::new());
         for (own, k) in forcings.iter().zip(&plant.tones) {
             for l in &plant.tones {
                 let (wk, wl) = (k.angular_frequency_rad_s, l.angular_frequency_rad_s);
                 let sum: c64 = own.iter().zip(&l.steady).map(|(c, s)| c * s * 0.25).sum();
-                let difference: c64 = own.iter().zip(&l.steady).map(|(c, s)| c * s.conj() * 0.25).sum();
+                let difference: c64 = own
+                    .iter()
+                    .zip(&l.steady)
+                    .map(|(c, s)| c * s.conj() * 0.25)
+                    .sum();
                 terms.push((wk + wl, sum / c64::new(0.0, wk + wl)));
                 match wk == wl {
                     true => mean += difference.re,
@@ -124,21 +155,49 @@ impl EnergyMeter {
         // A square holds a signal through the state only.
         let steady = vec![vec![c64::new(0.0, 0.0); plant.tones.len()]; plant.forcings.len()];
         let none = (vec![vec![0.0; plant.len()]; plant.forcings.len()], steady);
-        Self::finish(plant, Some(Arc::clone(quadratic)), forcings, (mean, terms), none)
+        Self::finish(
+            plant,
+            Some(Arc::clone(quadratic)),
+            forcings,
+            (mean, terms),
+            none,
+        )
     }
 
     /// `integral F(t) x_d'(t) dt`, summed over drives, and the work of bases through the contacts between them.
     fn drive(plant: &Plant) -> Self {
         let n = plant.system.modes.len();
-        let velocities = plant.diagonal.to_physical.as_ref().submatrix(n, 0, n, plant.len());
-        let along = |tone: &Tone, j: usize| tone.force.iter().zip(velocities.col(j).iter()).map(|(g, v)| g * *v).sum();
-        let forcings: Vec<Vec<c64>> = plant.tones.iter().map(|tone| (0..plant.len()).map(|j| along(tone, j)).collect()).collect();
+        let velocities = plant
+            .diagonal
+            .to_physical
+            .as_ref()
+            .submatrix(n, 0, n, plant.len());
+        let along = |tone: &Tone, j: usize| {
+            tone.force
+                .iter()
+                .zip(velocities.col(j).iter())
+                .map(|(g, v)| g * *v)
+                .sum()
+        };
+        let forcings: Vec<Vec<c64>> = plant
+            .tones
+            .iter()
+            .map(|tone| (0..plant.len()).map(|j| along(tone, j)).collect())
+            .collect();
         let (mut mean, mut terms) = (0.0, Vec::new());
         for (own, tone) in forcings.iter().zip(&plant.tones) {
             for other in &plant.tones {
                 let (wk, wl) = (tone.angular_frequency_rad_s, other.angular_frequency_rad_s);
-                let sum: c64 = own.iter().zip(&other.steady).map(|(g, s)| g * s * 0.5).sum();
-                let difference: c64 = own.iter().zip(&other.steady).map(|(g, s)| g * s.conj() * 0.5).sum();
+                let sum: c64 = own
+                    .iter()
+                    .zip(&other.steady)
+                    .map(|(g, s)| g * s * 0.5)
+                    .sum();
+                let difference: c64 = own
+                    .iter()
+                    .zip(&other.steady)
+                    .map(|(g, s)| g * s.conj() * 0.5)
+                    .sum();
                 terms.push((wk + wl, sum / c64::new(0.0, wk + wl)));
                 match wk == wl {
                     true => mean += difference.re,
@@ -147,7 +206,12 @@ impl EnergyMeter {
             }
         }
         // A signal is a force on the state and on the steady motion.
-        let speeds: Vec<Vec<f64>> = plant.system.signals.iter().map(|signal| plant.velocity_row(&signal.shape)).collect();
+        let speeds: Vec<Vec<f64>> = plant
+            .system
+            .signals
+            .iter()
+            .map(|signal| plant.velocity_row(&signal.shape))
+            .collect();
         let steady = speeds.iter().map(|row| plant.steady_output(row)).collect();
         let mut meter = Self::finish(plant, None, forcings, (mean, terms), (speeds, steady));
         // Bases work through the contacts between them, too: f Re(i w X e^{i w t}).
@@ -170,7 +234,10 @@ impl EnergyMeter {
             .map(|(tone, forcing)| {
                 let w = tone.angular_frequency_rad_s;
                 // (i w I + A)^-1 = -((-i w) I - A)^-1
-                let row = plant.diagonal.block.resolve_row(c64::new(0.0, -w), &forcing);
+                let row = plant
+                    .diagonal
+                    .block
+                    .resolve_row(c64::new(0.0, -w), &forcing);
                 (w, row.into_iter().map(|r| -r).collect())
             })
             .collect();
@@ -180,9 +247,18 @@ impl EnergyMeter {
             None => vec![0.0; b.len()],
         };
         Self {
-            port_rows: plant.ports.iter().map(|port| product(&port.force)).collect(),
+            port_rows: plant
+                .ports
+                .iter()
+                .map(|port| product(&port.force))
+                .collect(),
             port_cross: (plant.ports.iter())
-                .map(|port| cross.iter().map(|(_, row)| super::coupled_plant::dot(&port.force, row)).collect())
+                .map(|port| {
+                    cross
+                        .iter()
+                        .map(|(_, row)| super::coupled_plant::dot(&port.force, row))
+                        .collect()
+                })
                 .collect(),
             signals: SignalMeter::new(plant, power, product, &tone_rows),
             quadratic,

@@ -15,7 +15,9 @@ pub enum PlantError {
         known: String,
     },
     /// Two circuits on one patch.
-    #[error("patch `{patch}` carries two circuits, `{first}` and `{second}`; give each patch one circuit")]
+    #[error(
+        "patch `{patch}` carries two circuits, `{first}` and `{second}`; give each patch one circuit"
+    )]
     TwoCircuits {
         /// The patch.
         patch: String,
@@ -83,7 +85,9 @@ pub enum PlantError {
         mode_hz: f64,
     },
     /// A mean power is asked of a mode that never decays.
-    #[error("{what} cannot be integrated: the mode at {mode_hz} Hz has no damping at all; give it a damping ratio")]
+    #[error(
+        "{what} cannot be integrated: the mode at {mode_hz} Hz has no damping at all; give it a damping ratio"
+    )]
     Undamped {
         /// The energy meter.
         what: String,
@@ -91,7 +95,9 @@ pub enum PlantError {
         mode_hz: f64,
     },
     /// A stop whose port has no mobility.
-    #[error("stop `{stop}`: the striking point and the stop move together in every mode, so they can never meet")]
+    #[error(
+        "stop `{stop}`: the striking point and the stop move together in every mode, so they can never meet"
+    )]
     ImmobilePort {
         /// The stop.
         stop: String,

@@ -58,7 +58,10 @@ impl Bridge {
         let diodes = matches!(self.scheme, Scheme::Standard | Scheme::ParallelSshi { .. });
         let mut changes = match self.state.conduction {
             Conduction::Blocked if diodes => {
-                vec![BridgeChange::Conducts(Conduction::Positive), BridgeChange::Conducts(Conduction::Negative)]
+                vec![
+                    BridgeChange::Conducts(Conduction::Positive),
+                    BridgeChange::Conducts(Conduction::Negative),
+                ]
             }
             Conduction::Blocked => Vec::new(),
             Conduction::Positive | Conduction::Negative => vec![BridgeChange::Blocks],
@@ -74,7 +77,10 @@ impl System {
     /// What may change its bridges next.
     pub(super) fn guards(&self) -> Vec<EventFunction> {
         let of = |(bridge, own): (usize, &Bridge)| {
-            own.changes().into_iter().map(move |change| EventFunction { bridge, change }).collect::<Vec<_>>()
+            own.changes()
+                .into_iter()
+                .map(move |change| EventFunction { bridge, change })
+                .collect::<Vec<_>>()
         };
         self.bridges.iter().enumerate().flat_map(of).collect()
     }
@@ -83,7 +89,10 @@ impl System {
 impl Plant {
     /// A port that no force acts on; its displacement is what the guard watches, in V or kg^1/2 m/s times N/V.
     pub(super) fn guard_port(&self, guard: &EventFunction) -> Port {
-        let (bridge, nodes) = (&self.system.bridges[guard.bridge], self.electrical.bridges[guard.bridge]);
+        let (bridge, nodes) = (
+            &self.system.bridges[guard.bridge],
+            self.electrical.bridges[guard.bridge],
+        );
         let (first, n) = (2 * self.system.modes.len(), self.system.modes.len());
         let mut physical = vec![0.0; self.len()];
         let mut across = |sign: f64, factor: f64| {
@@ -94,7 +103,9 @@ impl Plant {
             // Voltages are counted from where the threshold of conducting diodes would hold them.
             let zero_v = &self.electrical.zero_v;
             factor * bridge.threshold_v() - factor * sign * zero_v[nodes.terminal]
-                + nodes.storage.map_or(0.0, |storage| factor * zero_v[storage])
+                + nodes
+                    .storage
+                    .map_or(0.0, |storage| factor * zero_v[storage])
         };
         let gap_m = match guard.change {
             BridgeChange::Conducts(to) => across(to.sign(), 1.0),
@@ -102,7 +113,10 @@ impl Plant {
             BridgeChange::Switches => {
                 let sign = if bridge.state.rising { -1.0 } else { 1.0 };
                 let coupling = &self.electrical.nodes[nodes.terminal].coupling_n_per_v;
-                coupling.iter().enumerate().for_each(|(i, theta)| physical[n + i] = sign * theta);
+                coupling
+                    .iter()
+                    .enumerate()
+                    .for_each(|(i, theta)| physical[n + i] = sign * theta);
                 0.0
             }
         };
@@ -122,29 +136,61 @@ impl Plant {
     /// Outputs of the bridges whose squares are powers.
     pub fn bridge_outputs(&self) -> Vec<PowerOutput> {
         let mut outputs = Vec::new();
-        for (k, (bridge, nodes)) in self.system.bridges.iter().zip(&self.electrical.bridges).enumerate() {
-            if let (Some(storage), Storage::Capacitor { load_ohm, .. }) = (nodes.storage, bridge.storage) {
-                let output = |outlet, conductance| self.output((k, outlet), conductance, vec![(storage, 1.0)], 0.0);
+        for (k, (bridge, nodes)) in self
+            .system
+            .bridges
+            .iter()
+            .zip(&self.electrical.bridges)
+            .enumerate()
+        {
+            if let (Some(storage), Storage::Capacitor { load_ohm, .. }) =
+                (nodes.storage, bridge.storage)
+            {
+                let output = |outlet, conductance| {
+                    self.output((k, outlet), conductance, vec![(storage, 1.0)], 0.0)
+                };
                 outputs.push(output(EnergyOutlet::Load, 1.0 / load_ohm));
-                outputs.extend(bridge.leakage_ohm.map(|leakage_ohm| output(EnergyOutlet::Leakage, 1.0 / leakage_ohm)));
+                outputs.extend(
+                    bridge
+                        .leakage_ohm
+                        .map(|leakage_ohm| output(EnergyOutlet::Leakage, 1.0 / leakage_ohm)),
+                );
             }
         }
         for link in &self.electrical.links {
             let bridge = &self.system.bridges[link.bridge];
-            let parts = std::iter::once((link.node, 1.0)).chain(link.to.map(|(other, sign)| (other, -sign))).collect();
+            let parts = std::iter::once((link.node, 1.0))
+                .chain(link.to.map(|(other, sign)| (other, -sign)))
+                .collect();
             let against_v = bridge.state.conduction.sign() * bridge.threshold_v();
-            outputs.push(self.output((link.bridge, EnergyOutlet::Diodes), link.conductance_per_ohm, parts, against_v));
+            outputs.push(self.output(
+                (link.bridge, EnergyOutlet::Diodes),
+                link.conductance_per_ohm,
+                parts,
+                against_v,
+            ));
         }
         outputs
     }
 
     /// Outputs whose squares are the powers that leaking patches lose, in the order of `electrical.leaks`.
     pub fn leak_outputs(&self) -> Vec<PowerOutput> {
-        let bridge_of = |node: usize| (0..self.system.bridges.len()).find(|bridge| self.electrical.nodes_of(*bridge).contains(&node));
+        let bridge_of = |node: usize| {
+            (0..self.system.bridges.len())
+                .find(|bridge| self.electrical.nodes_of(*bridge).contains(&node))
+        };
         let output = |leak: &Leak| {
             let parts = self.electrical.patch[leak.patch].clone();
-            let bridge = parts.first().and_then(|(node, _)| bridge_of(*node)).unwrap_or(usize::MAX);
-            self.output((bridge, EnergyOutlet::Patch), leak.conductance_per_ohm, parts, 0.0)
+            let bridge = parts
+                .first()
+                .and_then(|(node, _)| bridge_of(*node))
+                .unwrap_or(usize::MAX);
+            self.output(
+                (bridge, EnergyOutlet::Patch),
+                leak.conductance_per_ohm,
+                parts,
+                0.0,
+            )
         };
         self.electrical.leaks.iter().map(output).collect()
     }
@@ -157,8 +203,21 @@ impl Plant {
         against_v: f64,
     ) -> PowerOutput {
         let mut physical = vec![0.0; self.len()];
-        parts.iter().for_each(|(node, factor)| physical[2 * self.system.modes.len() + node] += factor);
-        let standing_v = parts.iter().map(|(node, factor)| factor * self.electrical.zero_v[*node]).sum::<f64>() - against_v;
-        PowerOutput { bridge, outlet, conductance_per_ohm, row: self.row(&physical, 0), parts, standing_v }
+        parts
+            .iter()
+            .for_each(|(node, factor)| physical[2 * self.system.modes.len() + node] += factor);
+        let standing_v = parts
+            .iter()
+            .map(|(node, factor)| factor * self.electrical.zero_v[*node])
+            .sum::<f64>()
+            - against_v;
+        PowerOutput {
+            bridge,
+            outlet,
+            conductance_per_ohm,
+            row: self.row(&physical, 0),
+            parts,
+            standing_v,
+        }
     }
 }

@@ -40,26 +40,64 @@ impl Forcing {
     pub(super) fn of(plant: &Plant, signal: &Signal) -> Self {
         let block = &plant.diagonal.block;
         let column = plant.force_column(&signal.shape);
-        let rest: Vec<f64> = block.solve(&column, &plant.local).into_iter().map(|x| -x).collect();
-        let local = column.iter().zip(&plant.local).map(|(b, local)| if *local { *b } else { 0.0 }).collect();
-        Self { lag: block.solve(&rest, &plant.local), rest, column, local }
+        let rest: Vec<f64> = block
+            .solve(&column, &plant.local)
+            .into_iter()
+            .map(|x| -x)
+            .collect();
+        let local = column
+            .iter()
+            .zip(&plant.local)
+            .map(|(b, local)| if *local { *b } else { 0.0 })
+            .collect();
+        Self {
+            lag: block.solve(&rest, &plant.local),
+            rest,
+            column,
+            local,
+        }
     }
 }
 
 impl Plant {
     /// States of local blocks under signals: those that nothing brings back, and those that are slow beside the finest samples.
     pub(super) fn local_states(&self, signals: &[Signal]) -> Vec<bool> {
-        let steps = signals.iter().filter_map(|signal| if let Wave::Sampled { step_s, .. } = signal.wave { Some(step_s) } else { None });
-        let fastest_rad_s = steps.reduce(f64::min).map_or(0.0, |step_s| LOCAL_BLOCK_RATE / step_s);
+        let steps = signals.iter().filter_map(|signal| {
+            if let Wave::Sampled { step_s, .. } = signal.wave {
+                Some(step_s)
+            } else {
+                None
+            }
+        });
+        let fastest_rad_s = steps
+            .reduce(f64::min)
+            .map_or(0.0, |step_s| LOCAL_BLOCK_RATE / step_s);
         let block = &self.diagonal.block;
-        block.free().into_iter().zip(block.speeds()).map(|(free, speed)| free || speed <= fastest_rad_s).collect()
+        block
+            .free()
+            .into_iter()
+            .zip(block.speeds())
+            .map(|(free, speed)| free || speed <= fastest_rad_s)
+            .collect()
     }
 
     /// Longest step that the series of local blocks allows, s.
     pub fn local_limit_s(&self) -> f64 {
-        let speeds = self.diagonal.block.speeds().into_iter().zip(self.diagonal.block.free()).zip(&self.local);
-        let fastest = speeds.filter(|((_, free), local)| **local && !free).fold(0.0_f64, |max, ((speed, _), _)| max.max(speed));
-        if fastest > 0.0 { LOCAL_BLOCK_RATE / fastest } else { f64::INFINITY }
+        let speeds = self
+            .diagonal
+            .block
+            .speeds()
+            .into_iter()
+            .zip(self.diagonal.block.free())
+            .zip(&self.local);
+        let fastest = speeds
+            .filter(|((_, free), local)| **local && !free)
+            .fold(0.0_f64, |max, ((speed, _), _)| max.max(speed));
+        if fastest > 0.0 {
+            LOCAL_BLOCK_RATE / fastest
+        } else {
+            f64::INFINITY
+        }
     }
 
     /// `P`, the part of the state that signals force, a time after local blocks began anew.
@@ -74,7 +112,10 @@ impl Plant {
                 let (mut power, mut factor) = (forcing.local.clone(), after_s);
                 for j in 1..=LOCAL_TERMS {
                     let weight = factor * (size + slope * after_s / (j + 1) as f64);
-                    state.iter_mut().zip(&power).for_each(|(sum, p)| *sum += weight * p);
+                    state
+                        .iter_mut()
+                        .zip(&power)
+                        .for_each(|(sum, p)| *sum += weight * p);
                     power = self.diagonal.block.apply(&power);
                     factor *= after_s / (j + 1) as f64;
                 }
@@ -87,14 +128,20 @@ impl Plant {
     pub fn forced_integral(&self, sizes: &[SignalSample], until_s: f64) -> Vec<f64> {
         let mut state = vec![0.0; self.len()];
         for (forcing, [size, slope]) in self.forcings.iter().zip(sizes) {
-            let (held_s, passed) = (size * until_s + 0.5 * slope * until_s * until_s, slope * until_s);
+            let (held_s, passed) = (
+                size * until_s + 0.5 * slope * until_s * until_s,
+                slope * until_s,
+            );
             for (sum, (rest, lag)) in state.iter_mut().zip(forcing.rest.iter().zip(&forcing.lag)) {
                 *sum += rest * held_s + lag * passed;
             }
             let (mut power, mut factor) = (forcing.local.clone(), 0.5 * until_s * until_s);
             for j in 1..=LOCAL_TERMS {
                 let weight = factor * (size + slope * until_s / (j + 2) as f64);
-                state.iter_mut().zip(&power).for_each(|(sum, p)| *sum += weight * p);
+                state
+                    .iter_mut()
+                    .zip(&power)
+                    .for_each(|(sum, p)| *sum += weight * p);
                 power = self.diagonal.block.apply(&power);
                 factor *= until_s / (j + 2) as f64;
             }
@@ -109,7 +156,10 @@ impl Plant {
         for (signal, forcing) in self.system.signals.iter().zip(&self.forcings) {
             if let Wave::Constant(size) = signal.wave {
                 let rest = block.solve(&forcing.column, &block.free());
-                state.iter_mut().zip(rest).for_each(|(sum, x)| *sum -= size * x);
+                state
+                    .iter_mut()
+                    .zip(rest)
+                    .for_each(|(sum, x)| *sum -= size * x);
             }
         }
         state
@@ -118,6 +168,14 @@ impl Plant {
     /// The same as a physical state `(q, q', V, i)`.
     pub fn resting_physical(&self) -> Vec<f64> {
         let steady = self.steady_at(0.0);
-        self.to_physical(&self.resting().iter().zip(steady).map(|(y, steady)| y - steady).collect::<Vec<f64>>(), 0.0)
+        self.to_physical(
+            &self
+                .resting()
+                .iter()
+                .zip(steady)
+                .map(|(y, steady)| y - steady)
+                .collect::<Vec<f64>>(),
+            0.0,
+        )
     }
 }

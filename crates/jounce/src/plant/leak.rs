@@ -26,24 +26,43 @@ impl Electrical {
     /// Adds the leakage of every patch that has one.
     pub(super) fn leak(&mut self, system: &System) {
         let patches = system.modes.patch.values().enumerate();
-        self.leaks = patches.filter_map(|(patch, own)| Some(Leak { patch, conductance_per_ohm: 1.0 / own.leakage_ohm? })).collect();
+        self.leaks = patches
+            .filter_map(|(patch, own)| {
+                Some(Leak {
+                    patch,
+                    conductance_per_ohm: 1.0 / own.leakage_ohm?,
+                })
+            })
+            .collect();
     }
 
     /// True where a patch whose voltage a node takes part in leaks.
     pub fn leaks_at(&self, node: usize) -> bool {
-        self.leaks.iter().any(|leak| self.patch[leak.patch].iter().any(|(other, _)| *other == node))
+        self.leaks.iter().any(|leak| {
+            self.patch[leak.patch]
+                .iter()
+                .any(|(other, _)| *other == node)
+        })
     }
 
     /// Pairs of nodes that a leakage joins.
     pub(super) fn leaking_pairs(&self) -> impl Iterator<Item = (usize, usize)> {
-        self.leaks.iter().flat_map(|leak| self.patch[leak.patch].windows(2).map(|pair| (pair[0].0, pair[1].0)))
+        self.leaks.iter().flat_map(|leak| {
+            self.patch[leak.patch]
+                .windows(2)
+                .map(|pair| (pair[0].0, pair[1].0))
+        })
     }
 
     /// The nodes of a bridge: its patches, what is between them, its storage.
     pub fn nodes_of(&self, bridge: usize) -> Vec<usize> {
         let own = self.bridges[bridge];
         let mut nodes = vec![own.terminal];
-        for parts in self.patch.iter().filter(|parts| parts.iter().any(|(node, _)| *node == own.terminal)) {
+        for parts in self
+            .patch
+            .iter()
+            .filter(|parts| parts.iter().any(|(node, _)| *node == own.terminal))
+        {
             nodes.extend(parts.iter().map(|(node, _)| *node));
         }
         nodes.extend(own.storage);
@@ -56,8 +75,12 @@ impl Electrical {
     fn conductances(&self, nodes: &[usize]) -> Mat<f64> {
         let mut matrix = Mat::zeros(nodes.len(), nodes.len());
         let mut across = |parts: &[(usize, f64)], conductance: f64| {
-            let placed: Vec<(usize, f64)> =
-                parts.iter().filter_map(|(node, factor)| Some((nodes.iter().position(|own| own == node)?, *factor))).collect();
+            let placed: Vec<(usize, f64)> = parts
+                .iter()
+                .filter_map(|(node, factor)| {
+                    Some((nodes.iter().position(|own| own == node)?, *factor))
+                })
+                .collect();
             for (i, a) in &placed {
                 for (j, b) in &placed {
                     matrix[(*i, *j)] += conductance * a * b;
@@ -69,9 +92,13 @@ impl Electrical {
                 across(&[(node, 1.0)], 1.0 / resistance_ohm);
             }
         }
-        self.leaks.iter().for_each(|leak| across(&self.patch[leak.patch], leak.conductance_per_ohm));
+        self.leaks
+            .iter()
+            .for_each(|leak| across(&self.patch[leak.patch], leak.conductance_per_ohm));
         for link in &self.links {
-            let parts: Vec<(usize, f64)> = std::iter::once((link.node, 1.0)).chain(link.to.map(|(node, sign)| (node, -sign))).collect();
+            let parts: Vec<(usize, f64)> = std::iter::once((link.node, 1.0))
+                .chain(link.to.map(|(node, sign)| (node, -sign)))
+                .collect();
             across(&parts, link.conductance_per_ohm);
         }
         matrix
@@ -80,14 +107,26 @@ impl Electrical {
     /// `K^-1` times a current into each of some nodes, V.
     fn voltages(&self, nodes: &[usize], current_a: &[f64]) -> Vec<f64> {
         // A charge that nothing lets go makes K singular, and no current reaches it.
-        let Ok(svd) = self.conductances(nodes).svd() else { return vec![f64::NAN; nodes.len()] };
+        let Ok(svd) = self.conductances(nodes).svd() else {
+            return vec![f64::NAN; nodes.len()];
+        };
         let inverse = svd.pseudoinverse();
-        (0..nodes.len()).map(|i| current_a.iter().enumerate().map(|(j, current)| inverse[(i, j)] * current).sum()).collect()
+        (0..nodes.len())
+            .map(|i| {
+                current_a
+                    .iter()
+                    .enumerate()
+                    .map(|(j, current)| inverse[(i, j)] * current)
+                    .sum()
+            })
+            .collect()
     }
 
     /// Voltages at which the nodes of a bridge whose diodes conduct against a threshold would stay, were there no motion: `(node, V)`.
     pub(super) fn standing_v(&self, bridge: usize, threshold_v: f64) -> Vec<(usize, f64)> {
-        let Some(link) = self.links.iter().find(|link| link.bridge == bridge) else { return Vec::new() };
+        let Some(link) = self.links.iter().find(|link| link.bridge == bridge) else {
+            return Vec::new();
+        };
         let nodes = self.nodes_of(bridge);
         if !nodes.iter().any(|node| self.leaks_at(*node)) {
             return vec![(link.node, threshold_v)];
@@ -99,7 +138,11 @@ impl Electrical {
             _ => 0.0,
         };
         let current_a: Vec<f64> = nodes.iter().map(into).collect();
-        self.voltages(&nodes, &current_a).into_iter().zip(&nodes).map(|(voltage, node)| (*node, voltage)).collect()
+        self.voltages(&nodes, &current_a)
+            .into_iter()
+            .zip(&nodes)
+            .map(|(voltage, node)| (*node, voltage))
+            .collect()
     }
 
     /// `integral (V - z) dt` of some nodes, V s, from the charge `[C V + theta q]` that each has gained, C.

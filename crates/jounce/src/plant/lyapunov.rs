@@ -28,21 +28,33 @@ pub enum LyapunovSide {
 ///
 /// # Errors
 /// The frequency, Hz, of a block that `Q` reaches and nothing damps.
-pub fn lyapunov(block: &BlockDiagonal, side: LyapunovSide, source: impl Fn(usize, usize) -> f64) -> Result<Mat<f64>, f64> {
+pub fn lyapunov(
+    block: &BlockDiagonal,
+    side: LyapunovSide,
+    source: impl Fn(usize, usize) -> f64,
+) -> Result<Mat<f64>, f64> {
     let spans = spans(block, side);
     let mut solution = Mat::zeros(block.len(), block.len());
     for first in &spans {
         for second in &spans {
-            let right = Mat::from_fn(first.size, second.size, |i, j| -source(first.start + i, second.start + j));
+            let right = Mat::from_fn(first.size, second.size, |i, j| {
+                -source(first.start + i, second.start + j)
+            });
             if right.norm_max() == 0.0 {
                 continue;
             }
             let local = sylvester(first, second, &right);
             let rate = (first.decay + second.decay).abs();
-            if !local.norm_max().is_finite() || rate <= UNDAMPED_RATIO * (first.speed + second.speed) && first.start == second.start {
+            if !local.norm_max().is_finite()
+                || rate <= UNDAMPED_RATIO * (first.speed + second.speed)
+                    && first.start == second.start
+            {
                 return Err(first.speed / TAU);
             }
-            (0..first.size).for_each(|i| (0..second.size).for_each(|j| solution[(first.start + i, second.start + j)] = local[(i, j)]));
+            (0..first.size).for_each(|i| {
+                (0..second.size)
+                    .for_each(|j| solution[(first.start + i, second.start + j)] = local[(i, j)])
+            });
         }
     }
     Ok(solution)
@@ -58,15 +70,33 @@ struct BlockSpan {
 }
 
 fn spans(block: &BlockDiagonal, side: LyapunovSide) -> Vec<BlockSpan> {
-    let turned = |[a, b, c, d]: [f64; 4]| if side == LyapunovSide::Rows { [a, b, c, d] } else { [a, c, b, d] };
+    let turned = |[a, b, c, d]: [f64; 4]| {
+        if side == LyapunovSide::Rows {
+            [a, b, c, d]
+        } else {
+            [a, c, b, d]
+        }
+    };
     let pairs = block.pairs.iter().enumerate().map(|(k, pair)| {
         let value = pair.eigenvalue();
-        BlockSpan { start: 2 * k, size: 2, matrix: turned(pair.matrix()), decay: value.re, speed: value.norm() }
+        BlockSpan {
+            start: 2 * k,
+            size: 2,
+            matrix: turned(pair.matrix()),
+            decay: value.re,
+            speed: value.norm(),
+        }
     });
     let first = 2 * block.pairs.len();
     let reals = block.reals.iter().enumerate();
     pairs
-        .chain(reals.map(|(k, r)| BlockSpan { start: first + k, size: 1, matrix: [*r, 0.0, 0.0, 0.0], decay: *r, speed: r.abs() }))
+        .chain(reals.map(|(k, r)| BlockSpan {
+            start: first + k,
+            size: 1,
+            matrix: [*r, 0.0, 0.0, 0.0],
+            decay: *r,
+            speed: r.abs(),
+        }))
         .collect()
 }
 

@@ -35,19 +35,40 @@ impl Quadratics {
         let modes = &plant.system.modes;
         let loads = plant.system.loads.iter().enumerate().map(|(k, load)| {
             let square = (1.0 / load.resistance_ohm, plant.load_voltage_row(k));
-            Quadratic::of(plant, &format!("the energy of load `{}`", load.name), &[square])
+            Quadratic::of(
+                plant,
+                &format!("the energy of load `{}`", load.name),
+                &[square],
+            )
         });
-        let outputs = plant.bridge_outputs().into_iter().chain(plant.leak_outputs()).map(|output| {
-            let what = match plant.system.bridges.get(output.bridge) {
-                Some(bridge) => format!("the energy of circuit `{}`", bridge.name),
-                None => "the leakage of a patch".to_owned(),
-            };
-            Quadratic::of(plant, &what, &[(output.conductance_per_ohm, output.row)])
-        });
-        let damped = |i: usize| (2.0 * modes.damping_ratio[i] * modes.frequency_rad_s[i], plant.modal_velocity_row(i));
-        let losses: Vec<Square> = ((0..modes.len()).map(damped).filter(|(weight, _)| *weight > 0.0))
-            .chain(plant.system.dashpots.iter().map(|dashpot| (dashpot.n_s_m, plant.velocity_row(&dashpot.shape))))
-            .collect();
+        let outputs = plant
+            .bridge_outputs()
+            .into_iter()
+            .chain(plant.leak_outputs())
+            .map(|output| {
+                let what = match plant.system.bridges.get(output.bridge) {
+                    Some(bridge) => format!("the energy of circuit `{}`", bridge.name),
+                    None => "the leakage of a patch".to_owned(),
+                };
+                Quadratic::of(plant, &what, &[(output.conductance_per_ohm, output.row)])
+            });
+        let damped = |i: usize| {
+            (
+                2.0 * modes.damping_ratio[i] * modes.frequency_rad_s[i],
+                plant.modal_velocity_row(i),
+            )
+        };
+        let losses: Vec<Square> = ((0..modes.len())
+            .map(damped)
+            .filter(|(weight, _)| *weight > 0.0))
+        .chain(
+            plant
+                .system
+                .dashpots
+                .iter()
+                .map(|dashpot| (dashpot.n_s_m, plant.velocity_row(&dashpot.shape))),
+        )
+        .collect();
         Ok(Self {
             loads: loads.chain(outputs).collect::<Result<_, _>>()?,
             damping: Quadratic::of(plant, "the energy lost in damping", &losses)?,
@@ -58,9 +79,19 @@ impl Quadratics {
 impl Quadratic {
     fn of(plant: &Plant, what: &str, squares: &[Square]) -> Result<Arc<Self>, PlantError> {
         let n = plant.len();
-        let power = Mat::from_fn(n, n, |i, j| squares.iter().map(|(weight, row)| weight * row[i] * row[j]).sum::<f64>());
-        let gramian = lyapunov(&plant.diagonal.block, LyapunovSide::Rows, |i, j| power[(i, j)]);
-        let gramian = gramian.map_err(|mode_hz| PlantError::Undamped { what: what.to_owned(), mode_hz })?;
+        let power = Mat::from_fn(n, n, |i, j| {
+            squares
+                .iter()
+                .map(|(weight, row)| weight * row[i] * row[j])
+                .sum::<f64>()
+        });
+        let gramian = lyapunov(&plant.diagonal.block, LyapunovSide::Rows, |i, j| {
+            power[(i, j)]
+        });
+        let gramian = gramian.map_err(|mode_hz| PlantError::Undamped {
+            what: what.to_owned(),
+            mode_hz,
+        })?;
         Ok(Arc::new(Self { power, gramian }))
     }
 
@@ -68,7 +99,9 @@ impl Quadratic {
     pub fn slope(&self, state: &[c64]) -> Vec<c64> {
         let mut sum = vec![c64::new(0.0, 0.0); state.len()];
         for (j, s) in state.iter().enumerate() {
-            sum.iter_mut().zip(self.power.col_as_slice(j)).for_each(|(sum, q)| *sum += s * (2.0 * q));
+            sum.iter_mut()
+                .zip(self.power.col_as_slice(j))
+                .for_each(|(sum, q)| *sum += s * (2.0 * q));
         }
         sum
     }

@@ -40,10 +40,17 @@ impl SignalMeter {
         tone_rows: &[&[c64]],
     ) -> Self {
         let row = |(own, forcing): (Vec<f64>, &super::Forcing)| {
-            own.iter().zip(product(&forcing.column)).map(|(own, pb)| own + 2.0 * pb).collect()
+            own.iter()
+                .zip(product(&forcing.column))
+                .map(|(own, pb)| own + 2.0 * pb)
+                .collect()
         };
-        let tone =
-            |(own, forcing): (Vec<c64>, &super::Forcing)| own.iter().zip(tone_rows).map(|(own, r)| own - dot(&forcing.column, r)).collect();
+        let tone = |(own, forcing): (Vec<c64>, &super::Forcing)| {
+            own.iter()
+                .zip(tone_rows)
+                .map(|(own, r)| own - dot(&forcing.column, r))
+                .collect()
+        };
         Self {
             rows: rows.into_iter().zip(&plant.forcings).map(row).collect(),
             tones: tones.into_iter().zip(&plant.forcings).map(tone).collect(),
@@ -52,8 +59,17 @@ impl SignalMeter {
 
     /// Energy, J, that the signals add to the boundary terms and contact terms of the meter.
     pub fn energy_j(&self, integrals: &SignalIntegrals) -> f64 {
-        let states = self.rows.iter().zip(&integrals.states).map(|(row, y)| row.iter().zip(y).map(|(r, y)| r * y).sum::<f64>());
-        let tones = self.tones.iter().flatten().zip(integrals.tones.iter().flatten()).map(|(factor, turned)| (factor * turned).re);
+        let states = self
+            .rows
+            .iter()
+            .zip(&integrals.states)
+            .map(|(row, y)| row.iter().zip(y).map(|(r, y)| r * y).sum::<f64>());
+        let tones = self
+            .tones
+            .iter()
+            .flatten()
+            .zip(integrals.tones.iter().flatten())
+            .map(|(factor, turned)| (factor * turned).re);
         states.sum::<f64>() + tones.sum::<f64>()
     }
 }

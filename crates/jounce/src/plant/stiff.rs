@@ -46,7 +46,11 @@ impl StiffKey<'_> {
 /// # Errors
 /// [`PlantError::TooFast`].
 pub(super) fn check_speeds(system: &System, electrical: &Electrical) -> Result<(), PlantError> {
-    let fastest_rad_s = system.modes.frequency_rad_s.iter().fold(0.0, |max: f64, w| max.max(*w));
+    let fastest_rad_s = system
+        .modes
+        .frequency_rad_s
+        .iter()
+        .fold(0.0, |max: f64, w| max.max(*w));
     if fastest_rad_s == 0.0 {
         return Ok(());
     }
@@ -59,16 +63,43 @@ pub(super) fn check_speeds(system: &System, electrical: &Electrical) -> Result<(
         let (circuit, capacitance_f) = (load.name.as_str(), electrical.nodes[node].capacitance_f);
         if is_across {
             let value = load.resistance_ohm;
-            StiffKey { circuit, key: "resistance", value, unit: "ohm", capacitance_f, swings: false }.check(fastest_rad_s)?;
+            StiffKey {
+                circuit,
+                key: "resistance",
+                value,
+                unit: "ohm",
+                capacitance_f,
+                swings: false,
+            }
+            .check(fastest_rad_s)?;
         }
         if let Some((value, _)) = load.inductor {
-            StiffKey { circuit, key: "inductance", value, unit: "H", capacitance_f, swings: true }.check(fastest_rad_s)?;
+            StiffKey {
+                circuit,
+                key: "inductance",
+                value,
+                unit: "H",
+                capacitance_f,
+                swings: true,
+            }
+            .check(fastest_rad_s)?;
         }
     }
     for link in &electrical.links {
-        let (bridge, capacitance_f) = (&system.bridges[link.bridge], electrical.nodes[link.node].capacitance_f);
+        let (bridge, capacitance_f) = (
+            &system.bridges[link.bridge],
+            electrical.nodes[link.node].capacitance_f,
+        );
         let (circuit, value) = (bridge.name.as_str(), bridge.diode_ohm);
-        StiffKey { circuit, key: "diode_resistance", value, unit: "ohm", capacitance_f, swings: false }.check(fastest_rad_s)?;
+        StiffKey {
+            circuit,
+            key: "diode_resistance",
+            value,
+            unit: "ohm",
+            capacitance_f,
+            swings: false,
+        }
+        .check(fastest_rad_s)?;
     }
     Ok(())
 }

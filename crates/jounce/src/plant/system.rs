@@ -54,8 +54,17 @@ pub struct Connection {
 impl Load {
     /// A resistor across one patch.
     pub fn resistor(name: &str, patch: &str, resistance_ohm: f64) -> Self {
-        let connections = vec![Connection { patch: patch.to_owned(), sign: 1.0 }];
-        Self { name: name.to_owned(), connections, wiring: Wiring::Parallel, resistance_ohm, inductor: None }
+        let connections = vec![Connection {
+            patch: patch.to_owned(),
+            sign: 1.0,
+        }];
+        Self {
+            name: name.to_owned(),
+            connections,
+            wiring: Wiring::Parallel,
+            resistance_ohm,
+            inductor: None,
+        }
     }
 }
 
@@ -123,14 +132,26 @@ impl System {
     ///
     /// # Errors
     /// As [`System::assemble`].
-    pub fn assemble_unless(spec: &Spec, modes: impl Into<Arc<Modes>>, is_stopped: &dyn Fn() -> bool) -> Result<Self, PlantError> {
+    pub fn assemble_unless(
+        spec: &Spec,
+        modes: impl Into<Arc<Modes>>,
+        is_stopped: &dyn Fn() -> bool,
+    ) -> Result<Self, PlantError> {
         let modes = modes.into();
         let (loads, bridges) = circuits(spec, &modes)?;
         let dashpots = dashpots(spec, &modes)?;
         let stops = stops(spec, &modes)?;
         let drives = drives(spec, &modes)?;
         let signals = Self::signals(spec, &modes, is_stopped)?;
-        Ok(Self { modes, loads, bridges, dashpots, stops, drives, signals })
+        Ok(Self {
+            modes,
+            loads,
+            bridges,
+            dashpots,
+            stops,
+            drives,
+            signals,
+        })
     }
 
     /// The drives of a spec that are not sinusoidal, and its gravity. Noise is made for `run.duration`, unless `is_stopped` says
@@ -138,13 +159,19 @@ impl System {
     ///
     /// # Errors
     /// [`PlantError::UnknownName`].
-    pub fn signals(spec: &Spec, modes: &Modes, is_stopped: &dyn Fn() -> bool) -> Result<Vec<Signal>, PlantError> {
+    pub fn signals(
+        spec: &Spec,
+        modes: &Modes,
+        is_stopped: &dyn Fn() -> bool,
+    ) -> Result<Vec<Signal>, PlantError> {
         let mut signals = Vec::new();
         for (name, drive) in &spec.drive {
             let waves = match drive.kind {
                 DriveKind::BaseDisplacement => displaced(&drive.signal),
                 DriveKind::Force | DriveKind::BaseAcceleration => {
-                    wave(&drive.signal, spec.run.duration_s, is_stopped).into_iter().collect()
+                    wave(&drive.signal, spec.run.duration_s, is_stopped)
+                        .into_iter()
+                        .collect()
                 }
             };
             for wave in waves {
@@ -156,16 +183,28 @@ impl System {
                 });
             }
         }
-        if let Some(acceleration) = spec.gravity.acceleration_m_s2.filter(|acceleration| *acceleration != 0.0) {
+        if let Some(acceleration) = spec
+            .gravity
+            .acceleration_m_s2
+            .filter(|acceleration| *acceleration != 0.0)
+        {
             let wave = Wave::Constant(acceleration);
-            signals.push(Signal { name: "gravity".to_owned(), shape: modes.participation_sqrt_kg.clone(), wave, base: None });
+            signals.push(Signal {
+                name: "gravity".to_owned(),
+                shape: modes.participation_sqrt_kg.clone(),
+                wave,
+                base: None,
+            });
         }
         Ok(signals)
     }
 
     /// The first drive that does not repeat itself, by name.
     pub fn aperiodic(&self) -> Option<&str> {
-        self.signals.iter().find(|signal| !signal.wave.is_constant()).map(|signal| signal.name.as_str())
+        self.signals
+            .iter()
+            .find(|signal| !signal.wave.is_constant())
+            .map(|signal| signal.name.as_str())
     }
 }
 
@@ -176,43 +215,73 @@ fn circuits(spec: &Spec, modes: &Modes) -> Result<(Vec<Load>, Vec<Bridge>), Plan
         let mut connections: Vec<Connection> = Vec::new();
         for (patch, sign) in circuit.connections() {
             if !modes.patch.contains_key(patch) {
-                return Err(unknown(format!("circuit.{name}.patch"), patch, modes.patch.keys()));
+                return Err(unknown(
+                    format!("circuit.{name}.patch"),
+                    patch,
+                    modes.patch.keys(),
+                ));
             }
             if let Some((_, first)) = carried.iter().find(|(carried, _)| carried == patch) {
-                return Err(PlantError::TwoCircuits { patch: patch.to_owned(), first: first.clone(), second: name.clone() });
+                return Err(PlantError::TwoCircuits {
+                    patch: patch.to_owned(),
+                    first: first.clone(),
+                    second: name.clone(),
+                });
             }
             carried.push((patch.to_owned(), name.clone()));
-            connections.push(Connection { patch: patch.to_owned(), sign });
+            connections.push(Connection {
+                patch: patch.to_owned(),
+                sign,
+            });
         }
         if connections.is_empty() {
-            return Err(unknown(format!("circuit.{name}.patch"), "", modes.patch.keys()));
+            return Err(unknown(
+                format!("circuit.{name}.patch"),
+                "",
+                modes.patch.keys(),
+            ));
         }
         if let Some(scheme) = scheme(circuit) {
             bridges.push(bridge(name, circuit, connections, scheme));
             continue;
         }
-        let inductor = circuit.inductance_h.map(|inductance_h| (inductance_h, circuit.inductor));
-        loads.push(Load { name: name.clone(), connections, wiring: circuit.wiring, resistance_ohm: circuit.resistance_ohm, inductor });
+        let inductor = circuit
+            .inductance_h
+            .map(|inductance_h| (inductance_h, circuit.inductor));
+        loads.push(Load {
+            name: name.clone(),
+            connections,
+            wiring: circuit.wiring,
+            resistance_ohm: circuit.resistance_ohm,
+            inductor,
+        });
     }
     Ok((loads, bridges))
 }
 
 /// `None` for a circuit without diodes. The voltage that an inductor turns over keeps `q = exp(-pi / (2 Q))` of itself.
 fn scheme(circuit: &Circuit) -> Option<Scheme> {
-    let inversion = circuit.quality_factor.map_or(0.0, |quality| (-std::f64::consts::PI / (2.0 * quality)).exp());
+    let inversion = circuit.quality_factor.map_or(0.0, |quality| {
+        (-std::f64::consts::PI / (2.0 * quality)).exp()
+    });
     match circuit.interface {
         Interface::Resistor => None,
         Interface::Bridge => Some(Scheme::Standard),
         Interface::ParallelSshi => Some(Scheme::ParallelSshi { inversion }),
         Interface::SeriesSshi => Some(Scheme::SeriesSshi { inversion }),
-        Interface::Sece => Some(Scheme::Extraction { efficiency: circuit.efficiency }),
+        Interface::Sece => Some(Scheme::Extraction {
+            efficiency: circuit.efficiency,
+        }),
     }
 }
 
 fn bridge(name: &str, circuit: &Circuit, connections: Vec<Connection>, scheme: Scheme) -> Bridge {
     let storage = match circuit.battery_v {
         Some(voltage_v) => Storage::Battery { voltage_v },
-        None => Storage::Capacitor { capacitance_f: circuit.storage_f.unwrap_or(f64::NAN), load_ohm: circuit.resistance_ohm },
+        None => Storage::Capacitor {
+            capacitance_f: circuit.storage_f.unwrap_or(f64::NAN),
+            load_ohm: circuit.resistance_ohm,
+        },
     };
     Bridge {
         name: name.to_owned(),
@@ -228,8 +297,19 @@ fn bridge(name: &str, circuit: &Circuit, connections: Vec<Connection>, scheme: S
 }
 
 fn dashpots(spec: &Spec, modes: &Modes) -> Result<Vec<Dashpot>, PlantError> {
-    let braked = spec.mass.iter().filter_map(|(name, mass)| Some((name, mass.friction_n_s_m.filter(|n_s_m| *n_s_m > 0.0)?)));
-    braked.map(|(name, n_s_m)| Ok(Dashpot { name: name.clone(), shape: shape(modes, format!("mass.{name}"), name)?, n_s_m })).collect()
+    let braked = spec
+        .mass
+        .iter()
+        .filter_map(|(name, mass)| Some((name, mass.friction_n_s_m.filter(|n_s_m| *n_s_m > 0.0)?)));
+    braked
+        .map(|(name, n_s_m)| {
+            Ok(Dashpot {
+                name: name.clone(),
+                shape: shape(modes, format!("mass.{name}"), name)?,
+                n_s_m,
+            })
+        })
+        .collect()
 }
 
 fn stops(spec: &Spec, modes: &Modes) -> Result<Vec<Stop>, PlantError> {
@@ -240,14 +320,33 @@ fn stops(spec: &Spec, modes: &Modes) -> Result<Vec<Stop>, PlantError> {
             base if spec.is_base(base) => vec![0.0; modes.len()],
             body => shape(modes, format!("stop.{name}.frame"), body)?,
         };
-        let sign = if stop.side == Side::Positive { 1.0 } else { -1.0 };
-        let shape: Vec<f64> = at.iter().zip(&frame).map(|(at, frame)| sign * (at - frame)).collect();
+        let sign = if stop.side == Side::Positive {
+            1.0
+        } else {
+            -1.0
+        };
+        let shape: Vec<f64> = at
+            .iter()
+            .zip(&frame)
+            .map(|(at, frame)| sign * (at - frame))
+            .collect();
         if shape.iter().all(|s| *s == 0.0) {
             return Err(PlantError::ImmobilePort { stop: name.clone() });
         }
-        let under = [(&stop.at, sign), (&stop.frame, -sign)].map(|(point, way)| (spec.base_under(point).to_owned(), way));
-        let bases = if under[0].0 == under[1].0 { Vec::new() } else { under.to_vec() };
-        stops.push(Stop { name: name.clone(), shape, gap_m: stop.gap_m, law: stop.law.into(), bases });
+        let under = [(&stop.at, sign), (&stop.frame, -sign)]
+            .map(|(point, way)| (spec.base_under(point).to_owned(), way));
+        let bases = if under[0].0 == under[1].0 {
+            Vec::new()
+        } else {
+            under.to_vec()
+        };
+        stops.push(Stop {
+            name: name.clone(),
+            shape,
+            gap_m: stop.gap_m,
+            law: stop.law.into(),
+            bases,
+        });
     }
     Ok(stops)
 }
@@ -255,30 +354,60 @@ fn stops(spec: &Spec, modes: &Modes) -> Result<Vec<Stop>, PlantError> {
 fn drives(spec: &Spec, modes: &Modes) -> Result<Vec<Drive>, PlantError> {
     let mut drives = Vec::new();
     for (name, drive) in &spec.drive {
-        let DriveSignal::Sine { amplitude, frequency_hz, phase_rad } = drive.signal else { continue };
+        let DriveSignal::Sine {
+            amplitude,
+            frequency_hz,
+            phase_rad,
+        } = drive.signal
+        else {
+            continue;
+        };
         // a = -w^2 x for a sinusoidal displacement of the base.
         let amplitude_n = match drive.kind {
             DriveKind::Force | DriveKind::BaseAcceleration => amplitude,
             DriveKind::BaseDisplacement => -(TAU * frequency_hz).powi(2) * amplitude,
         };
         let (shape, base) = (driven(modes, name, drive)?, drive.base().map(str::to_owned));
-        drives.push(Drive { name: name.clone(), shape, amplitude_n, frequency_hz, phase_rad, base });
+        drives.push(Drive {
+            name: name.clone(),
+            shape,
+            amplitude_n,
+            frequency_hz,
+            phase_rad,
+            base,
+        });
     }
     Ok(drives)
 }
 
 /// Modal force of a drive of size 1 N or 1 m/s^2.
-pub(crate) fn driven(modes: &Modes, name: &str, drive: &crate::spec::Drive) -> Result<Vec<f64>, PlantError> {
+pub(crate) fn driven(
+    modes: &Modes,
+    name: &str,
+    drive: &crate::spec::Drive,
+) -> Result<Vec<f64>, PlantError> {
     match drive.base() {
         None => shape(modes, format!("drive.{name}.at"), &drive.at),
-        Some(base) => Ok(modes.participation_in_sqrt_kg(base).iter().map(|p| -p).collect()),
+        Some(base) => Ok(modes
+            .participation_in_sqrt_kg(base)
+            .iter()
+            .map(|p| -p)
+            .collect()),
     }
 }
 
 fn shape(modes: &Modes, what: String, point: &str) -> Result<Vec<f64>, PlantError> {
-    modes.shape.get(point).cloned().ok_or_else(|| unknown(what, point, modes.shape.keys()))
+    modes
+        .shape
+        .get(point)
+        .cloned()
+        .ok_or_else(|| unknown(what, point, modes.shape.keys()))
 }
 
 fn unknown<'a>(what: String, name: &str, known: impl Iterator<Item = &'a String>) -> PlantError {
-    PlantError::UnknownName { what, name: name.to_owned(), known: known.cloned().collect::<Vec<_>>().join(", ") }
+    PlantError::UnknownName {
+        what,
+        name: name.to_owned(),
+        known: known.cloned().collect::<Vec<_>>().join(", "),
+    }
 }

@@ -25,7 +25,11 @@ impl Plant {
     /// Period of all drives together, s: a whole number of cycles of each; `None` where they do not repeat themselves, or not within
     /// 100 cycles of the slowest.
     pub fn period_s(&self) -> Option<f64> {
-        let slowest = self.tones.iter().map(|tone| tone.angular_frequency_rad_s).reduce(f64::min)?;
+        let slowest = self
+            .tones
+            .iter()
+            .map(|tone| tone.angular_frequency_rad_s)
+            .reduce(f64::min)?;
         if self.system.aperiodic().is_some() {
             return None;
         }
@@ -33,16 +37,23 @@ impl Plant {
         for tone in &self.tones {
             // The least multiple of the cycles so far that is whole for this tone too.
             let ratio = tone.angular_frequency_rad_s / slowest;
-            let is_whole =
-                |count: usize| (ratio * count as f64 - (ratio * count as f64).round()).abs() <= WHOLE_CYCLE_ERROR * ratio * count as f64;
-            cycles = (1..=MAX_COMMON_CYCLES / cycles).map(|times| times * cycles).find(|count| is_whole(*count))?;
+            let is_whole = |count: usize| {
+                (ratio * count as f64 - (ratio * count as f64).round()).abs()
+                    <= WHOLE_CYCLE_ERROR * ratio * count as f64
+            };
+            cycles = (1..=MAX_COMMON_CYCLES / cycles)
+                .map(|times| times * cycles)
+                .find(|count| is_whole(*count))?;
         }
         Some(cycles as f64 * std::f64::consts::TAU / slowest)
     }
 
     /// Complex amplitude of an output row under each tone.
     pub fn steady_output(&self, row: &[f64]) -> Vec<c64> {
-        self.tones.iter().map(|tone| dot(row, &tone.steady)).collect()
+        self.tones
+            .iter()
+            .map(|tone| dot(row, &tone.steady))
+            .collect()
     }
 
     /// The steady state in block coordinates at a time.
@@ -50,7 +61,10 @@ impl Plant {
         let mut steady = vec![0.0; self.len()];
         for tone in &self.tones {
             let turn = c64::cis(tone.angular_frequency_rad_s * time_s);
-            steady.iter_mut().zip(&tone.steady).for_each(|(s, y)| *s += (turn * y).re);
+            steady
+                .iter_mut()
+                .zip(&tone.steady)
+                .for_each(|(s, y)| *s += (turn * y).re);
         }
         steady
     }
@@ -61,17 +75,25 @@ impl Plant {
         for tone in &self.tones {
             let rate = c64::new(0.0, tone.angular_frequency_rad_s);
             let turn = c64::cis(tone.angular_frequency_rad_s * from_s) * grown(rate, length_s);
-            sum.iter_mut().zip(&tone.steady).for_each(|(s, y)| *s += (turn * y).re);
+            sum.iter_mut()
+                .zip(&tone.steady)
+                .for_each(|(s, y)| *s += (turn * y).re);
         }
         sum
     }
 
     /// Displacement (m) and velocity (m/s) of a port in the steady state at a time.
     pub fn driven(&self, port: &Port, time_s: f64) -> [f64; 2] {
-        self.tones.iter().zip(&port.steady_m).fold([0.0; 2], |[place, speed], (tone, s)| {
-            let turned = s * c64::cis(tone.angular_frequency_rad_s * time_s);
-            [place + turned.re, speed - tone.angular_frequency_rad_s * turned.im]
-        })
+        self.tones
+            .iter()
+            .zip(&port.steady_m)
+            .fold([0.0; 2], |[place, speed], (tone, s)| {
+                let turned = s * c64::cis(tone.angular_frequency_rad_s * time_s);
+                [
+                    place + turned.re,
+                    speed - tone.angular_frequency_rad_s * turned.im,
+                ]
+            })
     }
 
     pub(super) fn make_tones(&self) -> Result<Vec<Tone>, PlantError> {
@@ -81,9 +103,20 @@ impl Plant {
             // F sin(w t + a) = Re(-i F e^{i a} e^{i w t})
             let amplitude = c64::new(0.0, -drive.amplitude_n) * c64::cis(drive.phase_rad);
             let force = drive.shape.iter().map(|s| amplitude * s);
-            match tones.iter_mut().find(|tone| tone.angular_frequency_rad_s == w) {
-                Some(tone) => tone.force.iter_mut().zip(force).for_each(|(sum, f)| *sum += f),
-                None => tones.push(Tone { angular_frequency_rad_s: w, force: force.collect(), steady: Vec::new() }),
+            match tones
+                .iter_mut()
+                .find(|tone| tone.angular_frequency_rad_s == w)
+            {
+                Some(tone) => tone
+                    .force
+                    .iter_mut()
+                    .zip(force)
+                    .for_each(|(sum, f)| *sum += f),
+                None => tones.push(Tone {
+                    angular_frequency_rad_s: w,
+                    force: force.collect(),
+                    steady: Vec::new(),
+                }),
             }
         }
         for tone in &mut tones {
@@ -96,10 +129,15 @@ impl Plant {
     ///
     /// # Errors
     /// [`PlantError::UndampedResonance`] where an eigenvalue lies at `i w` to roundoff.
-    pub fn steady_state(&self, angular_frequency_rad_s: f64, modal_force: &[c64]) -> Result<Vec<c64>, PlantError> {
+    pub fn steady_state(
+        &self,
+        angular_frequency_rad_s: f64,
+        modal_force: &[c64],
+    ) -> Result<Vec<c64>, PlantError> {
         let s = c64::new(0.0, angular_frequency_rad_s);
         for value in self.diagonal.block.eigenvalues() {
-            if (s - value).norm() <= 1e-12 * angular_frequency_rad_s.max(value.norm()) || s == value {
+            if (s - value).norm() <= 1e-12 * angular_frequency_rad_s.max(value.norm()) || s == value
+            {
                 return Err(PlantError::UndampedResonance {
                     frequency_hz: angular_frequency_rad_s / std::f64::consts::TAU,
                     mode_hz: value.norm() / std::f64::consts::TAU,
@@ -107,8 +145,15 @@ impl Plant {
             }
         }
         let (n, inverse) = (self.system.modes.len(), &self.diagonal.from_physical);
-        let column: Vec<c64> =
-            (0..self.len()).map(|i| modal_force.iter().enumerate().map(|(j, g)| *g * inverse[(i, n + j)]).sum()).collect();
+        let column: Vec<c64> = (0..self.len())
+            .map(|i| {
+                modal_force
+                    .iter()
+                    .enumerate()
+                    .map(|(j, g)| *g * inverse[(i, n + j)])
+                    .sum()
+            })
+            .collect();
         Ok(self.diagonal.block.resolve(s, &column))
     }
 }

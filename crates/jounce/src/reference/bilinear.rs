@@ -42,8 +42,16 @@ impl Reference for Bilinear {
 impl Bilinear {
     /// The system without a drive.
     pub fn system(&self) -> System {
-        let law = Law::Hertz(Hertz { stiffness: self.stop_stiffness_n_m, exponent: 1.0 });
-        with_stop(oscillator(self.mass_kg, self.frequency_rad_s, self.damping_ratio), self.mass_kg, self.gap_m, law)
+        let law = Law::Hertz(Hertz {
+            stiffness: self.stop_stiffness_n_m,
+            exponent: 1.0,
+        });
+        with_stop(
+            oscillator(self.mass_kg, self.frequency_rad_s, self.damping_ratio),
+            self.mass_kg,
+            self.gap_m,
+            law,
+        )
     }
 
     /// The system under `F sin(w t)`.
@@ -67,14 +75,18 @@ impl Bilinear {
 
     /// `w2`, rad/s.
     pub fn contact_frequency_rad_s(&self) -> f64 {
-        self.frequency_rad_s.hypot((self.stop_stiffness_n_m / self.mass_kg).sqrt())
+        self.frequency_rad_s
+            .hypot((self.stop_stiffness_n_m / self.mass_kg).sqrt())
     }
 
     /// `(g - c, b)`, m: the gap and the amplitude from the equilibrium in contact.
     fn contact_m(&self, away_m: f64) -> (f64, f64) {
         let ratio = self.frequency_rad_s / self.contact_frequency_rad_s();
         let edge_m = self.gap_m * ratio * ratio;
-        (edge_m, edge_m.hypot(ratio * ((away_m - self.gap_m) * (away_m + self.gap_m)).sqrt()))
+        (
+            edge_m,
+            edge_m.hypot(ratio * ((away_m - self.gap_m) * (away_m + self.gap_m)).sqrt()),
+        )
     }
 
     /// `T`, s, of the motion that reaches `away_m` on the free side; the first spring alone where that is within the gap.
@@ -100,11 +112,20 @@ mod tests {
 
     #[test]
     fn limits_are_the_bilinear_and_the_linear_frequency() {
-        let bilinear = Bilinear { mass_kg: 0.5, frequency_rad_s: 3.0, damping_ratio: 0.0, stop_stiffness_n_m: 60.0, gap_m: 0.0 };
+        let bilinear = Bilinear {
+            mass_kg: 0.5,
+            frequency_rad_s: 3.0,
+            damping_ratio: 0.0,
+            stop_stiffness_n_m: 60.0,
+            gap_m: 0.0,
+        };
         let w2 = bilinear.contact_frequency_rad_s();
         assert!((TAU / bilinear.period_s(0.3) - 2.0 * 3.0 * w2 / (3.0 + w2)).abs() < 1e-13);
         assert!((bilinear.peak_penetration_m(0.3) - 0.3 * 3.0 / w2).abs() < 1e-15);
-        let with_gap = Bilinear { gap_m: 0.1, ..bilinear };
+        let with_gap = Bilinear {
+            gap_m: 0.1,
+            ..bilinear
+        };
         // Just beyond the gap the contact lasts 2 v / (w1^2 g), which the first spring alone would spend there too.
         assert!((with_gap.period_s(0.1 + 1e-9) - TAU / 3.0).abs() < 1e-6);
         assert!((with_gap.period_s(1e9) - bilinear.period_s(1.0)).abs() < 1e-9);

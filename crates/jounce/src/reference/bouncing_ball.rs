@@ -20,7 +20,8 @@ pub struct BouncingBall {
 }
 
 impl Reference for BouncingBall {
-    const SOURCE: &'static str = "geometric series of bounces; Falcon et al., Eur. Phys. J. B 3 (1998) 45";
+    const SOURCE: &'static str =
+        "geometric series of bounces; Falcon et al., Eur. Phys. J. B 3 (1998) 45";
     const TOLERANCE: f64 = 1e-9;
 }
 
@@ -58,8 +59,16 @@ mod tests {
 
     #[test]
     fn comes_to_rest_where_its_bounces_lead() {
-        let ball = BouncingBall { height_m: 1.0, gravity_m_s2: 9.81, restitution: 0.8 };
-        assert!((ball.time_to_rest_s() - 4.063712769).abs() < 1e-9, "{}", ball.time_to_rest_s());
+        let ball = BouncingBall {
+            height_m: 1.0,
+            gravity_m_s2: 9.81,
+            restitution: 0.8,
+        };
+        assert!(
+            (ball.time_to_rest_s() - 4.063712769).abs() < 1e-9,
+            "{}",
+            ball.time_to_rest_s()
+        );
         assert!((ball.way_to_rest_m() - 4.555556).abs() < 1e-6);
         assert!((ball.bounce_s(200) - ball.time_to_rest_s()).abs() < 1e-12);
         let between = 2.0 * ball.speed_after_m_s(3) / ball.gravity_m_s2;

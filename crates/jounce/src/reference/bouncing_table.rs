@@ -46,15 +46,23 @@ pub struct TableOrbit {
 }
 
 impl Reference for BouncingTable {
-    const SOURCE: &'static str = "Holmes, J. Sound Vib. 84 (1982) 173, with the exact time of flight";
+    const SOURCE: &'static str =
+        "Holmes, J. Sound Vib. 84 (1982) 173, with the exact time of flight";
     const TOLERANCE: f64 = 1e-9;
 }
 
 impl BouncingTable {
     /// The system to march, the ball on a spring of stiffness `softness`; its drive starts at `angle_rad` of the table's sine.
     pub fn system(&self, softness: f64, angle_rad: f64) -> System {
-        let law = Law::Rigid(Rigid { restitution: self.restitution });
-        let mut system = with_stop(oscillator(1.0, softness.sqrt(), 0.0), 1.0, -1.0 / softness, law);
+        let law = Law::Rigid(Rigid {
+            restitution: self.restitution,
+        });
+        let mut system = with_stop(
+            oscillator(1.0, softness.sqrt(), 0.0),
+            1.0,
+            -1.0 / softness,
+            law,
+        );
         // Down is positive: in the frame of the table the ball feels `-(table's acceleration)` upwards, `-G sin th` downwards.
         system.drives.push(Drive {
             name: "table".to_owned(),
@@ -69,7 +77,11 @@ impl BouncingTable {
 
     /// State `(q, q')` of that system just after the bounce of an orbit.
     pub fn start(&self, softness: f64, orbit: &TableOrbit) -> Vec<f64> {
-        state(1.0, -1.0 / softness, self.acceleration_ratio * orbit.angle_rad.cos() - orbit.speed)
+        state(
+            1.0,
+            -1.0 / softness,
+            self.acceleration_ratio * orbit.angle_rad.cos() - orbit.speed,
+        )
     }
 
     /// Least `G` at which an orbit of `cycles` exists.
@@ -80,7 +92,8 @@ impl BouncingTable {
     /// `G` at which it doubles.
     pub fn doubling(&self, cycles: u32) -> f64 {
         let e = self.restitution;
-        self.existence(cycles).hypot(2.0 * (1.0 + e * e) / (1.0 + e).powi(2))
+        self.existence(cycles)
+            .hypot(2.0 * (1.0 + e * e) / (1.0 + e).powi(2))
     }
 
     /// The orbit that is stable from its first `G` to its doubling; `None` below that.
@@ -88,14 +101,20 @@ impl BouncingTable {
         let (e, g) = (self.restitution, self.acceleration_ratio);
         let angle_rad = (self.existence(cycles) / g).acos();
         let trace = 1.0 + e * e - (1.0 + e).powi(2) * g * angle_rad.sin();
-        let orbit = TableOrbit { cycles, angle_rad, speed: f64::from(cycles) * PI, trace_determinant: [trace, e * e] };
+        let orbit = TableOrbit {
+            cycles,
+            angle_rad,
+            speed: f64::from(cycles) * PI,
+            trace_determinant: [trace, e * e],
+        };
         (!angle_rad.is_nan()).then_some(orbit)
     }
 
     /// Angle and speed after the next bounce, from those after one, by a search for the first time at which ball and table meet.
     pub fn next(&self, angle_rad: f64, speed: f64) -> (f64, f64) {
         let (e, g) = (self.restitution, self.acceleration_ratio);
-        let height = |t: f64| g * (angle_rad.sin() - (angle_rad + t).sin()) + speed * t - 0.5 * t * t;
+        let height =
+            |t: f64| g * (angle_rad.sin() - (angle_rad + t).sin()) + speed * t - 0.5 * t * t;
         let step = TAU / LOOKS;
         let mut to = step;
         while height(to) > 0.0 {
@@ -103,7 +122,10 @@ impl BouncingTable {
         }
         let flight = between(height, to - step, to);
         let angle_rad = angle_rad + flight;
-        (angle_rad.rem_euclid(TAU), (1.0 + e) * g * angle_rad.cos() - e * (speed - flight))
+        (
+            angle_rad.rem_euclid(TAU),
+            (1.0 + e) * g * angle_rad.cos() - e * (speed - flight),
+        )
     }
 }
 
@@ -114,12 +136,26 @@ mod tests {
 
     #[test]
     fn thresholds_are_those_of_the_table() {
-        for (restitution, existence, doubling) in [(0.5, PI / 3.0, 1.526823701), (0.8, PI / 9.0, 1.070836468)] {
-            let table = BouncingTable { restitution, acceleration_ratio: doubling };
-            assert!((table.existence(1) - existence).abs() < 1e-9 && (table.doubling(1) - doubling).abs() < 1e-9);
+        for (restitution, existence, doubling) in
+            [(0.5, PI / 3.0, 1.526823701), (0.8, PI / 9.0, 1.070836468)]
+        {
+            let table = BouncingTable {
+                restitution,
+                acceleration_ratio: doubling,
+            };
+            assert!(
+                (table.existence(1) - existence).abs() < 1e-9
+                    && (table.doubling(1) - doubling).abs() < 1e-9
+            );
             let [trace, determinant] = table.orbit(1).unwrap().trace_determinant;
-            assert!((1.0 + trace + determinant).abs() < 1e-8, "{trace} {determinant}");
-            let below = BouncingTable { acceleration_ratio: 0.999 * existence, ..table };
+            assert!(
+                (1.0 + trace + determinant).abs() < 1e-8,
+                "{trace} {determinant}"
+            );
+            let below = BouncingTable {
+                acceleration_ratio: 0.999 * existence,
+                ..table
+            };
             assert_eq!(below.orbit(1), None);
         }
     }
@@ -127,19 +163,44 @@ mod tests {
     /// Bounce by bounce: the orbit comes back, and differences of the map give trace and determinant to 1e-8.
     #[test]
     fn the_orbit_is_a_fixed_point_of_the_bounces_with_these_multipliers() {
-        for (restitution, acceleration_ratio, cycles) in [(0.5, 1.3, 1), (0.8, 0.9, 1), (0.8, 1.2, 2)] {
-            let table = BouncingTable { restitution, acceleration_ratio };
+        for (restitution, acceleration_ratio, cycles) in
+            [(0.5, 1.3, 1), (0.8, 0.9, 1), (0.8, 1.2, 2)]
+        {
+            let table = BouncingTable {
+                restitution,
+                acceleration_ratio,
+            };
             let orbit = table.orbit(cycles).unwrap();
             let next = table.next(orbit.angle_rad, orbit.speed);
-            assert!((next.0 - orbit.angle_rad).abs() < 1e-12 && (next.1 - orbit.speed).abs() < 1e-12, "{next:?}");
+            assert!(
+                (next.0 - orbit.angle_rad).abs() < 1e-12 && (next.1 - orbit.speed).abs() < 1e-12,
+                "{next:?}"
+            );
             let h = 1e-5;
-            let (right, left) = (table.next(orbit.angle_rad + h, orbit.speed), table.next(orbit.angle_rad - h, orbit.speed));
-            let (up, down) = (table.next(orbit.angle_rad, orbit.speed + h), table.next(orbit.angle_rad, orbit.speed - h));
+            let (right, left) = (
+                table.next(orbit.angle_rad + h, orbit.speed),
+                table.next(orbit.angle_rad - h, orbit.speed),
+            );
+            let (up, down) = (
+                table.next(orbit.angle_rad, orbit.speed + h),
+                table.next(orbit.angle_rad, orbit.speed - h),
+            );
             let difference = |a: f64, b: f64| (a - b) / (2.0 * h);
-            let matrix = [difference(right.0, left.0), difference(up.0, down.0), difference(right.1, left.1), difference(up.1, down.1)];
+            let matrix = [
+                difference(right.0, left.0),
+                difference(up.0, down.0),
+                difference(right.1, left.1),
+                difference(up.1, down.1),
+            ];
             let [trace, determinant] = orbit.trace_determinant;
-            assert!((matrix[0] + matrix[3] - trace).abs() < 1e-7, "{matrix:?} {trace}");
-            assert!((matrix[0] * matrix[3] - matrix[1] * matrix[2] - determinant).abs() < 1e-7, "{matrix:?}");
+            assert!(
+                (matrix[0] + matrix[3] - trace).abs() < 1e-7,
+                "{matrix:?} {trace}"
+            );
+            assert!(
+                (matrix[0] * matrix[3] - matrix[1] * matrix[2] - determinant).abs() < 1e-7,
+                "{matrix:?}"
+            );
         }
     }
 
@@ -147,7 +208,10 @@ mod tests {
     #[test]
     fn bounces_settle_on_one_height_below_the_doubling_and_on_two_above() {
         let apart = |factor: f64| {
-            let table = BouncingTable { restitution: 0.5, acceleration_ratio: 1.526823701 * factor };
+            let table = BouncingTable {
+                restitution: 0.5,
+                acceleration_ratio: 1.526823701 * factor,
+            };
             let orbit = table.orbit(1).unwrap();
             let mut at = (orbit.angle_rad + 1e-3, orbit.speed);
             (0..4000).for_each(|_| at = table.next(at.0, at.1));
@@ -156,6 +220,11 @@ mod tests {
             assert!((again.1 - at.1).abs() < 1e-6, "{at:?} {again:?}");
             (after.1 - at.1).abs()
         };
-        assert!(apart(0.99) < 1e-6 && apart(1.01) > 0.05, "{} {}", apart(0.99), apart(1.01));
+        assert!(
+            apart(0.99) < 1e-6 && apart(1.01) > 0.05,
+            "{} {}",
+            apart(0.99),
+            apart(1.01)
+        );
     }
 }

@@ -26,7 +26,8 @@ pub struct Cantilever {
 }
 
 impl Reference for Cantilever {
-    const SOURCE: &'static str = "Blevins, Formulas for Natural Frequency and Mode Shape (1979), table 8-1";
+    const SOURCE: &'static str =
+        "Blevins, Formulas for Natural Frequency and Mode Shape (1979), table 8-1";
     const TOLERANCE: f64 = 1e-9;
 }
 
@@ -40,7 +41,8 @@ impl Cantilever {
 
     /// Angular frequency, rad/s.
     pub fn frequency_rad_s(&self, mode: usize) -> f64 {
-        (Self::root(mode) / self.length_m).powi(2) * (self.bending_stiffness_n_m2 / self.mass_per_length_kg_m).sqrt()
+        (Self::root(mode) / self.length_m).powi(2)
+            * (self.bending_stiffness_n_m2 / self.mass_per_length_kg_m).sqrt()
     }
 
     /// Mass-normalised shape at a distance from the clamp, kg^-1/2; the tip moves in the positive direction.
@@ -76,7 +78,9 @@ impl Cantilever {
             damping_ratio: vec![0.0; count],
             shape: BTreeMap::from([("tip".to_owned(), vec![tip; count])]),
             patch: BTreeMap::new(),
-            participation_sqrt_kg: (0..count).map(|mode| self.participation_sqrt_kg(mode)).collect(),
+            participation_sqrt_kg: (0..count)
+                .map(|mode| self.participation_sqrt_kg(mode))
+                .collect(),
             base_sqrt_kg: BTreeMap::new(),
             discretisation_error: vec![0.0; count],
         }
@@ -89,18 +93,35 @@ mod tests {
 
     #[test]
     fn roots_are_the_published_ones() {
-        let published = [1.875_104_068_711_961, 4.694_091_132_974_175, 7.854_757_438_237_613, 10.995_540_734_875_467];
+        let published = [
+            1.875_104_068_711_961,
+            4.694_091_132_974_175,
+            7.854_757_438_237_613,
+            10.995_540_734_875_467,
+        ];
         for (mode, expected) in published.into_iter().enumerate() {
-            assert!((Cantilever::root(mode) / expected - 1.0).abs() < 4e-16, "{}", Cantilever::root(mode));
+            assert!(
+                (Cantilever::root(mode) / expected - 1.0).abs() < 4e-16,
+                "{}",
+                Cantilever::root(mode)
+            );
         }
     }
 
     #[test]
     fn shapes_are_clamped_at_the_root_and_two_at_the_tip() {
-        let beam = Cantilever { bending_stiffness_n_m2: 2.0, mass_per_length_kg_m: 0.5, length_m: 2.0 };
+        let beam = Cantilever {
+            bending_stiffness_n_m2: 2.0,
+            mass_per_length_kg_m: 0.5,
+            length_m: 2.0,
+        };
         for mode in 0..12 {
             assert!(beam.shape(mode, 0.0).abs() < 1e-14, "mode {mode}");
-            assert!((beam.shape(mode, 2.0) - 2.0).abs() < 1e-12, "mode {mode}: {}", beam.shape(mode, 2.0));
+            assert!(
+                (beam.shape(mode, 2.0) - 2.0).abs() < 1e-12,
+                "mode {mode}: {}",
+                beam.shape(mode, 2.0)
+            );
         }
     }
 }

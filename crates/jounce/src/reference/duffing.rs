@@ -38,8 +38,16 @@ impl Reference for Duffing {
 impl Duffing {
     /// The system without a drive.
     pub fn system(&self) -> System {
-        let law = Law::Cubic(Cubic { stiffness_n_m: 0.0, cubic_stiffness_n_m3: self.cubic_stiffness_n_m3 });
-        with_stop(oscillator(self.mass_kg, self.frequency_rad_s, self.damping_ratio), self.mass_kg, 0.0, law)
+        let law = Law::Cubic(Cubic {
+            stiffness_n_m: 0.0,
+            cubic_stiffness_n_m3: self.cubic_stiffness_n_m3,
+        });
+        with_stop(
+            oscillator(self.mass_kg, self.frequency_rad_s, self.damping_ratio),
+            self.mass_kg,
+            0.0,
+            law,
+        )
     }
 
     /// The system under `F sin(w t)`.
@@ -70,7 +78,8 @@ impl Duffing {
     pub fn backbone_rad_s(&self, amplitude_m: f64) -> f64 {
         let (square, added) = (self.frequency_rad_s.powi(2), self.stiffening(amplitude_m));
         // K(n) = pi / (2 M(1, sqrt(1 - n))), M the mean of Gauss.
-        (square + added).sqrt() * gauss_mean(1.0, ((square + 0.5 * added) / (square + added)).sqrt())
+        (square + added).sqrt()
+            * gauss_mean(1.0, ((square + 0.5 * added) / (square + added)).sqrt())
     }
 
     /// `w(a)` by the first harmonic alone, rad/s.
@@ -86,10 +95,16 @@ impl Duffing {
             loss: 2.0 * (self.damping_ratio * self.frequency_rad_s).powi(2),
             force: (amplitude_n / self.mass_kg).powi(2),
         };
-        let Some(tip) = curve.tip() else { return Vec::new() };
+        let Some(tip) = curve.tip() else {
+            return Vec::new();
+        };
         // The folds lie as close to the tip as they like: looks at distances that grow in proportion.
-        let looks: Vec<f64> = (0..=LOOKS).map(|k| tip * (1.0 - 1e-9_f64.powf(1.0 - f64::from(k) / f64::from(LOOKS + 1)))).collect();
-        let turns = looks.windows(2).filter(|pair| curve.slope(pair[0]) * curve.slope(pair[1]) < 0.0);
+        let looks: Vec<f64> = (0..=LOOKS)
+            .map(|k| tip * (1.0 - 1e-9_f64.powf(1.0 - f64::from(k) / f64::from(LOOKS + 1))))
+            .collect();
+        let turns = looks
+            .windows(2)
+            .filter(|pair| curve.slope(pair[0]) * curve.slope(pair[1]) < 0.0);
         turns
             .map(|pair| {
                 let s = between(|s| curve.slope(s), pair[1], pair[0]);
@@ -120,14 +135,19 @@ struct FirstHarmonic {
 impl FirstHarmonic {
     /// `s` where `r` vanishes: the largest swing.
     fn tip(&self) -> Option<f64> {
-        let (a, b) = (2.0 * self.loss * self.bending, self.loss * (2.0 * self.square - self.loss));
+        let (a, b) = (
+            2.0 * self.loss * self.bending,
+            self.loss * (2.0 * self.square - self.loss),
+        );
         // a s^2 + b s - f^2 = 0, the root next to 0.
         let root = (b * b + 4.0 * a * self.force).sqrt();
         (!root.is_nan()).then(|| 2.0 * self.force / (b + root))
     }
 
     fn root(&self, s: f64) -> f64 {
-        (self.loss * (self.loss - 2.0 * (self.square + self.bending * s)) + self.force / s).max(0.0).sqrt()
+        (self.loss * (self.loss - 2.0 * (self.square + self.bending * s)) + self.force / s)
+            .max(0.0)
+            .sqrt()
     }
 
     fn outer(&self, s: f64) -> f64 {
@@ -136,7 +156,8 @@ impl FirstHarmonic {
 
     /// `2 r du/ds`.
     fn slope(&self, s: f64) -> f64 {
-        2.0 * self.bending * self.root(s) - self.bending.signum() * (2.0 * self.loss * self.bending + self.force / (s * s))
+        2.0 * self.bending * self.root(s)
+            - self.bending.signum() * (2.0 * self.loss * self.bending + self.force / (s * s))
     }
 }
 
@@ -153,12 +174,20 @@ mod tests {
     use super::*;
 
     fn duffing(cubic_stiffness_n_m3: f64) -> Duffing {
-        Duffing { mass_kg: 1.0, frequency_rad_s: 1.0, damping_ratio: 0.01, cubic_stiffness_n_m3 }
+        Duffing {
+            mass_kg: 1.0,
+            frequency_rad_s: 1.0,
+            damping_ratio: 0.01,
+            cubic_stiffness_n_m3,
+        }
     }
 
     #[test]
     fn backbone_is_that_of_the_tables() {
-        for (b, period_s, first) in [(0.5, 5.366659355, 1.172603940), (1.0, 4.768022029, 1.322875656)] {
+        for (b, period_s, first) in [
+            (0.5, 5.366659355, 1.172603940),
+            (1.0, 4.768022029, 1.322875656),
+        ] {
             let exact = duffing(b).backbone_rad_s(1.0);
             assert!((TAU / exact - period_s).abs() < 1e-9, "{}", TAU / exact);
             assert!((duffing(b).first_harmonic_backbone_rad_s(1.0) - first).abs() < 1e-9);

@@ -35,7 +35,10 @@ impl Reference for HertzCollision {
 impl HertzCollision {
     /// The system to march, the stop at displacement 0.
     pub fn system(&self) -> System {
-        let law = Law::Hertz(Hertz { stiffness: self.stiffness, exponent: self.exponent });
+        let law = Law::Hertz(Hertz {
+            stiffness: self.stiffness,
+            exponent: self.exponent,
+        });
         with_stop(oscillator(self.mass_kg, 0.0, 0.0), self.mass_kg, 0.0, law)
     }
 
@@ -69,13 +72,33 @@ mod tests {
 
     #[test]
     fn the_published_collision_and_the_spring() {
-        let hertz = HertzCollision { mass_kg: 0.01, speed_m_s: 0.5, stiffness: 1000.0, exponent: 1.5 };
-        assert!((hertz.peak_penetration_m() / 6.279716079e-3 - 1.0).abs() < 1e-9, "{}", hertz.peak_penetration_m());
+        let hertz = HertzCollision {
+            mass_kg: 0.01,
+            speed_m_s: 0.5,
+            stiffness: 1000.0,
+            exponent: 1.5,
+        };
+        assert!(
+            (hertz.peak_penetration_m() / 6.279716079e-3 - 1.0).abs() < 1e-9,
+            "{}",
+            hertz.peak_penetration_m()
+        );
         // Published as 2.943275184 peak depths over the speed.
         let published_s = 2.943275184 * hertz.peak_penetration_m() / hertz.speed_m_s;
-        assert!((hertz.contact_time_s() / published_s - 1.0).abs() < 1e-9, "{}", hertz.contact_time_s());
-        assert!((hertz.peak_force_n() / 0.4976339632 - 1.0).abs() < 1e-9, "{}", hertz.peak_force_n());
-        let spring = HertzCollision { exponent: 1.0, ..hertz };
+        assert!(
+            (hertz.contact_time_s() / published_s - 1.0).abs() < 1e-9,
+            "{}",
+            hertz.contact_time_s()
+        );
+        assert!(
+            (hertz.peak_force_n() / 0.4976339632 - 1.0).abs() < 1e-9,
+            "{}",
+            hertz.peak_force_n()
+        );
+        let spring = HertzCollision {
+            exponent: 1.0,
+            ..hertz
+        };
         assert!((spring.contact_time_s() / (PI * (0.01_f64 / 1000.0).sqrt()) - 1.0).abs() < 1e-14);
     }
 }

@@ -37,8 +37,14 @@ impl Reference for HuntCrossleyCollision {
 impl HuntCrossleyCollision {
     /// The system to march, the stop at displacement 0.
     pub fn system(&self) -> System {
-        let elastic = Hertz { stiffness: self.stiffness, exponent: self.exponent };
-        let law = Law::HuntCrossley(HuntCrossley { elastic, damping_s_m: self.damping_s_m });
+        let elastic = Hertz {
+            stiffness: self.stiffness,
+            exponent: self.exponent,
+        };
+        let law = Law::HuntCrossley(HuntCrossley {
+            elastic,
+            damping_s_m: self.damping_s_m,
+        });
         with_stop(oscillator(self.mass_kg, 0.0, 0.0), self.mass_kg, 0.0, law)
     }
 
@@ -52,7 +58,11 @@ impl HuntCrossleyCollision {
         let av = self.damping_s_m * self.speed_m_s;
         let entry = scaled_energy(av);
         // The energy grows without bound as e a v nears 1: the root lies below both 1 and 1 / (a v).
-        between(|e| scaled_energy(-e * av) - entry, 0.0, 1.0_f64.min((1.0 - f64::EPSILON) / av))
+        between(
+            |e| scaled_energy(-e * av) - entry,
+            0.0,
+            1.0_f64.min((1.0 - f64::EPSILON) / av),
+        )
     }
 
     /// `d_max`, m.
@@ -78,8 +88,18 @@ mod tests {
 
     #[test]
     fn light_damping_costs_two_thirds_of_a_v() {
-        let collision = HuntCrossleyCollision { mass_kg: 1.0, speed_m_s: 1e-4, stiffness: 1.0, exponent: 1.5, damping_s_m: 1.0 };
-        assert!(((1.0 - collision.restitution()) / (2e-4 / 3.0) - 1.0).abs() < 1e-4, "{}", collision.restitution());
+        let collision = HuntCrossleyCollision {
+            mass_kg: 1.0,
+            speed_m_s: 1e-4,
+            stiffness: 1.0,
+            exponent: 1.5,
+            damping_s_m: 1.0,
+        };
+        assert!(
+            ((1.0 - collision.restitution()) / (2e-4 / 3.0) - 1.0).abs() < 1e-4,
+            "{}",
+            collision.restitution()
+        );
     }
 
     #[test]

@@ -53,7 +53,9 @@ impl Reference for ImpactOscillator {
 impl ImpactOscillator {
     /// The system to march; its drive starts at `angle_rad` of the cosine.
     pub fn system(&self, angle_rad: f64) -> System {
-        let law = Law::Rigid(Rigid { restitution: self.restitution });
+        let law = Law::Rigid(Rigid {
+            restitution: self.restitution,
+        });
         let mut system = with_stop(oscillator(1.0, 1.0, self.damping_ratio), 1.0, self.gap, law);
         system.drives.push(Drive {
             name: "drive".to_owned(),
@@ -92,9 +94,14 @@ impl ImpactOscillator {
         if discriminant.is_nan() || discriminant < 0.0 {
             return Vec::new();
         }
-        let speeds = [(half - discriminant.sqrt()) / square, (half + discriminant.sqrt()) / square];
+        let speeds = [
+            (half - discriminant.sqrt()) / square,
+            (half + discriminant.sqrt()) / square,
+        ];
         let valid = speeds.into_iter().filter(|v| *v > 0.0);
-        valid.map(|speed| self.orbit(cycles, speed, [d - k0 * speed, k1 * speed], &map)).collect()
+        valid
+            .map(|speed| self.orbit(cycles, speed, [d - k0 * speed, k1 * speed], &map))
+            .collect()
     }
 
     fn orbit(&self, cycles: u32, speed: f64, [p, s]: [f64; 2], map: &[f64; 4]) -> ImpactOrbit {
@@ -105,16 +112,30 @@ impl ImpactOscillator {
         let after = angle_rad.cos() + 2.0 * zeta * r * speed - self.gap;
         let kick = (after + r * before) / speed;
         let [p11, p12, p21, p22] = *map;
-        let product = [-r * p11 + kick * p12, -r * p12, -r * p21 + kick * p22, -r * p22];
+        let product = [
+            -r * p11 + kick * p12,
+            -r * p12,
+            -r * p21 + kick * p22,
+            -r * p22,
+        ];
         let determinant = product[0] * product[3] - product[1] * product[2];
-        ImpactOrbit { cycles, speed, angle_rad, trace_determinant: [product[0] + product[3], determinant] }
+        ImpactOrbit {
+            cycles,
+            speed,
+            angle_rad,
+            trace_determinant: [product[0] + product[3], determinant],
+        }
     }
 
     /// `e^{A t}` on displacement and velocity, row by row.
     fn flow(&self, time: f64) -> [f64; 4] {
         let zeta = self.damping_ratio;
         let frequency = ((1.0 - zeta) * (1.0 + zeta)).sqrt();
-        let [ec, _, es, _] = BlockPair::Oscillatory { decay: -zeta, frequency }.flow(time);
+        let [ec, _, es, _] = BlockPair::Oscillatory {
+            decay: -zeta,
+            frequency,
+        }
+        .flow(time);
         let es = es / frequency;
         [ec + zeta * es, es, -es, ec - zeta * es]
     }
@@ -140,27 +161,60 @@ mod tests {
 
     #[test]
     fn undamped_orbit_at_twice_the_frequency_is_twenty_thirds() {
-        let orbit = only(&ImpactOscillator { frequency_ratio: 2.0, damping_ratio: 0.0, restitution: 0.8, gap: 0.0 });
-        assert!((orbit.speed * 0.15 - 1.0).abs() < 1e-12 && (orbit.angle_rad - FRAC_PI_2).abs() < 1e-12, "{orbit:?}");
+        let orbit = only(&ImpactOscillator {
+            frequency_ratio: 2.0,
+            damping_ratio: 0.0,
+            restitution: 0.8,
+            gap: 0.0,
+        });
+        assert!(
+            (orbit.speed * 0.15 - 1.0).abs() < 1e-12 && (orbit.angle_rad - FRAC_PI_2).abs() < 1e-12,
+            "{orbit:?}"
+        );
         // Both multipliers are 0.8.
-        assert!((orbit.trace_determinant[0] - 1.6).abs() < 1e-12 && orbit.is_stable(), "{orbit:?}");
+        assert!(
+            (orbit.trace_determinant[0] - 1.6).abs() < 1e-12 && orbit.is_stable(),
+            "{orbit:?}"
+        );
     }
 
     #[test]
     fn damped_orbit_of_the_table() {
-        let oscillator = ImpactOscillator { frequency_ratio: 0.8, damping_ratio: 0.05, restitution: 0.8, gap: 0.5 };
+        let oscillator = ImpactOscillator {
+            frequency_ratio: 0.8,
+            damping_ratio: 0.05,
+            restitution: 0.8,
+            gap: 0.5,
+        };
         let orbit = only(&oscillator);
-        assert!((orbit.speed - 2.31801966).abs() < 1e-8 && (orbit.angle_rad - 6.06348171).abs() < 1e-8, "{orbit:?}");
-        assert!((orbit.trace_determinant[0] - 0.239250792).abs() < 1e-9, "{orbit:?}");
+        assert!(
+            (orbit.speed - 2.31801966).abs() < 1e-8 && (orbit.angle_rad - 6.06348171).abs() < 1e-8,
+            "{orbit:?}"
+        );
+        assert!(
+            (orbit.trace_determinant[0] - 0.239250792).abs() < 1e-9,
+            "{orbit:?}"
+        );
         let exact = 0.64 * (-0.1 * TAU / 0.8_f64).exp();
-        assert!((orbit.trace_determinant[1] / exact - 1.0).abs() < 1e-12 && orbit.is_stable(), "{orbit:?}");
+        assert!(
+            (orbit.trace_determinant[1] / exact - 1.0).abs() < 1e-12 && orbit.is_stable(),
+            "{orbit:?}"
+        );
         assert!((oscillator.steady_amplitude() - 2.711631).abs() < 1e-6);
     }
 
     /// Shaw and Holmes find the period doubling of this orbit near 2.65.
     #[test]
     fn the_orbit_at_twice_the_frequency_doubles_where_it_was_published() {
-        let stable = |w: f64| only(&ImpactOscillator { frequency_ratio: w, damping_ratio: 0.0, restitution: 0.8, gap: 0.0 }).is_stable();
+        let stable = |w: f64| {
+            only(&ImpactOscillator {
+                frequency_ratio: w,
+                damping_ratio: 0.0,
+                restitution: 0.8,
+                gap: 0.0,
+            })
+            .is_stable()
+        };
         assert!(stable(1.90) && stable(2.65) && !stable(2.66));
     }
 }

@@ -30,9 +30,15 @@ impl Reference for Impulse {
 impl Impulse {
     /// `eta`, 0 to 1.
     pub fn efficiency(&self) -> f64 {
-        let Self { alpha, coupling_squared, damping_ratio: zeta } = *self;
+        let Self {
+            alpha,
+            coupling_squared,
+            damping_ratio: zeta,
+        } = *self;
         alpha * coupling_squared
-            / ((2.0 * zeta * alpha * alpha + alpha) * coupling_squared + 4.0 * zeta * zeta * alpha + 2.0 * (alpha * alpha + 1.0) * zeta)
+            / ((2.0 * zeta * alpha * alpha + alpha) * coupling_squared
+                + 4.0 * zeta * zeta * alpha
+                + 2.0 * (alpha * alpha + 1.0) * zeta)
     }
 
     /// The `alpha` of the best resistance.
@@ -65,13 +71,29 @@ mod tests {
 
     #[test]
     fn efficiency_of_two_oscillators() {
-        for (damping_ratio, coupling_squared, alpha, eta, best) in
-            [(0.01, 0.1, 1.0, 0.702247191, 0.702482), (0.005, 0.02, 0.5, 0.442477876, 0.496290)]
-        {
-            let blow = Impulse { alpha, coupling_squared, damping_ratio };
-            assert!((blow.efficiency() - eta).abs() < 1e-9, "{}", blow.efficiency());
-            assert!((blow.best_efficiency() - best).abs() < 1e-6, "{}", blow.best_efficiency());
-            let at_best = Impulse { alpha: blow.best_alpha(), ..blow };
+        for (damping_ratio, coupling_squared, alpha, eta, best) in [
+            (0.01, 0.1, 1.0, 0.702247191, 0.702482),
+            (0.005, 0.02, 0.5, 0.442477876, 0.496290),
+        ] {
+            let blow = Impulse {
+                alpha,
+                coupling_squared,
+                damping_ratio,
+            };
+            assert!(
+                (blow.efficiency() - eta).abs() < 1e-9,
+                "{}",
+                blow.efficiency()
+            );
+            assert!(
+                (blow.best_efficiency() - best).abs() < 1e-6,
+                "{}",
+                blow.best_efficiency()
+            );
+            let at_best = Impulse {
+                alpha: blow.best_alpha(),
+                ..blow
+            };
             assert!((at_best.efficiency() / blow.best_efficiency() - 1.0).abs() < 1e-14);
         }
     }

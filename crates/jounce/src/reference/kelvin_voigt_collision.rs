@@ -35,7 +35,10 @@ impl Reference for KelvinVoigtCollision {
 impl KelvinVoigtCollision {
     /// The system to march, the stop at displacement 0.
     pub fn system(&self) -> System {
-        let law = Law::KelvinVoigt(KelvinVoigt { stiffness_n_m: self.stiffness_n_m, damping_n_s_m: self.damping_n_s_m });
+        let law = Law::KelvinVoigt(KelvinVoigt {
+            stiffness_n_m: self.stiffness_n_m,
+            damping_n_s_m: self.damping_n_s_m,
+        });
         with_stop(oscillator(self.mass_kg, 0.0, 0.0), self.mass_kg, 0.0, law)
     }
 
@@ -58,6 +61,7 @@ impl KelvinVoigtCollision {
     /// Time during which the stop pushes, s.
     pub fn push_time_s(&self) -> f64 {
         let zeta = self.damping_ratio();
-        2.0 * zeta.acos() / ((self.stiffness_n_m / self.mass_kg) * (1.0 - zeta) * (1.0 + zeta)).sqrt()
+        2.0 * zeta.acos()
+            / ((self.stiffness_n_m / self.mass_kg) * (1.0 - zeta) * (1.0 + zeta)).sqrt()
     }
 }

@@ -39,8 +39,7 @@ pub struct PiezoResistor {
 }
 
 impl Reference for PiezoResistor {
-    const SOURCE: &'static str =
-        "Erturk and Inman, J. Vib. Acoust. 130 (2008) 041002; Adhikari, Friswell and Inman, Smart Mater. Struct. 18 (2009) 115005";
+    const SOURCE: &'static str = "Erturk and Inman, J. Vib. Acoust. 130 (2008) 041002; Adhikari, Friswell and Inman, Smart Mater. Struct. 18 (2009) 115005";
     const TOLERANCE: f64 = 1e-11;
 }
 
@@ -51,9 +50,16 @@ impl PiezoResistor {
         let coupling_n_per_v = vec![self.coupling_n_per_v / self.mass_kg.sqrt()];
         Arc::make_mut(&mut system.modes).patch.insert(
             PATCH.to_owned(),
-            PatchModes { coupling_n_per_v, capacitance_f: self.capacitance_f, leakage_ohm: None, strain: Vec::new() },
+            PatchModes {
+                coupling_n_per_v,
+                capacitance_f: self.capacitance_f,
+                leakage_ohm: None,
+                strain: Vec::new(),
+            },
         );
-        system.loads.push(Load::resistor("load", PATCH, self.resistance_ohm));
+        system
+            .loads
+            .push(Load::resistor("load", PATCH, self.resistance_ohm));
         system.drives.push(Drive {
             name: "drive".to_owned(),
             shape: shape(self.mass_kg),
@@ -72,20 +78,24 @@ impl PiezoResistor {
 
     /// `kappa^2`.
     pub fn coupling_squared(&self) -> f64 {
-        self.coupling_n_per_v.powi(2) / (self.mass_kg * self.frequency_rad_s.powi(2) * self.capacitance_f)
+        self.coupling_n_per_v.powi(2)
+            / (self.mass_kg * self.frequency_rad_s.powi(2) * self.capacitance_f)
     }
 
     /// Complex voltage per newton at a drive frequency, V/N, in `e^{+i w t}`.
     pub fn voltage_per_newton(&self, drive_hz: f64) -> c64 {
         let (w0, w) = (self.frequency_rad_s, TAU * drive_hz);
-        let mechanical = c64::new((w0 - w) * (w0 + w), 2.0 * self.damping_ratio * w0 * w) * self.mass_kg;
+        let mechanical =
+            c64::new((w0 - w) * (w0 + w), 2.0 * self.damping_ratio * w0 * w) * self.mass_kg;
         let electrical = c64::new(1.0 / self.resistance_ohm, w * self.capacitance_f);
-        c64::new(0.0, -w * self.coupling_n_per_v) / (electrical * mechanical + c64::new(0.0, w * self.coupling_n_per_v.powi(2)))
+        c64::new(0.0, -w * self.coupling_n_per_v)
+            / (electrical * mechanical + c64::new(0.0, w * self.coupling_n_per_v.powi(2)))
     }
 
     /// Mean power in the resistor under a force of that amplitude (zero to peak), W.
     pub fn mean_power_w(&self, amplitude_n: f64, drive_hz: f64) -> f64 {
-        0.5 * self.voltage_per_newton(drive_hz).norm_sqr() * amplitude_n.powi(2) / self.resistance_ohm
+        0.5 * self.voltage_per_newton(drive_hz).norm_sqr() * amplitude_n.powi(2)
+            / self.resistance_ohm
     }
 
     /// Resistance that draws most power from a drive at the short-circuit resonance, ohm.
@@ -96,7 +106,11 @@ impl PiezoResistor {
 
     /// Mean power under white base acceleration of unit two-sided density (1 m^2 s^-4 per rad/s), W.
     pub fn white_noise_power_w(&self) -> f64 {
-        let impulse = super::Impulse { alpha: self.alpha(), coupling_squared: self.coupling_squared(), damping_ratio: self.damping_ratio };
+        let impulse = super::Impulse {
+            alpha: self.alpha(),
+            coupling_squared: self.coupling_squared(),
+            damping_ratio: self.damping_ratio,
+        };
         // White noise is a train of impulses: each square metre per second squared of it carries the energy pi m.
         PI * self.mass_kg * impulse.efficiency()
     }
@@ -117,8 +131,20 @@ mod tests {
             capacitance_f: 4.3e-8,
             resistance_ohm: 3e4,
         };
-        assert!((harvester.alpha() - 0.864936).abs() < 1e-6, "{}", harvester.alpha());
-        assert!((harvester.coupling_squared() - 0.118462).abs() < 1e-6, "{}", harvester.coupling_squared());
-        assert!((harvester.white_noise_power_w() / 0.017366529 - 1.0).abs() < 1e-7, "{}", harvester.white_noise_power_w());
+        assert!(
+            (harvester.alpha() - 0.864936).abs() < 1e-6,
+            "{}",
+            harvester.alpha()
+        );
+        assert!(
+            (harvester.coupling_squared() - 0.118462).abs() < 1e-6,
+            "{}",
+            harvester.coupling_squared()
+        );
+        assert!(
+            (harvester.white_noise_power_w() / 0.017366529 - 1.0).abs() < 1e-7,
+            "{}",
+            harvester.white_noise_power_w()
+        );
     }
 }

@@ -25,12 +25,21 @@ pub(super) fn oscillator(mass_kg: f64, frequency_rad_s: f64, damping_ratio: f64)
         base_sqrt_kg: BTreeMap::new(),
         discretisation_error: vec![0.0],
     };
-    System { modes: modes.into(), ..System::default() }
+    System {
+        modes: modes.into(),
+        ..System::default()
+    }
 }
 
 /// The same with a stop in the positive direction.
 pub(super) fn with_stop(mut system: System, mass_kg: f64, gap_m: f64, law: Law) -> System {
-    system.stops.push(Stop { name: "stop".to_owned(), shape: shape(mass_kg), gap_m, law, bases: Vec::new() });
+    system.stops.push(Stop {
+        name: "stop".to_owned(),
+        shape: shape(mass_kg),
+        gap_m,
+        law,
+        bases: Vec::new(),
+    });
     system
 }
 
@@ -41,5 +50,8 @@ pub(super) fn shape(mass_kg: f64) -> Vec<f64> {
 
 /// `(q, q')` of a displacement and a velocity of the mass.
 pub(super) fn state(mass_kg: f64, displacement_m: f64, velocity_m_s: f64) -> Vec<f64> {
-    vec![mass_kg.sqrt() * displacement_m, mass_kg.sqrt() * velocity_m_s]
+    vec![
+        mass_kg.sqrt() * displacement_m,
+        mass_kg.sqrt() * velocity_m_s,
+    ]
 }

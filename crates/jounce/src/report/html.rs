@@ -51,13 +51,22 @@ impl Verdict {
 impl Document {
     /// An empty report.
     pub fn new(title: &str) -> Self {
-        Self { title: title.to_owned(), body: String::new(), sections: Vec::new() }
+        Self {
+            title: title.to_owned(),
+            body: String::new(),
+            sections: Vec::new(),
+        }
     }
 
     /// Starts a section; sections are listed at the top.
     pub fn section(&mut self, heading: &str) {
         self.sections.push(heading.to_owned());
-        let _ = writeln!(self.body, "<h2 id=\"s{}\">{}</h2>", self.sections.len(), inline(heading));
+        let _ = writeln!(
+            self.body,
+            "<h2 id=\"s{}\">{}</h2>",
+            self.sections.len(),
+            inline(heading)
+        );
     }
 
     /// Starts a part of a section.
@@ -72,25 +81,49 @@ impl Document {
 
     /// A list of points.
     pub fn list(&mut self, points: &[&str]) {
-        let points: String = points.iter().map(|point| format!("<li>{}</li>\n", inline(point))).collect();
+        let points: String = points
+            .iter()
+            .map(|point| format!("<li>{}</li>\n", inline(point)))
+            .collect();
         let _ = writeln!(self.body, "<ul>\n{points}</ul>");
     }
 
     /// A table under a caption, real numbers with `digits` significant digits. A column is headed by its description (its name where it has none)
     /// and its unit.
     pub fn table(&mut self, caption: &str, table: &Table, digits: usize) {
-        let _ = write!(self.body, "<div class=\"wide\"><table>\n<caption>{}</caption>\n<thead><tr>", inline(caption));
+        let _ = write!(
+            self.body,
+            "<div class=\"wide\"><table>\n<caption>{}</caption>\n<thead><tr>",
+            inline(caption)
+        );
         for column in table.columns() {
-            let heading = if column.about.is_empty() { &column.name } else { &column.about };
-            let unit =
-                if column.unit.is_empty() { String::new() } else { format!(" <span class=\"unit\">({})</span>", escape(&column.unit)) };
-            let _ = write!(self.body, "<th{}>{}{unit}</th>", side(&column.values), inline(heading));
+            let heading = if column.about.is_empty() {
+                &column.name
+            } else {
+                &column.about
+            };
+            let unit = if column.unit.is_empty() {
+                String::new()
+            } else {
+                format!(" <span class=\"unit\">({})</span>", escape(&column.unit))
+            };
+            let _ = write!(
+                self.body,
+                "<th{}>{}{unit}</th>",
+                side(&column.values),
+                inline(heading)
+            );
         }
         self.body.push_str("</tr></thead>\n<tbody>\n");
         for row in 0..table.rows() {
             self.body.push_str("<tr>");
             for column in table.columns() {
-                let _ = write!(self.body, "<td{}>{}</td>", side(&column.values), cell(&column.values, row, digits));
+                let _ = write!(
+                    self.body,
+                    "<td{}>{}</td>",
+                    side(&column.values),
+                    cell(&column.values, row, digits)
+                );
             }
             self.body.push_str("</tr>\n");
         }
@@ -102,7 +135,12 @@ impl Document {
     /// # Errors
     /// The figure cannot be drawn.
     pub fn figure(&mut self, figure: &Figure, caption: &str) -> Result<(), PictureError> {
-        let _ = writeln!(self.body, "<figure>\n{}<figcaption>{}</figcaption>\n</figure>", figure.to_svg()?, inline(caption));
+        let _ = writeln!(
+            self.body,
+            "<figure>\n{}<figcaption>{}</figcaption>\n</figure>",
+            figure.to_svg()?,
+            inline(caption)
+        );
         Ok(())
     }
 
@@ -121,9 +159,19 @@ impl Document {
     /// The finished document.
     pub fn to_html(&self) -> String {
         let title = escape(&self.title);
-        let entry = |(index, heading): (usize, &String)| format!("<li><a href=\"#s{}\">{}</a></li>\n", index + 1, inline(heading));
+        let entry = |(index, heading): (usize, &String)| {
+            format!(
+                "<li><a href=\"#s{}\">{}</a></li>\n",
+                index + 1,
+                inline(heading)
+            )
+        };
         let contents: String = self.sections.iter().enumerate().map(entry).collect();
-        let contents = if self.sections.len() > 1 { format!("<nav><ul>\n{contents}</ul></nav>\n") } else { String::new() };
+        let contents = if self.sections.len() > 1 {
+            format!("<nav><ul>\n{contents}</ul></nav>\n")
+        } else {
+            String::new()
+        };
         format!(
             "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
              <meta name=\"color-scheme\" content=\"light dark\">\n<title>{title}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n<main>\n<h1>{title}</h1>\n\
@@ -143,7 +191,11 @@ impl Document {
 
 /// Numbers stand at the right, words at the left.
 fn side(values: &Values) -> &'static str {
-    if matches!(values, Values::Text(_) | Values::Flag(_)) { " class=\"words\"" } else { "" }
+    if matches!(values, Values::Text(_) | Values::Flag(_)) {
+        " class=\"words\""
+    } else {
+        ""
+    }
 }
 
 /// Escaped text in which every pair of backticks encloses code.
@@ -152,7 +204,17 @@ fn inline(text: &str) -> String {
     if parts.len() % 2 == 0 {
         return parts.join("`");
     }
-    parts.iter().enumerate().map(|(i, part)| if i % 2 == 1 { format!("<code>{part}</code>") } else { part.clone() }).collect()
+    parts
+        .iter()
+        .enumerate()
+        .map(|(i, part)| {
+            if i % 2 == 1 {
+                format!("<code>{part}</code>")
+            } else {
+                part.clone()
+            }
+        })
+        .collect()
 }
 
 #[cfg(test)]
@@ -173,11 +235,18 @@ mod tests {
         ];
         report.table("Table 2", &Table::new(columns).unwrap(), 4);
         report.section("Figures");
-        let panel = Panel::new(Axis::linear("Time", "s"), Axis::linear("Voltage", "V")).with(Series::line(vec![0.0, 1.0], vec![0.0, 1.0]));
-        report.figure(&Figure::new("Voltage").with(panel), "The voltage.").unwrap();
+        let panel = Panel::new(Axis::linear("Time", "s"), Axis::linear("Voltage", "V"))
+            .with(Series::line(vec![0.0, 1.0], vec![0.0, 1.0]));
+        report
+            .figure(&Figure::new("Voltage").with(panel), "The voltage.")
+            .unwrap();
         report.subsection("Claims");
         report.list(&["one", "two"]);
-        report.claim("S2 linear is best near resonance", Verdict::Holds, "peak at 8.71 Hz");
+        report.claim(
+            "S2 linear is best near resonance",
+            Verdict::Holds,
+            "peak at 8.71 Hz",
+        );
         report.claim("S4", Verdict::DoesNotHold, "");
         report
     }
@@ -193,8 +262,16 @@ mod tests {
             .replace("dark\">", "dark\"/>");
         let document = resvg::usvg::roxmltree::Document::parse(&xml).unwrap();
         let texts = |name: &str| {
-            let elements = document.descendants().filter(|node| node.has_tag_name(name));
-            elements.map(|node| node.descendants().filter_map(|n| n.text().filter(|_| n.is_text())).collect::<String>()).collect::<Vec<_>>()
+            let elements = document
+                .descendants()
+                .filter(|node| node.has_tag_name(name));
+            elements
+                .map(|node| {
+                    node.descendants()
+                        .filter_map(|n| n.text().filter(|_| n.is_text()))
+                        .collect::<String>()
+                })
+                .collect::<Vec<_>>()
         };
         assert_eq!(texts("h1"), ["Report on <harvester> & co"]);
         assert_eq!(texts("td"), ["1", "8.669", "<b>", "2", "–", ""]);
@@ -202,16 +279,26 @@ mod tests {
         assert_eq!(texts("code"), ["stop.tip.gap=\"0.5 mm\""]);
         assert_eq!(texts("a"), ["Modes", "Figures"]);
         assert!(
-            html.contains("<span class=\"badge holds\">holds</span>") && html.contains("<span class=\"badge fails\">does not hold</span>")
+            html.contains("<span class=\"badge holds\">holds</span>")
+                && html.contains("<span class=\"badge fails\">does not hold</span>")
         );
     }
 
     #[test]
     fn nothing_is_run_or_loaded() {
         let html = report().to_html();
-        assert!(!html.contains("<script") && !html.contains("src=") && !html.contains("@import") && !html.contains("url("));
+        assert!(
+            !html.contains("<script")
+                && !html.contains("src=")
+                && !html.contains("@import")
+                && !html.contains("url(")
+        );
         let links = html.matches("http").count();
-        assert_eq!(links, html.matches("http://www.w3.org/2000/svg").count(), "only the name of the SVG format looks like an address");
+        assert_eq!(
+            links,
+            html.matches("http://www.w3.org/2000/svg").count(),
+            "only the name of the SVG format looks like an address"
+        );
     }
 
     #[test]

@@ -7,8 +7,12 @@ use crate::table::Values;
 pub(super) fn cell(values: &Values, row: usize, digits: usize) -> String {
     match values {
         Values::Float(v) => v.get(row).map_or_else(dash, |x| number(*x, digits)),
-        Values::Flag(v) => v.get(row).map_or_else(dash, |yes| if *yes { "yes" } else { "no" }.to_owned()),
-        Values::Integer(v) => v.get(row).map_or_else(dash, |x| x.to_string().replace('-', "−")),
+        Values::Flag(v) => v
+            .get(row)
+            .map_or_else(dash, |yes| if *yes { "yes" } else { "no" }.to_owned()),
+        Values::Integer(v) => v
+            .get(row)
+            .map_or_else(dash, |x| x.to_string().replace('-', "−")),
         other => other.text(row).map_or_else(dash, |text| escape(&text)),
     }
 }
@@ -20,7 +24,11 @@ fn dash() -> String {
 /// A real number with so many significant digits, as a decimal from 0.001 to 100000, else with a power of ten.
 pub(super) fn number(value: f64, digits: usize) -> String {
     if !value.is_finite() {
-        return if value.is_nan() { dash() } else { format!("{}∞", if value < 0.0 { "−" } else { "" }) };
+        return if value.is_nan() {
+            dash()
+        } else {
+            format!("{}∞", if value < 0.0 { "−" } else { "" })
+        };
     }
     // The rounded mantissa decides on the exponent: 9.9996 with four digits is 10.00.
     let text = format!("{value:.*e}", digits.max(1) - 1);
@@ -33,7 +41,11 @@ pub(super) fn number(value: f64, digits: usize) -> String {
         let decimals = (digits as i32 - 1 - power).max(0) as usize;
         return format!("{value:.decimals$}").replace('-', "−");
     }
-    format!("{}×10<sup>{}</sup>", mantissa.replace('-', "−"), exponent.replace('-', "−"))
+    format!(
+        "{}×10<sup>{}</sup>",
+        mantissa.replace('-', "−"),
+        exponent.replace('-', "−")
+    )
 }
 
 #[cfg(test)]

@@ -15,6 +15,10 @@ pub struct Claim {
 
 impl Claim {
     pub(super) fn new(claim: &str, holds: bool, evidence: String) -> Self {
-        Self { claim: claim.to_owned(), holds, evidence }
+        Self {
+            claim: claim.to_owned(),
+            holds,
+            evidence,
+        }
     }
 }

@@ -15,22 +15,45 @@ pub(super) fn claims(ground: &[Claim], on_table: &[Claim]) -> Vec<Claim> {
             (false, true) => "With the stop on the shaker table the claim holds.",
             (false, false) => "With the stop on the shaker table it does not hold either.",
         };
-        Claim { evidence: format!("{} {words}", ground.evidence), ..ground.clone() }
+        Claim {
+            evidence: format!("{} {words}", ground.evidence),
+            ..ground.clone()
+        }
     };
     ground.iter().zip(on_table).map(join).collect()
 }
 
 /// Both readings side by side.
 pub(super) fn table(ground: &[Claim], on_table: &[Claim]) -> Result<NamedTable, ReproduceError> {
-    let texts = |claims: &[Claim], of: fn(&Claim) -> &String| claims.iter().map(|claim| of(claim).clone()).collect::<Vec<String>>();
-    let verdicts = |claims: &[Claim]| claims.iter().map(|claim| claim.holds).collect::<Vec<bool>>();
+    let texts = |claims: &[Claim], of: fn(&Claim) -> &String| {
+        claims
+            .iter()
+            .map(|claim| of(claim).clone())
+            .collect::<Vec<String>>()
+    };
+    let verdicts = |claims: &[Claim]| {
+        claims
+            .iter()
+            .map(|claim| claim.holds)
+            .collect::<Vec<bool>>()
+    };
     let table = Table::new(vec![
         Column::new("claim", "", "Claim", texts(ground, |claim| &claim.claim)),
         Column::new("ground_holds", "", "Stop on the ground", verdicts(ground)),
         Column::new("table_holds", "", "Stop on the table", verdicts(on_table)),
-        Column::new("table_evidence", "", "Evidence with the stop on the table", texts(on_table, |claim| &claim.evidence)),
+        Column::new(
+            "table_evidence",
+            "",
+            "Evidence with the stop on the table",
+            texts(on_table, |claim| &claim.evidence),
+        ),
     ])?;
-    Ok(NamedTable::new("claims", "The claims under both readings of where the stop stands.", 4, table))
+    Ok(NamedTable::new(
+        "claims",
+        "The claims under both readings of where the stop stands.",
+        4,
+        table,
+    ))
 }
 
 /// All claims in order for one reading.
@@ -52,7 +75,8 @@ fn linear_best_near_resonance(computed: &Impact) -> Claim {
     let peak_hz = linear.frequency_hz[linear.peak()];
     let coupling = &computed.first_mode;
     // The curve is sampled every 1 mHz.
-    let holds = peak_hz > coupling.short_circuit_hz - 0.001 && peak_hz < coupling.open_circuit_hz + 0.001;
+    let holds =
+        peak_hz > coupling.short_circuit_hz - 0.001 && peak_hz < coupling.open_circuit_hz + 0.001;
     let evidence = format!(
         "The linear power at 1 MΩ peaks at {peak_hz:.3} Hz with {:.3e} W/N²; the first bending mode lies at {:.3} Hz short-circuited and \
          {:.3} Hz open. Criterion: the peak lies between the two.",
@@ -60,7 +84,11 @@ fn linear_best_near_resonance(computed: &Impact) -> Claim {
         coupling.short_circuit_hz,
         coupling.open_circuit_hz
     );
-    Claim::new("S2: The linear harvester performs best near its resonance.", holds, evidence)
+    Claim::new(
+        "S2: The linear harvester performs best near its resonance.",
+        holds,
+        evidence,
+    )
 }
 
 fn second_mode_at_four_times(computed: &Impact) -> Claim {
@@ -68,15 +96,27 @@ fn second_mode_at_four_times(computed: &Impact) -> Claim {
     lines.sort_by(|a, b| b.amplitude_peak.total_cmp(&a.amplitude_peak));
     let nearest = (computed.second_mode_hz / computed.voltage.lines[1].frequency_hz).round();
     let holds = lines[0].order == 1.0 && lines[1].order == 4.0 && nearest == 4.0;
-    let told: Vec<String> =
-        lines.iter().take(4).map(|line| format!("{:.2} V at {:.1} Hz ({}×)", line.amplitude_peak, line.frequency_hz, line.order)).collect();
+    let told: Vec<String> = lines
+        .iter()
+        .take(4)
+        .map(|line| {
+            format!(
+                "{:.2} V at {:.1} Hz ({}×)",
+                line.amplitude_peak, line.frequency_hz, line.order
+            )
+        })
+        .collect();
     let evidence = format!(
         "Highest lines of the voltage at 13 Hz and 200 N: {}. The second bending mode lies at {:.1} Hz, nearest to {nearest}× the drive. \
          Criterion: the second highest line is that at 4×.",
         told.join(", "),
         computed.second_mode_hz
     );
-    Claim::new("S3: At 13 Hz and 200 N the second mode shows at four times the drive, as the second highest line.", holds, evidence)
+    Claim::new(
+        "S3: At 13 Hz and 200 N the second mode shows at four times the drive, as the second highest line.",
+        holds,
+        evidence,
+    )
 }
 
 fn impact_wins_above_resonance(computed: &Impact) -> Claim {
@@ -84,7 +124,11 @@ fn impact_wins_above_resonance(computed: &Impact) -> Claim {
     let evidence = format!(
         "At 13 Hz and 200 N impact gives {low:.2} to {high:.2} times the linear power over 10 kΩ to 10 MΩ. Criterion: more than 1 at every load."
     );
-    Claim::new("S4: Close to the resonance with impact (13 Hz, 200 N) impact gives more power.", low > 1.0, evidence)
+    Claim::new(
+        "S4: Close to the resonance with impact (13 Hz, 200 N) impact gives more power.",
+        low > 1.0,
+        evidence,
+    )
 }
 
 fn impact_loses_below_resonance(computed: &Impact) -> Claim {
@@ -92,7 +136,11 @@ fn impact_loses_below_resonance(computed: &Impact) -> Claim {
     let evidence = format!(
         "At 6 Hz and 50 N impact gives {low:.2} to {high:.2} times the linear power over 10 kΩ to 10 MΩ. Criterion: less than 1 at every load."
     );
-    Claim::new("S5: Below the linear resonance (6 Hz, 50 N) the linear harvester gives more power.", high < 1.0, evidence)
+    Claim::new(
+        "S5: Below the linear resonance (6 Hz, 50 N) the linear harvester gives more power.",
+        high < 1.0,
+        evidence,
+    )
 }
 
 fn smaller_optimal_load(computed: &Impact) -> Claim {
@@ -106,17 +154,31 @@ fn smaller_optimal_load(computed: &Impact) -> Claim {
             100.0 * (figure.impact_best_ohm / linear_ohm - 1.0)
         )
     };
-    let slightly = |figure: &PowerOverResistance| (0.7..1.0).contains(&(figure.impact_best_ohm / figure.linear_best.resistance_ohm));
+    let slightly = |figure: &PowerOverResistance| {
+        (0.7..1.0).contains(&(figure.impact_best_ohm / figure.linear_best.resistance_ohm))
+    };
     let (above, below) = (&computed.above, &computed.below);
-    let evidence = format!("Best loads: {}; {}. Criterion: smaller with impact, by less than 30 %.", told(above), told(below));
-    Claim::new("S6: The optimal load is slightly smaller with impact, at both drives.", slightly(above) && slightly(below), evidence)
+    let evidence = format!(
+        "Best loads: {}; {}. Criterion: smaller with impact, by less than 30 %.",
+        told(above),
+        told(below)
+    );
+    Claim::new(
+        "S6: The optimal load is slightly smaller with impact, at both drives.",
+        slightly(above) && slightly(below),
+        evidence,
+    )
 }
 
 fn hardening(computed: &Impact) -> Claim {
     let levels = &computed.frequency.levels;
     let linear = &computed.frequency.linear;
-    let peaks_hz: Vec<f64> = levels.iter().map(|level| level.up.frequency_hz[level.up.peak()]).collect();
-    let rises = peaks_hz.windows(2).all(|pair| pair[1] > pair[0]) && peaks_hz[0] > linear.frequency_hz[linear.peak()];
+    let peaks_hz: Vec<f64> = levels
+        .iter()
+        .map(|level| level.up.frequency_hz[level.up.peak()])
+        .collect();
+    let rises = peaks_hz.windows(2).all(|pair| pair[1] > pair[0])
+        && peaks_hz[0] > linear.frequency_hz[linear.peak()];
     let jumps = levels.iter().all(|level| level.up.steepest().1 >= 2.0);
     let hysteresis = levels.iter().any(|level| level.coexistence.factor() >= 1.5);
     let told: Vec<String> = levels.iter().map(told_level).collect();
@@ -148,7 +210,12 @@ fn told_level(level: &DriveLevel) -> String {
 fn similar_peak(computed: &Impact) -> Claim {
     let highest = |branch: &SteppedBranch| branch.power_w_n2[branch.peak()];
     let linear = highest(&computed.frequency.linear);
-    let ratios: Vec<f64> = computed.frequency.levels.iter().map(|level| highest(&level.up) / linear).collect();
+    let ratios: Vec<f64> = computed
+        .frequency
+        .levels
+        .iter()
+        .map(|level| highest(&level.up) / linear)
+        .collect();
     let told: Vec<String> = computed
         .frequency
         .levels
@@ -162,22 +229,40 @@ fn similar_peak(computed: &Impact) -> Claim {
          each level.",
         told.join(", ")
     );
-    Claim::new("S8: At its resonance the power with impact is similar to the linear case.", holds, evidence)
+    Claim::new(
+        "S8: At its resonance the power with impact is similar to the linear case.",
+        holds,
+        evidence,
+    )
 }
 
 fn periodic(computed: &Impact) -> Claim {
-    let branches = || computed.frequency.levels.iter().flat_map(|level| [&level.up, &level.down]);
+    let branches = || {
+        computed
+            .frequency
+            .levels
+            .iter()
+            .flat_map(|level| [&level.up, &level.down])
+    };
     let points = || branches().flat_map(|branch| branch.settled.iter().zip(&branch.period_cycles));
     let settled = points().filter(|(settled, _)| **settled).count();
-    let longer = points().filter(|(settled, period)| **settled && **period > 1).count();
+    let longer = points()
+        .filter(|(settled, period)| **settled && **period > 1)
+        .count();
     let long = computed.long_run.settlement.filter(|found| found.settled);
-    let orbit = long
-        .map_or_else(|| "no orbit of 1 to 4 periods".to_owned(), |found| format!("an orbit of {} drive period(s)", found.period_cycles));
+    let orbit = long.map_or_else(
+        || "no orbit of 1 to 4 periods".to_owned(),
+        |found| format!("an orbit of {} drive period(s)", found.period_cycles),
+    );
     let evidence = format!(
         "At 13 Hz and 200 N a run of {} s ends on {orbit}. Of the {} points of figure 6, {settled} end within 20 s on an orbit of 1 to 4 drive \
          periods, {longer} of them on a subharmonic one. Criterion: the first run is periodic, and subharmonic orbits occur.",
         LONG_RUN_S,
         points().count()
     );
-    Claim::new("S9: The response is periodic, often with the drive; subharmonics can be present.", long.is_some() && longer > 0, evidence)
+    Claim::new(
+        "S9: The response is periodic, often with the drive; subharmonics can be present.",
+        long.is_some() && longer > 0,
+        evidence,
+    )
 }

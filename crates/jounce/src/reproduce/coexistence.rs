@@ -21,17 +21,33 @@ pub(super) struct Coexistence {
 
 impl Coexistence {
     /// At the frequency near the peak where both ways differ most.
-    pub fn compute(harvester: &PaperHarvester, amplitude_n: f64, up: &SteppedBranch, down: &SteppedBranch) -> Result<Self, ReproduceError> {
+    pub fn compute(
+        harvester: &PaperHarvester,
+        amplitude_n: f64,
+        up: &SteppedBranch,
+        down: &SteppedBranch,
+    ) -> Result<Self, ReproduceError> {
         let (count, peak_hz) = (up.frequency_hz.len(), up.frequency_hz[up.peak()]);
         let factor = |place: usize| {
             let factor = up.power_w_n2[place] / down.power_w_n2[count - 1 - place];
             factor.max(1.0 / factor)
         };
-        let near = (0..count).filter(|place| (up.frequency_hz[*place] - peak_hz).abs() <= AROUND_PEAK_HZ);
-        let place = near.max_by(|a, b| factor(*a).total_cmp(&factor(*b))).unwrap_or(0);
-        let case = PaperCase { frequency_hz: up.frequency_hz[place], amplitude_n, resistance_ohm: MEGOHM };
+        let near =
+            (0..count).filter(|place| (up.frequency_hz[*place] - peak_hz).abs() <= AROUND_PEAK_HZ);
+        let place = near
+            .max_by(|a, b| factor(*a).total_cmp(&factor(*b)))
+            .unwrap_or(0);
+        let case = PaperCase {
+            frequency_hz: up.frequency_hz[place],
+            amplitude_n,
+            resistance_ohm: MEGOHM,
+        };
         let on = |state: &StartState| march_on(harvester, case, state);
-        Ok(Self { frequency_hz: case.frequency_hz, up_w_n2: on(&up.state[place])?, down_w_n2: on(&down.state[count - 1 - place])? })
+        Ok(Self {
+            frequency_hz: case.frequency_hz,
+            up_w_n2: on(&up.state[place])?,
+            down_w_n2: on(&down.state[count - 1 - place])?,
+        })
     }
 
     /// How many times one power is the other, at least 1.
@@ -40,10 +56,20 @@ impl Coexistence {
     }
 }
 
-fn march_on(harvester: &PaperHarvester, case: PaperCase, state: &StartState) -> Result<f64, ReproduceError> {
+fn march_on(
+    harvester: &PaperHarvester,
+    case: PaperCase,
+    state: &StartState,
+) -> Result<f64, ReproduceError> {
     let kernel = harvester.kernel(case)?;
     let mut drives = kernel.plant.system.drives.clone();
-    drives.iter_mut().zip(&state.drive_angle_rad).for_each(|(drive, angle_rad)| drive.phase_rad = *angle_rad);
-    let plan = RunPlan { duration_s: LONG_RUN_S, ..harvester.plan() };
+    drives
+        .iter_mut()
+        .zip(&state.drive_angle_rad)
+        .for_each(|(drive, angle_rad)| drive.phase_rad = *angle_rad);
+    let plan = RunPlan {
+        duration_s: LONG_RUN_S,
+        ..harvester.plan()
+    };
     Ok(case.normalised(simulate(&kernel.with_drives(drives)?, state, &plan)?.mean_power_w))
 }

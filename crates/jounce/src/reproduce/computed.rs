@@ -26,12 +26,23 @@ impl Computed {
     pub fn new(control: &Control, progress: &dyn Fn(&str)) -> Result<Self, ReproduceError> {
         progress("Table 2, figures 4 and 5: modes and frequency responses");
         let (table_2, hammer) = (Frequencies::compute()?, HammerTest::compute()?);
-        progress("figures 6 to 9, with the stop on the ground and on the table: about 1700 runs of 20 s");
-        let (ground, table) =
-            rayon::join(|| Impact::compute("ground", &LEVELS_N, control), || Impact::compute("table", &FEWER_LEVELS_N, control));
+        progress(
+            "figures 6 to 9, with the stop on the ground and on the table: about 1700 runs of 20 s",
+        );
+        let (ground, table) = rayon::join(
+            || Impact::compute("ground", &LEVELS_N, control),
+            || Impact::compute("table", &FEWER_LEVELS_N, control),
+        );
         progress("branches under figure 6, and jumps against the gap");
         let orbits = PaperOrbits::compute(control)?;
         progress("assumptions: 13 Hz and 200 N with the other choices");
-        Ok(Self { table_2, hammer, ground: ground?, table: table?, orbits, variants: variants(control)? })
+        Ok(Self {
+            table_2,
+            hammer,
+            ground: ground?,
+            table: table?,
+            orbits,
+            variants: variants(control)?,
+        })
     }
 }

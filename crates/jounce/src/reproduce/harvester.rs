@@ -49,22 +49,37 @@ pub(super) struct PaperCase {
 pub(super) const MEGOHM: f64 = 1e6;
 
 /// The case of figure 7; figure 8 varies its load.
-pub(super) const ABOVE_RESONANCE: PaperCase = PaperCase { frequency_hz: 13.0, amplitude_n: 200.0, resistance_ohm: MEGOHM };
+pub(super) const ABOVE_RESONANCE: PaperCase = PaperCase {
+    frequency_hz: 13.0,
+    amplitude_n: 200.0,
+    resistance_ohm: MEGOHM,
+};
 
 /// The case of figure 9, at the load of figure 7.
-pub(super) const BELOW_RESONANCE: PaperCase = PaperCase { frequency_hz: 6.0, amplitude_n: 50.0, resistance_ohm: MEGOHM };
+pub(super) const BELOW_RESONANCE: PaperCase = PaperCase {
+    frequency_hz: 6.0,
+    amplitude_n: 50.0,
+    resistance_ohm: MEGOHM,
+};
 
 impl PaperHarvester {
     /// The paper's harvester with some keys set, its marches under a control.
     pub fn with(settings: &[(String, String)], control: &Control) -> Result<Self, ReproduceError> {
         let spec = Self::spec(settings)?;
         let system = System::assemble(&spec, modes(&spec)?)?;
-        Ok(Self { spec, system, control: control.clone() })
+        Ok(Self {
+            spec,
+            system,
+            control: control.clone(),
+        })
     }
 
     /// Its spec alone.
     pub fn spec(settings: &[(String, String)]) -> Result<Spec, ReproduceError> {
-        let settings: Vec<(&str, &str)> = settings.iter().map(|(key, value)| (key.as_str(), value.as_str())).collect();
+        let settings: Vec<(&str, &str)> = settings
+            .iter()
+            .map(|(key, value)| (key.as_str(), value.as_str()))
+            .collect();
         paper_spec(&settings)
     }
 
@@ -94,7 +109,11 @@ impl PaperHarvester {
     /// The paper's run of one case from rest.
     pub fn run(&self, case: PaperCase) -> Result<RunResult, ReproduceError> {
         let kernel = self.kernel(case)?;
-        Ok(simulate(&kernel, &StartState::rest(&kernel.plant), &self.plan())?)
+        Ok(simulate(
+            &kernel,
+            &StartState::rest(&kernel.plant),
+            &self.plan(),
+        )?)
     }
 }
 

@@ -30,8 +30,13 @@ pub(super) struct Impact {
 
 impl Impact {
     /// Marches everything with the stop on `"ground"` or `"table"`, figure 6 at some levels of force, N; the many runs share all cores.
-    pub fn compute(frame: &str, levels_n: &[f64], control: &Control) -> Result<Self, ReproduceError> {
-        let harvester = PaperHarvester::with(&[("stop.tip.frame".to_owned(), frame.to_owned())], control)?;
+    pub fn compute(
+        frame: &str,
+        levels_n: &[f64],
+        control: &Control,
+    ) -> Result<Self, ReproduceError> {
+        let harvester =
+            PaperHarvester::with(&[("stop.tip.frame".to_owned(), frame.to_owned())], control)?;
         let (frequency, (above, below)) = rayon::join(
             || PowerOverFrequency::compute(&harvester, levels_n),
             || {
@@ -40,7 +45,10 @@ impl Impact {
             },
         );
         // Mode 0 is that of the table on its spring.
-        let bending: Vec<Coupling> = couplings(&harvester.system.modes).into_iter().filter(|coupling| coupling.mode > 0).collect();
+        let bending: Vec<Coupling> = couplings(&harvester.system.modes)
+            .into_iter()
+            .filter(|coupling| coupling.mode > 0)
+            .collect();
         Ok(Self {
             frequency: frequency?,
             voltage: VoltageRecord::compute(&harvester)?,
@@ -58,6 +66,9 @@ impl Impact {
 /// 13 Hz and 200 N from rest for [`LONG_RUN_S`], the last 10 s averaged.
 pub(super) fn long_run(harvester: &PaperHarvester) -> Result<RunResult, ReproduceError> {
     let kernel = harvester.kernel(ABOVE_RESONANCE)?;
-    let plan = RunPlan { duration_s: LONG_RUN_S, ..harvester.plan() };
+    let plan = RunPlan {
+        duration_s: LONG_RUN_S,
+        ..harvester.plan()
+    };
     Ok(simulate(&kernel, &StartState::rest(&kernel.plant), &plan)?)
 }

@@ -34,21 +34,36 @@ pub(super) struct NamedStop {
 }
 
 /// Eq. (5) as printed; the default.
-pub(super) const ON_GROUND: NamedStop = NamedStop { suffix: "", words: "" };
+pub(super) const ON_GROUND: NamedStop = NamedStop {
+    suffix: "",
+    words: "",
+};
 
 /// The other reading.
-pub(super) const ON_TABLE: NamedStop = NamedStop { suffix: "-stop-on-table", words: " Here the stop rides on the shaker table." };
+pub(super) const ON_TABLE: NamedStop = NamedStop {
+    suffix: "-stop-on-table",
+    words: " Here the stop rides on the shaker table.",
+};
 
 impl NamedTable {
     /// A table under the name of its files.
     pub fn new(name: &str, caption: &str, digits: usize, table: Table) -> Self {
-        Self { name: name.to_owned(), caption: caption.to_owned(), digits, table }
+        Self {
+            name: name.to_owned(),
+            caption: caption.to_owned(),
+            digits,
+            table,
+        }
     }
 }
 
 impl NamedFigure {
     /// A figure under the name of its files.
     pub fn new(name: &str, caption: &str, figure: Figure) -> Self {
-        Self { name: name.to_owned(), caption: caption.to_owned(), figure }
+        Self {
+            name: name.to_owned(),
+            caption: caption.to_owned(),
+            figure,
+        }
     }
 }

@@ -4,10 +4,13 @@ use super::harvester::{MEGOHM, PaperHarvester};
 use super::power_over_frequency::{LEVELS_N, PowerOverFrequency};
 use super::{NamedFigure, NamedTable, ReproduceError};
 use crate::analysis::{
-    BifurcationCurve, BifurcationCurvePoint, BifurcationSearch, Branch, BranchPoint, BranchSearch, Model, OrbitMethodKind, Parameter,
+    BifurcationCurve, BifurcationCurvePoint, BifurcationSearch, Branch, BranchPoint, BranchSearch,
+    Model, OrbitMethodKind, Parameter,
 };
 use crate::integrate::Control;
-use crate::picture::{Axis, BifurcationLine, BranchLine, BranchMark, Colour, Marker, Series, bifurcations, branches};
+use crate::picture::{
+    Axis, BifurcationLine, BranchLine, BranchMark, Colour, Marker, Series, bifurcations, branches,
+};
 use crate::spec::NumericKey;
 use crate::table::{Column, Table};
 use rayon::prelude::*;
@@ -37,10 +40,18 @@ impl PaperOrbits {
     /// Follows everything, with the stop on the ground.
     pub fn compute(control: &Control) -> Result<Self, ReproduceError> {
         let (levels, jumps) = rayon::join(
-            || LEVELS_N.into_par_iter().map(|level| Ok((level, followed(level, control)?))).collect::<Result<Vec<_>, ReproduceError>>(),
+            || {
+                LEVELS_N
+                    .into_par_iter()
+                    .map(|level| Ok((level, followed(level, control)?)))
+                    .collect::<Result<Vec<_>, ReproduceError>>()
+            },
             || map_of_jumps(control),
         );
-        Ok(Self { levels: levels?, jumps: jumps? })
+        Ok(Self {
+            levels: levels?,
+            jumps: jumps?,
+        })
     }
 
     /// The branches with the points of the stepped sweeps on them.
@@ -48,24 +59,45 @@ impl PaperOrbits {
         let (mut lines, mut marks) = (Vec::new(), Vec::new());
         for (level, found) in &self.levels {
             let power = |point: &BranchPoint| point.orbit.mean_power_w / (level * level);
-            lines.extend(found.iter().map(|branch| BranchLine {
-                label: format!("{level} N"),
-                parameter: branch.points.iter().map(|point| point.parameter).collect(),
-                value: branch.points.iter().map(power).collect(),
-                stable: branch.points.iter().map(|point| point.orbit.is_stable()).collect(),
+            lines.extend(found.iter().map(|branch| {
+                BranchLine {
+                    label: format!("{level} N"),
+                    parameter: branch.points.iter().map(|point| point.parameter).collect(),
+                    value: branch.points.iter().map(power).collect(),
+                    stable: branch
+                        .points
+                        .iter()
+                        .map(|point| point.orbit.is_stable())
+                        .collect(),
+                }
             }));
-            marks.extend(found.iter().flat_map(|branch| &branch.bifurcations).map(|found| BranchMark {
-                kind: found.kind.name().to_owned(),
-                parameter: found.at.parameter,
-                value: power(&found.at),
-            }));
+            marks.extend(
+                found
+                    .iter()
+                    .flat_map(|branch| &branch.bifurcations)
+                    .map(|found| BranchMark {
+                        kind: found.kind.name().to_owned(),
+                        parameter: found.at.parameter,
+                        value: power(&found.at),
+                    }),
+            );
         }
-        let (x, y) = (Axis::linear("Drive frequency", "Hz"), Axis::log("Mean power per force squared", "W/N²"));
+        let (x, y) = (
+            Axis::linear("Drive frequency", "Hz"),
+            Axis::log("Mean power per force squared", "W/N²"),
+        );
         let mut figure = branches("Branches of periodic answers", x, y, &lines, &marks);
         for (k, level) in swept.levels.iter().enumerate() {
             for way in [&level.up, &level.down] {
-                let points = Series::points(way.frequency_hz.clone(), way.power_w_n2.clone(), Marker::Circle);
-                figure.panels.iter_mut().for_each(|panel| panel.series.push(points.clone().colour(Colour::nth(k))));
+                let points = Series::points(
+                    way.frequency_hz.clone(),
+                    way.power_w_n2.clone(),
+                    Marker::Circle,
+                );
+                figure
+                    .panels
+                    .iter_mut()
+                    .for_each(|panel| panel.series.push(points.clone().colour(Colour::nth(k))));
             }
         }
         let caption = "Figure 6 with the periodic answers of one to four drive cycles: stable stretches solid, unstable ones dashed. The \
@@ -79,47 +111,127 @@ impl PaperOrbits {
             .map(|curve| BifurcationLine {
                 kind: curve.kind.name().to_owned(),
                 x: curve.points.iter().map(|point| point.parameter).collect(),
-                y: curve.points.iter().map(|point| 1e3 * point.parameter_2).collect(),
+                y: curve
+                    .points
+                    .iter()
+                    .map(|point| 1e3 * point.parameter_2)
+                    .collect(),
             })
             .collect();
-        let (x, y) = (Axis::linear("Drive frequency", "Hz"), Axis::linear("Gap", "mm"));
+        let (x, y) = (
+            Axis::linear("Drive frequency", "Hz"),
+            Axis::linear("Gap", "mm"),
+        );
         let caption = "Frequencies at which the answer jumps at 50 N, against the gap: the harvester is tuned by moving its stop.";
-        NamedFigure::new("jumps-over-gap", caption, bifurcations("Where the answer jumps", x, y, &lines))
+        NamedFigure::new(
+            "jumps-over-gap",
+            caption,
+            bifurcations("Where the answer jumps", x, y, &lines),
+        )
     }
 
     /// Data of both figures.
     pub fn tables(&self) -> Result<Vec<NamedTable>, ReproduceError> {
         let points: Vec<(f64, u64, &BranchPoint)> = (self.levels.iter())
-            .flat_map(|(level, found)| found.iter().enumerate().map(move |(k, branch)| (*level, k as u64, branch)))
+            .flat_map(|(level, found)| {
+                found
+                    .iter()
+                    .enumerate()
+                    .map(move |(k, branch)| (*level, k as u64, branch))
+            })
             .flat_map(|(level, k, branch)| branch.points.iter().map(move |point| (level, k, point)))
             .collect();
-        let floats = |read: fn(&(f64, u64, &BranchPoint)) -> f64| points.iter().map(read).collect::<Vec<f64>>();
-        let periods: Vec<u64> = points.iter().map(|(.., point)| u64::from(point.orbit.period_cycles)).collect();
+        let floats = |read: fn(&(f64, u64, &BranchPoint)) -> f64| {
+            points.iter().map(read).collect::<Vec<f64>>()
+        };
+        let periods: Vec<u64> = points
+            .iter()
+            .map(|(.., point)| u64::from(point.orbit.period_cycles))
+            .collect();
         let branches = Table::new(vec![
-            Column::new("amplitude_n", "N", "Force, peak", floats(|(level, ..)| *level)),
-            Column::new("branch", "", "Number of the branch", points.iter().map(|(_, k, _)| *k).collect::<Vec<u64>>()),
+            Column::new(
+                "amplitude_n",
+                "N",
+                "Force, peak",
+                floats(|(level, ..)| *level),
+            ),
+            Column::new(
+                "branch",
+                "",
+                "Number of the branch",
+                points.iter().map(|(_, k, _)| *k).collect::<Vec<u64>>(),
+            ),
             Column::new("period_cycles", "", "Period in drive cycles", periods),
-            Column::new("frequency_hz", "Hz", "Drive frequency", floats(|(.., point)| point.parameter)),
+            Column::new(
+                "frequency_hz",
+                "Hz",
+                "Drive frequency",
+                floats(|(.., point)| point.parameter),
+            ),
             Column::new(
                 "power_w_n2",
                 "W/N^2",
                 "Mean power per force squared",
                 floats(|(level, _, point)| point.orbit.mean_power_w / (level * level)),
             ),
-            Column::new("stable", "", "Attracts", points.iter().map(|(.., point)| point.orbit.is_stable()).collect::<Vec<bool>>()),
+            Column::new(
+                "stable",
+                "",
+                "Attracts",
+                points
+                    .iter()
+                    .map(|(.., point)| point.orbit.is_stable())
+                    .collect::<Vec<bool>>(),
+            ),
         ])?;
-        let jumps: Vec<(&BifurcationCurve, &BifurcationCurvePoint)> =
-            self.jumps.iter().flat_map(|curve| curve.points.iter().map(move |point| (curve, point))).collect();
-        let floats = |read: fn(&BifurcationCurvePoint) -> f64| jumps.iter().map(|(_, point)| read(point)).collect::<Vec<f64>>();
+        let jumps: Vec<(&BifurcationCurve, &BifurcationCurvePoint)> = self
+            .jumps
+            .iter()
+            .flat_map(|curve| curve.points.iter().map(move |point| (curve, point)))
+            .collect();
+        let floats = |read: fn(&BifurcationCurvePoint) -> f64| {
+            jumps
+                .iter()
+                .map(|(_, point)| read(point))
+                .collect::<Vec<f64>>()
+        };
         let map = Table::new(vec![
-            Column::new("kind", "", "What happens", jumps.iter().map(|(curve, _)| curve.kind.name().to_owned()).collect::<Vec<_>>()),
-            Column::new("frequency_hz", "Hz", "Drive frequency", floats(|point| point.parameter)),
+            Column::new(
+                "kind",
+                "",
+                "What happens",
+                jumps
+                    .iter()
+                    .map(|(curve, _)| curve.kind.name().to_owned())
+                    .collect::<Vec<_>>(),
+            ),
+            Column::new(
+                "frequency_hz",
+                "Hz",
+                "Drive frequency",
+                floats(|point| point.parameter),
+            ),
             Column::new("gap_m", "m", "Gap", floats(|point| point.parameter_2)),
-            Column::new("mean_power_w", "W", "Mean power", floats(|point| point.mean_power_w)),
+            Column::new(
+                "mean_power_w",
+                "W",
+                "Mean power",
+                floats(|point| point.mean_power_w),
+            ),
         ])?;
         Ok(vec![
-            NamedTable::new("figure-6-branches", "Periodic answers under figure 6.", 5, branches),
-            NamedTable::new("jumps-over-gap", "Jumps over frequency and gap at 50 N.", 5, map),
+            NamedTable::new(
+                "figure-6-branches",
+                "Periodic answers under figure 6.",
+                5,
+                branches,
+            ),
+            NamedTable::new(
+                "jumps-over-gap",
+                "Jumps over frequency and gap at 50 N.",
+                5,
+                map,
+            ),
         ])
     }
 }
@@ -127,7 +239,10 @@ impl PaperOrbits {
 /// The harvester at a level of force, with its frequency as a key.
 fn prepared(level_n: f64, control: &Control) -> Result<(Model, NumericKey), ReproduceError> {
     let set = |key: &str, value: String| (key.to_owned(), value);
-    let settings = [set("drive.shaker.amplitude", format!("{level_n} N")), set("circuit.load.resistance", format!("{MEGOHM} ohm"))];
+    let settings = [
+        set("drive.shaker.amplitude", format!("{level_n} N")),
+        set("circuit.load.resistance", format!("{MEGOHM} ohm")),
+    ];
     let spec = PaperHarvester::spec(&settings)?;
     let key = NumericKey::find(&spec, "drive.shaker.frequency")?;
     Ok((Model::watched(spec, control)?, key))
@@ -152,6 +267,18 @@ fn map_of_jumps(control: &Control) -> Result<Vec<BifurcationCurve>, ReproduceErr
     let (base, key) = prepared(MAP_LEVEL_N, control)?;
     let gap = NumericKey::find(&base.spec, "stop.tip.gap")?;
     let (keys, ranges) = ([&key, &gap], [MAP_HZ, GAPS_M]);
-    let search = BifurcationSearch { base: &base, keys, ranges, tolerance: TOLERANCE, seeds: 0, longest_period: 1, peaks: false };
-    Ok(search.run()?.into_iter().filter(|curve| curve.period_cycles == 1).collect())
+    let search = BifurcationSearch {
+        base: &base,
+        keys,
+        ranges,
+        tolerance: TOLERANCE,
+        seeds: 0,
+        longest_period: 1,
+        peaks: false,
+    };
+    Ok(search
+        .run()?
+        .into_iter()
+        .filter(|curve| curve.period_cycles == 1)
+        .collect())
 }

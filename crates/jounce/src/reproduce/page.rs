@@ -45,7 +45,15 @@ pub(super) fn page(of: &Reproduction) -> Result<Document, ReproduceError> {
     page.section("Claims");
     page.paragraph("Each verdict follows from the numbers of this report and the criterion that is stated with it.");
     for claim in &of.claims {
-        page.claim(&claim.claim, if claim.holds { Verdict::Holds } else { Verdict::DoesNotHold }, &claim.evidence);
+        page.claim(
+            &claim.claim,
+            if claim.holds {
+                Verdict::Holds
+            } else {
+                Verdict::DoesNotHold
+            },
+            &claim.evidence,
+        );
     }
     page.section("Table 2: natural frequencies");
     page.paragraph(of.summary());
@@ -76,7 +84,15 @@ pub(super) fn page(of: &Reproduction) -> Result<Document, ReproduceError> {
          figures 6, 8 and 9 become these.",
     );
     table(&mut page, of, "claims");
-    figures(&mut page, of, &["figure-6-stop-on-table", "figure-8-stop-on-table", "figure-9-stop-on-table"])?;
+    figures(
+        &mut page,
+        of,
+        &[
+            "figure-6-stop-on-table",
+            "figure-8-stop-on-table",
+            "figure-9-stop-on-table",
+        ],
+    )?;
     for chapter in of.chapters() {
         chapter.write(&mut page)?;
     }

@@ -35,18 +35,30 @@ impl PowerOverResistance {
     /// 10 kohm to 10 Mohm at the drive of a case.
     pub fn compute(harvester: &PaperHarvester, case: PaperCase) -> Result<Self, ReproduceError> {
         let resistance_ohm = resistances_ohm(PER_DECADE);
-        let at = |resistance_ohm: &f64| PaperCase { resistance_ohm: *resistance_ohm, ..case };
+        let at = |resistance_ohm: &f64| PaperCase {
+            resistance_ohm: *resistance_ohm,
+            ..case
+        };
         harvester.control.expect(resistance_ohm.len());
         let counted = |r| harvester.run(at(r)).inspect(|_| harvester.control.count());
-        let answers = resistance_ohm.par_iter().map(counted).collect::<Result<Vec<_>, _>>()?;
+        let answers = resistance_ohm
+            .par_iter()
+            .map(counted)
+            .collect::<Result<Vec<_>, _>>()?;
         let line_ohm = resistances_ohm(LINE_PER_DECADE);
-        let linear =
-            |ohm: &[f64]| ohm.iter().map(|r| Ok(steady_power_w(&harvester.plant(at(r))?))).collect::<Result<Vec<f64>, ReproduceError>>();
+        let linear = |ohm: &[f64]| {
+            ohm.iter()
+                .map(|r| Ok(steady_power_w(&harvester.plant(at(r))?)))
+                .collect::<Result<Vec<f64>, ReproduceError>>()
+        };
         let (linear_w, line_w) = (linear(&resistance_ohm)?, linear(&line_ohm)?);
         let impact_w: Vec<f64> = answers.iter().map(|answer| answer.mean_power_w).collect();
         Ok(Self {
             case,
-            settled: answers.iter().map(|answer| answer.settlement.is_some_and(|found| found.settled)).collect(),
+            settled: answers
+                .iter()
+                .map(|answer| answer.settlement.is_some_and(|found| found.settled))
+                .collect(),
             linear_best: optimal_resistance(&harvester.plant(case)?, 0)?,
             impact_best_ohm: best_ohm(&resistance_ohm, &impact_w),
             linear_line: (line_ohm, line_w),
@@ -58,52 +70,105 @@ impl PowerOverResistance {
 
     /// Smallest and largest ratio of the power with impact to that without, over all resistances.
     pub fn gain_range(&self) -> (f64, f64) {
-        let gains = self.impact_w.iter().zip(&self.linear_w).map(|(impact, linear)| impact / linear);
-        gains.fold((f64::INFINITY, 0.0), |(low, high), gain| (low.min(gain), high.max(gain)))
+        let gains = self
+            .impact_w
+            .iter()
+            .zip(&self.linear_w)
+            .map(|(impact, linear)| impact / linear);
+        gains.fold((f64::INFINITY, 0.0), |(low, high), gain| {
+            (low.min(gain), high.max(gain))
+        })
     }
 
     /// The figure under its number in the paper.
     pub fn figure(&self, number: u32, stop: &NamedStop) -> NamedFigure {
-        let line = |label: &str, direction, ohm: &[f64], value: &[f64], settled: &[bool]| SweepLine {
-            label: label.to_owned(),
-            direction,
-            parameter: ohm.to_vec(),
-            value: value.to_vec(),
-            settled: settled.to_vec(),
-        };
+        let line =
+            |label: &str, direction, ohm: &[f64], value: &[f64], settled: &[bool]| SweepLine {
+                label: label.to_owned(),
+                direction,
+                parameter: ohm.to_vec(),
+                value: value.to_vec(),
+                settled: settled.to_vec(),
+            };
         let lines = [
-            line("without impact", LineDirection::Linear, &self.linear_line.0, &self.linear_line.1, &[]),
-            line("with impact", LineDirection::Independent, &self.resistance_ohm, &self.impact_w, &self.settled),
+            line(
+                "without impact",
+                LineDirection::Linear,
+                &self.linear_line.0,
+                &self.linear_line.1,
+                &[],
+            ),
+            line(
+                "with impact",
+                LineDirection::Independent,
+                &self.resistance_ohm,
+                &self.impact_w,
+                &self.settled,
+            ),
         ];
-        let title = format!("Mean power at {} Hz and {} N", self.case.frequency_hz, self.case.amplitude_n);
+        let title = format!(
+            "Mean power at {} Hz and {} N",
+            self.case.frequency_hz, self.case.amplitude_n
+        );
         let caption = format!(
             "Figure {number}. Mean power over the load resistance at {} Hz and {} N; each point with impact is a run of 20 s from rest, the \
              last 10 s averaged. Dotted lines mark the best loads.{}",
             self.case.frequency_hz, self.case.amplitude_n, stop.words
         );
-        NamedFigure::new(&format!("figure-{number}{}", stop.suffix), &caption, power_against_resistance(&title, "W", &lines))
+        NamedFigure::new(
+            &format!("figure-{number}{}", stop.suffix),
+            &caption,
+            power_against_resistance(&title, "W", &lines),
+        )
     }
 
     /// Its data.
     pub fn table(&self, number: u32, stop: &NamedStop) -> Result<NamedTable, ReproduceError> {
         let table = Table::new(vec![
-            Column::new("resistance_ohm", "ohm", "Load resistance", self.resistance_ohm.clone()),
-            Column::new("impact_power_w", "W", "Mean power with impact", self.impact_w.clone()),
-            Column::new("linear_power_w", "W", "Mean power without impact", self.linear_w.clone()),
+            Column::new(
+                "resistance_ohm",
+                "ohm",
+                "Load resistance",
+                self.resistance_ohm.clone(),
+            ),
+            Column::new(
+                "impact_power_w",
+                "W",
+                "Mean power with impact",
+                self.impact_w.clone(),
+            ),
+            Column::new(
+                "linear_power_w",
+                "W",
+                "Mean power without impact",
+                self.linear_w.clone(),
+            ),
             Column::new("settled", "", "Settled", self.settled.clone()),
         ])?;
-        let caption = format!("Figure {number}: mean power over the load resistance.{}", stop.words);
-        Ok(NamedTable::new(&format!("figure-{number}{}", stop.suffix), &caption, 5, table))
+        let caption = format!(
+            "Figure {number}: mean power over the load resistance.{}",
+            stop.words
+        );
+        Ok(NamedTable::new(
+            &format!("figure-{number}{}", stop.suffix),
+            &caption,
+            5,
+            table,
+        ))
     }
 }
 
 fn resistances_ohm(per_decade: u32) -> Vec<f64> {
-    (0..=3 * per_decade).map(|i| 10f64.powf(4.0 + f64::from(i) / f64::from(per_decade))).collect()
+    (0..=3 * per_decade)
+        .map(|i| 10f64.powf(4.0 + f64::from(i) / f64::from(per_decade)))
+        .collect()
 }
 
 /// Top of the parabola over `ln R` through the highest of equally spaced (in `ln R`) points and its neighbours; an end stays what it is.
 fn best_ohm(resistance_ohm: &[f64], power_w: &[f64]) -> f64 {
-    let highest = (0..power_w.len()).max_by(|&a, &b| power_w[a].total_cmp(&power_w[b])).unwrap_or(0);
+    let highest = (0..power_w.len())
+        .max_by(|&a, &b| power_w[a].total_cmp(&power_w[b]))
+        .unwrap_or(0);
     if highest == 0 || highest + 1 == power_w.len() {
         return resistance_ohm[highest];
     }
@@ -120,9 +185,14 @@ mod tests {
     /// `P = 2 R R_0 / (R^2 + R_0^2)` has its top at `R_0`; measured 2e-3 off at worst.
     #[test]
     fn the_best_resistance_lies_between_the_points() {
-        let ohm: Vec<f64> = (0..=30).map(|i| 10f64.powf(4.0 + f64::from(i) / 10.0)).collect();
+        let ohm: Vec<f64> = (0..=30)
+            .map(|i| 10f64.powf(4.0 + f64::from(i) / 10.0))
+            .collect();
         for best in [60e3, 67e3, 69.2e3, 75e3] {
-            let power: Vec<f64> = ohm.iter().map(|r| 2.0 * r * best / (r * r + best * best)).collect();
+            let power: Vec<f64> = ohm
+                .iter()
+                .map(|r| 2.0 * r * best / (r * r + best * best))
+                .collect();
             assert!((best_ohm(&ohm, &power) / best - 1.0).abs() < 3e-3);
         }
         assert_eq!(best_ohm(&[1.0, 2.0, 4.0], &[3.0, 2.0, 1.0]), 1.0);

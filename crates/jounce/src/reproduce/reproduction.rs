@@ -2,7 +2,9 @@
 
 use super::computed::Computed;
 use super::named::{ON_GROUND, ON_TABLE};
-use super::{Chapter, Claim, NamedFigure, NamedTable, ReproduceError, assumptions, claims, page, runs};
+use super::{
+    Chapter, Claim, NamedFigure, NamedTable, ReproduceError, assumptions, claims, page, runs,
+};
 use crate::integrate::Control;
 use crate::table::Manifest;
 use rayon::prelude::*;
@@ -39,17 +41,33 @@ pub struct Written {
 ///
 /// # Errors
 /// None is expected but where the control stops it: the inputs are built in. See [`ReproduceError`].
-pub fn reproduce(control: &Control, progress: &dyn Fn(&str)) -> Result<Reproduction, ReproduceError> {
+pub fn reproduce(
+    control: &Control,
+    progress: &dyn Fn(&str),
+) -> Result<Reproduction, ReproduceError> {
     let computed = Computed::new(control, progress)?;
     let mut figures = computed.hammer.figures();
     figures.push(computed.ground.frequency.figure(&ON_GROUND));
     figures.extend(computed.ground.voltage.figures()?);
-    figures.extend([computed.ground.above.figure(8, &ON_GROUND), computed.ground.below.figure(9, &ON_GROUND)]);
-    figures.extend([computed.table.frequency.figure(&ON_TABLE), computed.table.above.figure(8, &ON_TABLE)]);
+    figures.extend([
+        computed.ground.above.figure(8, &ON_GROUND),
+        computed.ground.below.figure(9, &ON_GROUND),
+    ]);
+    figures.extend([
+        computed.table.frequency.figure(&ON_TABLE),
+        computed.table.above.figure(8, &ON_TABLE),
+    ]);
     figures.push(computed.table.below.figure(9, &ON_TABLE));
-    figures.extend([computed.orbits.figure(&computed.ground.frequency), computed.orbits.map()]);
-    let (ground, on_table) = (claims::judged(&computed.ground), claims::judged(&computed.table));
-    let manifest = Manifest::new(&computed.ground.harvester.spec.hash_hex()).with("command", "reproduce");
+    figures.extend([
+        computed.orbits.figure(&computed.ground.frequency),
+        computed.orbits.map(),
+    ]);
+    let (ground, on_table) = (
+        claims::judged(&computed.ground),
+        claims::judged(&computed.table),
+    );
+    let manifest =
+        Manifest::new(&computed.ground.harvester.spec.hash_hex()).with("command", "reproduce");
     let tables = tables(&computed, claims::table(&ground, &on_table)?)?;
     Ok(Reproduction {
         tables,
@@ -63,11 +81,26 @@ pub fn reproduce(control: &Control, progress: &dyn Fn(&str)) -> Result<Reproduct
 
 fn tables(computed: &Computed, claims: NamedTable) -> Result<Vec<NamedTable>, ReproduceError> {
     let (ground, on_table) = (&computed.ground, &computed.table);
-    let mut tables = vec![computed.table_2.table()?, claims, runs::table(ground)?, assumptions::table(&computed.variants)?];
-    tables.extend([computed.hammer.table()?, ground.frequency.table(&ON_GROUND)?]);
+    let mut tables = vec![
+        computed.table_2.table()?,
+        claims,
+        runs::table(ground)?,
+        assumptions::table(&computed.variants)?,
+    ];
+    tables.extend([
+        computed.hammer.table()?,
+        ground.frequency.table(&ON_GROUND)?,
+    ]);
     tables.extend(ground.voltage.tables()?);
-    tables.extend([ground.above.table(8, &ON_GROUND)?, ground.below.table(9, &ON_GROUND)?]);
-    tables.extend([on_table.frequency.table(&ON_TABLE)?, on_table.above.table(8, &ON_TABLE)?, on_table.below.table(9, &ON_TABLE)?]);
+    tables.extend([
+        ground.above.table(8, &ON_GROUND)?,
+        ground.below.table(9, &ON_GROUND)?,
+    ]);
+    tables.extend([
+        on_table.frequency.table(&ON_TABLE)?,
+        on_table.above.table(8, &ON_TABLE)?,
+        on_table.below.table(9, &ON_TABLE)?,
+    ]);
     tables.extend(computed.orbits.tables()?);
     Ok(tables)
 }
@@ -79,7 +112,10 @@ fn tables(computed: &Computed, claims: NamedTable) -> Result<Vec<NamedTable>, Re
 pub fn folders(folder: &Path) -> Result<[PathBuf; 2], ReproduceError> {
     let both = [folder.join("tables"), folder.join("figures")];
     for path in [folder, &both[0], &both[1]] {
-        std::fs::create_dir_all(path).map_err(|fault| ReproduceError::Folder { path: path.to_owned(), reason: fault.to_string() })?;
+        std::fs::create_dir_all(path).map_err(|fault| ReproduceError::Folder {
+            path: path.to_owned(),
+            reason: fault.to_string(),
+        })?;
     }
     Ok(both)
 }
@@ -121,7 +157,11 @@ impl Reproduction {
         let [tables, figures] = folders(folder)?;
         let report = folder.join("report.html");
         page::page(self)?.write(&report)?;
-        let mut written = Written { report, tables: Vec::new(), figures: Vec::new() };
+        let mut written = Written {
+            report,
+            tables: Vec::new(),
+            figures: Vec::new(),
+        };
         for table in &self.tables {
             for ending in ["csv", "json"] {
                 let path = tables.join(format!("{}.{ending}", table.name));
@@ -129,10 +169,13 @@ impl Reproduction {
                 written.tables.push(path);
             }
         }
-        let drawn =
-            self.figures.iter().flat_map(|figure| ["svg", "png"].map(|ending| (figure, figures.join(format!("{}.{ending}", figure.name)))));
+        let drawn = self.figures.iter().flat_map(|figure| {
+            ["svg", "png"].map(|ending| (figure, figures.join(format!("{}.{ending}", figure.name))))
+        });
         let drawn: Vec<_> = drawn.collect();
-        drawn.par_iter().try_for_each(|(figure, path)| figure.figure.write(path))?;
+        drawn
+            .par_iter()
+            .try_for_each(|(figure, path)| figure.figure.write(path))?;
         written.figures = drawn.into_iter().map(|(_, path)| path).collect();
         Ok(written)
     }

@@ -28,13 +28,28 @@ pub(super) struct DriveLevel {
 }
 
 /// Sweeps up through the frequencies and then down through them, from rest at the first.
-pub(super) fn stepped(harvester: &PaperHarvester, amplitude_n: f64, frequencies_hz: &[f64]) -> Result<DriveLevel, ReproduceError> {
-    let first = PaperCase { frequency_hz: frequencies_hz[0], amplitude_n, resistance_ohm: MEGOHM };
+pub(super) fn stepped(
+    harvester: &PaperHarvester,
+    amplitude_n: f64,
+    frequencies_hz: &[f64],
+) -> Result<DriveLevel, ReproduceError> {
+    let first = PaperCase {
+        frequency_hz: frequencies_hz[0],
+        amplitude_n,
+        resistance_ohm: MEGOHM,
+    };
     let (mut kernel, plan) = (harvester.kernel(first)?, harvester.plan());
     let mut state = StartState::rest(&kernel.plant);
     let (mut up, mut down) = (SteppedBranch::default(), SteppedBranch::default());
-    let back = frequencies_hz.iter().rev().map(|frequency_hz| (frequency_hz, false));
-    for (&frequency_hz, is_up) in frequencies_hz.iter().map(|frequency_hz| (frequency_hz, true)).chain(back) {
+    let back = frequencies_hz
+        .iter()
+        .rev()
+        .map(|frequency_hz| (frequency_hz, false));
+    for (&frequency_hz, is_up) in frequencies_hz
+        .iter()
+        .map(|frequency_hz| (frequency_hz, true))
+        .chain(back)
+    {
         let mut drives = kernel.plant.system.drives.clone();
         for (drive, angle_rad) in drives.iter_mut().zip(&state.drive_angle_rad) {
             drive.frequency_hz = frequency_hz;
@@ -45,26 +60,41 @@ pub(super) fn stepped(harvester: &PaperHarvester, amplitude_n: f64, frequencies_
         harvester.control.count();
         let branch = if is_up { &mut up } else { &mut down };
         branch.frequency_hz.push(frequency_hz);
-        branch.power_w_n2.push(first.normalised(answer.mean_power_w));
-        branch.settled.push(answer.settlement.is_some_and(|found| found.settled));
-        branch.period_cycles.push(answer.settlement.map_or(0, |found| found.period_cycles));
+        branch
+            .power_w_n2
+            .push(first.normalised(answer.mean_power_w));
+        branch
+            .settled
+            .push(answer.settlement.is_some_and(|found| found.settled));
+        branch
+            .period_cycles
+            .push(answer.settlement.map_or(0, |found| found.period_cycles));
         branch.state.push(answer.end.clone());
         state = answer.end;
     }
     let coexistence = Coexistence::compute(harvester, amplitude_n, &up, &down)?;
-    Ok(DriveLevel { amplitude_n, up, down, coexistence })
+    Ok(DriveLevel {
+        amplitude_n,
+        up,
+        down,
+        coexistence,
+    })
 }
 
 impl SteppedBranch {
     /// Place of the highest power.
     pub fn peak(&self) -> usize {
-        (0..self.power_w_n2.len()).max_by(|&a, &b| self.power_w_n2[a].total_cmp(&self.power_w_n2[b])).unwrap_or(0)
+        (0..self.power_w_n2.len())
+            .max_by(|&a, &b| self.power_w_n2[a].total_cmp(&self.power_w_n2[b]))
+            .unwrap_or(0)
     }
 
     /// The steepest change between neighbours in the order of stepping: the place before it and the factor, at least 1.
     pub fn steepest(&self) -> (usize, f64) {
         let factor = |pair: &[f64]| (pair[1] / pair[0]).max(pair[0] / pair[1]);
         let factors = self.power_w_n2.windows(2).map(factor).enumerate();
-        factors.max_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((0, 1.0))
+        factors
+            .max_by(|a, b| a.1.total_cmp(&b.1))
+            .unwrap_or((0, 1.0))
     }
 }

@@ -24,22 +24,36 @@ impl Frequencies {
     /// Both sections.
     pub fn compute() -> Result<Self, ReproduceError> {
         let clamped = |section: &str| -> Result<Vec<f64>, ReproduceError> {
-            let spec = PaperHarvester::spec(&[("patch.mfc.section".to_owned(), section.to_owned())])?;
+            let spec =
+                PaperHarvester::spec(&[("patch.mfc.section".to_owned(), section.to_owned())])?;
             let modes = modes_holding(&spec, &["table".to_owned()])?;
-            Ok(modes.frequency_rad_s.iter().map(|w| w / std::f64::consts::TAU).collect())
+            Ok(modes
+                .frequency_rad_s
+                .iter()
+                .map(|w| w / std::f64::consts::TAU)
+                .collect())
         };
-        Ok(Self { thin_skin_hz: clamped("thin-skin")?, laminate_hz: clamped("laminate")? })
+        Ok(Self {
+            thin_skin_hz: clamped("thin-skin")?,
+            laminate_hz: clamped("laminate")?,
+        })
     }
 
     /// True where ours rounds to the paper's model column in every printed digit.
     pub fn match_print(&self) -> bool {
         let mut all = self.thin_skin_hz.iter().zip(PAPER_HZ).zip(HALF_DIGIT_HZ);
-        self.thin_skin_hz.len() == PAPER_HZ.len() && all.all(|((ours, paper), half)| (ours - paper).abs() <= half)
+        self.thin_skin_hz.len() == PAPER_HZ.len()
+            && all.all(|((ours, paper), half)| (ours - paper).abs() <= half)
     }
 
     /// Largest relative distance from the measurement, for the thin skin and the laminate.
     pub fn worst_errors(&self) -> (f64, f64) {
-        let worst = |ours: &[f64]| errors_percent(ours).iter().fold(0.0, |worst: f64, error| worst.max(error.abs())) / 100.0;
+        let worst = |ours: &[f64]| {
+            errors_percent(ours)
+                .iter()
+                .fold(0.0, |worst: f64, error| worst.max(error.abs()))
+                / 100.0
+        };
         (worst(&self.thin_skin_hz), worst(&self.laminate_hz))
     }
 
@@ -47,18 +61,48 @@ impl Frequencies {
     pub fn table(&self) -> Result<NamedTable, ReproduceError> {
         let table = Table::new(vec![
             Column::new("mode", "", "Mode", (1..=7).collect::<Vec<u64>>()),
-            Column::new("measured_hz", "Hz", "Measured (paper)", MEASURED_HZ.to_vec()),
+            Column::new(
+                "measured_hz",
+                "Hz",
+                "Measured (paper)",
+                MEASURED_HZ.to_vec(),
+            ),
             Column::new("paper_model_hz", "Hz", "Model (paper)", PAPER_HZ.to_vec()),
-            Column::new("thin_skin_hz", "Hz", "Model (ours, thin skin)", self.thin_skin_hz.clone()),
-            Column::new("thin_skin_error_percent", "%", "its error", errors_percent(&self.thin_skin_hz)),
-            Column::new("laminate_hz", "Hz", "Laminate with patch mass", self.laminate_hz.clone()),
-            Column::new("laminate_error_percent", "%", "its error", errors_percent(&self.laminate_hz)),
+            Column::new(
+                "thin_skin_hz",
+                "Hz",
+                "Model (ours, thin skin)",
+                self.thin_skin_hz.clone(),
+            ),
+            Column::new(
+                "thin_skin_error_percent",
+                "%",
+                "its error",
+                errors_percent(&self.thin_skin_hz),
+            ),
+            Column::new(
+                "laminate_hz",
+                "Hz",
+                "Laminate with patch mass",
+                self.laminate_hz.clone(),
+            ),
+            Column::new(
+                "laminate_error_percent",
+                "%",
+                "its error",
+                errors_percent(&self.laminate_hz),
+            ),
         ])?;
-        let caption = "Table 2. Natural frequencies with the table fixed; errors against the measurement.";
+        let caption =
+            "Table 2. Natural frequencies with the table fixed; errors against the measurement.";
         Ok(NamedTable::new("table-2", caption, 4, table))
     }
 }
 
 fn errors_percent(ours_hz: &[f64]) -> Vec<f64> {
-    ours_hz.iter().zip(MEASURED_HZ).map(|(ours, measured)| 100.0 * (ours / measured - 1.0)).collect()
+    ours_hz
+        .iter()
+        .zip(MEASURED_HZ)
+        .map(|(ours, measured)| 100.0 * (ours / measured - 1.0))
+        .collect()
 }

@@ -27,37 +27,69 @@ impl VoltageRecord {
     /// Marches 13 Hz and 200 N from rest.
     pub fn compute(harvester: &PaperHarvester) -> Result<Self, ReproduceError> {
         let kernel = harvester.kernel(ABOVE_RESONANCE)?;
-        let plan = RunPlan { record_s: harvester.spec.run.average_over_s, ..harvester.plan() };
+        let plan = RunPlan {
+            record_s: harvester.spec.run.average_over_s,
+            ..harvester.plan()
+        };
         let answer = simulate(&kernel, &StartState::rest(&kernel.plant), &plan)?;
         let from_s = plan.duration_s - plan.average_over_s;
         let count = (plan.average_over_s * RATE_HZ) as usize;
         let time_s: Vec<f64> = (0..count).map(|i| from_s + i as f64 / RATE_HZ).collect();
         let place = 2 * kernel.plant.system.modes.len();
         let at = answer.trajectory.at(&kernel, &time_s);
-        let voltage_v: Vec<f64> = at.iter().map(|at| kernel.plant.to_physical(&at.state, at.time_s)[place]).collect();
-        let orders: Vec<f64> = (1..=2 * HIGHEST_ORDER).map(|i| f64::from(i) / 2.0).collect();
-        let lines = Samples::new(&voltage_v, RATE_HZ)?.orders(ABOVE_RESONANCE.frequency_hz, &orders)?.lines;
-        Ok(Self { answer, time_s, voltage_v, lines })
+        let voltage_v: Vec<f64> = at
+            .iter()
+            .map(|at| kernel.plant.to_physical(&at.state, at.time_s)[place])
+            .collect();
+        let orders: Vec<f64> = (1..=2 * HIGHEST_ORDER)
+            .map(|i| f64::from(i) / 2.0)
+            .collect();
+        let lines = Samples::new(&voltage_v, RATE_HZ)?
+            .orders(ABOVE_RESONANCE.frequency_hz, &orders)?
+            .lines;
+        Ok(Self {
+            answer,
+            time_s,
+            voltage_v,
+            lines,
+        })
     }
 
     /// Figure 7 and the spectrum of the same run.
     pub fn figures(&self) -> Result<Vec<NamedFigure>, ReproduceError> {
         let from = self.time_s.len() - RATE_HZ as usize;
-        let trace = Trace { quantity: "Voltage".to_owned(), unit: "V".to_owned(), values: self.voltage_v[from..].to_vec() };
+        let trace = Trace {
+            quantity: "Voltage".to_owned(),
+            unit: "V".to_owned(),
+            values: self.voltage_v[from..].to_vec(),
+        };
         let history = time_histories("Voltage at 13 Hz and 200 N", &self.time_s[from..], &[trace]);
         let spectrum = Samples::new(&self.voltage_v, RATE_HZ)?.spectrum(Window::Rectangular);
-        let count = spectrum.frequency_hz.iter().take_while(|f| **f <= HIGHEST_HZ).count();
+        let count = spectrum
+            .frequency_hz
+            .iter()
+            .take_while(|f| **f <= HIGHEST_HZ)
+            .count();
         let line = SpectrumLine {
             label: "voltage".to_owned(),
             frequency_hz: spectrum.frequency_hz[..count].to_vec(),
             amplitude_peak: spectrum.amplitude_peak[..count].to_vec(),
         };
         let drive_hz = Some(ABOVE_RESONANCE.frequency_hz);
-        let lines = spectra("Spectrum of the voltage at 13 Hz and 200 N", "Voltage", "V", Scale::Log, &[line], drive_hz);
+        let lines = spectra(
+            "Spectrum of the voltage at 13 Hz and 200 N",
+            "Voltage",
+            "V",
+            Scale::Log,
+            &[line],
+            drive_hz,
+        );
         let caption = "Figure 7. Voltage over the last second of 20 s at 13 Hz, 200 N and 1 MΩ.";
-        let below =
-            "Spectrum of the same voltage over the last 10 s (amplitudes zero to peak, no window: ten seconds hold 130 whole periods).";
-        Ok(vec![NamedFigure::new("figure-7", caption, history), NamedFigure::new("figure-7-spectrum", below, lines)])
+        let below = "Spectrum of the same voltage over the last 10 s (amplitudes zero to peak, no window: ten seconds hold 130 whole periods).";
+        Ok(vec![
+            NamedFigure::new("figure-7", caption, history),
+            NamedFigure::new("figure-7-spectrum", below, lines),
+        ])
     }
 
     /// The last second, and the lines.
@@ -70,12 +102,32 @@ impl VoltageRecord {
         let column = |of: fn(&OrderLine) -> f64| self.lines.iter().map(of).collect::<Vec<f64>>();
         let lines = Table::new(vec![
             Column::new("order", "", "Order", column(|line| line.order)),
-            Column::new("frequency_hz", "Hz", "Frequency", column(|line| line.frequency_hz)),
-            Column::new("voltage_peak_v", "V", "Voltage, peak", column(|line| line.amplitude_peak)),
+            Column::new(
+                "frequency_hz",
+                "Hz",
+                "Frequency",
+                column(|line| line.frequency_hz),
+            ),
+            Column::new(
+                "voltage_peak_v",
+                "V",
+                "Voltage, peak",
+                column(|line| line.amplitude_peak),
+            ),
         ])?;
         Ok(vec![
-            NamedTable::new("figure-7", "Figure 7: voltage over the last second.", 6, history),
-            NamedTable::new("figure-7-orders", "Lines of the voltage at 13 Hz and 200 N at multiples of the drive frequency.", 4, lines),
+            NamedTable::new(
+                "figure-7",
+                "Figure 7: voltage over the last second.",
+                6,
+                history,
+            ),
+            NamedTable::new(
+                "figure-7-orders",
+                "Lines of the voltage at 13 Hz and 200 N at multiples of the drive frequency.",
+                4,
+                lines,
+            ),
         ])
     }
 }

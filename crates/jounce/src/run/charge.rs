@@ -38,10 +38,21 @@ pub struct ChargeResult {
 pub fn charges(kernel: &Kernel, answer: &RunResult, plan: &RunPlan) -> Vec<ChargeResult> {
     let plant = &kernel.plant;
     let from_s = plan.duration_s - plan.average_over_s;
-    let recorded = answer.trajectory.segments().first().is_some_and(|first| first.start_s <= from_s * (1.0 + 1e-12));
+    let recorded = answer
+        .trajectory
+        .segments()
+        .first()
+        .is_some_and(|first| first.start_s <= from_s * (1.0 + 1e-12));
     let mut found = Vec::new();
     for (k, bridge) in plant.system.bridges.iter().enumerate().filter(|_| recorded) {
-        let (Storage::Capacitor { capacitance_f, load_ohm }, Some(node)) = (bridge.storage, plant.electrical.bridges[k].storage) else {
+        let (
+            Storage::Capacitor {
+                capacitance_f,
+                load_ohm,
+            },
+            Some(node),
+        ) = (bridge.storage, plant.electrical.bridges[k].storage)
+        else {
             continue;
         };
         // What extracts energy passes no charge.
@@ -49,15 +60,39 @@ pub fn charges(kernel: &Kernel, answer: &RunResult, plan: &RunPlan) -> Vec<Charg
             continue;
         }
         let place = 2 * plant.system.modes.len() + node;
-        let flux_v_s = answer.trajectory.integral(kernel, from_s, plan.duration_s, place);
-        let kept_v = answer.end.voltage_v[node] - answer.trajectory.physical_at(kernel, from_s).get(place).copied().unwrap_or(f64::NAN);
+        let flux_v_s = answer
+            .trajectory
+            .integral(kernel, from_s, plan.duration_s, place);
+        let kept_v = answer.end.voltage_v[node]
+            - answer
+                .trajectory
+                .physical_at(kernel, from_s)
+                .get(place)
+                .copied()
+                .unwrap_or(f64::NAN);
         let passed_c = answer.rectified[k].mean_current_a * plan.average_over_s;
-        let (load_c, leakage_c) = (flux_v_s / load_ohm, bridge.leakage_ohm.map_or(0.0, |ohm| flux_v_s / ohm));
+        let (load_c, leakage_c) = (
+            flux_v_s / load_ohm,
+            bridge.leakage_ohm.map_or(0.0, |ohm| flux_v_s / ohm),
+        );
         let storage_c = capacitance_f * kept_v;
-        let largest_c = [passed_c, load_c, leakage_c, storage_c].iter().fold(0.0_f64, |max, charge| max.max(charge.abs()));
+        let largest_c = [passed_c, load_c, leakage_c, storage_c]
+            .iter()
+            .fold(0.0_f64, |max, charge| max.max(charge.abs()));
         let left_c = passed_c - load_c - leakage_c - storage_c;
-        let residual_relative = if largest_c > 0.0 { left_c / largest_c } else { 0.0 };
-        found.push(ChargeResult { name: bridge.name.clone(), passed_c, load_c, leakage_c, storage_c, residual_relative });
+        let residual_relative = if largest_c > 0.0 {
+            left_c / largest_c
+        } else {
+            0.0
+        };
+        found.push(ChargeResult {
+            name: bridge.name.clone(),
+            passed_c,
+            load_c,
+            leakage_c,
+            storage_c,
+            residual_relative,
+        });
     }
     found
 }

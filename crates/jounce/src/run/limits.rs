@@ -41,10 +41,20 @@ impl fmt::Display for ExceededLimit {
         let [low, high] = self.limits;
         match self.quantity {
             LimitedQuantity::Strain => {
-                write!(out, "patch {}: its strain reaches {:.0} ppm; {:.0} ppm are recommended", self.patch, 1e6 * self.reached, 1e6 * high)
+                write!(
+                    out,
+                    "patch {}: its strain reaches {:.0} ppm; {:.0} ppm are recommended",
+                    self.patch,
+                    1e6 * self.reached,
+                    1e6 * high
+                )
             }
             LimitedQuantity::Voltage => {
-                write!(out, "patch {}: its voltage reaches {:.3} V; it bears {low} V to {high} V", self.patch, self.reached)
+                write!(
+                    out,
+                    "patch {}: its voltage reaches {:.3} V; it bears {low} V to {high} V",
+                    self.patch, self.reached
+                )
             }
         }
     }
@@ -72,28 +82,49 @@ impl WorstExcess {
     /// Each limit that some of many answers pass.
     pub fn of<'e>(answers: impl IntoIterator<Item = &'e [ExceededLimit]>) -> Vec<Self> {
         let mut found: Vec<Self> = Vec::new();
-        for (place, exceeded) in answers.into_iter().enumerate().flat_map(|(place, own)| own.iter().map(move |exceeded| (place, exceeded)))
+        for (place, exceeded) in answers
+            .into_iter()
+            .enumerate()
+            .flat_map(|(place, own)| own.iter().map(move |exceeded| (place, exceeded)))
         {
-            match found.iter_mut().find(|known| (&known.exceeded.patch, known.exceeded.quantity) == (&exceeded.patch, exceeded.quantity)) {
+            match found.iter_mut().find(|known| {
+                (&known.exceeded.patch, known.exceeded.quantity)
+                    == (&exceeded.patch, exceeded.quantity)
+            }) {
                 Some(known) => {
                     known.answers += 1;
                     if exceeded.excess() > known.exceeded.excess() {
                         (known.exceeded, known.place) = (exceeded.clone(), place);
                     }
                 }
-                None => found.push(Self { exceeded: exceeded.clone(), place, answers: 1 }),
+                None => found.push(Self {
+                    exceeded: exceeded.clone(),
+                    place,
+                    answers: 1,
+                }),
             }
         }
         found
     }
 
     /// The same in words: `what` are the answers, `place` tells where one of them is.
-    pub fn messages(answers: &[&[ExceededLimit]], what: &str, place: impl Fn(usize) -> String) -> Vec<String> {
+    pub fn messages(
+        answers: &[&[ExceededLimit]],
+        what: &str,
+        place: impl Fn(usize) -> String,
+    ) -> Vec<String> {
         let sentence = |worst: Self| {
             let (count, of) = (worst.answers, answers.len());
-            format!("{}; {count} of {of} {what} pass the limit, worst at {}", worst.exceeded, place(worst.place))
+            format!(
+                "{}; {count} of {of} {what} pass the limit, worst at {}",
+                worst.exceeded,
+                place(worst.place)
+            )
         };
-        Self::of(answers.iter().copied()).into_iter().map(sentence).collect()
+        Self::of(answers.iter().copied())
+            .into_iter()
+            .map(sentence)
+            .collect()
     }
 }
 
@@ -107,7 +138,11 @@ impl Limits {
     /// Of the patches of a plant.
     pub fn of(spec: &Spec, plant: &Plant) -> Self {
         let names = plant.system.modes.patch.keys().enumerate();
-        Self { patches: names.filter_map(|(index, name)| PatchLimits::of(spec, index, name)).collect() }
+        Self {
+            patches: names
+                .filter_map(|(index, name)| PatchLimits::of(spec, index, name))
+                .collect(),
+        }
     }
 
     /// True where every patch bears everything.
@@ -117,15 +152,28 @@ impl Limits {
 
     /// The limits that a record passes.
     pub fn exceeded(&self, kernel: &Kernel, trajectory: &Trajectory) -> Vec<ExceededLimit> {
-        let (Some(first), Some(last)) = (trajectory.segments().first(), trajectory.segments().last()) else { return Vec::new() };
+        let (Some(first), Some(last)) =
+            (trajectory.segments().first(), trajectory.segments().last())
+        else {
+            return Vec::new();
+        };
         if self.is_empty() {
             return Vec::new();
         }
         let plant = &kernel.plant;
         let (begin_s, end_s) = (first.start_s, last.start_s + last.length_s);
-        let times: Vec<f64> = (0..=RECORD_SAMPLES).map(|k| begin_s + (end_s - begin_s) * k as f64 / RECORD_SAMPLES as f64).collect();
-        let states: Vec<Vec<f64>> = trajectory.at(kernel, &times).iter().map(|at| plant.to_physical(&at.state, at.time_s)).collect();
-        self.patches.iter().flat_map(|patch| patch.exceeded(plant, &states)).collect()
+        let times: Vec<f64> = (0..=RECORD_SAMPLES)
+            .map(|k| begin_s + (end_s - begin_s) * k as f64 / RECORD_SAMPLES as f64)
+            .collect();
+        let states: Vec<Vec<f64>> = trajectory
+            .at(kernel, &times)
+            .iter()
+            .map(|at| plant.to_physical(&at.state, at.time_s))
+            .collect();
+        self.patches
+            .iter()
+            .flat_map(|patch| patch.exceeded(plant, &states))
+            .collect()
     }
 }
 
@@ -147,28 +195,56 @@ struct PatchLimits {
 impl PatchLimits {
     fn of(spec: &Spec, index: usize, name: &str) -> Option<Self> {
         let patch = spec.patch.get(name)?;
-        let voltages_v = material::named(&patch.material).and_then(|material| material.voltage_limits_v);
+        let voltages_v =
+            material::named(&patch.material).and_then(|material| material.voltage_limits_v);
         let strain = patch.strain_limit;
-        (strain.is_some() || voltages_v.is_some()).then(|| Self { name: name.to_owned(), index, strain, voltages_v })
+        (strain.is_some() || voltages_v.is_some()).then(|| Self {
+            name: name.to_owned(),
+            index,
+            strain,
+            voltages_v,
+        })
     }
 
     /// What the states do beyond its limits.
     fn exceeded(&self, plant: &Plant, states: &[Vec<f64>]) -> Vec<ExceededLimit> {
         let strained = self.strain.and_then(|limit| {
-            let strain = |x: &Vec<f64>, shape: &Vec<f64>| shape.iter().zip(x).map(|(s, q)| s * q).sum::<f64>();
+            let strain = |x: &Vec<f64>, shape: &Vec<f64>| {
+                shape.iter().zip(x).map(|(s, q)| s * q).sum::<f64>()
+            };
             let shapes = &plant.system.modes.patch[&self.name].strain;
-            let strains = states.iter().flat_map(|x| shapes.iter().map(move |shape| strain(x, shape)));
-            beyond(&self.name, LimitedQuantity::Strain, strains, [-limit, limit])
+            let strains = states
+                .iter()
+                .flat_map(|x| shapes.iter().map(move |shape| strain(x, shape)));
+            beyond(
+                &self.name,
+                LimitedQuantity::Strain,
+                strains,
+                [-limit, limit],
+            )
         });
         let voltages = || states.iter().map(|x| plant.patch_voltages_v(x)[self.index]);
-        let charged = self.voltages_v.and_then(|limits| beyond(&self.name, LimitedQuantity::Voltage, voltages(), limits));
+        let charged = self
+            .voltages_v
+            .and_then(|limits| beyond(&self.name, LimitedQuantity::Voltage, voltages(), limits));
         strained.into_iter().chain(charged).collect()
     }
 }
 
-fn beyond(patch: &str, quantity: LimitedQuantity, values: impl Iterator<Item = f64>, limits: [f64; 2]) -> Option<ExceededLimit> {
-    let reached = values.max_by(|one, other| excess(*one, limits).total_cmp(&excess(*other, limits)))?;
-    (excess(reached, limits) > 0.0).then(|| ExceededLimit { patch: patch.to_owned(), quantity, reached, limits })
+fn beyond(
+    patch: &str,
+    quantity: LimitedQuantity,
+    values: impl Iterator<Item = f64>,
+    limits: [f64; 2],
+) -> Option<ExceededLimit> {
+    let reached =
+        values.max_by(|one, other| excess(*one, limits).total_cmp(&excess(*other, limits)))?;
+    (excess(reached, limits) > 0.0).then(|| ExceededLimit {
+        patch: patch.to_owned(),
+        quantity,
+        reached,
+        limits,
+    })
 }
 
 /// How far a value lies beyond its limits; negative within them.
@@ -195,17 +271,44 @@ mod tests {
         let plant = Plant::new(System::assemble(&spec, modes(&spec).unwrap()).unwrap()).unwrap();
         let start = StartState::linear(&plant);
         let kernel = Kernel::new(plant).unwrap();
-        let plan = RunPlan { duration_s: 4.0, average_over_s: 2.0, tolerance: 1e-9, record_s: 2.0 };
+        let plan = RunPlan {
+            duration_s: 4.0,
+            average_over_s: 2.0,
+            tolerance: 1e-9,
+            record_s: 2.0,
+        };
         let answer = simulate(&kernel, &start, &plan).unwrap();
         let warned = exceeded(&spec, &kernel, &answer.trajectory);
-        let section = crate::structure::section::CrossSection::covered(&spec.beam["b"], spec.patch.values());
+        let section =
+            crate::structure::section::CrossSection::covered(&spec.beam["b"], spec.patch.values());
         let strain = 6.0 * 0.1 / section.bending_stiffness_n_m2 * (1.3e-3 - section.neutral_axis_m);
-        assert_eq!((warned.len(), warned[0].quantity), (1, LimitedQuantity::Strain));
+        assert_eq!(
+            (warned.len(), warned[0].quantity),
+            (1, LimitedQuantity::Strain)
+        );
         // Twelve modes give the curvature at the root within 5 %.
-        assert!((warned[0].reached.abs() / strain - 1.0).abs() < 0.05, "{} {strain}", warned[0].reached);
-        assert!(warned[0].to_string().contains("600 ppm are recommended"), "{}", warned[0]);
-        let worse = ExceededLimit { reached: 2.0 * warned[0].reached, ..warned[0].clone() };
+        assert!(
+            (warned[0].reached.abs() / strain - 1.0).abs() < 0.05,
+            "{} {strain}",
+            warned[0].reached
+        );
+        assert!(
+            warned[0].to_string().contains("600 ppm are recommended"),
+            "{}",
+            warned[0]
+        );
+        let worse = ExceededLimit {
+            reached: 2.0 * warned[0].reached,
+            ..warned[0].clone()
+        };
         let worst = WorstExcess::of([&warned[..], &[], std::slice::from_ref(&worse)]);
-        assert_eq!(worst, [WorstExcess { exceeded: worse, place: 2, answers: 2 }]);
+        assert_eq!(
+            worst,
+            [WorstExcess {
+                exceeded: worse,
+                place: 2,
+                answers: 2
+            }]
+        );
     }
 }

@@ -118,6 +118,9 @@ impl RunResult {
     /// Voltage of the first load or, without one, of the storage of the first rectified circuit, rms, V; `None` where nothing takes power.
     pub fn voltage_rms_v(&self) -> Option<f64> {
         let storage = || self.rectified.first().map(|circuit| circuit.voltage_rms_v);
-        self.loads.first().map(|load| load.voltage_rms_v).or_else(storage)
+        self.loads
+            .first()
+            .map(|load| load.voltage_rms_v)
+            .or_else(storage)
     }
 }

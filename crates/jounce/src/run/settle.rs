@@ -33,10 +33,18 @@ pub const SETTLED_DISTANCE: f64 = 1e-4;
 pub(super) fn settlement(states: &[Vec<f64>], noise: f64, least: f64) -> Settlement {
     let mut best: Option<Settlement> = None;
     for period in 1..=MAX_PERIOD_CYCLES {
-        let Some(first) = states.len().checked_sub(2 * period + 1) else { break };
-        let (old, middle, last) = (&states[first], &states[first + period], &states[first + 2 * period]);
+        let Some(first) = states.len().checked_sub(2 * period + 1) else {
+            break;
+        };
+        let (old, middle, last) = (
+            &states[first],
+            &states[first + period],
+            &states[first + 2 * period],
+        );
         let size = norm(last.iter().copied());
-        let change = |a: &[f64], b: &[f64]| norm(a.iter().zip(b).map(|(a, b)| a - b)) / size.max(least).max(f64::MIN_POSITIVE);
+        let change = |a: &[f64], b: &[f64]| {
+            norm(a.iter().zip(b).map(|(a, b)| a - b)) / size.max(least).max(f64::MIN_POSITIVE)
+        };
         let (before, now) = (change(middle, old), change(last, middle));
         let ratio = now / before;
         let distance = match now < noise {
@@ -44,7 +52,12 @@ pub(super) fn settlement(states: &[Vec<f64>], noise: f64, least: f64) -> Settlem
             false if ratio < 1.0 => now * (ratio / (1.0 - ratio)).max(1.0),
             false => f64::INFINITY,
         };
-        let found = Settlement { settled: distance < SETTLED_DISTANCE, period_cycles: period as u32, change: now, distance };
+        let found = Settlement {
+            settled: distance < SETTLED_DISTANCE,
+            period_cycles: period as u32,
+            change: now,
+            distance,
+        };
         if found.settled {
             return found;
         }
@@ -52,7 +65,12 @@ pub(super) fn settlement(states: &[Vec<f64>], noise: f64, least: f64) -> Settlem
             best = Some(found);
         }
     }
-    best.unwrap_or(Settlement { settled: false, period_cycles: 1, change: f64::INFINITY, distance: f64::INFINITY })
+    best.unwrap_or(Settlement {
+        settled: false,
+        period_cycles: 1,
+        change: f64::INFINITY,
+        distance: f64::INFINITY,
+    })
 }
 
 pub(super) fn norm(values: impl Iterator<Item = f64>) -> f64 {
@@ -65,14 +83,21 @@ mod tests {
 
     #[test]
     fn a_slow_decay_is_not_settled_though_it_changes_little() {
-        let states: Vec<Vec<f64>> = (0..STROBE_STATES).map(|k| vec![1.0 + 0.05 * 0.999_f64.powi(k as i32)]).collect();
+        let states: Vec<Vec<f64>> = (0..STROBE_STATES)
+            .map(|k| vec![1.0 + 0.05 * 0.999_f64.powi(k as i32)])
+            .collect();
         let found = settlement(&states, 1e-12, 0.0);
-        assert!(!found.settled && found.change < 1e-4 && (found.distance / 0.0472 - 1.0).abs() < 0.02, "{found:?}");
+        assert!(
+            !found.settled && found.change < 1e-4 && (found.distance / 0.0472 - 1.0).abs() < 0.02,
+            "{found:?}"
+        );
     }
 
     #[test]
     fn an_orbit_of_two_cycles_is_found() {
-        let states: Vec<Vec<f64>> = (0..STROBE_STATES).map(|k| vec![1.0, if k % 2 == 0 { 0.1 } else { -0.1 }]).collect();
+        let states: Vec<Vec<f64>> = (0..STROBE_STATES)
+            .map(|k| vec![1.0, if k % 2 == 0 { 0.1 } else { -0.1 }])
+            .collect();
         let found = settlement(&states, 1e-12, 0.0);
         assert!(found.settled && found.period_cycles == 2, "{found:?}");
     }

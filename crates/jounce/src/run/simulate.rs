@@ -1,9 +1,13 @@
 //! Marches a plan and reads its answers.
 
 use super::settle::{STROBE_STATES, norm, settlement};
-use super::{LeakResult, Limits, LoadResult, RectifiedResult, RunResult, Settlement, StartState, StopResult};
+use super::{
+    LeakResult, Limits, LoadResult, RectifiedResult, RunResult, Settlement, StartState, StopResult,
+};
 use crate::contact::Law;
-use crate::integrate::{ContactStatistics, Energies, IntegrationError, Integrator, Kernel, RectifiedEnergies};
+use crate::integrate::{
+    ContactStatistics, Energies, IntegrationError, Integrator, Kernel, RectifiedEnergies,
+};
 use crate::plant::{Bridge, Leak, Plant, Storage};
 use crate::spec::{Run, Spec};
 use std::time::Instant;
@@ -31,21 +35,44 @@ impl RunPlan {
     /// What `[run]` of a spec asks for, with a record of its last `record_s` seconds.
     #[must_use]
     pub fn of(run: &Run, record_s: f64) -> Self {
-        Self { duration_s: run.duration_s, average_over_s: run.average_over_s, tolerance: run.tolerance, record_s }
+        Self {
+            duration_s: run.duration_s,
+            average_over_s: run.average_over_s,
+            tolerance: run.tolerance,
+            record_s,
+        }
     }
 
     /// The same with a record of the averaging window where a patch has limits and no period says where to look for them.
     #[must_use]
     pub fn watching(self, spec: &Spec, plant: &Plant) -> Self {
         let looks = plant.period_s().is_none() && !Limits::of(spec, plant).is_empty();
-        Self { record_s: if looks { self.record_s.max(self.average_over_s) } else { self.record_s }, ..self }
+        Self {
+            record_s: if looks {
+                self.record_s.max(self.average_over_s)
+            } else {
+                self.record_s
+            },
+            ..self
+        }
     }
 
     /// The same with a record of the averaging window where a rectifier feeds a capacitor, for [`super::charges`].
     #[must_use]
     pub fn balancing(self, plant: &Plant) -> Self {
-        let fed = plant.system.bridges.iter().any(|bridge| matches!(bridge.storage, Storage::Capacitor { .. }));
-        Self { record_s: if fed { self.record_s.max(self.average_over_s) } else { self.record_s }, ..self }
+        let fed = plant
+            .system
+            .bridges
+            .iter()
+            .any(|bridge| matches!(bridge.storage, Storage::Capacitor { .. }));
+        Self {
+            record_s: if fed {
+                self.record_s.max(self.average_over_s)
+            } else {
+                self.record_s
+            },
+            ..self
+        }
     }
 }
 
@@ -95,7 +122,11 @@ pub enum RunError {
 ///
 /// # Errors
 /// [`RunError`].
-pub fn simulate(kernel: &Kernel, start: &StartState, plan: &RunPlan) -> Result<RunResult, RunError> {
+pub fn simulate(
+    kernel: &Kernel,
+    start: &StartState,
+    plan: &RunPlan,
+) -> Result<RunResult, RunError> {
     let plant = &kernel.plant;
     check(plant, start)?;
     check_outside(plant, &start.displacement)?;
@@ -116,7 +147,10 @@ pub fn simulate(kernel: &Kernel, start: &StartState, plan: &RunPlan) -> Result<R
         if is_window {
             earlier = integrator.statistics().contacts;
             integrator.reset_statistics();
-            opened = Some((integrator.energies(), StartState::from_blocks(plant, &integrator.state(), time_s)));
+            opened = Some((
+                integrator.energies(),
+                StartState::from_blocks(plant, &integrator.state(), time_s),
+            ));
         } else {
             integrator.start_record();
         }
@@ -132,7 +166,11 @@ pub fn simulate(kernel: &Kernel, start: &StartState, plan: &RunPlan) -> Result<R
     let statistics = integrator.statistics();
     let loads = loads(plant, [&opened, &energies], plan.average_over_s);
     let end = StartState::from_blocks(plant, &integrator.state(), end_s);
-    let rectified = rectified(plant, [(&opened, &before), (&energies, &end)], plan.average_over_s);
+    let rectified = rectified(
+        plant,
+        [(&opened, &before), (&energies, &end)],
+        plan.average_over_s,
+    );
     Ok(RunResult {
         mean_power_w: mean_power_w(&loads, &rectified),
         loads,
@@ -154,28 +192,58 @@ pub fn simulate(kernel: &Kernel, start: &StartState, plan: &RunPlan) -> Result<R
 }
 
 fn mean_power_w(loads: &[LoadResult], rectified: &[RectifiedResult]) -> f64 {
-    let powers = loads.iter().map(|load| load.mean_power_w).chain(rectified.iter().map(|own| own.mean_power_w));
+    let powers = loads
+        .iter()
+        .map(|load| load.mean_power_w)
+        .chain(rectified.iter().map(|own| own.mean_power_w));
     powers.fold(0.0, |sum, own| sum + own)
 }
 
 fn loads(plant: &Plant, ends: [&Energies; 2], average_over_s: f64) -> Vec<LoadResult> {
-    (plant.system.loads.iter().zip(ends[1].loads_j.iter().zip(&ends[0].loads_j)))
-        .map(|(load, (end, start))| {
-            let mean_power_w = (end - start) / average_over_s;
-            LoadResult { name: load.name.clone(), mean_power_w, voltage_rms_v: (mean_power_w * load.resistance_ohm).max(0.0).sqrt() }
-        })
-        .collect()
+    (plant
+        .system
+        .loads
+        .iter()
+        .zip(ends[1].loads_j.iter().zip(&ends[0].loads_j)))
+    .map(|(load, (end, start))| {
+        let mean_power_w = (end - start) / average_over_s;
+        LoadResult {
+            name: load.name.clone(),
+            mean_power_w,
+            voltage_rms_v: (mean_power_w * load.resistance_ohm).max(0.0).sqrt(),
+        }
+    })
+    .collect()
 }
 
-fn rectified(plant: &Plant, ends: [(&Energies, &StartState); 2], average_over_s: f64) -> Vec<RectifiedResult> {
+fn rectified(
+    plant: &Plant,
+    ends: [(&Energies, &StartState); 2],
+    average_over_s: f64,
+) -> Vec<RectifiedResult> {
     let answer = |(k, bridge): (usize, &Bridge)| {
-        let change = |of: &dyn Fn(&Energies, &StartState) -> f64| of(ends[1].0, ends[1].1) - of(ends[0].0, ends[0].1);
-        let mean = |of: fn(&RectifiedEnergies) -> f64| change(&|energies, _| energies.rectified.get(k).map_or(0.0, of)) / average_over_s;
+        let change = |of: &dyn Fn(&Energies, &StartState) -> f64| {
+            of(ends[1].0, ends[1].1) - of(ends[0].0, ends[0].1)
+        };
+        let mean = |of: fn(&RectifiedEnergies) -> f64| {
+            change(&|energies, _| energies.rectified.get(k).map_or(0.0, of)) / average_over_s
+        };
         let mean_power_w = mean(|own| own.load_j + own.battery_j);
-        let (voltage_rms_v, storage_w) = match (bridge.storage, plant.electrical.bridges[k].storage) {
-            (Storage::Capacitor { capacitance_f, load_ohm }, Some(node)) => {
-                let stored_j = change(&|_, state| 0.5 * capacitance_f * state.voltage_v[node].powi(2));
-                ((mean_power_w * load_ohm).max(0.0).sqrt(), stored_j / average_over_s)
+        let (voltage_rms_v, storage_w) = match (bridge.storage, plant.electrical.bridges[k].storage)
+        {
+            (
+                Storage::Capacitor {
+                    capacitance_f,
+                    load_ohm,
+                },
+                Some(node),
+            ) => {
+                let stored_j =
+                    change(&|_, state| 0.5 * capacitance_f * state.voltage_v[node].powi(2));
+                (
+                    (mean_power_w * load_ohm).max(0.0).sqrt(),
+                    stored_j / average_over_s,
+                )
             }
             (Storage::Battery { voltage_v }, _) => (voltage_v, 0.0),
             (Storage::Capacitor { .. }, None) => (f64::NAN, f64::NAN),
@@ -191,14 +259,33 @@ fn rectified(plant: &Plant, ends: [(&Energies, &StartState); 2], average_over_s:
             leakage_w: mean(|own| own.leakage_j),
         }
     };
-    plant.system.bridges.iter().enumerate().map(answer).collect()
+    plant
+        .system
+        .bridges
+        .iter()
+        .enumerate()
+        .map(answer)
+        .collect()
 }
 
 fn leaks(plant: &Plant, [start, end]: [&Energies; 2], average_over_s: f64) -> Vec<LeakResult> {
     let names: Vec<&String> = plant.system.modes.patch.keys().collect();
-    let lost = start.leaks_j.iter().zip(&end.leaks_j).map(|(start, end)| (end - start) / average_over_s);
-    let answer = |(leak, mean_power_w): (&Leak, f64)| LeakResult { patch: names[leak.patch].clone(), mean_power_w };
-    plant.electrical.leaks.iter().zip(lost).map(answer).collect()
+    let lost = start
+        .leaks_j
+        .iter()
+        .zip(&end.leaks_j)
+        .map(|(start, end)| (end - start) / average_over_s);
+    let answer = |(leak, mean_power_w): (&Leak, f64)| LeakResult {
+        patch: names[leak.patch].clone(),
+        mean_power_w,
+    };
+    plant
+        .electrical
+        .leaks
+        .iter()
+        .zip(lost)
+        .map(answer)
+        .collect()
 }
 
 fn stops(plant: &Plant, integrator: &Integrator, average_over_s: f64) -> Vec<StopResult> {
@@ -215,7 +302,13 @@ fn stops(plant: &Plant, integrator: &Integrator, average_over_s: f64) -> Vec<Sto
         max_contact_force_n: own.max_force_n,
         impulse_n_s: own.impulse_n_s,
     };
-    plant.system.stops.iter().zip(integrator.statistics_by_stop()).map(answer).collect()
+    plant
+        .system
+        .stops
+        .iter()
+        .zip(integrator.statistics_by_stop())
+        .map(answer)
+        .collect()
 }
 
 fn check(plant: &Plant, start: &StartState) -> Result<(), RunError> {
@@ -236,31 +329,67 @@ fn check(plant: &Plant, start: &StartState) -> Result<(), RunError> {
 pub fn check_outside(plant: &Plant, displacement: &[f64]) -> Result<(), RunError> {
     let stops = plant.system.stops.iter().enumerate();
     for (index, stop) in stops.filter(|(_, stop)| matches!(stop.law, Law::Rigid(_))) {
-        let (along, moved_m) = (stop.shape.iter().zip(displacement), plant.approached_m(index, 0.0));
+        let (along, moved_m) = (
+            stop.shape.iter().zip(displacement),
+            plant.approached_m(index, 0.0),
+        );
         let nothing = (moved_m, stop.gap_m.abs() + moved_m.abs());
-        let (place_m, reach_m) = along.fold(nothing, |(sum, size), (s, q)| (sum + s * q, size + (s * q).abs()));
+        let (place_m, reach_m) = along.fold(nothing, |(sum, size), (s, q)| {
+            (sum + s * q, size + (s * q).abs())
+        });
         if place_m - stop.gap_m > START_ROUNDOFF * reach_m {
-            return Err(RunError::StartsInside { stop: stop.name.clone(), depth_m: place_m - stop.gap_m });
+            return Err(RunError::StartsInside {
+                stop: stop.name.clone(),
+                depth_m: place_m - stop.gap_m,
+            });
         }
     }
     Ok(())
 }
 
 /// Looks at the state once per period of the drives at the end of the run.
-fn settled(kernel: &Kernel, trajectory: &crate::integrate::Trajectory, end_s: f64, period_s: f64, noise: f64) -> Settlement {
-    let times: Vec<f64> =
-        (0..STROBE_STATES).rev().map(|k| end_s - k as f64 * period_s).filter(|time_s| *time_s > -1e-9 * period_s).collect();
+fn settled(
+    kernel: &Kernel,
+    trajectory: &crate::integrate::Trajectory,
+    end_s: f64,
+    period_s: f64,
+    noise: f64,
+) -> Settlement {
+    let times: Vec<f64> = (0..STROBE_STATES)
+        .rev()
+        .map(|k| end_s - k as f64 * period_s)
+        .filter(|time_s| *time_s > -1e-9 * period_s)
+        .collect();
     let plant = &kernel.plant;
     let frequencies = &plant.system.modes.frequency_rad_s;
-    let mechanical = frequencies.iter().copied().chain(std::iter::repeat_n(1.0, frequencies.len()));
+    let mechanical = frequencies
+        .iter()
+        .copied()
+        .chain(std::iter::repeat_n(1.0, frequencies.len()));
     let scales: Vec<f64> = mechanical.chain(plant.electrical.energy_scale()).collect();
     let states: Vec<Vec<f64>> = (trajectory.at(kernel, &times).iter())
-        .map(|at| kernel.plant.to_physical(&at.state, at.time_s).iter().zip(&scales).map(|(x, s)| x * s).collect())
+        .map(|at| {
+            kernel
+                .plant
+                .to_physical(&at.state, at.time_s)
+                .iter()
+                .zip(&scales)
+                .map(|(x, s)| x * s)
+                .collect()
+        })
         .collect();
     // A ball at rest on its table moves by roundoff of what would shake it.
     let driven = plant.tones.iter().map(|tone| {
-        let amplitude = |i: usize| (0..plant.len()).map(|j| tone.steady[j] * plant.diagonal.to_physical[(i, j)]).sum::<faer::c64>();
+        let amplitude = |i: usize| {
+            (0..plant.len())
+                .map(|j| tone.steady[j] * plant.diagonal.to_physical[(i, j)])
+                .sum::<faer::c64>()
+        };
         norm((0..plant.len()).map(|i| scales[i] * amplitude(i).norm()))
     });
-    settlement(&states, noise, REST_MOTION_SHARE * driven.fold(0.0, f64::max))
+    settlement(
+        &states,
+        noise,
+        REST_MOTION_SHARE * driven.fold(0.0, f64::max),
+    )
 }

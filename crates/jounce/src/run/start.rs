@@ -30,7 +30,12 @@ impl StartState {
             velocity: vec![0.0; n],
             voltage_v: vec![0.0; plant.electrical.nodes.len()],
             current_a: vec![0.0; plant.electrical.inductors.len()],
-            drive_angle_rad: plant.system.drives.iter().map(|drive| drive.phase_rad).collect(),
+            drive_angle_rad: plant
+                .system
+                .drives
+                .iter()
+                .map(|drive| drive.phase_rad)
+                .collect(),
         }
     }
 
@@ -45,7 +50,8 @@ impl StartState {
         let n = plant.system.modes.len();
         let x = plant.to_physical(y, time_s);
         let angle = |drive: &crate::plant::Drive| {
-            (drive.phase_rad + std::f64::consts::TAU * (drive.frequency_hz * time_s).fract()).rem_euclid(std::f64::consts::TAU)
+            (drive.phase_rad + std::f64::consts::TAU * (drive.frequency_hz * time_s).fract())
+                .rem_euclid(std::f64::consts::TAU)
         };
         Self {
             displacement: x[..n].to_vec(),
@@ -61,17 +67,32 @@ impl StartState {
     #[must_use]
     pub fn with_velocities(mut self, spec: &Spec, modes: &Modes) -> Self {
         for (name, mass) in &spec.mass {
-            let (Some(velocity_m_s), Some(shape)) = (mass.velocity_m_s, modes.shape.get(name)) else { continue };
-            let fixed = spec.mass.values().filter(|other| other.stiffness_n_m.is_none() && spec.is_fixed_to(&other.on, name));
+            let (Some(velocity_m_s), Some(shape)) = (mass.velocity_m_s, modes.shape.get(name))
+            else {
+                continue;
+            };
+            let fixed = spec
+                .mass
+                .values()
+                .filter(|other| other.stiffness_n_m.is_none() && spec.is_fixed_to(&other.on, name));
             let mass_kg = mass.mass_kg + fixed.map(|other| other.mass_kg).sum::<f64>();
-            self.velocity.iter_mut().zip(shape).for_each(|(velocity, shape)| *velocity += mass_kg * shape * velocity_m_s);
+            self.velocity
+                .iter_mut()
+                .zip(shape)
+                .for_each(|(velocity, shape)| *velocity += mass_kg * shape * velocity_m_s);
         }
         self
     }
 
     /// `(q, q', V, i)` in one row.
     pub fn physical(&self) -> Vec<f64> {
-        [self.displacement.as_slice(), &self.velocity, &self.voltage_v, &self.current_a].concat()
+        [
+            self.displacement.as_slice(),
+            &self.velocity,
+            &self.voltage_v,
+            &self.current_a,
+        ]
+        .concat()
     }
 
     /// True when the state has the sizes of a plant.
@@ -82,6 +103,10 @@ impl StartState {
             && self.voltage_v.len() == plant.electrical.nodes.len()
             && self.current_a.len() == plant.electrical.inductors.len()
             && self.drive_angle_rad.len() == plant.system.drives.len()
-            && self.physical().iter().chain(&self.drive_angle_rad).all(|value| value.is_finite())
+            && self
+                .physical()
+                .iter()
+                .chain(&self.drive_angle_rad)
+                .all(|value| value.is_finite())
     }
 }

@@ -45,7 +45,11 @@ pub struct VoltagePeaks {
 impl VoltagePeaks {
     /// Of the first load, or of the first patch where there is none; `None` without either or without a record.
     pub fn first_v(&self) -> Option<f64> {
-        self.loads_v.first().or(self.patches_v.first()).copied().filter(|peak_v| peak_v.is_finite())
+        self.loads_v
+            .first()
+            .or(self.patches_v.first())
+            .copied()
+            .filter(|peak_v| peak_v.is_finite())
     }
 }
 
@@ -54,17 +58,29 @@ pub fn voltage_peaks(kernel: &Kernel, answer: &RunResult, plan: &RunPlan) -> Vol
     let plant = &kernel.plant;
     let Some(stretch) = RecordWindow::of(plant, answer, plan) else {
         let none = |count: usize| vec![f64::NAN; count];
-        return VoltagePeaks { loads_v: none(plant.system.loads.len()), patches_v: none(plant.system.modes.patch.len()) };
+        return VoltagePeaks {
+            loads_v: none(plant.system.loads.len()),
+            patches_v: none(plant.system.modes.patch.len()),
+        };
     };
     let peak_v = |place: VoltageSource| stretch.peak_v(kernel, &answer.trajectory, place);
-    let patches_v: Vec<f64> = (0..plant.system.modes.patch.len()).map(|patch| peak_v(VoltageSource::Patch(patch))).collect();
+    let patches_v: Vec<f64> = (0..plant.system.modes.patch.len())
+        .map(|patch| peak_v(VoltageSource::Patch(patch)))
+        .collect();
     let of_load = |load: usize| {
         // A load across a patch has its voltage.
         let own = VoltageRow::of(plant, VoltageSource::Load(load));
-        let same = (0..patches_v.len()).find(|patch| VoltageRow::of(plant, VoltageSource::Patch(*patch)) == own);
-        same.map_or_else(|| peak_v(VoltageSource::Load(load)), |patch| patches_v[patch])
+        let same = (0..patches_v.len())
+            .find(|patch| VoltageRow::of(plant, VoltageSource::Patch(*patch)) == own);
+        same.map_or_else(
+            || peak_v(VoltageSource::Load(load)),
+            |patch| patches_v[patch],
+        )
     };
-    VoltagePeaks { loads_v: (0..plant.system.loads.len()).map(of_load).collect(), patches_v }
+    VoltagePeaks {
+        loads_v: (0..plant.system.loads.len()).map(of_load).collect(),
+        patches_v,
+    }
 }
 
 /// Where a voltage is read.
@@ -91,18 +107,33 @@ impl VoltageRow {
         let (row, zero_v) = match place {
             VoltageSource::Load(load) => (plant.load_voltage_row(load), 0.0),
             VoltageSource::Patch(patch) => {
-                let zeros_v = electrical.patch[patch].iter().map(|(node, factor)| factor * electrical.zero_v[*node]);
+                let zeros_v = electrical.patch[patch]
+                    .iter()
+                    .map(|(node, factor)| factor * electrical.zero_v[*node]);
                 (plant.voltage_row(patch), zeros_v.sum())
             }
         };
-        let steady = plant.tones.iter().map(|tone| tone.angular_frequency_rad_s).zip(plant.steady_output(&row)).collect();
-        Self { row, steady, zero_v }
+        let steady = plant
+            .tones
+            .iter()
+            .map(|tone| tone.angular_frequency_rad_s)
+            .zip(plant.steady_output(&row))
+            .collect();
+        Self {
+            row,
+            steady,
+            zero_v,
+        }
     }
 
     /// Magnitude of the voltage, V.
     fn size_v(&self, time_s: f64, state: &[f64]) -> f64 {
         let free_v: f64 = self.row.iter().zip(state).map(|(c, y)| c * y).sum();
-        let steady_v: f64 = self.steady.iter().map(|(w, amplitude)| (c64::cis(w * time_s) * amplitude).re).sum();
+        let steady_v: f64 = self
+            .steady
+            .iter()
+            .map(|(w, amplitude)| (c64::cis(w * time_s) * amplitude).re)
+            .sum();
         (free_v + steady_v + self.zero_v).abs()
     }
 }
@@ -117,37 +148,80 @@ struct RecordWindow {
 
 impl RecordWindow {
     fn of(plant: &Plant, answer: &RunResult, plan: &RunPlan) -> Option<Self> {
-        let (kept_s, end_s) = (answer.trajectory.segments().first()?.start_s, plan.duration_s);
+        let (kept_s, end_s) = (
+            answer.trajectory.segments().first()?.start_s,
+            plan.duration_s,
+        );
         let Some(period_s) = plant.period_s() else {
-            return Some(Self { begin_s: kept_s, end_s, gap_s: (end_s - kept_s) / MIN_SAMPLES });
+            return Some(Self {
+                begin_s: kept_s,
+                end_s,
+                gap_s: (end_s - kept_s) / MIN_SAMPLES,
+            });
         };
         let settled = answer.settlement.filter(|found| found.settled);
         let cycles = settled.map_or(UNSETTLED_CYCLES, |found| f64::from(found.period_cycles));
-        let fastest = plant.tones.iter().map(|tone| tone.angular_frequency_rad_s).fold(0.0, f64::max);
-        Some(Self { begin_s: kept_s.max(end_s - cycles * period_s), end_s, gap_s: std::f64::consts::TAU / fastest / SAMPLES_PER_CYCLE })
+        let fastest = plant
+            .tones
+            .iter()
+            .map(|tone| tone.angular_frequency_rad_s)
+            .fold(0.0, f64::max);
+        Some(Self {
+            begin_s: kept_s.max(end_s - cycles * period_s),
+            end_s,
+            gap_s: std::f64::consts::TAU / fastest / SAMPLES_PER_CYCLE,
+        })
     }
 
     fn peak_v(&self, kernel: &Kernel, trajectory: &Trajectory, place: VoltageSource) -> f64 {
         let segments = trajectory.segments();
         // The step in which the stretch begins.
-        let first = segments.partition_point(|segment| segment.start_s <= self.begin_s).saturating_sub(1);
+        let first = segments
+            .partition_point(|segment| segment.start_s <= self.begin_s)
+            .saturating_sub(1);
         let own = VoltageRow::of(&kernel.plant, place);
-        let size_v = |time_s: f64| trajectory.at(kernel, &[time_s]).first().map_or(0.0, |at| own.size_v(time_s, &at.state));
+        let size_v = |time_s: f64| {
+            trajectory
+                .at(kernel, &[time_s])
+                .first()
+                .map_or(0.0, |at| own.size_v(time_s, &at.state))
+        };
         let mut looks = vec![(self.begin_s, size_v(self.begin_s))];
         let mut regime: Option<(&Kernel, VoltageRow)> = None;
-        trajectory.walk(kernel, first, self.gap_s, &mut |in_regime, time_s, state| {
-            if regime.as_ref().is_none_or(|(known, _)| !std::ptr::eq(*known, in_regime)) {
-                regime = Some((in_regime, VoltageRow::of(&in_regime.plant, place)));
-            }
-            let size_v = regime.as_ref().map(|(_, reading)| reading.size_v(time_s, state));
-            looks.extend(size_v.filter(|_| time_s > self.begin_s).map(|size_v| (time_s, size_v)));
-        });
+        trajectory.walk(
+            kernel,
+            first,
+            self.gap_s,
+            &mut |in_regime, time_s, state| {
+                if regime
+                    .as_ref()
+                    .is_none_or(|(known, _)| !std::ptr::eq(*known, in_regime))
+                {
+                    regime = Some((in_regime, VoltageRow::of(&in_regime.plant, place)));
+                }
+                let size_v = regime
+                    .as_ref()
+                    .map(|(_, reading)| reading.size_v(time_s, state));
+                looks.extend(
+                    size_v
+                        .filter(|_| time_s > self.begin_s)
+                        .map(|size_v| (time_s, size_v)),
+                );
+            },
+        );
         looks.push((self.end_s, size_v(self.end_s)));
         let ends = [looks[0].1, looks[looks.len() - 1].1];
-        let mut tops: Vec<[(f64, f64); 3]> =
-            looks.windows(3).map(|three| [three[0], three[1], three[2]]).filter(|[a, m, b]| a.1 <= m.1 && m.1 >= b.1).collect();
+        let mut tops: Vec<[(f64, f64); 3]> = looks
+            .windows(3)
+            .map(|three| [three[0], three[1], three[2]])
+            .filter(|[a, m, b]| a.1 <= m.1 && m.1 >= b.1)
+            .collect();
         tops.sort_by(|one, other| other[1].1.total_cmp(&one[1].1));
-        tops.into_iter().take(REFINED_PEAKS).map(|top| highest(top, &size_v)).chain(ends).fold(0.0, f64::max)
+        tops.into_iter()
+            .take(REFINED_PEAKS)
+            .map(|top| highest(top, &size_v))
+            .chain(ends)
+            .fold(0.0, f64::max)
     }
 }
 
@@ -159,11 +233,21 @@ fn highest([mut from, mut top, mut to]: [(f64, f64); 3], value: &impl Fn(f64) ->
         let (fall, rise) = ((from.1 - top.1) / left, (to.1 - top.1) / right);
         let parabola = top.0 + 0.5 * (left * rise - right * fall) / -(fall + rise);
         let apart = MIN_SAMPLE_SPACING * (to.0 - from.0);
-        let divided = if left > right { top.0 - GOLDEN_SHARE * left } else { top.0 + GOLDEN_SHARE * right };
-        let tells = parabola > from.0 + apart && parabola < to.0 - apart && (parabola - top.0).abs() > apart;
+        let divided = if left > right {
+            top.0 - GOLDEN_SHARE * left
+        } else {
+            top.0 + GOLDEN_SHARE * right
+        };
+        let tells = parabola > from.0 + apart
+            && parabola < to.0 - apart
+            && (parabola - top.0).abs() > apart;
         let time_s = if tells { parabola } else { divided };
         let look = (time_s, value(time_s));
-        let (inner, outer) = if look.1 >= top.1 { (look, top) } else { (top, look) };
+        let (inner, outer) = if look.1 >= top.1 {
+            (look, top)
+        } else {
+            (top, look)
+        };
         if outer.0 < inner.0 {
             from = outer;
         } else {

@@ -55,23 +55,51 @@ impl Warning {
     /// The recordings of a spec that end before the averaging window of a plan does.
     pub fn of_recordings(spec: &Spec, plan: &RunPlan) -> Vec<Self> {
         let (from_s, to_s) = (plan.duration_s - plan.average_over_s, plan.duration_s);
-        let ends = spec.drive.iter().filter_map(|(name, drive)| match &drive.signal {
-            DriveSignal::Recording { start_s, record: Some(record), .. } => Some((name.clone(), start_s + record.duration_s())),
-            _ => None,
-        });
-        let early = ends.filter(|(_, ends_s)| to_s - ends_s > MAX_UNRECORDED_SHARE * plan.average_over_s);
-        early.map(|(drive, ends_s)| Self::RecordingEnds { drive, ends_s: printed(ends_s), from_s: printed(from_s), to_s }).collect()
+        let ends = spec
+            .drive
+            .iter()
+            .filter_map(|(name, drive)| match &drive.signal {
+                DriveSignal::Recording {
+                    start_s,
+                    record: Some(record),
+                    ..
+                } => Some((name.clone(), start_s + record.duration_s())),
+                _ => None,
+            });
+        let early =
+            ends.filter(|(_, ends_s)| to_s - ends_s > MAX_UNRECORDED_SHARE * plan.average_over_s);
+        early
+            .map(|(drive, ends_s)| Self::RecordingEnds {
+                drive,
+                ends_s: printed(ends_s),
+                from_s: printed(from_s),
+                to_s,
+            })
+            .collect()
     }
 
     /// All of a run.
     pub fn of(spec: &Spec, kernel: &Kernel, plan: &RunPlan, answer: &RunResult) -> Vec<Self> {
-        let limits = Limits::of(spec, &kernel.plant).exceeded(kernel, &answer.trajectory).into_iter().map(Self::Limit);
+        let limits = Limits::of(spec, &kernel.plant)
+            .exceeded(kernel, &answer.trajectory)
+            .into_iter()
+            .map(Self::Limit);
         let residual_relative = answer.energies.residual_relative();
-        let is_unbalanced = !(residual_relative.abs() <= MAX_ENERGY_RESIDUAL || answer.is_trivial());
+        let is_unbalanced =
+            !(residual_relative.abs() <= MAX_ENERGY_RESIDUAL || answer.is_trivial());
         let unbalanced = is_unbalanced.then_some(Self::Unbalanced { residual_relative });
-        let noticed = spec.findings().filter(|(_, finding)| !finding.kind.is_note());
-        let noticed = noticed.map(|(drive, finding)| Self::Recording { drive: drive.to_owned(), finding: finding.clone() });
-        limits.chain(Self::of_recordings(spec, plan)).chain(noticed).chain(unbalanced).collect()
+        let noticed = spec
+            .findings()
+            .filter(|(_, finding)| !finding.kind.is_note());
+        let noticed = noticed.map(|(drive, finding)| Self::Recording {
+            drive: drive.to_owned(),
+            finding: finding.clone(),
+        });
+        limits
+            .chain(Self::of_recordings(spec, plan))
+            .chain(noticed)
+            .chain(unbalanced)
+            .collect()
     }
 }
 

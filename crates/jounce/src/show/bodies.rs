@@ -1,7 +1,9 @@
 //! The bodies of a spec, and which of them a reference names.
 
 use super::{circuits, words};
-use crate::picture::{DrawnBeam, DrawnBody, DrawnContact, DrawnPatch, DrawnPlace, DrawnShape, Seat};
+use crate::picture::{
+    DrawnBeam, DrawnBody, DrawnContact, DrawnPatch, DrawnPlace, DrawnShape, Seat,
+};
 use crate::spec::{Beam, Face, Mass, Spec};
 
 /// The place of every body in the drawing: masses, then beams, then structures given by their modes.
@@ -24,15 +26,31 @@ impl<'s> Index<'s> {
     /// The bodies that stand on a base, on others or by themselves.
     pub fn on_base(&self, spec: &Spec, base: &str) -> Vec<usize> {
         // Any point of a beam, or of a structure given by its modes, stands for all of it.
-        let long: Vec<String> = self.beams.iter().chain(&self.modal).map(|name| format!("{name}.root")).collect();
-        let points = self.masses.iter().copied().chain(long.iter().map(String::as_str));
-        points.enumerate().filter(|(_, point)| spec.base_under(point) == base).map(|(body, _)| body).collect()
+        let long: Vec<String> = self
+            .beams
+            .iter()
+            .chain(&self.modal)
+            .map(|name| format!("{name}.root"))
+            .collect();
+        let points = self
+            .masses
+            .iter()
+            .copied()
+            .chain(long.iter().map(String::as_str));
+        points
+            .enumerate()
+            .filter(|(_, point)| spec.base_under(point) == base)
+            .map(|(body, _)| body)
+            .collect()
     }
 
     /// The contacts whose stop stands on a base itself, on no body.
     pub fn stops_on(spec: &Spec, contacts: &[(&str, DrawnContact)], base: &str) -> Vec<usize> {
         let frame = |name: &str| spec.stop.get(name).map(|stop| stop.frame.as_str());
-        let own = contacts.iter().enumerate().filter(|(_, (name, _))| frame(name) == Some(base));
+        let own = contacts
+            .iter()
+            .enumerate()
+            .filter(|(_, (name, _))| frame(name) == Some(base));
         own.map(|(index, _)| index).collect()
     }
 
@@ -40,13 +58,22 @@ impl<'s> Index<'s> {
     pub fn place(&self, spec: &Spec, reference: &str) -> Option<DrawnPlace> {
         let find = |names: &[&str], name: &str| names.iter().position(|known| *known == name);
         let Some((body, point)) = reference.split_once('.') else {
-            return Some(DrawnPlace { body: find(&self.masses, reference)?, along_m: 0.0 });
+            return Some(DrawnPlace {
+                body: find(&self.masses, reference)?,
+                along_m: 0.0,
+            });
         };
         if let Some(index) = find(&self.beams, body) {
-            return Some(DrawnPlace { body: self.masses.len() + index, along_m: along(&spec.beam[body], point)? });
+            return Some(DrawnPlace {
+                body: self.masses.len() + index,
+                along_m: along(&spec.beam[body], point)?,
+            });
         }
         let index = find(&self.modal, body)?;
-        Some(DrawnPlace { body: self.masses.len() + self.beams.len() + index, along_m: 0.0 })
+        Some(DrawnPlace {
+            body: self.masses.len() + self.beams.len() + index,
+            along_m: 0.0,
+        })
     }
 }
 
@@ -61,7 +88,10 @@ fn along(beam: &Beam, point: &str) -> Option<f64> {
 
 /// All bodies, in the order of their index.
 pub fn bodies(spec: &Spec, index: &Index) -> Vec<DrawnBody> {
-    let masses = spec.mass.iter().map(|(name, mass)| drawn_mass(spec, index, name, mass));
+    let masses = spec
+        .mass
+        .iter()
+        .map(|(name, mass)| drawn_mass(spec, index, name, mass));
     let beams = spec.beam.iter().map(|(name, beam)| DrawnBody {
         words: words::on_base(spec, words::beam(name, beam), &beam.root),
         shape: DrawnShape::Beam(drawn_beam(spec, name, beam)),
@@ -82,12 +112,26 @@ fn drawn_mass(spec: &Spec, index: &Index, name: &str, mass: &Mass) -> DrawnBody 
         (None, Some(on)) => Seat::On(on),
         (None, None) => Seat::Nothing,
     };
-    let shape = if seat == Seat::Nothing { DrawnShape::Ball } else { DrawnShape::Block };
-    DrawnBody { words: words::on_base(spec, words::mass(name, mass), &mass.on), shape, seat }
+    let shape = if seat == Seat::Nothing {
+        DrawnShape::Ball
+    } else {
+        DrawnShape::Block
+    };
+    DrawnBody {
+        words: words::on_base(spec, words::mass(name, mass), &mass.on),
+        shape,
+        seat,
+    }
 }
 
 fn cover(label: &str, [start_m, length_m, thickness_m]: [f64; 3], face: Face) -> DrawnPatch {
-    DrawnPatch { label: label.to_owned(), start_m, length_m, thickness_m, top: face == Face::Top }
+    DrawnPatch {
+        label: label.to_owned(),
+        start_m,
+        length_m,
+        thickness_m,
+        top: face == Face::Top,
+    }
 }
 
 fn drawn_beam(spec: &Spec, name: &str, beam: &Beam) -> DrawnBeam {
@@ -96,10 +140,22 @@ fn drawn_beam(spec: &Spec, name: &str, beam: &Beam) -> DrawnBeam {
     DrawnBeam {
         length_m: beam.length_m,
         thickness_m: beam.thickness_m,
-        layers: layers.map(|(label, l)| cover(label, [l.start_m, l.length_m, l.thickness_m], l.face)).collect(),
-        patches: patches
-            .map(|(label, p)| cover(&circuits::marked(spec, label), [p.start_m, p.length_m, p.whole_thickness_m()], p.face))
+        layers: layers
+            .map(|(label, l)| cover(label, [l.start_m, l.length_m, l.thickness_m], l.face))
             .collect(),
-        points: beam.point.iter().map(|(point, along_m)| (point.clone(), *along_m)).collect(),
+        patches: patches
+            .map(|(label, p)| {
+                cover(
+                    &circuits::marked(spec, label),
+                    [p.start_m, p.length_m, p.whole_thickness_m()],
+                    p.face,
+                )
+            })
+            .collect(),
+        points: beam
+            .point
+            .iter()
+            .map(|(point, along_m)| (point.clone(), *along_m))
+            .collect(),
     }
 }

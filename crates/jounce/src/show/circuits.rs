@@ -6,26 +6,49 @@ use crate::spec::{Circuit, Interface, Quantity, Spec, Wiring};
 
 /// All circuits, then each patch without one, whose wires end in nothing.
 pub fn circuits(spec: &Spec) -> Vec<DrawnCircuit> {
-    let closed = spec.circuit.iter().map(|(name, circuit)| DrawnCircuit { label: name.clone(), elements: elements(circuit) });
-    let modal = spec.modal.iter().flat_map(|(body, modal)| modal.patch.keys().map(move |patch| format!("{body}.{patch}")));
-    let open = spec.patch.keys().cloned().chain(modal).filter(|patch| is_open(spec, patch));
-    let open =
-        open.map(|patch| DrawnCircuit { label: "none: open".to_owned(), elements: vec![DrawnElement::Patches(vec![(patch, false)])] });
+    let closed = spec.circuit.iter().map(|(name, circuit)| DrawnCircuit {
+        label: name.clone(),
+        elements: elements(circuit),
+    });
+    let modal = spec.modal.iter().flat_map(|(body, modal)| {
+        modal
+            .patch
+            .keys()
+            .map(move |patch| format!("{body}.{patch}"))
+    });
+    let open = spec
+        .patch
+        .keys()
+        .cloned()
+        .chain(modal)
+        .filter(|patch| is_open(spec, patch));
+    let open = open.map(|patch| DrawnCircuit {
+        label: "none: open".to_owned(),
+        elements: vec![DrawnElement::Patches(vec![(patch, false)])],
+    });
     closed.chain(open).collect()
 }
 
 /// The name of a patch, marked where no circuit takes its charge.
 pub fn marked(spec: &Spec, patch: &str) -> String {
-    if is_open(spec, patch) { format!("{patch} (open)") } else { patch.to_owned() }
+    if is_open(spec, patch) {
+        format!("{patch} (open)")
+    } else {
+        patch.to_owned()
+    }
 }
 
 fn is_open(spec: &Spec, patch: &str) -> bool {
-    !spec.circuit.values().any(|circuit| circuit.connections().any(|(name, _)| name == patch))
+    !spec
+        .circuit
+        .values()
+        .any(|circuit| circuit.connections().any(|(name, _)| name == patch))
 }
 
 fn elements(circuit: &Circuit) -> Vec<DrawnElement> {
     let mut found = patches(circuit);
-    let resistor = DrawnElement::Resistor(vec![value(Quantity::Resistance, circuit.resistance_ohm)]);
+    let resistor =
+        DrawnElement::Resistor(vec![value(Quantity::Resistance, circuit.resistance_ohm)]);
     if circuit.interface == Interface::Resistor {
         if let Some(inductance_h) = circuit.inductance_h {
             let words = vec![value(Quantity::Inductance, inductance_h)];
@@ -39,21 +62,36 @@ fn elements(circuit: &Circuit) -> Vec<DrawnElement> {
     }
     found.push(DrawnElement::Block(block(circuit)));
     if let Some(battery_v) = circuit.battery_v {
-        found.push(DrawnElement::Battery(vec![value(Quantity::Voltage, battery_v)]));
+        found.push(DrawnElement::Battery(vec![value(
+            Quantity::Voltage,
+            battery_v,
+        )]));
         return found;
     }
-    found.extend(circuit.storage_f.map(|storage_f| DrawnElement::Capacitor(vec![value(Quantity::Capacitance, storage_f)])));
-    let leakage = |ohm: f64| DrawnElement::Resistor(vec![value(Quantity::Resistance, ohm), "leakage".to_owned()]);
+    found.extend(
+        circuit.storage_f.map(|storage_f| {
+            DrawnElement::Capacitor(vec![value(Quantity::Capacitance, storage_f)])
+        }),
+    );
+    let leakage = |ohm: f64| {
+        DrawnElement::Resistor(vec![value(Quantity::Resistance, ohm), "leakage".to_owned()])
+    };
     found.extend(circuit.leakage_ohm.map(leakage));
     found.push(resistor);
     found
 }
 
 fn patches(circuit: &Circuit) -> Vec<DrawnElement> {
-    let names: Vec<(String, bool)> = circuit.connections().map(|(name, sign)| (name.to_owned(), sign < 0.0)).collect();
+    let names: Vec<(String, bool)> = circuit
+        .connections()
+        .map(|(name, sign)| (name.to_owned(), sign < 0.0))
+        .collect();
     match circuit.wiring {
         Wiring::Series => vec![DrawnElement::Patches(names)],
-        Wiring::Parallel => names.into_iter().map(|name| DrawnElement::Patches(vec![name])).collect(),
+        Wiring::Parallel => names
+            .into_iter()
+            .map(|name| DrawnElement::Patches(vec![name]))
+            .collect(),
     }
 }
 
@@ -68,9 +106,16 @@ fn block(circuit: &Circuit) -> Vec<String> {
     };
     let mut words = vec![name.to_owned()];
     if circuit.diode_drop_v > 0.0 {
-        words.push(format!("drop 2 × {}", value(Quantity::Voltage, circuit.diode_drop_v)));
+        words.push(format!(
+            "drop 2 × {}",
+            value(Quantity::Voltage, circuit.diode_drop_v)
+        ));
     }
-    words.extend(circuit.quality_factor.map(|quality| format!("Q = {quality}")));
+    words.extend(
+        circuit
+            .quality_factor
+            .map(|quality| format!("Q = {quality}")),
+    );
     if circuit.interface == Interface::Sece {
         words.push(format!("{} % arrive", 100.0 * circuit.efficiency));
     }

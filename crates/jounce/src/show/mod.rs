@@ -23,14 +23,21 @@ pub fn drawing(title: &str, spec: &Spec) -> Drawing {
             law: words::law(&stop.law),
         })
     };
-    let contacts: Vec<(&str, DrawnContact)> =
-        spec.stop.iter().filter_map(|(name, stop)| Some((name.as_str(), contact(name, stop)?))).collect();
+    let contacts: Vec<(&str, DrawnContact)> = spec
+        .stop
+        .iter()
+        .filter_map(|(name, stop)| Some((name.as_str(), contact(name, stop)?)))
+        .collect();
     let drives = spec.drive.iter().map(|(name, drive)| DrawnDrive {
         words: words::drive(name, drive),
         at: index.place(spec, &drive.at),
         base: drive.base().map(str::to_owned),
-        carried: drive.base().map_or_else(Vec::new, |base| index.on_base(spec, base)),
-        stops: drive.base().map_or_else(Vec::new, |base| bodies::Index::stops_on(spec, &contacts, base)),
+        carried: drive
+            .base()
+            .map_or_else(Vec::new, |base| index.on_base(spec, base)),
+        stops: drive.base().map_or_else(Vec::new, |base| {
+            bodies::Index::stops_on(spec, &contacts, base)
+        }),
     });
     let drives = drives.collect();
     Drawing {
@@ -51,7 +58,11 @@ mod tests {
     use crate::spec::SpecFile;
 
     fn example(name: &str) -> SpecFile {
-        SpecFile::read(format!("{}/../../examples/{name}/harvester.toml", env!("CARGO_MANIFEST_DIR"))).unwrap()
+        SpecFile::read(format!(
+            "{}/../../examples/{name}/harvester.toml",
+            env!("CARGO_MANIFEST_DIR")
+        ))
+        .unwrap()
     }
 
     fn drawn(name: &str) -> Drawing {
@@ -61,14 +72,30 @@ mod tests {
     #[test]
     fn a_harvester_has_its_own_lengths() {
         let drawn = drawn("impact-harvester-2019");
-        let [table, beam] = drawn.bodies.as_slice() else { panic!("two bodies: {drawn:?}") };
-        let DrawnShape::Beam(shape) = &beam.shape else { panic!("{beam:?}") };
-        assert_eq!((table.seat, &table.shape), (Seat::Spring(None), &DrawnShape::Block));
+        let [table, beam] = drawn.bodies.as_slice() else {
+            panic!("two bodies: {drawn:?}")
+        };
+        let DrawnShape::Beam(shape) = &beam.shape else {
+            panic!("{beam:?}")
+        };
+        assert_eq!(
+            (table.seat, &table.shape),
+            (Seat::Spring(None), &DrawnShape::Block)
+        );
         assert!(matches!(beam.seat, Seat::On(place) if place.body == 0));
-        assert_eq!((shape.length_m, shape.thickness_m, shape.patches[0].top), (0.315, 0.98e-3, true));
+        assert_eq!(
+            (shape.length_m, shape.thickness_m, shape.patches[0].top),
+            (0.315, 0.98e-3, true)
+        );
         let stop = &drawn.contacts[0];
         assert_eq!((stop.at.along_m, stop.gap_m, stop.on), (0.305, 1e-3, None));
-        assert!(drawn.circuits[0].elements.contains(&DrawnElement::Resistor(vec!["1 MΩ".into()])), "{:?}", drawn.circuits);
+        assert!(
+            drawn.circuits[0]
+                .elements
+                .contains(&DrawnElement::Resistor(vec!["1 MΩ".into()])),
+            "{:?}",
+            drawn.circuits
+        );
     }
 
     #[test]
@@ -83,46 +110,101 @@ mod tests {
     /// A bond line under the patch: the patch is lifted by its thickness, and the stop begins above both.
     #[test]
     fn a_layer_lies_between_the_beam_and_its_patch() {
-        let path = format!("{}/../../examples/impact-harvester-2019/harvester.toml", env!("CARGO_MANIFEST_DIR"));
+        let path = format!(
+            "{}/../../examples/impact-harvester-2019/harvester.toml",
+            env!("CARGO_MANIFEST_DIR")
+        );
         let bond = "[layer.bond]\non = \"beam\"\nstart = \"9 mm\"\nlength = \"85 mm\"\nwidth = \"30 mm\"\nthickness = \"2 mm\"\n\
             youngs_modulus = \"3 GPa\"\nsection = \"thin-skin\"\n";
-        let file = SpecFile::from_text(format!("{}\n{bond}", std::fs::read_to_string(path).unwrap()));
+        let file = SpecFile::from_text(format!(
+            "{}\n{bond}",
+            std::fs::read_to_string(path).unwrap()
+        ));
         let svg = drawing("", &file.spec().unwrap()).to_svg();
         let edges = |class: &str| {
-            let element = svg.split("<rect").find(|element| element.contains(class)).unwrap_or_else(|| panic!("{svg}"));
-            let number =
-                |name: &str| element.split(&format!(" {name}=\"")).nth(1).unwrap().split('"').next().unwrap().parse::<f64>().unwrap();
+            let element = svg
+                .split("<rect")
+                .find(|element| element.contains(class))
+                .unwrap_or_else(|| panic!("{svg}"));
+            let number = |name: &str| {
+                element
+                    .split(&format!(" {name}=\""))
+                    .nth(1)
+                    .unwrap()
+                    .split('"')
+                    .next()
+                    .unwrap()
+                    .parse::<f64>()
+                    .unwrap()
+            };
             (number("y"), number("y") + number("height"))
         };
-        let (beam, bond, patch) = (edges("jounce-beam"), edges("jounce-layer"), edges("jounce-patch"));
-        assert!((bond.1 - beam.0).abs() < 0.02 && (patch.1 - bond.0).abs() < 0.02, "{beam:?} {bond:?} {patch:?}");
+        let (beam, bond, patch) = (
+            edges("jounce-beam"),
+            edges("jounce-layer"),
+            edges("jounce-patch"),
+        );
+        assert!(
+            (bond.1 - beam.0).abs() < 0.02 && (patch.1 - bond.0).abs() < 0.02,
+            "{beam:?} {bond:?} {patch:?}"
+        );
         assert!(svg.contains("bond: 85 mm"), "{svg}");
     }
 
     /// A patch that nothing loads says so on the beam and beside the circuits; what a base carries has its arrow, what stands still has none.
     #[test]
     fn open_patches_and_moving_bases_are_marked() {
-        let path = format!("{}/../../examples/impact-harvester-2019/harvester.toml", env!("CARGO_MANIFEST_DIR"));
+        let path = format!(
+            "{}/../../examples/impact-harvester-2019/harvester.toml",
+            env!("CARGO_MANIFEST_DIR")
+        );
         let text = std::fs::read_to_string(path).unwrap();
         let mut spec = Spec::from_toml(&text).unwrap();
         assert!(!drawing("", &spec).to_svg().contains("open"));
         spec.open_circuits();
         let drawn = drawing("", &spec);
-        let DrawnShape::Beam(beam) = &drawn.bodies[1].shape else { panic!("{drawn:?}") };
-        assert_eq!((beam.patches[0].label.as_str(), drawn.circuits[0].label.as_str()), ("mfc (open)", "none: open"));
-        assert!(drawn.to_svg().contains("mfc (open): ") && drawn.to_svg().contains("circuit none: open"));
+        let DrawnShape::Beam(beam) = &drawn.bodies[1].shape else {
+            panic!("{drawn:?}")
+        };
+        assert_eq!(
+            (
+                beam.patches[0].label.as_str(),
+                drawn.circuits[0].label.as_str()
+            ),
+            ("mfc (open)", "none: open")
+        );
+        assert!(
+            drawn.to_svg().contains("mfc (open): ")
+                && drawn.to_svg().contains("circuit none: open")
+        );
         let moving = "[mass.one]\non = \"head\"\nmass = \"1 kg\"\nfrequency = \"1 Hz\"\ndamping_ratio = 0.1\n\
             [mass.two]\nmass = \"1 kg\"\nfrequency = \"1 Hz\"\ndamping_ratio = 0.1\n\
             [drive.d]\nkind = \"base-displacement\"\nat = \"head\"\namplitude = \"1 mm\"\nfrequency = \"9 Hz\"\n";
         let drawn = drawing("", &Spec::from_toml(moving).unwrap());
-        assert_eq!((&drawn.drives[0].carried[..], drawn.bodies[0].words.last().unwrap().as_str()), (&[0][..], "on head"));
+        assert_eq!(
+            (
+                &drawn.drives[0].carried[..],
+                drawn.bodies[0].words.last().unwrap().as_str()
+            ),
+            (&[0][..], "on head")
+        );
         assert_eq!(drawn.to_svg().matches("d of head: 1 mm peak").count(), 1);
     }
 
     #[test]
     fn both_faces_and_their_circuit_are_drawn() {
         let drawn = drawn("bimorph-erturk-2009");
-        let shape = drawn.bodies.iter().find_map(|body| if let DrawnShape::Beam(beam) = &body.shape { Some(beam) } else { None }).unwrap();
+        let shape = drawn
+            .bodies
+            .iter()
+            .find_map(|body| {
+                if let DrawnShape::Beam(beam) = &body.shape {
+                    Some(beam)
+                } else {
+                    None
+                }
+            })
+            .unwrap();
         assert_eq!(shape.patches.iter().filter(|patch| patch.top).count(), 1);
         let series = DrawnElement::Patches(vec![("top".into(), false), ("bottom".into(), true)]);
         assert_eq!(drawn.circuits[0].elements[0], series);

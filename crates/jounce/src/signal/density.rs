@@ -14,10 +14,23 @@ impl Samples<'_> {
         let weights = window.values(count);
         let power: f64 = weights.iter().map(|w| w * w).sum();
         // A record of a sample or two has no room for a window.
-        let (weights, power) = if power > 0.0 { (weights, power) } else { (vec![1.0; count], count as f64) };
-        let bins = transform(self.values().iter().zip(&weights).map(|(x, w)| x * w).collect());
+        let (weights, power) = if power > 0.0 {
+            (weights, power)
+        } else {
+            (vec![1.0; count], count as f64)
+        };
+        let bins = transform(
+            self.values()
+                .iter()
+                .zip(&weights)
+                .map(|(x, w)| x * w)
+                .collect(),
+        );
         let factor = |k: usize| if k == 0 || 2 * k == count { 1.0 } else { 2.0 };
-        bins.iter().enumerate().map(|(k, bin)| factor(k) * bin.norm_sqr() / (self.rate_hz() * power)).collect()
+        bins.iter()
+            .enumerate()
+            .map(|(k, bin)| factor(k) * bin.norm_sqr() / (self.rate_hz() * power))
+            .collect()
     }
 }
 

@@ -34,7 +34,9 @@ pub enum SignalError {
         nyquist_hz: f64,
     },
     /// The record is too short to tell the lines apart.
-    #[error("the record lasts {duration_s} s; to tell these orders apart it must last at least {needed_s} s")]
+    #[error(
+        "the record lasts {duration_s} s; to tell these orders apart it must last at least {needed_s} s"
+    )]
     Short {
         /// Length of the record, s.
         duration_s: f64,

@@ -42,14 +42,29 @@ impl Samples<'_> {
     /// the smallest distance between two lines.
     pub fn orders(&self, drive_hz: f64, orders: &[f64]) -> Result<Orders, SignalError> {
         self.check(drive_hz, orders)?;
-        let basis = Basis { drive_hz, orders, rate_hz: self.rate_hz() };
-        let solution = basis.fit(self.values()).ok_or_else(|| self.too_short(smallest_spacing(orders) * drive_hz))?;
+        let basis = Basis {
+            drive_hz,
+            orders,
+            rate_hz: self.rate_hz(),
+        };
+        let solution = basis
+            .fit(self.values())
+            .ok_or_else(|| self.too_short(smallest_spacing(orders) * drive_hz))?;
         let line = |(i, &order): (usize, &f64)| {
             let (cosine, sine) = (solution[(2 * i + 1, 0)], solution[(2 * i + 2, 0)]);
-            OrderLine { order, frequency_hz: order * drive_hz, amplitude_peak: cosine.hypot(sine), phase_rad: cosine.atan2(sine) }
+            OrderLine {
+                order,
+                frequency_hz: order * drive_hz,
+                amplitude_peak: cosine.hypot(sine),
+                phase_rad: cosine.atan2(sine),
+            }
         };
         let lines = orders.iter().enumerate().map(line).collect();
-        Ok(Orders { mean: solution[(0, 0)], lines, residual_rms: basis.residual_rms(self.values(), &solution) })
+        Ok(Orders {
+            mean: solution[(0, 0)],
+            lines,
+            residual_rms: basis.residual_rms(self.values(), &solution),
+        })
     }
 
     fn check(&self, drive_hz: f64, orders: &[f64]) -> Result<(), SignalError> {
@@ -57,15 +72,26 @@ impl Samples<'_> {
         let fits = |order: f64| order * drive_hz > 0.0 && order * drive_hz < nyquist_hz;
         let twice = |i: usize| orders[..i].contains(&orders[i]);
         if let Some(i) = (0..orders.len()).find(|&i| !fits(orders[i]) || twice(i)) {
-            return Err(SignalError::Order { order: orders[i], drive_hz, nyquist_hz });
+            return Err(SignalError::Order {
+                order: orders[i],
+                drive_hz,
+                nyquist_hz,
+            });
         }
         let spacing_hz = smallest_spacing(orders) * drive_hz;
         // A record of whole periods may come out one rounding short.
-        if self.duration_s() * spacing_hz < 1.0 - 1e-9 { Err(self.too_short(spacing_hz)) } else { Ok(()) }
+        if self.duration_s() * spacing_hz < 1.0 - 1e-9 {
+            Err(self.too_short(spacing_hz))
+        } else {
+            Ok(())
+        }
     }
 
     fn too_short(&self, spacing_hz: f64) -> SignalError {
-        SignalError::Short { duration_s: self.duration_s(), needed_s: 1.0 / spacing_hz }
+        SignalError::Short {
+            duration_s: self.duration_s(),
+            needed_s: 1.0 / spacing_hz,
+        }
     }
 }
 
@@ -73,7 +99,10 @@ impl Samples<'_> {
 fn smallest_spacing(orders: &[f64]) -> f64 {
     let mut sorted: Vec<_> = std::iter::once(0.0).chain(orders.iter().copied()).collect();
     sorted.sort_by(f64::total_cmp);
-    sorted.windows(2).map(|pair| pair[1] - pair[0]).fold(f64::INFINITY, f64::min)
+    sorted
+        .windows(2)
+        .map(|pair| pair[1] - pair[0])
+        .fold(f64::INFINITY, f64::min)
 }
 
 /// `1, cos, sin, cos, sin, ...` at the times of the samples.
@@ -112,7 +141,11 @@ impl Basis<'_> {
         let mut row = vec![0.0; solution.nrows()];
         let square = |(sample, value): (usize, &f64)| {
             self.at(sample, &mut row);
-            let fit: f64 = row.iter().enumerate().map(|(i, x)| x * solution[(i, 0)]).sum();
+            let fit: f64 = row
+                .iter()
+                .enumerate()
+                .map(|(i, x)| x * solution[(i, 0)])
+                .sum();
             (value - fit).powi(2)
         };
         (sum(values.iter().enumerate().map(square)) / values.len() as f64).sqrt()
@@ -124,11 +157,21 @@ impl Basis<'_> {
 mod tests {
     use super::*;
 
-    const LINES: [(f64, f64, f64); 4] = [(0.5, 0.02, 0.4), (1.0, 13.0, -2.0), (4.0, 2.13, 3.0), (5.5, 1e-6, 1.0)];
+    const LINES: [(f64, f64, f64); 4] = [
+        (0.5, 0.02, 0.4),
+        (1.0, 13.0, -2.0),
+        (4.0, 2.13, 3.0),
+        (5.5, 1e-6, 1.0),
+    ];
 
     fn record(duration_s: f64) -> Vec<f64> {
         let count = (duration_s * 1536.0) as usize;
-        let value = |t: f64| 0.7 + LINES.iter().map(|(r, a, p)| a * (TAU * r * 13.37 * t + p).sin()).sum::<f64>();
+        let value = |t: f64| {
+            0.7 + LINES
+                .iter()
+                .map(|(r, a, p)| a * (TAU * r * 13.37 * t + p).sin())
+                .sum::<f64>()
+        };
         (0..count).map(|i| value(i as f64 / 1536.0)).collect()
     }
 
@@ -136,11 +179,17 @@ mod tests {
     #[test]
     fn lines_off_every_bin_are_found_exactly_half_orders_too() {
         let values = record(10.27);
-        let orders = Samples::new(&values, 1536.0).unwrap().orders(13.37, &[0.5, 1.0, 4.0, 5.5]).unwrap();
+        let orders = Samples::new(&values, 1536.0)
+            .unwrap()
+            .orders(13.37, &[0.5, 1.0, 4.0, 5.5])
+            .unwrap();
         assert!((orders.mean - 0.7).abs() < 1e-12);
         for (line, (_, amplitude, phase)) in orders.lines.iter().zip(LINES) {
             assert!((line.amplitude_peak - amplitude).abs() < 1e-11, "{line:?}");
-            assert!((line.phase_rad - phase).sin().abs() < 1e-11 * 13.0 / amplitude, "{line:?}");
+            assert!(
+                (line.phase_rad - phase).sin().abs() < 1e-11 * 13.0 / amplitude,
+                "{line:?}"
+            );
         }
         assert!(orders.residual_rms < 1e-11, "{:e}", orders.residual_rms);
     }
@@ -148,19 +197,32 @@ mod tests {
     /// The second method: over whole periods the fit is the DFT at the bins.
     #[test]
     fn over_whole_periods_the_fit_is_the_spectrum() {
-        let values: Vec<_> = (0..2000).map(|i| ((i as f64 * TAU / 100.0).sin() * 3.0).exp()).collect();
+        let values: Vec<_> = (0..2000)
+            .map(|i| ((i as f64 * TAU / 100.0).sin() * 3.0).exp())
+            .collect();
         let samples = Samples::new(&values, 1000.0).unwrap();
-        let lines = samples.spectrum(super::super::Window::Rectangular).amplitude_peak;
+        let lines = samples
+            .spectrum(super::super::Window::Rectangular)
+            .amplitude_peak;
         for line in samples.orders(10.0, &[1.0, 2.0, 3.0, 7.0]).unwrap().lines {
             let bin = (line.order * 20.0) as usize;
-            assert!((line.amplitude_peak - lines[bin]).abs() < 1e-12, "{line:?} {}", lines[bin]);
+            assert!(
+                (line.amplitude_peak - lines[bin]).abs() < 1e-12,
+                "{line:?} {}",
+                lines[bin]
+            );
         }
     }
 
     #[test]
     fn what_the_lines_leave_is_reported() {
-        let values: Vec<_> = (0..1000).map(|i| (TAU * 0.013 * i as f64).sin() + 0.1 * (TAU * 0.25 * i as f64).sin()).collect();
-        let orders = Samples::new(&values, 1.0).unwrap().orders(0.013, &[1.0]).unwrap();
+        let values: Vec<_> = (0..1000)
+            .map(|i| (TAU * 0.013 * i as f64).sin() + 0.1 * (TAU * 0.25 * i as f64).sin())
+            .collect();
+        let orders = Samples::new(&values, 1.0)
+            .unwrap()
+            .orders(0.013, &[1.0])
+            .unwrap();
         assert!((orders.residual_rms - 0.1 / 2.0_f64.sqrt()).abs() < 1e-6);
     }
 
@@ -169,9 +231,18 @@ mod tests {
         let values = record(10.0);
         let samples = Samples::new(&values, 1536.0).unwrap();
         for orders in [&[0.0][..], &[-1.0], &[f64::NAN], &[60.0], &[1.0, 1.0]] {
-            assert!(matches!(samples.orders(13.0, orders), Err(SignalError::Order { .. })), "{orders:?}");
+            assert!(
+                matches!(samples.orders(13.0, orders), Err(SignalError::Order { .. })),
+                "{orders:?}"
+            );
         }
-        assert!(matches!(samples.orders(f64::NAN, &[1.0]), Err(SignalError::Order { .. })));
-        assert!(matches!(samples.orders(0.1, &[0.5, 1.0]), Err(SignalError::Short { .. })));
+        assert!(matches!(
+            samples.orders(f64::NAN, &[1.0]),
+            Err(SignalError::Order { .. })
+        ));
+        assert!(matches!(
+            samples.orders(0.1, &[0.5, 1.0]),
+            Err(SignalError::Short { .. })
+        ));
     }
 }

@@ -22,7 +22,10 @@ impl<'a> Samples<'a> {
             return Err(SignalError::Rate { rate_hz });
         }
         if let Some(index) = values.iter().position(|value| !value.is_finite()) {
-            return Err(SignalError::Sample { index, value: values[index] });
+            return Err(SignalError::Sample {
+                index,
+                value: values[index],
+            });
         }
         Ok(Self { values, rate_hz })
     }
@@ -54,7 +57,8 @@ impl<'a> Samples<'a> {
         if peak == 0.0 {
             return 0.0;
         }
-        peak * (sum(self.values.iter().map(|x| (x / peak).powi(2))) / self.values.len() as f64).sqrt()
+        peak * (sum(self.values.iter().map(|x| (x / peak).powi(2))) / self.values.len() as f64)
+            .sqrt()
     }
 
     /// `max |x|`
@@ -68,7 +72,11 @@ pub(super) fn sum(terms: impl Iterator<Item = f64>) -> f64 {
     let (mut sum, mut lost) = (0.0_f64, 0.0);
     for term in terms {
         let next = sum + term;
-        lost += if sum.abs() >= term.abs() { (sum - next) + term } else { (term - next) + sum };
+        lost += if sum.abs() >= term.abs() {
+            (sum - next) + term
+        } else {
+            (term - next) + sum
+        };
         sum = next;
     }
     sum + lost
@@ -81,9 +89,15 @@ mod tests {
 
     #[test]
     fn measures_of_a_sine_on_an_offset() {
-        let values: Vec<_> = (0..1000).map(|i| 0.5 + 3.0 * (std::f64::consts::TAU * 7.0 * f64::from(i) / 1000.0).sin()).collect();
+        let values: Vec<_> = (0..1000)
+            .map(|i| 0.5 + 3.0 * (std::f64::consts::TAU * 7.0 * f64::from(i) / 1000.0).sin())
+            .collect();
         let samples = Samples::new(&values, 1000.0).unwrap();
-        assert!((samples.mean() - 0.5).abs() < 1e-15, "measured {:e}", samples.mean() - 0.5);
+        assert!(
+            (samples.mean() - 0.5).abs() < 1e-15,
+            "measured {:e}",
+            samples.mean() - 0.5
+        );
         assert!((samples.rms() - (0.25_f64 + 4.5).sqrt()).abs() < 1e-15);
         assert!((samples.peak() - 3.5).abs() < 1e-4);
         assert!((samples.duration_s() - 1.0).abs() < 1e-15);
@@ -94,15 +108,24 @@ mod tests {
         assert_eq!(Samples::new(&[1e300, -1e300], 1.0).unwrap().rms(), 1e300);
         assert_eq!(Samples::new(&[1e-300, -1e-300], 1.0).unwrap().rms(), 1e-300);
         assert_eq!(Samples::new(&[0.0], 1.0).unwrap().rms(), 0.0);
-        assert_eq!(Samples::new(&[1e16, 3.0, -1e16, 1.0], 1.0).unwrap().mean(), 1.0);
+        assert_eq!(
+            Samples::new(&[1e16, 3.0, -1e16, 1.0], 1.0).unwrap().mean(),
+            1.0
+        );
     }
 
     #[test]
     fn what_is_no_signal_is_an_error() {
         assert_eq!(Samples::new(&[], 1.0), Err(SignalError::Empty));
-        assert!(matches!(Samples::new(&[1.0, f64::NAN], 1.0), Err(SignalError::Sample { index: 1, .. })));
+        assert!(matches!(
+            Samples::new(&[1.0, f64::NAN], 1.0),
+            Err(SignalError::Sample { index: 1, .. })
+        ));
         for rate_hz in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-            assert!(matches!(Samples::new(&[1.0], rate_hz), Err(SignalError::Rate { .. })));
+            assert!(matches!(
+                Samples::new(&[1.0], rate_hz),
+                Err(SignalError::Rate { .. })
+            ));
         }
     }
 }

@@ -15,7 +15,13 @@ pub enum Window {
 }
 
 /// Coefficients `c_m`; flat-top: the five terms of MATLAB and SciPy.
-const FLAT_TOP: [f64; 5] = [0.215_578_95, 0.416_631_58, 0.277_263_158, 0.083_578_947, 0.006_947_368];
+const FLAT_TOP: [f64; 5] = [
+    0.215_578_95,
+    0.416_631_58,
+    0.277_263_158,
+    0.083_578_947,
+    0.006_947_368,
+];
 
 impl Window {
     /// The window's values for a record of `n` samples (periodic, as the DFT wants it).
@@ -28,7 +34,11 @@ impl Window {
         let value = |i: usize| {
             let angle = TAU * i as f64 / n as f64;
             let sign = |m: usize| if m.is_multiple_of(2) { 1.0 } else { -1.0 };
-            coefficients.iter().enumerate().map(|(m, c)| sign(m) * c * (m as f64 * angle).cos()).sum()
+            coefficients
+                .iter()
+                .enumerate()
+                .map(|(m, c)| sign(m) * c * (m as f64 * angle).cos())
+                .sum()
         };
         (0..n).map(value).collect()
     }

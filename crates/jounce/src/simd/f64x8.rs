@@ -14,7 +14,10 @@ impl F64x8 {
 
     /// `self + factor * other`.
     pub fn add_scaled(mut self, factor: f64, other: &F64x8) -> F64x8 {
-        self.0.iter_mut().zip(&other.0).for_each(|(a, b)| *a += factor * b);
+        self.0
+            .iter_mut()
+            .zip(&other.0)
+            .for_each(|(a, b)| *a += factor * b);
         self
     }
 }

@@ -93,7 +93,12 @@ where
     }
 
     #[inline(always)]
-    fn two(self, a: [S::f64s; N], b: [S::f64s; N], function: impl Fn(S, S::f64s, S::f64s) -> S::f64s) -> [S::f64s; N] {
+    fn two(
+        self,
+        a: [S::f64s; N],
+        b: [S::f64s; N],
+        function: impl Fn(S, S::f64s, S::f64s) -> S::f64s,
+    ) -> [S::f64s; N] {
         let mut out = a;
         for i in 0..N {
             out[i] = function(self.0, a[i], b[i]);
@@ -108,7 +113,11 @@ where
 {
     /// The first half of the registers with the second, until one is left; [`PulpSimd`] goes on like this inside it.
     #[inline(always)]
-    fn folded(self, mut a: [S::f64s; N], function: impl Fn(S, S::f64s, S::f64s) -> S::f64s) -> S::f64s {
+    fn folded(
+        self,
+        mut a: [S::f64s; N],
+        function: impl Fn(S, S::f64s, S::f64s) -> S::f64s,
+    ) -> S::f64s {
         let mut count = N;
         while count > 1 {
             count /= 2;
@@ -158,7 +167,11 @@ where
     #[inline(always)]
     fn fma_one(self, a: f64, b: f64, c: f64) -> f64 {
         // Where no instruction does it, a library would: slower than all the rest.
-        if S::F64_LANES >= 4 { a.mul_add(b, c) } else { a * b + c }
+        if S::F64_LANES >= 4 {
+            a.mul_add(b, c)
+        } else {
+            a * b + c
+        }
     }
 
     #[inline(always)]
@@ -193,12 +206,14 @@ where
 
     #[inline(always)]
     fn sum(self, a: Self::Register) -> f64 {
-        self.0.reduce_sum_f64s(self.folded(a, |simd, a, b| simd.add_f64s(a, b)))
+        self.0
+            .reduce_sum_f64s(self.folded(a, |simd, a, b| simd.add_f64s(a, b)))
     }
 
     #[inline(always)]
     fn largest(self, a: Self::Register) -> f64 {
-        self.0.reduce_max_f64s(self.folded(a, |simd, a, b| simd.max_f64s(a, b)))
+        self.0
+            .reduce_max_f64s(self.folded(a, |simd, a, b| simd.max_f64s(a, b)))
     }
 }
 
@@ -216,7 +231,16 @@ mod tests {
         fn run<W: Simd>(self, wide: W) -> Self::Output {
             let a = wide.load(&F64x8([1.0, -2.0, 3.0, -4.0, 5.0, -6.0, 7.0, -8.5]));
             let b = wide.splat(0.5);
-            let sums = [wide.sum(a), wide.largest(a), wide.sum(wide.sub(a, b)), 0.0, 0.0, 0.0, 0.0, 0.0];
+            let sums = [
+                wide.sum(a),
+                wide.largest(a),
+                wide.sum(wide.sub(a, b)),
+                0.0,
+                0.0,
+                0.0,
+                0.0,
+                0.0,
+            ];
             [
                 wide.store(wide.fma(a, b, b)),
                 wide.store(wide.max(a, wide.zero())),

@@ -23,7 +23,13 @@ pub struct Fault {
 impl Fault {
     /// A fault without a place in a file.
     pub(super) fn without_place(key: &str, message: impl Into<String>) -> Self {
-        Self { line: 0, column: 0, key: key.to_owned(), message: message.into(), set: None }
+        Self {
+            line: 0,
+            column: 0,
+            key: key.to_owned(),
+            message: message.into(),
+            set: None,
+        }
     }
 }
 

@@ -41,20 +41,35 @@ impl SpecFile {
     pub fn read(path: impl AsRef<Path>) -> Result<Self, ReadError> {
         let path = path.as_ref();
         let file = super::read_error::read_text(path).map(Self::from_text)?;
-        Ok(Self { folder: path.parent().map_or_else(PathBuf::new, Path::to_path_buf), ..file })
+        Ok(Self {
+            folder: path.parent().map_or_else(PathBuf::new, Path::to_path_buf),
+            ..file
+        })
     }
 
     /// Takes the text of a spec; what is wrong inside is told by [`SpecFile::spec`]. Paths in it begin at the present folder.
     pub fn from_text(text: impl Into<String>) -> Self {
         let text = text.into();
-        let source = parse(if text.len() > MAX_SPEC_BYTES { "" } else { &text });
-        Self { text, source, overrides: Vec::new(), folder: PathBuf::new() }
+        let source = parse(if text.len() > MAX_SPEC_BYTES {
+            ""
+        } else {
+            &text
+        });
+        Self {
+            text,
+            source,
+            overrides: Vec::new(),
+            folder: PathBuf::new(),
+        }
     }
 
     /// The same, paths in it beginning at a folder.
     #[must_use]
     pub fn in_folder(self, folder: &Path) -> Self {
-        Self { folder: folder.to_path_buf(), ..self }
+        Self {
+            folder: folder.to_path_buf(),
+            ..self
+        }
     }
 
     /// Overrides one key; the value is as on a command line: `0.5 mm`, `"0.5 mm"`, `13`, `[0.1, 0.2]`, `table`.
@@ -64,8 +79,10 @@ impl SpecFile {
     /// # Errors
     /// A key that is not known, with the nearest one of this file. A wrong value is told by [`SpecFile::spec`].
     pub fn set(&mut self, key: &str, value: &str) -> Result<(), Fault> {
-        let row = resolve(&self.source.root, key)
-            .map_err(|message| Fault { set: Some(Override::shown(key, value)), ..Fault::without_place(&clip(key), message) })?;
+        let row = resolve(&self.source.root, key).map_err(|message| Fault {
+            set: Some(Override::shown(key, value)),
+            ..Fault::without_place(&clip(key), message)
+        })?;
         let change = Override::new(key, value, &row, self.overrides.len());
         change.apply(&mut self.source.root);
         self.overrides.push(change);
@@ -78,11 +95,22 @@ impl SpecFile {
     /// Everything that is wrong, sorted by place; faults of overrides first.
     pub fn spec(&self) -> Result<Spec, Faults> {
         if self.text.len() > MAX_SPEC_BYTES {
-            return Err(Fault { line: 1, column: 1, ..Fault::without_place("", "the spec is larger than 16 MiB") }.into());
+            return Err(Fault {
+                line: 1,
+                column: 1,
+                ..Fault::without_place("", "the spec is larger than 16 MiB")
+            }
+            .into());
         }
-        if self.source.errors.is_empty() && self.source.root.entries().is_some_and(<[_]>::is_empty) {
+        if self.source.errors.is_empty() && self.source.root.entries().is_some_and(<[_]>::is_empty)
+        {
             let message = "the spec is empty; it needs a structure at least: [beam.NAME], [mass.NAME] or [modal.NAME]";
-            return Err(Fault { line: 1, column: 1, ..Fault::without_place("", message) }.into());
+            return Err(Fault {
+                line: 1,
+                column: 1,
+                ..Fault::without_place("", message)
+            }
+            .into());
         }
         let mut spec = Spec::default();
         let mut reading = ReadState::new(self.source.complete);
@@ -91,22 +119,33 @@ impl SpecFile {
             reading.add_broken(validation::broken(&spec));
             reading.add_broken(self.read_recordings(&mut spec));
         }
-        if reading.found.is_empty() && self.source.errors.is_empty() { Ok(spec) } else { Err(self.faults(reading)) }
+        if reading.found.is_empty() && self.source.errors.is_empty() {
+            Ok(spec)
+        } else {
+            Err(self.faults(reading))
+        }
     }
 
     /// Reads the recordings that the drives name; what is wrong with them, by key.
     fn read_recordings(&self, spec: &mut Spec) -> Vec<(String, String)> {
         let mut broken = Vec::new();
         for (name, drive) in &mut spec.drive {
-            let DriveSignal::Recording { file, .. } = &drive.signal else { continue };
+            let DriveSignal::Recording { file, .. } = &drive.signal else {
+                continue;
+            };
             if file.is_empty() {
                 continue;
             }
             let found = Recording::read(&self.folder.join(file), drive);
-            let DriveSignal::Recording { record, .. } = &mut drive.signal else { continue };
+            let DriveSignal::Recording { record, .. } = &mut drive.signal else {
+                continue;
+            };
             match found {
                 Ok(found) => *record = Some(Arc::new(found)),
-                Err((key, message)) => broken.push((format!("drive.{name}.{key}"), format!("drive.{name}.{key}: {message}"))),
+                Err((key, message)) => broken.push((
+                    format!("drive.{name}.{key}"),
+                    format!("drive.{name}.{key}: {message}"),
+                )),
             }
         }
         broken
@@ -116,16 +155,29 @@ impl SpecFile {
         let lines = Lines::new(&self.text);
         let syntax = self.source.errors.iter().map(|error| {
             let (line, column) = lines.place(error.offset);
-            Fault { line, column, key: error.key.clone(), message: error.message.clone(), set: None }
+            Fault {
+                line,
+                column,
+                key: error.key.clone(),
+                message: error.message.clone(),
+                set: None,
+            }
         });
         let read = reading.found.into_iter().map(|finding| {
             let fault = Fault::without_place(&clip(&finding.key), finding.message);
             match finding.place {
                 SourcePlace::At(offset) => {
                     let (line, column) = lines.place(offset);
-                    Fault { line, column, ..fault }
+                    Fault {
+                        line,
+                        column,
+                        ..fault
+                    }
                 }
-                SourcePlace::Set(index) => Fault { set: self.overrides.get(index).map(Override::to_string), ..fault },
+                SourcePlace::Set(index) => Fault {
+                    set: self.overrides.get(index).map(Override::to_string),
+                    ..fault
+                },
             }
         });
         Faults::new(syntax.chain(read).collect())
@@ -133,7 +185,9 @@ impl SpecFile {
 
     /// The text with the overrides written into it; comments and layout stay.
     pub fn text(&self) -> String {
-        let Ok(mut document) = self.text.parse::<toml_edit::DocumentMut>() else { return self.text.clone() };
+        let Ok(mut document) = self.text.parse::<toml_edit::DocumentMut>() else {
+            return self.text.clone();
+        };
         for change in &self.overrides {
             change.write_into(&mut document);
         }
@@ -145,13 +199,21 @@ impl SpecFile {
     /// # Errors
     /// A spec with faults, or a key that is not known or holds no number.
     pub fn numeric_key(&self, key: &str) -> Result<NumericKey, Faults> {
-        resolve(&self.source.root, key).map_err(|message| Fault::without_place(&clip(key), message))?;
+        resolve(&self.source.root, key)
+            .map_err(|message| Fault::without_place(&clip(key), message))?;
         let found = NumericKey::find(&self.spec()?, key)?;
         // A mass whose spring was given by its frequency keeps that, as it would if the file were edited.
-        let ["mass", name, "mass"] = key.split('.').collect::<Vec<_>>()[..] else { return Ok(found) };
-        let frequency = self.source.root.get("mass").and_then(|masses| masses.node.get(name)?.node.get("frequency"));
+        let ["mass", name, "mass"] = key.split('.').collect::<Vec<_>>()[..] else {
+            return Ok(found);
+        };
+        let frequency = self
+            .source
+            .root
+            .get("mass")
+            .and_then(|masses| masses.node.get(name)?.node.get("frequency"));
         let kind = Kind::Quantity(Quantity::Frequency);
-        let value = frequency.and_then(|entry| read_number(kind, super::key::Range::POSITIVE, &entry.node).ok());
+        let value = frequency
+            .and_then(|entry| read_number(kind, super::key::Range::POSITIVE, &entry.node).ok());
         Ok(match value {
             Some(frequency_hz) => found.holding(format!("mass.{name}.frequency"), frequency_hz),
             None => found,
@@ -164,7 +226,8 @@ impl SpecFile {
     /// # Errors
     /// As [`SpecFile::numeric_key`].
     pub fn numeric_keys(&self, key: &str) -> Result<Vec<NumericKey>, Faults> {
-        let info = resolve(&self.source.root, key).map_err(|message| Fault::without_place(&clip(key), message))?;
+        let info = resolve(&self.source.root, key)
+            .map_err(|message| Fault::without_place(&clip(key), message))?;
         if matches!(info.kind, Kind::Numbers | Kind::NamedNumbers) {
             let found = NumericKey::all_in(&self.spec()?, key)?;
             if !found.is_empty() {
@@ -180,7 +243,10 @@ impl SpecFile {
     /// As [`SpecFile::numeric_key`], and a range that is empty, reversed, too long or in wrong units.
     pub fn range(&self, assignment: &str) -> Result<KeyRange, Faults> {
         let Some((key, range)) = assignment.split_once('=') else {
-            let message = format!("{}: a range is KEY=FROM:TO:STEP, as in drive.shaker.frequency=4Hz:20Hz:0.1Hz", clip(assignment));
+            let message = format!(
+                "{}: a range is KEY=FROM:TO:STEP, as in drive.shaker.frequency=4Hz:20Hz:0.1Hz",
+                clip(assignment)
+            );
             return Err(Fault::without_place("", message).into());
         };
         Ok(KeyRange::parse(self.numeric_key(key.trim())?, range)?)
@@ -202,7 +268,10 @@ impl Spec {
     pub fn findings(&self) -> impl Iterator<Item = (&str, &Issue)> {
         self.drive.iter().flat_map(|(name, drive)| {
             let findings = match &drive.signal {
-                DriveSignal::Recording { record: Some(record), .. } => &record.findings[..],
+                DriveSignal::Recording {
+                    record: Some(record),
+                    ..
+                } => &record.findings[..],
                 _ => &[],
             };
             findings.iter().map(move |finding| (name.as_str(), finding))

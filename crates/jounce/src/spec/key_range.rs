@@ -57,13 +57,25 @@ fn points(key: &NumericKey, text: &str) -> Result<Vec<f64>, String> {
     let parts: Vec<&str> = text.split(':').map(str::trim).collect();
     let [from, to, spacing] = parts[..] else {
         if parts.len() != 1 {
-            return Err(format!("\"{}\" is no range; write FROM:TO:STEP, FROM:TO:Nx, FROM:TO:Nlog or A,B,C", clip(text)));
+            return Err(format!(
+                "\"{}\" is no range; write FROM:TO:STEP, FROM:TO:Nx, FROM:TO:Nlog or A,B,C",
+                clip(text)
+            ));
         }
-        return text.split(',').map(|part| Ok(DecimalNumber::read(key, part)?.value)).collect();
+        return text
+            .split(',')
+            .map(|part| Ok(DecimalNumber::read(key, part)?.value))
+            .collect();
     };
-    let (from, to) = (DecimalNumber::read(key, from)?, DecimalNumber::read(key, to)?);
+    let (from, to) = (
+        DecimalNumber::read(key, from)?,
+        DecimalNumber::read(key, to)?,
+    );
     if from.value > to.value {
-        return Err(format!("the range {} is reversed; write the smaller value first (a sweep can run down all the same)", clip(text)));
+        return Err(format!(
+            "the range {} is reversed; write the smaller value first (a sweep can run down all the same)",
+            clip(text)
+        ));
     }
     if let Some(count) = spacing.strip_suffix("log") {
         return logarithmic(from.value, to.value, count_of(count)?);
@@ -73,7 +85,10 @@ fn points(key: &NumericKey, text: &str) -> Result<Vec<f64>, String> {
     }
     let step = DecimalNumber::read(key, spacing)?;
     if step.value <= 0.0 {
-        return Err(format!("the step is {}; it must be greater than 0", clip(spacing)));
+        return Err(format!(
+            "the step is {}; it must be greater than 0",
+            clip(spacing)
+        ));
     }
     stepped(&from, &to, &step)
 }
@@ -89,44 +104,85 @@ impl DecimalNumber {
         let text = text.trim();
         if let Kind::Quantity(quantity) | Kind::NamedQuantities(quantity) = key.kind() {
             let value = quantity.read(text).map_err(|error| error.to_string())?;
-            return Ok(Self { value, exact: quantity.exact(text) });
+            return Ok(Self {
+                value,
+                exact: quantity.exact(text),
+            });
         }
         match Decimal::split(text) {
-            Some((number, "")) if Range::ANY.holds(number.scaled(0)) => Ok(Self { value: number.scaled(0), exact: number.whole(0) }),
-            _ => Err(format!("\"{}\" is no plain number; {}", clip(text), key.kind().due())),
+            Some((number, "")) if Range::ANY.holds(number.scaled(0)) => Ok(Self {
+                value: number.scaled(0),
+                exact: number.whole(0),
+            }),
+            _ => Err(format!(
+                "\"{}\" is no plain number; {}",
+                clip(text),
+                key.kind().due()
+            )),
         }
     }
 
     /// The digits at an exponent not above the own one.
     fn digits_at(&self, exponent: i64) -> Option<i128> {
         let (digits, own) = self.exact?;
-        let shift = u32::try_from(own - exponent).ok().filter(|shift| *shift < 30)?;
+        let shift = u32::try_from(own - exponent)
+            .ok()
+            .filter(|shift| *shift < 30)?;
         digits.checked_mul(10i128.checked_pow(shift)?)
     }
 }
 
-fn stepped(from: &DecimalNumber, to: &DecimalNumber, step: &DecimalNumber) -> Result<Vec<f64>, String> {
+fn stepped(
+    from: &DecimalNumber,
+    to: &DecimalNumber,
+    step: &DecimalNumber,
+) -> Result<Vec<f64>, String> {
     let steps = ((to.value - from.value) / step.value * (1.0 + 1e-12) + 1e-9).floor();
     if steps.is_nan() || steps >= MAX_POINTS as f64 {
-        return Err(format!("the range has more than {MAX_POINTS} points; make the step larger"));
+        return Err(format!(
+            "the range has more than {MAX_POINTS} points; make the step larger"
+        ));
     }
-    let exponent = [from, to, step].iter().filter_map(|number| number.exact).map(|(_, exponent)| exponent).min();
+    let exponent = [from, to, step]
+        .iter()
+        .filter_map(|number| number.exact)
+        .map(|(_, exponent)| exponent)
+        .min();
     let digits = exponent.and_then(|e| {
         let first = from.digits_at(e)?;
-        Some((e, first, to.digits_at(e)?.checked_sub(first)?, step.digits_at(e)?))
+        Some((
+            e,
+            first,
+            to.digits_at(e)?.checked_sub(first)?,
+            step.digits_at(e)?,
+        ))
     });
     if let Some((exponent, from, length, step)) = digits
         && step > 0
     {
-        let nearest = |digits: i128| format!("{digits}e{exponent}").parse::<f64>().unwrap_or(f64::INFINITY);
-        return Ok((0..=length / step).map(|index| nearest(from + index * step)).collect());
+        let nearest = |digits: i128| {
+            format!("{digits}e{exponent}")
+                .parse::<f64>()
+                .unwrap_or(f64::INFINITY)
+        };
+        return Ok((0..=length / step)
+            .map(|index| nearest(from + index * step))
+            .collect());
     }
-    Ok((0..=steps as u64).map(|index| (from.value + index as f64 * step.value).min(to.value)).collect())
+    Ok((0..=steps as u64)
+        .map(|index| (from.value + index as f64 * step.value).min(to.value))
+        .collect())
 }
 
 fn linear(from: f64, to: f64, count: usize) -> Vec<f64> {
     let part = |index: usize| index as f64 / (count - 1).max(1) as f64;
-    let inner = (0..count).map(|index| if index + 1 == count && count > 1 { to } else { from + (to - from) * part(index) });
+    let inner = (0..count).map(|index| {
+        if index + 1 == count && count > 1 {
+            to
+        } else {
+            from + (to - from) * part(index)
+        }
+    });
     inner.collect()
 }
 
@@ -136,15 +192,27 @@ fn logarithmic(from: f64, to: f64, count: usize) -> Result<Vec<f64>, String> {
     }
     let ratio = (to / from).ln();
     let exponents = linear(0.0, 1.0, count);
-    let inner = exponents.into_iter().enumerate().map(|(index, part)| match index {
-        0 => from,
-        _ if index + 1 == count => to,
-        _ => from * (ratio * part).exp(),
-    });
+    let inner = exponents
+        .into_iter()
+        .enumerate()
+        .map(|(index, part)| match index {
+            0 => from,
+            _ if index + 1 == count => to,
+            _ => from * (ratio * part).exp(),
+        });
     Ok(inner.collect())
 }
 
 fn count_of(text: &str) -> Result<usize, String> {
-    let count = text.trim().parse::<usize>().ok().filter(|count| (2..=MAX_POINTS).contains(count));
-    count.ok_or_else(|| format!("\"{}\" is no number of points; give 2 to {MAX_POINTS}", clip(text)))
+    let count = text
+        .trim()
+        .parse::<usize>()
+        .ok()
+        .filter(|count| (2..=MAX_POINTS).contains(count));
+    count.ok_or_else(|| {
+        format!(
+            "\"{}\" is no number of points; give 2 to {MAX_POINTS}",
+            clip(text)
+        )
+    })
 }

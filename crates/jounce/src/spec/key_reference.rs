@@ -6,7 +6,9 @@ use super::keys::SPEC;
 
 /// Every key of a spec as Markdown: one section and one table for each kind of thing.
 pub fn reference_markdown() -> String {
-    let mut out = String::from("# Keys of a spec\n\nQuantities are texts with a unit, as in `\"0.98 mm\"`; the units here are examples.\n");
+    let mut out = String::from(
+        "# Keys of a spec\n\nQuantities are texts with a unit, as in `\"0.98 mm\"`; the units here are examples.\n",
+    );
     out.push_str("A number of a list is a key too, counted from 1: `damping.ratios.2` can be set, swept, followed and fitted.\n");
     for row in rows(SPEC, Spec::default) {
         section(&row, "", &mut out);
@@ -15,8 +17,15 @@ pub fn reference_markdown() -> String {
 }
 
 fn section(row: &Row, above: &str, out: &mut String) {
-    let name = if row.info.kind == Kind::Things { format!("{above}{}.NAME", row.info.name) } else { row.info.name.to_owned() };
-    out.push_str(&format!("\n## `[{name}]`\n\n{}.\n\n", capital(row.info.doc)));
+    let name = if row.info.kind == Kind::Things {
+        format!("{above}{}.NAME", row.info.name)
+    } else {
+        row.info.name.to_owned()
+    };
+    out.push_str(&format!(
+        "\n## `[{name}]`\n\n{}.\n\n",
+        capital(row.info.doc)
+    ));
     out.push_str("| key | holds | allowed | default | meaning |\n|---|---|---|---|---|\n");
     for key in &row.inner {
         out.push_str(&line(key));
@@ -37,7 +46,13 @@ fn line(row: &Row) -> String {
         let words: Vec<String> = when.is.iter().map(|word| format!("`{word}`")).collect();
         name.push_str(&format!(" with `{}` {}", when.key, words.join(", ")));
     }
-    let quoted = |names: &[&str]| names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
+    let quoted = |names: &[&str]| {
+        names
+            .iter()
+            .map(|name| format!("`{name}`"))
+            .collect::<Vec<_>>()
+            .join(", ")
+    };
     let default = match (info.need, &row.default) {
         (Need::Required, _) => "required".to_owned(),
         (Need::AtMostOne(names), _) => format!("none; at most one of {}", quoted(names)),
@@ -45,14 +60,28 @@ fn line(row: &Row) -> String {
         (Need::Default, Some(default)) => format!("`{default}`"),
         (Need::Default, None) => "none".to_owned(),
     };
-    let default = info.unless.map_or_else(|| default.clone(), |other| format!("{default}, unless `{other}` gives it"));
-    format!("| {name} | {} | {} | {default} | {} |\n", holds(info.kind), allowed(info.kind, &info.range), info.doc)
+    let default = info.unless.map_or_else(
+        || default.clone(),
+        |other| format!("{default}, unless `{other}` gives it"),
+    );
+    format!(
+        "| {name} | {} | {} | {default} | {} |\n",
+        holds(info.kind),
+        allowed(info.kind, &info.range),
+        info.doc
+    )
 }
 
 fn holds(kind: Kind) -> String {
     match kind {
-        Kind::Quantity(quantity) => format!("{}: {}", bare(quantity.kind()), quantity.units().join(", ")),
-        Kind::NamedQuantities(quantity) => format!("{} by name: {}", bare(quantity.kind()), quantity.units().join(", ")),
+        Kind::Quantity(quantity) => {
+            format!("{}: {}", bare(quantity.kind()), quantity.units().join(", "))
+        }
+        Kind::NamedQuantities(quantity) => format!(
+            "{} by name: {}",
+            bare(quantity.kind()),
+            quantity.units().join(", ")
+        ),
         Kind::Number => "number".to_owned(),
         Kind::Count => "whole number".to_owned(),
         Kind::Numbers => "list of numbers".to_owned(),
@@ -69,7 +98,11 @@ fn holds(kind: Kind) -> String {
 
 fn allowed(kind: Kind, range: &Range) -> String {
     match kind {
-        Kind::Choice(words) => words.iter().map(|word| format!("`{word}`")).collect::<Vec<_>>().join(", "),
+        Kind::Choice(words) => words
+            .iter()
+            .map(|word| format!("`{word}`"))
+            .collect::<Vec<_>>()
+            .join(", "),
         Kind::ChoiceOrPath(_)
         | Kind::Path
         | Kind::Text
@@ -89,5 +122,7 @@ fn bare(kind: &str) -> &str {
 
 fn capital(text: &str) -> String {
     let mut chars = text.chars();
-    chars.next().map_or_else(String::new, |first| first.to_uppercase().chain(chars).collect())
+    chars.next().map_or_else(String::new, |first| {
+        first.to_uppercase().chain(chars).collect()
+    })
 }

@@ -12,33 +12,56 @@ const MAX_CANDIDATES: usize = 2000;
 const MAX_LISTED_WORDS: usize = 12;
 
 /// The candidate nearest to `word`, if it is near enough to be meant: at most one edit in three characters, one at least.
-pub(crate) fn nearest<'c>(word: &str, candidates: impl IntoIterator<Item = &'c str>) -> Option<&'c str> {
+pub(crate) fn nearest<'c>(
+    word: &str,
+    candidates: impl IntoIterator<Item = &'c str>,
+) -> Option<&'c str> {
     let length = word.chars().count();
     if length > MAX_WORD_LENGTH {
         return None;
     }
-    let near = candidates.into_iter().take(MAX_CANDIDATES).filter(|candidate| candidate.len() <= MAX_WORD_LENGTH);
-    let (distance, best) =
-        near.map(|candidate| (strsim::damerau_levenshtein(word, candidate), candidate)).min_by_key(|(distance, _)| *distance)?;
+    let near = candidates
+        .into_iter()
+        .take(MAX_CANDIDATES)
+        .filter(|candidate| candidate.len() <= MAX_WORD_LENGTH);
+    let (distance, best) = near
+        .map(|candidate| (strsim::damerau_levenshtein(word, candidate), candidate))
+        .min_by_key(|(distance, _)| *distance)?;
     (distance <= (length / 3).max(1)).then_some(best)
 }
 
 /// ` (did you mean X?)`, or nothing.
-pub(super) fn did_you_mean<'c>(word: &str, candidates: impl IntoIterator<Item = &'c str>) -> String {
-    nearest(word, candidates).map(|near| format!(" (did you mean `{near}`?)")).unwrap_or_default()
+pub(super) fn did_you_mean<'c>(
+    word: &str,
+    candidates: impl IntoIterator<Item = &'c str>,
+) -> String {
+    nearest(word, candidates)
+        .map(|near| format!(" (did you mean `{near}`?)"))
+        .unwrap_or_default()
 }
 
 /// A list for a message: `a, b, c and 5 more`.
 pub(super) fn join_words<'c>(words: impl IntoIterator<Item = &'c str>) -> String {
     let mut words: Vec<&str> = words.into_iter().collect();
     words.dedup();
-    let shown = words.iter().take(MAX_LISTED_WORDS).map(|word| clip(word)).collect::<Vec<_>>().join(", ");
-    if words.len() > MAX_LISTED_WORDS { format!("{shown} and {} more", words.len() - MAX_LISTED_WORDS) } else { shown }
+    let shown = words
+        .iter()
+        .take(MAX_LISTED_WORDS)
+        .map(|word| clip(word))
+        .collect::<Vec<_>>()
+        .join(", ");
+    if words.len() > MAX_LISTED_WORDS {
+        format!("{shown} and {} more", words.len() - MAX_LISTED_WORDS)
+    } else {
+        shown
+    }
 }
 
 /// `KEY is ...` or `KEY: ...`, whichever reads on.
 pub(super) fn sentence(key: &str, text: &str) -> String {
-    let reads_on = ["is ", "has ", "does "].iter().any(|verb| text.starts_with(verb));
+    let reads_on = ["is ", "has ", "does "]
+        .iter()
+        .any(|verb| text.starts_with(verb));
     format!("{}{} {text}", clip(key), if reads_on { "" } else { ":" })
 }
 
@@ -58,6 +81,9 @@ mod tests {
     #[test]
     fn long_lists_are_cut() {
         let names: Vec<String> = (0..20).map(|i| i.to_string()).collect();
-        assert_eq!(join_words(names.iter().map(String::as_str)), "0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11 and 8 more");
+        assert_eq!(
+            join_words(names.iter().map(String::as_str)),
+            "0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11 and 8 more"
+        );
     }
 }

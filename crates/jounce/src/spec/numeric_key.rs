@@ -39,18 +39,28 @@ impl NumericKey {
     /// A path that leads to no number, or to a whole list. The exponent of a contact law is refused: the unit of its stiffness hangs on it.
     pub fn find(spec: &Spec, path: &str) -> Result<Self, Fault> {
         let Some(found) = locate(SPEC, spec, &segments(path)) else {
-            return Err(Fault::without_place(path, format!("{}: {}", clip(path), no_number(spec, path))));
+            return Err(Fault::without_place(
+                path,
+                format!("{}: {}", clip(path), no_number(spec, path)),
+            ));
         };
         if path.starts_with("stop.") && found.info.name == "exponent" {
             let why = "cannot be varied alone, because the unit of `stiffness` depends on it; write one spec for each exponent";
             return Err(Fault::without_place(path, format!("{path} {why}")));
         }
-        Ok(Self { path: path.to_owned(), kind: found.kind, info: found.info, held: None })
+        Ok(Self {
+            path: path.to_owned(),
+            kind: found.kind,
+            info: found.info,
+            held: None,
+        })
     }
 
     /// Every number of the list at a path, empty where there is no list.
     pub(super) fn all_in(spec: &Spec, path: &str) -> Result<Vec<Self>, Fault> {
-        (1..=listed(spec, path)).map(|number| Self::find(spec, &format!("{path}.{number}"))).collect()
+        (1..=listed(spec, path))
+            .map(|number| Self::find(spec, &format!("{path}.{number}")))
+            .collect()
     }
 
     /// Keeps another number of the spec at a value whenever this one is set.
@@ -66,7 +76,11 @@ impl NumericKey {
 
     /// The SI unit of the number; empty for a plain number.
     pub fn unit(&self) -> String {
-        if let Kind::Quantity(quantity) | Kind::NamedQuantities(quantity) = self.kind { quantity.si_unit() } else { String::new() }
+        if let Kind::Quantity(quantity) | Kind::NamedQuantities(quantity) = self.kind {
+            quantity.si_unit()
+        } else {
+            String::new()
+        }
     }
 
     /// Smallest and largest value that the key alone allows, SI; infinite where there is no limit.
@@ -95,7 +109,9 @@ impl NumericKey {
     /// A spec that does not have this key.
     pub fn get(&self, spec: &Spec) -> Result<f64, Fault> {
         let found = locate(SPEC, spec, &segments(&self.path));
-        found.map(|found| found.value).ok_or_else(|| Fault::without_place(&self.path, format!("{}: not in this spec", self.path)))
+        found.map(|found| found.value).ok_or_else(|| {
+            Fault::without_place(&self.path, format!("{}: not in this spec", self.path))
+        })
     }
 
     /// Sets the value, SI. On an error the spec is as it was.
@@ -109,7 +125,10 @@ impl NumericKey {
         let broken = validation::first(spec);
         if let Some((_, message)) = broken {
             self.store(spec, before);
-            return Err(Fault::without_place(&self.path, format!("{} = {}: {message}", self.path, self.kind.show(value_si))));
+            return Err(Fault::without_place(
+                &self.path,
+                format!("{} = {}: {message}", self.path, self.kind.show(value_si)),
+            ));
         }
         Ok(())
     }
@@ -120,8 +139,15 @@ impl NumericKey {
         if self.info.range.holds(value_si) && whole {
             return Ok(());
         }
-        let rule = if whole { self.info.range.broken(value_si, self.kind) } else { "must be a whole number".to_owned() };
-        Err(Fault::without_place(&self.path, format!("{} is {}; it {rule}", self.path, self.kind.show(value_si))))
+        let rule = if whole {
+            self.info.range.broken(value_si, self.kind)
+        } else {
+            "must be a whole number".to_owned()
+        };
+        Err(Fault::without_place(
+            &self.path,
+            format!("{} is {}; it {rule}", self.path, self.kind.show(value_si)),
+        ))
     }
 
     pub(super) fn kind(&self) -> Kind {
@@ -163,7 +189,10 @@ fn listed(spec: &Spec, path: &str) -> usize {
 
 /// Why there is no number at a path.
 fn no_number(spec: &Spec, path: &str) -> String {
-    let above = path.rsplit_once('.').map(|(list, _)| (list, listed(spec, list))).filter(|(_, count)| *count > 0);
+    let above = path
+        .rsplit_once('.')
+        .map(|(list, _)| (list, listed(spec, list)))
+        .filter(|(_, count)| *count > 0);
     match (listed(spec, path), above) {
         (0, None) => "this is no key with a number in this spec".to_owned(),
         (0, Some((list, count))) => beyond(list, count),
@@ -173,11 +202,23 @@ fn no_number(spec: &Spec, path: &str) -> String {
 
 /// What is told of a number that a list does not hold.
 pub(super) fn beyond(list: &str, count: usize) -> String {
-    format!("{list} holds {}; {}", if count == 1 { "1 number".to_owned() } else { format!("{count} numbers") }, one_of(list, count))
+    format!(
+        "{list} holds {}; {}",
+        if count == 1 {
+            "1 number".to_owned()
+        } else {
+            format!("{count} numbers")
+        },
+        one_of(list, count)
+    )
 }
 
 fn one_of(list: &str, count: usize) -> String {
-    if count == 1 { format!("name it as {list}.1") } else { format!("name one of them, from {list}.1 to {list}.{count}") }
+    if count == 1 {
+        format!("name it as {list}.1")
+    } else {
+        format!("name one of them, from {list}.1 to {list}.{count}")
+    }
 }
 
 /// The place of a number in its list; numbers are counted from 1.
@@ -188,40 +229,68 @@ pub(super) fn place_in_list(number: &str) -> Option<usize> {
 /// The number at a path below a thing.
 pub(super) fn locate<T>(keys: &[Key<T>], thing: &T, path: &[&str]) -> Option<Numeric> {
     let (name, rest) = path.split_first()?;
-    let key = keys.iter().find(|key| key.info.name == *name && applies(keys, thing, &key.info))?;
-    let numeric = |value| Numeric { info: key.info, kind: key.kind_in(thing), value };
+    let key = keys
+        .iter()
+        .find(|key| key.info.name == *name && applies(keys, thing, &key.info))?;
+    let numeric = |value| Numeric {
+        info: key.info,
+        kind: key.kind_in(thing),
+        value,
+    };
     match (&key.slot, rest) {
         (Slot::Number { get, .. } | Slot::Derived { get, .. }, []) => Some(numeric(get(thing))),
         (Slot::Optional { get, .. }, []) => Some(numeric(get(thing)?)),
         (Slot::Count { get, .. }, []) => Some(numeric(get(thing) as f64)),
-        (Slot::NamedQuantities { get, .. }, [name]) => get(thing).get(*name).map(|value| numeric(*value)),
-        (Slot::Numbers { get, .. }, [number]) => get(thing).get(place_in_list(number)?).map(|value| one_of_list(key.info, *value)),
-        (Slot::NamedNumbers { get, .. }, [name, number]) => {
-            get(thing).get(*name)?.get(place_in_list(number)?).map(|value| one_of_list(key.info, *value))
+        (Slot::NamedQuantities { get, .. }, [name]) => {
+            get(thing).get(*name).map(|value| numeric(*value))
         }
+        (Slot::Numbers { get, .. }, [number]) => get(thing)
+            .get(place_in_list(number)?)
+            .map(|value| one_of_list(key.info, *value)),
+        (Slot::NamedNumbers { get, .. }, [name, number]) => get(thing)
+            .get(*name)?
+            .get(place_in_list(number)?)
+            .map(|value| one_of_list(key.info, *value)),
         (Slot::Inner(inner), rest) => inner.locate(thing, rest),
         _ => None,
     }
 }
 
 fn one_of_list(info: KeyInfo, value: f64) -> Numeric {
-    Numeric { info, kind: Kind::Number, value }
+    Numeric {
+        info,
+        kind: Kind::Number,
+        value,
+    }
 }
 
 /// Stores a number at a path below a thing; false where there is none.
 pub(super) fn store<T>(keys: &[Key<T>], thing: &mut T, path: &[&str], value: f64) -> bool {
-    let Some((name, rest)) = path.split_first() else { return false };
-    let Some(key) = keys.iter().find(|key| key.info.name == *name && applies(keys, thing, &key.info)) else { return false };
+    let Some((name, rest)) = path.split_first() else {
+        return false;
+    };
+    let Some(key) = keys
+        .iter()
+        .find(|key| key.info.name == *name && applies(keys, thing, &key.info))
+    else {
+        return false;
+    };
     match (&key.slot, rest) {
-        (Slot::Number { set, .. } | Slot::Derived { set, .. } | Slot::Optional { set, .. }, []) => set(thing, value),
+        (Slot::Number { set, .. } | Slot::Derived { set, .. } | Slot::Optional { set, .. }, []) => {
+            set(thing, value)
+        }
         (Slot::Count { set, .. }, []) => set(thing, value as usize),
         (Slot::NamedQuantities { open, .. }, [name]) => {
-            let Some(place) = open(thing).get_mut(*name) else { return false };
+            let Some(place) = open(thing).get_mut(*name) else {
+                return false;
+            };
             *place = value;
         }
         (Slot::Numbers { open, .. }, [number]) => return store_in_list(open(thing), number, value),
         (Slot::NamedNumbers { open, .. }, [name, number]) => {
-            return open(thing).get_mut(*name).is_some_and(|list| store_in_list(list, number, value));
+            return open(thing)
+                .get_mut(*name)
+                .is_some_and(|list| store_in_list(list, number, value));
         }
         (Slot::Inner(inner), rest) => return inner.store(thing, rest, value),
         _ => return false,

@@ -27,13 +27,25 @@ impl Override {
     /// An override of a key that is known.
     pub(super) fn new(key: &str, value: &str, info: &KeyInfo, index: usize) -> Self {
         let mut node = read_value(value);
-        let wants_text = matches!(info.kind, Kind::ChoiceOrPath(_) | Kind::Path | Kind::Text | Kind::Choice(_) | Kind::Reference { .. });
+        let wants_text = matches!(
+            info.kind,
+            Kind::ChoiceOrPath(_)
+                | Kind::Path
+                | Kind::Text
+                | Kind::Choice(_)
+                | Kind::Reference { .. }
+        );
         if wants_text && !matches!(node.value, Value::Text(_)) {
             node.value = Value::Text(value.to_owned());
         }
         move_to(&mut node, SourcePlace::Set(index));
         let excludes = info.need.alternatives();
-        Self { path: key.split('.').map(str::to_owned).collect(), value: value.to_owned(), node, excludes }
+        Self {
+            path: key.split('.').map(str::to_owned).collect(),
+            value: value.to_owned(),
+            node,
+            excludes,
+        }
     }
 
     /// How it was written.
@@ -54,7 +66,9 @@ impl Override {
 
     /// Writes it into a document, in the layout of what stood there.
     pub(super) fn write_into(&self, document: &mut DocumentMut) {
-        let Some((name, parents)) = self.path.split_last() else { return };
+        let Some((name, parents)) = self.path.split_last() else {
+            return;
+        };
         let mut table: &mut dyn TableLike = document.as_table_mut();
         for parent in parents {
             let item = table.entry(parent).or_insert_with(toml_edit::table);
@@ -64,7 +78,9 @@ impl Override {
                 }
                 return;
             }
-            let Some(below) = item.as_table_like_mut() else { return };
+            let Some(below) = item.as_table_like_mut() else {
+                return;
+            };
             table = below;
         }
         for other in self.excludes.iter().filter(|other| *other != name) {
@@ -80,7 +96,11 @@ impl Override {
     fn written(&self) -> toml_edit::Value {
         match &self.node.value {
             Value::Text(text) => toml_edit::Value::from(text.as_str()),
-            _ => self.value.trim().parse().unwrap_or_else(|_| toml_edit::Value::from(self.value.as_str())),
+            _ => self
+                .value
+                .trim()
+                .parse()
+                .unwrap_or_else(|_| toml_edit::Value::from(self.value.as_str())),
         }
     }
 }
@@ -94,8 +114,15 @@ impl fmt::Display for Override {
 /// A value of a command line: TOML where it is TOML, text otherwise.
 fn read_value(value: &str) -> Node {
     let line = format!("v = {}", value.trim());
-    let parsed = toml_edit::Document::parse(line.as_str()).ok().filter(|document| !value.contains('\n') && document.len() == 1);
-    let node = parsed.as_ref().and_then(|document| document.get("v")?.as_value().map(|found| value_of(&line, found, 0)));
+    let parsed = toml_edit::Document::parse(line.as_str())
+        .ok()
+        .filter(|document| !value.contains('\n') && document.len() == 1);
+    let node = parsed.as_ref().and_then(|document| {
+        document
+            .get("v")?
+            .as_value()
+            .map(|found| value_of(&line, found, 0))
+    });
     node.unwrap_or_else(|| Node::at(0, Value::Text(value.to_owned())))
 }
 
@@ -122,7 +149,8 @@ pub(super) fn resolve(root: &Node, key: &str) -> Result<KeyInfo, String> {
         };
         let mut known = Vec::new();
         paths(&top, Some(root), "", &mut known);
-        let meant = nearest(key, known.iter().map(String::as_str)).map(|near| format!("; the nearest key here is `{near}`"));
+        let meant = nearest(key, known.iter().map(String::as_str))
+            .map(|near| format!("; the nearest key here is `{near}`"));
         format!("{}: {why}{}", clip(key), meant.unwrap_or_default())
     })
 }
@@ -141,15 +169,34 @@ impl From<String> for PathError {
     }
 }
 
-fn walk(rows: &[Row], node: Option<&Node>, path: &[&str], walked: &str) -> Result<KeyInfo, PathError> {
-    let place = if walked.is_empty() { "here".to_owned() } else { format!("in {walked}") };
+fn walk(
+    rows: &[Row],
+    node: Option<&Node>,
+    path: &[&str],
+    walked: &str,
+) -> Result<KeyInfo, PathError> {
+    let place = if walked.is_empty() {
+        "here".to_owned()
+    } else {
+        format!("in {walked}")
+    };
     let Some((name, rest)) = path.split_first() else {
-        return Err(format!("{walked} is a table; its keys: {}", join_words(rows.iter().map(|row| row.info.name))).into());
+        return Err(format!(
+            "{walked} is a table; its keys: {}",
+            join_words(rows.iter().map(|row| row.info.name))
+        )
+        .into());
     };
     let Some(row) = rows.iter().find(|row| row.info.name == *name) else {
-        return Err(format!("unknown key; keys {place}: {}", join_words(rows.iter().map(|row| row.info.name))).into());
+        return Err(format!(
+            "unknown key; keys {place}: {}",
+            join_words(rows.iter().map(|row| row.info.name))
+        )
+        .into());
     };
-    let below = node.and_then(|node| node.get(name)).map(|entry| &entry.node);
+    let below = node
+        .and_then(|node| node.get(name))
+        .map(|entry| &entry.node);
     let walked = join(walked, name);
     match (row.info.kind, rest) {
         (Kind::Table, rest) => walk(&row.inner, below, rest, &walked),
@@ -158,33 +205,61 @@ fn walk(rows: &[Row], node: Option<&Node>, path: &[&str], walked: &str) -> Resul
             let Some(found) = below.and_then(|below| below.get(thing)) else {
                 let there = below.and_then(Node::entries).unwrap_or_default();
                 let names = join_words(there.iter().map(|entry| entry.name.as_str()));
-                let names = if names.is_empty() { "none".to_owned() } else { names };
-                return Err(format!("this file has no [{walked}.{}]; it has: {names}", clip(thing)).into());
+                let names = if names.is_empty() {
+                    "none".to_owned()
+                } else {
+                    names
+                };
+                return Err(format!(
+                    "this file has no [{walked}.{}]; it has: {names}",
+                    clip(thing)
+                )
+                .into());
             };
             walk(&row.inner, Some(&found.node), rest, &join(&walked, thing))
         }
         (Kind::NamedQuantities(_) | Kind::NamedNumbers, [_]) => Ok(row.info),
         (Kind::Numbers, [number]) => in_list(row.info, below, number, &walked),
         (Kind::NamedNumbers, [name, number]) => {
-            let list = below.and_then(|below| below.get(name)).map(|entry| &entry.node);
+            let list = below
+                .and_then(|below| below.get(name))
+                .map(|entry| &entry.node);
             in_list(row.info, list, number, &join(&walked, name))
         }
-        (Kind::NamedQuantities(_) | Kind::NamedNumbers, _) => Err(format!("{walked} is a table of values by name").into()),
+        (Kind::NamedQuantities(_) | Kind::NamedNumbers, _) => {
+            Err(format!("{walked} is a table of values by name").into())
+        }
         (_, []) => Ok(row.info),
         (_, _) => Err(format!("{walked} is one value and has no keys").into()),
     }
 }
 
 /// One number of a list that the file has.
-fn in_list(info: KeyInfo, list: Option<&Node>, number: &str, walked: &str) -> Result<KeyInfo, PathError> {
+fn in_list(
+    info: KeyInfo,
+    list: Option<&Node>,
+    number: &str,
+    walked: &str,
+) -> Result<KeyInfo, PathError> {
     match list.map(|list| &list.value) {
-        Some(Value::List(items)) if items.is_empty() => Err(PathError::InList(format!("{walked} is empty"))),
-        Some(Value::List(items)) => match place_in_list(number).filter(|place| *place < items.len()) {
-            Some(_) => Ok(KeyInfo { kind: Kind::Number, ..info }),
-            None => Err(PathError::InList(beyond(walked, items.len()))),
-        },
-        Some(_) => Err(PathError::InList(format!("{walked} is no list of numbers in this file"))),
-        None => Err(PathError::InList(format!("this file has no {walked}; give the whole list first"))),
+        Some(Value::List(items)) if items.is_empty() => {
+            Err(PathError::InList(format!("{walked} is empty")))
+        }
+        Some(Value::List(items)) => {
+            match place_in_list(number).filter(|place| *place < items.len()) {
+                Some(_) => Ok(KeyInfo {
+                    kind: Kind::Number,
+                    ..info
+                }),
+                None => Err(PathError::InList(beyond(walked, items.len()))),
+            }
+        }
+        Some(_) => Err(PathError::InList(format!(
+            "{walked} is no list of numbers in this file"
+        ))),
+        None => Err(PathError::InList(format!(
+            "this file has no {walked}; give the whole list first"
+        ))),
     }
 }
 
@@ -195,12 +270,23 @@ fn paths(rows: &[Row], node: Option<&Node>, prefix: &str, out: &mut Vec<String>)
             return;
         }
         let path = join(prefix, row.info.name);
-        let below = node.and_then(|node| node.get(row.info.name)).map(|entry| &entry.node);
+        let below = node
+            .and_then(|node| node.get(row.info.name))
+            .map(|entry| &entry.node);
         let entries = below.and_then(Node::entries).unwrap_or_default();
         match row.info.kind {
             Kind::Table => paths(&row.inner, below, &path, out),
-            Kind::Things => entries.iter().for_each(|entry| paths(&row.inner, Some(&entry.node), &join(&path, &entry.name), out)),
-            Kind::NamedQuantities(_) | Kind::NamedNumbers => out.extend(entries.iter().map(|entry| join(&path, &entry.name))),
+            Kind::Things => entries.iter().for_each(|entry| {
+                paths(
+                    &row.inner,
+                    Some(&entry.node),
+                    &join(&path, &entry.name),
+                    out,
+                )
+            }),
+            Kind::NamedQuantities(_) | Kind::NamedNumbers => {
+                out.extend(entries.iter().map(|entry| join(&path, &entry.name)))
+            }
             _ => out.push(path),
         }
     }

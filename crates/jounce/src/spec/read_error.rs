@@ -54,19 +54,27 @@ pub(super) fn read_text(path: &Path) -> Result<String, ReadError> {
     let unreadable = |source: std::io::Error| match source.kind() {
         std::io::ErrorKind::NotFound => ReadError::Missing { path: owned() },
         std::io::ErrorKind::IsADirectory => ReadError::Directory { path: owned() },
-        _ => ReadError::Unreadable { path: owned(), source },
+        _ => ReadError::Unreadable {
+            path: owned(),
+            source,
+        },
     };
     if path.is_dir() {
         return Err(ReadError::Directory { path: owned() });
     }
     let mut bytes = Vec::new();
     // One byte more than allowed, so that a device without end is not read for ever.
-    let limited = std::fs::File::open(path).map_err(unreadable)?.take(MAX_SPEC_BYTES as u64 + 1);
+    let limited = std::fs::File::open(path)
+        .map_err(unreadable)?
+        .take(MAX_SPEC_BYTES as u64 + 1);
     { limited }.read_to_end(&mut bytes).map_err(unreadable)?;
     if bytes.len() > MAX_SPEC_BYTES {
         return Err(ReadError::TooLarge { path: owned() });
     }
-    String::from_utf8(bytes).map_err(|error| ReadError::NotText { path: owned(), fault: wrong_byte(&error) })
+    String::from_utf8(bytes).map_err(|error| ReadError::NotText {
+        path: owned(),
+        fault: wrong_byte(&error),
+    })
 }
 
 fn wrong_byte(error: &std::string::FromUtf8Error) -> Fault {
@@ -74,5 +82,9 @@ fn wrong_byte(error: &std::string::FromUtf8Error) -> Fault {
     let valid = String::from_utf8_lossy(&error.as_bytes()[..at]);
     let (line, column) = Lines::new(&valid).place(at);
     let message = format!("the byte 0x{:02x} is not UTF-8", error.as_bytes()[at]);
-    Fault { line, column, ..Fault::without_place("", message) }
+    Fault {
+        line,
+        column,
+        ..Fault::without_place("", message)
+    }
 }

@@ -4,7 +4,10 @@ use std::path::Path;
 use std::sync::Arc;
 
 use jounce_data::read::{self, Notes, ReadError, RecordingSummary};
-use jounce_data::recording::{Channel, ChannelHead, Grid, Issue, IssueKind, NoChannel, Over, Quantity, Recording as Measured, Unit, named};
+use jounce_data::recording::{
+    Channel, ChannelHead, Grid, Issue, IssueKind, NoChannel, Over, Quantity, Recording as Measured,
+    Unit, named,
+};
 
 use super::{Drive, DriveKind, DriveSignal};
 
@@ -129,16 +132,43 @@ pub fn driving_channel(
     if let Some(wanted) = wanted {
         return Ok(named(recording, heads, wanted)?);
     }
-    let is_still = |name: &str| findings.iter().any(|f| f.kind == IssueKind::Constant && f.channel.as_deref() == Some(name));
+    let is_still = |name: &str| {
+        findings
+            .iter()
+            .any(|f| f.kind == IssueKind::Constant && f.channel.as_deref() == Some(name))
+    };
     let moves = |k: &usize| !is_still(heads[*k].name);
-    let measuring: Vec<usize> = (0..heads.len()).filter(|k| heads[*k].quantity == quantity).filter(moves).collect();
-    let silent = || (0..heads.len()).filter(|k| heads[*k].may_be(quantity)).filter(moves).collect();
-    let fitting = if measuring.is_empty() { silent() } else { measuring };
-    let name = |head: &ChannelHead<'_>| if head.tells_unit() { format!("{} ({})", head.name, head.unit) } else { head.name.to_owned() };
+    let measuring: Vec<usize> = (0..heads.len())
+        .filter(|k| heads[*k].quantity == quantity)
+        .filter(moves)
+        .collect();
+    let silent = || {
+        (0..heads.len())
+            .filter(|k| heads[*k].may_be(quantity))
+            .filter(moves)
+            .collect()
+    };
+    let fitting = if measuring.is_empty() {
+        silent()
+    } else {
+        measuring
+    };
+    let name = |head: &ChannelHead<'_>| {
+        if head.tells_unit() {
+            format!("{} ({})", head.name, head.unit)
+        } else {
+            head.name.to_owned()
+        }
+    };
     match fitting[..] {
         [only] => Ok(only),
-        [] => Err(RecordingError::None { channels: heads.iter().map(name).collect(), wanted: quantity.si_unit() }),
-        _ => Err(RecordingError::Several { channels: fitting.iter().map(|k| name(&heads[*k])).collect() }),
+        [] => Err(RecordingError::None {
+            channels: heads.iter().map(name).collect(),
+            wanted: quantity.si_unit(),
+        }),
+        _ => Err(RecordingError::Several {
+            channels: fitting.iter().map(|k| name(&heads[*k])).collect(),
+        }),
     }
 }
 
@@ -147,37 +177,71 @@ impl Recording {
     ///
     /// # Errors
     /// [`RecordingError`].
-    pub fn of(measured: &Measured, channel: &str, kind: DriveKind, (scale, keep_mean): (f64, bool)) -> Result<Self, RecordingError> {
+    pub fn of(
+        measured: &Measured,
+        channel: &str,
+        kind: DriveKind,
+        (scale, keep_mean): (f64, bool),
+    ) -> Result<Self, RecordingError> {
         let channel = measured.channel(channel)?;
         let quantity = kind.measured();
         if !channel.head().may_be(quantity) {
             let (channel, unit) = (channel.name.clone(), channel.unit.clone());
-            return Err(RecordingError::Unit { channel, unit, wanted: quantity.si_unit() });
+            return Err(RecordingError::Unit {
+                channel,
+                unit,
+                wanted: quantity.si_unit(),
+            });
         }
         let (Grid::Even { step, count, .. }, Over::Time) = (&measured.grid, measured.over) else {
-            return Err(RecordingError::NotEven { recording: measured.name.clone() });
+            return Err(RecordingError::NotEven {
+                recording: measured.name.clone(),
+            });
         };
         if *count < 2 {
-            return Err(RecordingError::Few { recording: measured.name.clone() });
+            return Err(RecordingError::Few {
+                recording: measured.name.clone(),
+            });
         }
         if channel.values.iter().any(|value| !value.is_finite()) {
-            return Err(RecordingError::NotANumber { channel: channel.name.clone() });
+            return Err(RecordingError::NotANumber {
+                channel: channel.name.clone(),
+            });
         }
         let mean = channel.values.iter().sum::<f64>() / channel.values.len() as f64;
         let offset = if keep_mean { 0.0 } else { mean };
         let values: Arc<[f64]> = channel.values.iter().map(|value| value - offset).collect();
-        let largest = values.iter().fold(0.0, |largest: f64, value| largest.max(value.abs()));
+        let largest = values
+            .iter()
+            .fold(0.0, |largest: f64, value| largest.max(value.abs()));
         if largest <= CONSTANT_ROUNDOFF * mean.abs() {
-            return Err(RecordingError::Still { channel: channel.name.clone(), mean, unit: quantity.si_unit() });
+            return Err(RecordingError::Still {
+                channel: channel.name.clone(),
+                mean,
+                unit: quantity.si_unit(),
+            });
         }
-        let of_another = |name: &String| *name != channel.name && measured.channels.iter().any(|other| other.name == *name);
+        let of_another = |name: &String| {
+            *name != channel.name && measured.channels.iter().any(|other| other.name == *name)
+        };
         let is_own = |finding: &&Issue| !finding.channel.as_ref().is_some_and(of_another);
         let mut findings: Vec<Issue> = measured.findings.iter().filter(is_own).cloned().collect();
         if offset.abs() > CONSTANT_ROUNDOFF * largest {
-            let about = format!("its mean of {:.5} {} is taken away", scale * mean, quantity.si_unit());
-            findings.push(Issue::new(IssueKind::MeanRemoved, values.len(), None, about).of(&channel.name));
+            let about = format!(
+                "its mean of {:.5} {} is taken away",
+                scale * mean,
+                quantity.si_unit()
+            );
+            findings.push(
+                Issue::new(IssueKind::MeanRemoved, values.len(), None, about).of(&channel.name),
+            );
         }
-        Ok(Self { step_s: *step, values, mean, findings })
+        Ok(Self {
+            step_s: *step,
+            values,
+            mean,
+            findings,
+        })
     }
 
     /// Reads the file of a drive.
@@ -185,34 +249,65 @@ impl Recording {
     /// # Errors
     /// The key at fault, and one sentence with the file and what to do.
     pub(super) fn read(path: &Path, drive: &Drive) -> Result<Self, (&'static str, String)> {
-        let DriveSignal::Recording { channel, unit, scale, keep_mean, sample_rate_hz, .. } = &drive.signal else {
+        let DriveSignal::Recording {
+            channel,
+            unit,
+            scale,
+            keep_mean,
+            sample_rate_hz,
+            ..
+        } = &drive.signal
+        else {
             return Err(("signal", "the signal is not a recording".to_owned()));
         };
         let shown = path.display();
         let of_file = |error: &dyn std::fmt::Display| ("file", format!("{shown}: {error}"));
         let quantity = drive.kind.measured();
         let mut survey = survey(path, *sample_rate_hz).map_err(|error| match error {
-            ReadError::NoTime { .. } | ReadError::StampUnit { .. } => ("file", format!("{error}; or give the drive a `sample_rate`")),
+            ReadError::NoTime { .. } | ReadError::StampUnit { .. } => (
+                "file",
+                format!("{error}; or give the drive a `sample_rate`"),
+            ),
             error => ("file", error.to_string()),
         })?;
-        let number = driving_channel((&survey.name, &survey.heads(), &survey.findings), channel.as_deref(), quantity)
-            .map_err(|error| of_file(&error))?;
-        if let Some(wanted_hz) = sample_rate_hz.filter(|wanted_hz| (wanted_hz / survey.rate() - 1.0).abs() > MAX_RATE_ERROR) {
-            let told = format!("{shown} is sampled at {:.6} Hz, not at `sample_rate` = {wanted_hz} Hz; correct one of them", survey.rate());
+        let number = driving_channel(
+            (&survey.name, &survey.heads(), &survey.findings),
+            channel.as_deref(),
+            quantity,
+        )
+        .map_err(|error| of_file(&error))?;
+        if let Some(wanted_hz) = sample_rate_hz
+            .filter(|wanted_hz| (wanted_hz / survey.rate() - 1.0).abs() > MAX_RATE_ERROR)
+        {
+            let told = format!(
+                "{shown} is sampled at {:.6} Hz, not at `sample_rate` = {wanted_hz} Hz; correct one of them",
+                survey.rate()
+            );
             return Err(("sample_rate", told));
         }
         let head = survey.channels[number].head();
-        let assumed = if unit.is_none() { head.assumed(quantity) } else { None };
+        let assumed = if unit.is_none() {
+            head.assumed(quantity)
+        } else {
+            None
+        };
         survey.findings.extend(assumed);
-        let measured = survey.into_recording_of(&[number]).map_err(|error| of_file(&error))?;
+        let measured = survey
+            .into_recording_of(&[number])
+            .map_err(|error| of_file(&error))?;
         let mut measured = measured.into_even().map_err(|error| of_file(&error))?;
         let channel = &mut measured.channels[0];
         if let Some(unit) = unit {
             in_unit(channel, unit, quantity).map_err(|told| ("unit", told))?;
-            measured.findings.retain(|finding| finding.kind != IssueKind::RawCounts);
+            measured
+                .findings
+                .retain(|finding| finding.kind != IssueKind::RawCounts);
         }
         let channel = &measured.channels[0];
-        let (name, keep_mean) = (channel.name.clone(), keep_mean.unwrap_or(drive.kind.keeps_mean()));
+        let (name, keep_mean) = (
+            channel.name.clone(),
+            keep_mean.unwrap_or(drive.kind.keeps_mean()),
+        );
         Self::of(&measured, &name, drive.kind, (*scale, keep_mean)).map_err(|error| of_file(&error))
     }
 
@@ -225,9 +320,16 @@ impl Recording {
 /// The first recording over time of a file, at a rate where neither the file nor its notes tell usable times.
 fn survey(path: &Path, sample_rate_hz: Option<f64>) -> Result<RecordingSummary, ReadError> {
     match (read::survey_record(path), sample_rate_hz) {
-        (Err(ReadError::NoTime { .. } | ReadError::StampUnit { .. } | ReadError::Grid { .. }), Some(rate_hz)) => {
-            read::survey_record_noted(path, &Notes { rate_hz: Some(rate_hz), ..Notes::beside(path)? })
-        }
+        (
+            Err(ReadError::NoTime { .. } | ReadError::StampUnit { .. } | ReadError::Grid { .. }),
+            Some(rate_hz),
+        ) => read::survey_record_noted(
+            path,
+            &Notes {
+                rate_hz: Some(rate_hz),
+                ..Notes::beside(path)?
+            },
+        ),
         (found, _) => found,
     }
 }
@@ -235,11 +337,19 @@ fn survey(path: &Path, sample_rate_hz: Option<f64>) -> Result<RecordingSummary, 
 /// Values of a channel in a unit that its file does not give.
 fn in_unit(channel: &mut Channel, unit: &str, quantity: Quantity) -> Result<(), String> {
     let known = Unit::read(unit).filter(|known| known.quantity == quantity);
-    let known = known.ok_or_else(|| format!("`unit` = {unit:?} is no unit of {}", quantity.si_unit()))?;
+    let known =
+        known.ok_or_else(|| format!("`unit` = {unit:?} is no unit of {}", quantity.si_unit()))?;
     if channel.quantity == quantity {
-        return Err(RecordingError::UnitTwice { channel: channel.name.clone(), unit: channel.unit.clone() }.to_string());
+        return Err(RecordingError::UnitTwice {
+            channel: channel.name.clone(),
+            unit: channel.unit.clone(),
+        }
+        .to_string());
     }
-    channel.values.iter_mut().for_each(|value| *value *= known.factor);
+    channel
+        .values
+        .iter_mut()
+        .for_each(|value| *value *= known.factor);
     (channel.quantity, channel.unit) = (quantity, quantity.si_unit().to_owned());
     Ok(())
 }

@@ -18,8 +18,10 @@ pub fn schema() -> Value {
     let mut schema = table(&top);
     schema["$schema"] = json!("http://json-schema.org/draft-07/schema#");
     schema["title"] = json!("jounce spec");
-    schema["description"] = json!("An impact energy harvester: its structure, stops, circuits and drives.");
-    schema["anyOf"] = json!([{ "required": ["beam"] }, { "required": ["mass"] }, { "required": ["modal"] }]);
+    schema["description"] =
+        json!("An impact energy harvester: its structure, stops, circuits and drives.");
+    schema["anyOf"] =
+        json!([{ "required": ["beam"] }, { "required": ["mass"] }, { "required": ["modal"] }]);
     schema
 }
 
@@ -31,12 +33,18 @@ fn table(rows: &[Row]) -> Value {
             property["description"] = json!(format!("{}; {}", text(other), text(&property)));
             // The limits that hold in every case; the case itself is told apart below. A name has none.
             if other.get("pattern").is_some() {
-                property["pattern"] = json!(if is_signed(other) || is_signed(&property) { pattern(true) } else { pattern(false) });
+                property["pattern"] = json!(if is_signed(other) || is_signed(&property) {
+                    pattern(true)
+                } else {
+                    pattern(false)
+                });
             }
         }
         properties.insert(row.info.name.to_owned(), property);
     }
-    let required = rows.iter().filter(|row| row.info.need == Need::Required && row.info.when.is_none() && row.info.unless.is_none());
+    let required = rows.iter().filter(|row| {
+        row.info.need == Need::Required && row.info.when.is_none() && row.info.unless.is_none()
+    });
     let required: Vec<&str> = required.map(|row| row.info.name).collect();
     let mut table = json!({ "type": "object", "properties": properties, "additionalProperties": false, "required": required });
     let rules = rules(rows);
@@ -59,21 +67,33 @@ fn property(row: &Row) -> Value {
     let mut property = match info.kind {
         Kind::Quantity(_) | Kind::NamedQuantities(_) => {
             let quantity = json!({ "type": "string", "pattern": pattern(info.range.low < 0.0) });
-            if matches!(info.kind, Kind::Quantity(_)) { quantity } else { by_name(quantity) }
+            if matches!(info.kind, Kind::Quantity(_)) {
+                quantity
+            } else {
+                by_name(quantity)
+            }
         }
         Kind::Number => number(row, "number"),
         Kind::Count => number(row, "integer"),
         Kind::Numbers => numbers(row),
         Kind::NamedNumbers => by_name(numbers(row)),
-        Kind::ChoiceOrPath(_) | Kind::Path | Kind::Text | Kind::Reference { .. } => json!({ "type": "string", "minLength": 1 }),
-        Kind::References { .. } => json!({ "type": "array", "items": { "type": "string", "minLength": 1 }, "minItems": 1 }),
+        Kind::ChoiceOrPath(_) | Kind::Path | Kind::Text | Kind::Reference { .. } => {
+            json!({ "type": "string", "minLength": 1 })
+        }
+        Kind::References { .. } => {
+            json!({ "type": "array", "items": { "type": "string", "minLength": 1 }, "minItems": 1 })
+        }
         Kind::Choice(words) => json!({ "type": "string", "enum": words }),
         Kind::Things => by_name(table(&row.inner)),
         Kind::Table => table(&row.inner),
     };
     let mut description = info.doc.to_owned();
     if let Kind::Quantity(quantity) | Kind::NamedQuantities(quantity) = info.kind {
-        description = format!("{description}; {}, in {}", quantity.kind(), quantity.units().join(", "));
+        description = format!(
+            "{description}; {}, in {}",
+            quantity.kind(),
+            quantity.units().join(", ")
+        );
     }
     if let Some(default) = &row.default {
         description = format!("{description} (default {default})");
@@ -90,7 +110,11 @@ fn number(row: &Row, kind: &str) -> Value {
     let range = &row.info.range;
     let mut number = json!({ "type": kind });
     if range.low.is_finite() {
-        number[if range.open { "exclusiveMinimum" } else { "minimum" }] = json!(range.low);
+        number[if range.open {
+            "exclusiveMinimum"
+        } else {
+            "minimum"
+        }] = json!(range.low);
     }
     if range.high.is_finite() {
         number["maximum"] = json!(range.high);
@@ -106,15 +130,26 @@ fn numbers(row: &Row) -> Value {
 /// A number, then something for the unit.
 fn pattern(signed: bool) -> String {
     let sign = if signed { "[+-]?" } else { "\\+?" };
-    format!(r"^\s*{sign}(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?\s*[^\s\d.,+-].*$|^\s*{sign}(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?\s+1/.*$")
+    format!(
+        r"^\s*{sign}(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?\s*[^\s\d.,+-].*$|^\s*{sign}(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?\s+1/.*$"
+    )
 }
 
 /// Which keys go with which word of a choice, and which exclude each other.
 fn rules(rows: &[Row]) -> Vec<Value> {
     let mut rules = Vec::new();
     for choice in rows {
-        let Kind::Choice(words) = choice.info.kind else { continue };
-        let dependent: Vec<&Row> = rows.iter().filter(|row| row.info.when.is_some_and(|when| when.key == choice.info.name)).collect();
+        let Kind::Choice(words) = choice.info.kind else {
+            continue;
+        };
+        let dependent: Vec<&Row> = rows
+            .iter()
+            .filter(|row| {
+                row.info
+                    .when
+                    .is_some_and(|when| when.key == choice.info.name)
+            })
+            .collect();
         if !dependent.is_empty() {
             rules.extend(words.iter().map(|word| rule(choice, word, &dependent)));
         }
@@ -133,38 +168,61 @@ fn rules(rows: &[Row]) -> Vec<Value> {
                 }
             });
         }
-        if let (Need::Required, None, Some(other)) = (row.info.need, row.info.when, row.info.unless) {
-            rules.push(json!({ "anyOf": [{ "required": [row.info.name] }, { "required": [other] }] }));
+        if let (Need::Required, None, Some(other)) = (row.info.need, row.info.when, row.info.unless)
+        {
+            rules.push(
+                json!({ "anyOf": [{ "required": [row.info.name] }, { "required": [other] }] }),
+            );
         }
     }
     rules
 }
 
 fn alternatives(names: &[&str]) -> Vec<Value> {
-    names.iter().map(|name| json!({ "required": [name] })).collect()
+    names
+        .iter()
+        .map(|name| json!({ "required": [name] }))
+        .collect()
 }
 
 fn rule(choice: &Row, word: &str, dependent: &[&Row]) -> Value {
     let name = choice.info.name;
     let goes = |row: &&&Row| row.info.when.is_some_and(|when| when.is.contains(&word));
-    let present: Vec<&str> = dependent.iter().filter(goes).map(|row| row.info.name).collect();
+    let present: Vec<&str> = dependent
+        .iter()
+        .filter(goes)
+        .map(|row| row.info.name)
+        .collect();
     let required: Vec<&str> = dependent
         .iter()
         .filter(goes)
         .filter(|row| row.info.need == Need::Required && row.info.unless.is_none())
         .map(|row| row.info.name)
         .collect();
-    let absent = dependent.iter().map(|row| row.info.name).filter(|other| !present.contains(other));
-    let absent: Map<String, Value> = absent.map(|other| (other.to_owned(), json!(false))).collect();
+    let absent = dependent
+        .iter()
+        .map(|row| row.info.name)
+        .filter(|other| !present.contains(other));
+    let absent: Map<String, Value> = absent
+        .map(|other| (other.to_owned(), json!(false)))
+        .collect();
     let is_default = choice.default.as_deref() == Some(format!("\"{word}\"").as_str());
     let needed = if is_default { json!([]) } else { json!([name]) };
-    let elsewhere = dependent.iter().filter(goes).filter(|row| row.info.need == Need::Required);
+    let elsewhere = dependent
+        .iter()
+        .filter(goes)
+        .filter(|row| row.info.need == Need::Required);
     let either =
         elsewhere.filter_map(|row| Some(json!({ "anyOf": [{ "required": [row.info.name] }, { "required": [row.info.unless?] }] })));
-    let exactly = dependent.iter().filter(goes).filter_map(|row| match row.info.need {
-        Need::OneOf(names) if names.first() == Some(&row.info.name) => Some(json!({ "oneOf": alternatives(names) })),
-        _ => None,
-    });
+    let exactly = dependent
+        .iter()
+        .filter(goes)
+        .filter_map(|row| match row.info.need {
+            Need::OneOf(names) if names.first() == Some(&row.info.name) => {
+                Some(json!({ "oneOf": alternatives(names) }))
+            }
+            _ => None,
+        });
     let either: Vec<Value> = either.chain(exactly).collect();
     let mut then = json!({ "required": required, "properties": absent });
     if !either.is_empty() {

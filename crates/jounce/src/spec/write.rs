@@ -31,19 +31,35 @@ impl Spec {
         let mut hasher = Sha256::new_with_prefix(self.to_toml().as_bytes());
         // Recordings by what they hold: the file may change under its name.
         for drive in self.drive.values() {
-            if let DriveSignal::Recording { record: Some(record), .. } = &drive.signal {
-                [record.step_s].iter().chain(record.values.iter()).for_each(|value| hasher.update(value.to_le_bytes()));
+            if let DriveSignal::Recording {
+                record: Some(record),
+                ..
+            } = &drive.signal
+            {
+                [record.step_s]
+                    .iter()
+                    .chain(record.values.iter())
+                    .for_each(|value| hasher.update(value.to_le_bytes()));
             }
         }
-        hasher.finalize().iter().fold(String::new(), |mut hex, byte| {
-            write!(hex, "{byte:02x}").expect("writing to a string cannot fail");
-            hex
-        })
+        hasher
+            .finalize()
+            .iter()
+            .fold(String::new(), |mut hex, byte| {
+                write!(hex, "{byte:02x}").expect("writing to a string cannot fail");
+                hex
+            })
     }
 }
 
 /// Prints one thing under its header; `always` prints the header of an empty one too.
-pub(super) fn write_keys<T>(keys: &[Key<T>], thing: &T, path: &str, always: bool, out: &mut String) {
+pub(super) fn write_keys<T>(
+    keys: &[Key<T>],
+    thing: &T,
+    path: &str,
+    always: bool,
+    out: &mut String,
+) {
     let mut own = String::new();
     let mut below = String::new();
     for key in keys.iter().filter(|key| applies(keys, thing, &key.info)) {
@@ -71,10 +87,15 @@ fn value<T>(key: &Key<T>, thing: &T) -> Option<String> {
         Slot::Number { get, .. } => Some(number(get(thing))),
         Slot::Optional { get, .. } => get(thing).map(number),
         Slot::Count { get, .. } => Some(get(thing).to_string()),
-        Slot::Text { get, .. } => Some(get(thing)).filter(|text| !text.is_empty()).map(|text| quoted(&text)),
+        Slot::Text { get, .. } => Some(get(thing))
+            .filter(|text| !text.is_empty())
+            .map(|text| quoted(&text)),
         Slot::Texts { get, .. } => (!get(thing).is_empty()).then(|| texts(get(thing))),
         Slot::Numbers { get, .. } => (!get(thing).is_empty()).then(|| list(get(thing))),
-        Slot::Derived { .. } | Slot::NamedQuantities { .. } | Slot::NamedNumbers { .. } | Slot::Inner(_) => None,
+        Slot::Derived { .. }
+        | Slot::NamedQuantities { .. }
+        | Slot::NamedNumbers { .. }
+        | Slot::Inner(_) => None,
     }
 }
 
@@ -84,12 +105,20 @@ fn write_below<T>(key: &Key<T>, thing: &T, path: &str, out: &mut String) {
     match (&key.slot, key.info.kind) {
         (Slot::NamedQuantities { get, .. }, Kind::NamedQuantities(quantity)) => {
             for (name, value) in get(thing) {
-                line(&mut lines, &toml_edit::Key::new(name).to_string(), &quoted(&quantity.write(*value)));
+                line(
+                    &mut lines,
+                    &toml_edit::Key::new(name).to_string(),
+                    &quoted(&quantity.write(*value)),
+                );
             }
         }
         (Slot::NamedNumbers { get, .. }, _) => {
             for (name, values) in get(thing) {
-                line(&mut lines, &toml_edit::Key::new(name).to_string(), &list(values));
+                line(
+                    &mut lines,
+                    &toml_edit::Key::new(name).to_string(),
+                    &list(values),
+                );
             }
         }
         (Slot::Inner(inner), _) => inner.write(thing, &path, out),
@@ -110,9 +139,23 @@ fn float(value: f64) -> String {
 }
 
 fn texts(values: &[String]) -> String {
-    format!("[{}]", values.iter().map(|value| quoted(value)).collect::<Vec<_>>().join(", "))
+    format!(
+        "[{}]",
+        values
+            .iter()
+            .map(|value| quoted(value))
+            .collect::<Vec<_>>()
+            .join(", ")
+    )
 }
 
 fn list(values: &[f64]) -> String {
-    format!("[{}]", values.iter().map(|value| float(*value)).collect::<Vec<_>>().join(", "))
+    format!(
+        "[{}]",
+        values
+            .iter()
+            .map(|value| float(*value))
+            .collect::<Vec<_>>()
+            .join(", ")
+    )
 }

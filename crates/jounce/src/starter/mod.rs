@@ -22,8 +22,16 @@ pub const STARTERS: &[Starter] = &[
         summary: "a piezoelectric cantilever that strikes a stop, shaken at its root",
         spec: include_str!("cantilever-with-stop.toml"),
     },
-    Starter { kind: "two-beams", summary: "two piezoelectric cantilevers that strike each other", spec: include_str!("two-beams.toml") },
-    Starter { kind: "ball", summary: "a ball that bounces on a bimorph under gravity", spec: include_str!("ball.toml") },
+    Starter {
+        kind: "two-beams",
+        summary: "two piezoelectric cantilevers that strike each other",
+        spec: include_str!("two-beams.toml"),
+    },
+    Starter {
+        kind: "ball",
+        summary: "a ball that bounces on a bimorph under gravity",
+        spec: include_str!("ball.toml"),
+    },
     Starter {
         kind: "bimorph-with-rectifier",
         summary: "a bimorph with a tip mass that charges a capacitor through a bridge of diodes",
@@ -54,8 +62,17 @@ impl Starter {
     pub fn of(kind: &str) -> Result<&'static Self, UnknownKind> {
         let kinds = || STARTERS.iter().map(|starter| starter.kind);
         // A part of a name, as "bimorph", means that name.
-        let meant = || nearest(kind, kinds()).or_else(|| kinds().find(|known| kind.len() > 2 && known.contains(kind)));
-        STARTERS.iter().find(|starter| starter.kind == kind).ok_or_else(|| UnknownKind { kind: kind.to_owned(), nearest: meant() })
+        let meant = || {
+            nearest(kind, kinds())
+                .or_else(|| kinds().find(|known| kind.len() > 2 && known.contains(kind)))
+        };
+        STARTERS
+            .iter()
+            .find(|starter| starter.kind == kind)
+            .ok_or_else(|| UnknownKind {
+                kind: kind.to_owned(),
+                nearest: meant(),
+            })
     }
 
     /// Writes the spec whole or not at all; an older file is replaced only if that is asked for.
@@ -64,16 +81,26 @@ impl Starter {
     /// A file is there already, or the place cannot be written.
     pub fn write(&self, path: &Path, replace: bool) -> Result<(), StoreError> {
         let content = self.spec.as_bytes();
-        if replace { store::write(path, content) } else { store::create(path, content) }
+        if replace {
+            store::write(path, content)
+        } else {
+            store::create(path, content)
+        }
     }
 }
 
 fn meant(nearest: &Option<&str>) -> String {
-    nearest.map(|kind| format!(" (did you mean \"{kind}\"?)")).unwrap_or_default()
+    nearest
+        .map(|kind| format!(" (did you mean \"{kind}\"?)"))
+        .unwrap_or_default()
 }
 
 fn kinds() -> String {
-    STARTERS.iter().map(|starter| starter.kind).collect::<Vec<_>>().join(", ")
+    STARTERS
+        .iter()
+        .map(|starter| starter.kind)
+        .collect::<Vec<_>>()
+        .join(", ")
 }
 
 #[cfg(test)]
@@ -87,11 +114,25 @@ mod tests {
         for starter in STARTERS {
             let file = SpecFile::from_text(starter.spec);
             assert!(file.spec().is_ok(), "{}: {:?}", starter.kind, file.spec());
-            assert!(starter.spec.starts_with("# ") && starter.spec.ends_with('\n'), "{}", starter.kind);
+            assert!(
+                starter.spec.starts_with("# ") && starter.spec.ends_with('\n'),
+                "{}",
+                starter.kind
+            );
             let mut explained: Vec<&str> = Vec::new();
-            for line in starter.spec.lines().filter(|line| !line.starts_with(['#', '['])) {
-                let Some((key, rest)) = line.split_once(" = ") else { continue };
-                assert!(rest.contains(" # ") || explained.contains(&key), "{}: nothing explains {line}", starter.kind);
+            for line in starter
+                .spec
+                .lines()
+                .filter(|line| !line.starts_with(['#', '[']))
+            {
+                let Some((key, rest)) = line.split_once(" = ") else {
+                    continue;
+                };
+                assert!(
+                    rest.contains(" # ") || explained.contains(&key),
+                    "{}: nothing explains {line}",
+                    starter.kind
+                );
                 explained.push(key);
             }
         }
@@ -101,8 +142,14 @@ mod tests {
     fn a_wrong_kind_is_told_with_the_nearest_one() {
         assert_eq!(Starter::of("ball").unwrap().kind, "ball");
         let told = Starter::of("two-beam").unwrap_err().to_string();
-        assert!(told.contains("did you mean \"two-beams\"") && told.contains("random-base"), "{told}");
-        assert_eq!(Starter::of("bimorph").unwrap_err().nearest, Some("bimorph-with-rectifier"));
+        assert!(
+            told.contains("did you mean \"two-beams\"") && told.contains("random-base"),
+            "{told}"
+        );
+        assert_eq!(
+            Starter::of("bimorph").unwrap_err().nearest,
+            Some("bimorph-with-rectifier")
+        );
         assert_eq!(Starter::of("violin").unwrap_err().nearest, None);
     }
 }

@@ -16,7 +16,10 @@ pub struct StoreError {
 
 impl StoreError {
     fn new(path: &Path, reason: impl ToString) -> Self {
-        Self { path: path.to_owned(), reason: reason.to_string() }
+        Self {
+            path: path.to_owned(),
+            reason: reason.to_string(),
+        }
     }
 }
 
@@ -35,9 +38,14 @@ pub fn write(path: &Path, content: &[u8]) -> Result<(), StoreError> {
 ///
 /// # Errors
 /// As [`write()`], and whatever `fill` says.
-pub fn write_from(path: &Path, fill: impl FnOnce(&mut File) -> io::Result<()>) -> Result<(), StoreError> {
+pub fn write_from(
+    path: &Path,
+    fill: impl FnOnce(&mut File) -> io::Result<()>,
+) -> Result<(), StoreError> {
     let target = target_of(path)?;
-    filled(path, folder_of(&target)?, fill)?.persist(&target).map_err(|fault| StoreError::new(path, fault.error))?;
+    filled(path, folder_of(&target)?, fill)?
+        .persist(&target)
+        .map_err(|fault| StoreError::new(path, fault.error))?;
     flush_name(&target);
     Ok(())
 }
@@ -54,20 +62,28 @@ pub fn create(path: &Path, content: &[u8]) -> Result<(), StoreError> {
     if fs::symlink_metadata(path).is_ok() {
         return Err(StoreError::new(path, TAKEN));
     }
-    filled(path, folder_of(path)?, |file| file.write_all(content))?.persist_noclobber(path).map_err(|fault| match fault.error.kind() {
-        io::ErrorKind::AlreadyExists => StoreError::new(path, TAKEN),
-        _ => StoreError::new(path, fault.error),
-    })?;
+    filled(path, folder_of(path)?, |file| file.write_all(content))?
+        .persist_noclobber(path)
+        .map_err(|fault| match fault.error.kind() {
+            io::ErrorKind::AlreadyExists => StoreError::new(path, TAKEN),
+            _ => StoreError::new(path, fault.error),
+        })?;
     flush_name(path);
     Ok(())
 }
 
 /// The folder of a file, where there is one.
 fn folder_of(path: &Path) -> Result<&Path, StoreError> {
-    let folder = path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let folder = path
+        .parent()
+        .filter(|parent| !parent.as_os_str().is_empty())
+        .unwrap_or(Path::new("."));
     match folder.is_dir() {
         true => Ok(folder),
-        false => Err(StoreError::new(path, format!("\"{}\" is not a folder; create it first", folder.display()))),
+        false => Err(StoreError::new(
+            path,
+            format!("\"{}\" is not a folder; create it first", folder.display()),
+        )),
     }
 }
 
@@ -76,21 +92,33 @@ fn target_of(path: &Path) -> Result<PathBuf, StoreError> {
     if path.file_name().is_none() {
         return Err(StoreError::new(path, "it names no file"));
     }
-    let Ok(found) = fs::metadata(path) else { return Ok(path.to_owned()) };
+    let Ok(found) = fs::metadata(path) else {
+        return Ok(path.to_owned());
+    };
     if found.is_dir() {
-        return Err(StoreError::new(path, "it is a folder; give the name of a file in it"));
+        return Err(StoreError::new(
+            path,
+            "it is a folder; give the name of a file in it",
+        ));
     }
     if !found.is_file() {
         return Err(StoreError::new(path, "it is not a regular file"));
     }
     if found.permissions().readonly() {
-        return Err(StoreError::new(path, "it is read-only; make it writable or choose another name"));
+        return Err(StoreError::new(
+            path,
+            "it is read-only; make it writable or choose another name",
+        ));
     }
     fs::canonicalize(path).map_err(|fault| StoreError::new(path, fault))
 }
 
 /// A temporary neighbour of the target with the content, flushed to the disk.
-fn filled(path: &Path, folder: &Path, fill: impl FnOnce(&mut File) -> io::Result<()>) -> Result<tempfile::NamedTempFile, StoreError> {
+fn filled(
+    path: &Path,
+    folder: &Path,
+    fill: impl FnOnce(&mut File) -> io::Result<()>,
+) -> Result<tempfile::NamedTempFile, StoreError> {
     let written = || -> io::Result<_> {
         let mut beside = beside(folder)?;
         // Tells `clean` that somebody writes it. Where the file system knows no locks, nothing is cleaned either.
@@ -104,7 +132,9 @@ fn filled(path: &Path, folder: &Path, fill: impl FnOnce(&mut File) -> io::Result
 
 /// The new name itself must reach the disk; a file system that cannot flush a folder has done all it can.
 fn flush_name(target: &Path) {
-    if let Ok(folder) = folder_of(target).and_then(|folder| File::open(folder).map_err(|fault| StoreError::new(target, fault))) {
+    if let Ok(folder) = folder_of(target)
+        .and_then(|folder| File::open(folder).map_err(|fault| StoreError::new(target, fault)))
+    {
         let _ = folder.sync_all();
     }
 }
@@ -127,7 +157,10 @@ mod tests {
     use super::*;
 
     fn names(folder: &Path) -> Vec<String> {
-        let mut names: Vec<_> = fs::read_dir(folder).unwrap().map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
+        let mut names: Vec<_> = fs::read_dir(folder)
+            .unwrap()
+            .map(|e| e.unwrap().file_name().into_string().unwrap())
+            .collect();
         names.sort();
         names
     }
@@ -145,11 +178,21 @@ mod tests {
     #[test]
     fn what_cannot_be_written_is_an_error_with_path_and_reason() {
         let folder = tempfile::tempdir().unwrap();
-        let missing = write(&folder.path().join("no/such.csv"), b"x").unwrap_err().to_string();
-        assert!(missing.contains("such.csv") && missing.contains("is not a folder"), "{missing}");
+        let missing = write(&folder.path().join("no/such.csv"), b"x")
+            .unwrap_err()
+            .to_string();
+        assert!(
+            missing.contains("such.csv") && missing.contains("is not a folder"),
+            "{missing}"
+        );
         let directory = write(folder.path(), b"x").unwrap_err().to_string();
         assert!(directory.contains("it is a folder"), "{directory}");
-        assert!(write(Path::new(""), b"x").unwrap_err().to_string().contains("names no file"));
+        assert!(
+            write(Path::new(""), b"x")
+                .unwrap_err()
+                .to_string()
+                .contains("names no file")
+        );
         assert!(names(folder.path()).is_empty());
     }
 
@@ -161,7 +204,12 @@ mod tests {
         let mut permissions = fs::metadata(&path).unwrap().permissions();
         permissions.set_readonly(true);
         fs::set_permissions(&path, permissions).unwrap();
-        assert!(write(&path, b"new").unwrap_err().reason.contains("read-only"));
+        assert!(
+            write(&path, b"new")
+                .unwrap_err()
+                .reason
+                .contains("read-only")
+        );
         assert_eq!(fs::read(&path).unwrap(), b"old");
     }
 
@@ -171,17 +219,43 @@ mod tests {
         let path = folder.path().join("a.toml");
         create(&path, b"one").unwrap();
         let told = create(&path, b"two").unwrap_err().to_string();
-        assert!(told.contains("a.toml") && told.contains("it is there already"), "{told}");
-        assert_eq!((fs::read(&path).unwrap(), names(folder.path())), (b"one".to_vec(), vec!["a.toml".to_owned()]));
-        assert!(create(folder.path(), b"x").unwrap_err().reason.contains("there already"));
-        assert!(create(&folder.path().join("no/such"), b"x").unwrap_err().reason.contains("is not a folder"));
-        assert!(create(Path::new("/"), b"x").unwrap_err().reason.contains("names no file"));
+        assert!(
+            told.contains("a.toml") && told.contains("it is there already"),
+            "{told}"
+        );
+        assert_eq!(
+            (fs::read(&path).unwrap(), names(folder.path())),
+            (b"one".to_vec(), vec!["a.toml".to_owned()])
+        );
+        assert!(
+            create(folder.path(), b"x")
+                .unwrap_err()
+                .reason
+                .contains("there already")
+        );
+        assert!(
+            create(&folder.path().join("no/such"), b"x")
+                .unwrap_err()
+                .reason
+                .contains("is not a folder")
+        );
+        assert!(
+            create(Path::new("/"), b"x")
+                .unwrap_err()
+                .reason
+                .contains("names no file")
+        );
     }
 
     #[cfg(unix)]
     #[test]
     fn a_device_is_refused_and_a_link_is_followed() {
-        assert!(write(Path::new("/dev/null"), b"x").unwrap_err().reason.contains("regular file"));
+        assert!(
+            write(Path::new("/dev/null"), b"x")
+                .unwrap_err()
+                .reason
+                .contains("regular file")
+        );
         let folder = tempfile::tempdir().unwrap();
         let (real, link) = (folder.path().join("real"), folder.path().join("link"));
         write(&real, b"old").unwrap();

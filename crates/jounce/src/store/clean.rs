@@ -11,7 +11,9 @@ const MIN_AGE: Duration = Duration::from_secs(5);
 /// Removes the files of a folder that nobody will finish. Those that somebody writes now stay, and so does what cannot be removed: such
 /// files are hidden and nothing reads them.
 pub fn clean(folder: &Path) {
-    let Ok(entries) = fs::read_dir(folder) else { return };
+    let Ok(entries) = fs::read_dir(folder) else {
+        return;
+    };
     for entry in entries.flatten().filter(is_left) {
         let _ = fs::remove_file(entry.path());
     }
@@ -35,14 +37,22 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let made = |name: &str, age_s: u64| {
             let file = File::create(folder.path().join(name)).unwrap();
-            file.set_modified(SystemTime::now() - Duration::from_secs(age_s)).unwrap();
+            file.set_modified(SystemTime::now() - Duration::from_secs(age_s))
+                .unwrap();
             file
         };
-        drop((made(".jounce-left", 60), made(".jounce-young", 0), made("part.parquet", 60)));
+        drop((
+            made(".jounce-left", 60),
+            made(".jounce-young", 0),
+            made("part.parquet", 60),
+        ));
         let written = made(".jounce-written", 60);
         written.lock().unwrap();
         clean(folder.path());
-        let mut names: Vec<_> = fs::read_dir(folder.path()).unwrap().map(|entry| entry.unwrap().file_name()).collect();
+        let mut names: Vec<_> = fs::read_dir(folder.path())
+            .unwrap()
+            .map(|entry| entry.unwrap().file_name())
+            .collect();
         names.sort();
         assert_eq!(names, [".jounce-written", ".jounce-young", "part.parquet"]);
     }

@@ -15,20 +15,33 @@ pub struct BeamShape {
 impl BeamShape {
     /// One mode at every place; `None` where there is no such mode.
     pub fn mode(&self, mode: usize) -> Option<Vec<f64>> {
-        self.shape.iter().map(|values| values.get(mode).copied()).collect()
+        self.shape
+            .iter()
+            .map(|values| values.get(mode).copied())
+            .collect()
     }
 }
 
 /// The kept modes of each beam at `samples` equidistant places (at least 2).
-pub(super) fn beam_shapes(solution: &StructureSolution, samples: usize) -> BTreeMap<String, BeamShape> {
+pub(super) fn beam_shapes(
+    solution: &StructureSolution,
+    samples: usize,
+) -> BTreeMap<String, BeamShape> {
     let intervals = samples.max(2) - 1;
     let mut shapes = BTreeMap::new();
     for (part, (assembly, reduced)) in solution.parts.iter().enumerate() {
         let needed = solution.order.needed(part);
         for (index, name, beam) in assembly.body.beams() {
             let length_m = beam.length_m;
-            let place_m: Vec<f64> = (0..=intervals).map(|sample| length_m * sample as f64 / intervals as f64).collect();
-            let at = |place_m: &f64| solution.order.spread(part, &reduced.modal(&assembly.displacement(index, *place_m), needed));
+            let place_m: Vec<f64> = (0..=intervals)
+                .map(|sample| length_m * sample as f64 / intervals as f64)
+                .collect();
+            let at = |place_m: &f64| {
+                solution.order.spread(
+                    part,
+                    &reduced.modal(&assembly.displacement(index, *place_m), needed),
+                )
+            };
             let shape = place_m.iter().map(at).collect();
             shapes.insert(name.to_owned(), BeamShape { place_m, shape });
         }

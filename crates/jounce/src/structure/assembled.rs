@@ -25,7 +25,13 @@ pub(super) fn assembled_modes(
     let frequency_rad_s = solution.frequency_rad_s();
     let damping_ratio = damping_ratios(&frequency_rad_s, &mass_modes(solution), &spec.damping)?;
     let participation_sqrt_kg = vec![0.0; frequency_rad_s.len()];
-    let mut modes = Modes { frequency_rad_s, damping_ratio, discretisation_error, participation_sqrt_kg, ..Modes::default() };
+    let mut modes = Modes {
+        frequency_rad_s,
+        damping_ratio,
+        discretisation_error,
+        participation_sqrt_kg,
+        ..Modes::default()
+    };
     for (part, (assembly, reduced)) in solution.parts.iter().enumerate() {
         let needed = solution.order.needed(part);
         let modal = |row: &Row| solution.order.spread(part, &reduced.modal(row, needed));
@@ -34,9 +40,19 @@ pub(super) fn assembled_modes(
         let base = spec.base_under(assembly.body.support());
         if base != GROUND {
             let still = || vec![0.0; participation.len()];
-            add(modes.base_sqrt_kg.entry(base.to_owned()).or_insert_with(still), &participation);
+            add(
+                modes
+                    .base_sqrt_kg
+                    .entry(base.to_owned())
+                    .or_insert_with(still),
+                &participation,
+            );
         }
-        modes.shape.extend(point_rows(assembly).iter().map(|(name, row)| (name.clone(), modal(row))));
+        modes.shape.extend(
+            point_rows(assembly)
+                .iter()
+                .map(|(name, row)| (name.clone(), modal(row))),
+        );
         for rows in patch_rows(spec, assembly)? {
             let patch = PatchModes {
                 coupling_n_per_v: modal(&rows.coupling),
@@ -54,17 +70,30 @@ pub(super) fn assembled_modes(
 }
 
 fn add(sum: &mut [f64], part: &[f64]) {
-    sum.iter_mut().zip(part).for_each(|(sum, part)| *sum += part);
+    sum.iter_mut()
+        .zip(part)
+        .for_each(|(sum, part)| *sum += part);
 }
 
 /// The displacement of every name of a body: `"table"`, `"beam.root"`, `"beam.end"`, `"beam.tip"`.
 fn point_rows(assembly: &Assembly) -> Vec<(String, Row)> {
-    let mut rows: Vec<(String, Row)> =
-        assembly.body.masses().map(|(part, name, _)| (name.to_owned(), assembly.root_displacement(part))).collect();
+    let mut rows: Vec<(String, Row)> = assembly
+        .body
+        .masses()
+        .map(|(part, name, _)| (name.to_owned(), assembly.root_displacement(part)))
+        .collect();
     for (part, name, beam) in assembly.body.beams() {
-        rows.extend(beam.point.iter().map(|(point, place_m)| (format!("{name}.{point}"), assembly.displacement(part, *place_m))));
+        rows.extend(beam.point.iter().map(|(point, place_m)| {
+            (
+                format!("{name}.{point}"),
+                assembly.displacement(part, *place_m),
+            )
+        }));
         rows.push((format!("{name}.root"), assembly.root_displacement(part)));
-        rows.push((format!("{name}.end"), assembly.displacement(part, beam.length_m)));
+        rows.push((
+            format!("{name}.end"),
+            assembly.displacement(part, beam.length_m),
+        ));
     }
     rows
 }
@@ -83,13 +112,19 @@ struct PatchRows<'a> {
 ///
 /// # Errors
 /// Those of [`stretches`].
-fn patch_rows<'a>(spec: &'a Spec, assembly: &Assembly) -> Result<Vec<PatchRows<'a>>, StructureError> {
+fn patch_rows<'a>(
+    spec: &'a Spec,
+    assembly: &Assembly,
+) -> Result<Vec<PatchRows<'a>>, StructureError> {
     let mut found: Vec<PatchRows> = Vec::new();
     for (part, beam_name, beam) in assembly.body.beams() {
         // Stretches that differ by a named point only are one.
         let mut runs: Vec<PatchedSegment<'a>> = Vec::new();
         for stretch in stretches(spec, beam_name, beam)? {
-            match runs.last_mut().filter(|run| run.patches == stretch.patches && run.layers == stretch.layers) {
+            match runs
+                .last_mut()
+                .filter(|run| run.patches == stretch.patches && run.layers == stretch.layers)
+            {
                 Some(run) => run.end_m = stretch.end_m,
                 None => runs.push(stretch),
             }
@@ -99,20 +134,38 @@ fn patch_rows<'a>(spec: &'a Spec, assembly: &Assembly) -> Result<Vec<PatchRows<'
             for &(name, patch) in &run.patches {
                 let moment_n_m_per_v = patch_moment_n_m_per_v(beam, &section, patch);
                 let lever_m = outer_lever_m(beam, &section, patch);
-                let (start, end) = (assembly.slope(part, run.start_m), assembly.slope(part, run.end_m));
-                let turned = end.iter().zip(&start).map(|(end, start)| moment_n_m_per_v * (end - start));
+                let (start, end) = (
+                    assembly.slope(part, run.start_m),
+                    assembly.slope(part, run.end_m),
+                );
+                let turned = end
+                    .iter()
+                    .zip(&start)
+                    .map(|(end, start)| moment_n_m_per_v * (end - start));
                 let strain = (0..=STRAIN_POINTS).map(|k| {
                     // The end itself belongs to the next element, which may have another section.
                     let part_of = k as f64 / STRAIN_POINTS as f64 * (1.0 - 1e-9);
                     let place_m = run.start_m + (run.end_m - run.start_m) * part_of;
-                    assembly.curvature(part, place_m).iter().map(|curvature| -lever_m * curvature).collect::<Row>()
+                    assembly
+                        .curvature(part, place_m)
+                        .iter()
+                        .map(|curvature| -lever_m * curvature)
+                        .collect::<Row>()
                 });
                 match found.iter_mut().find(|rows| rows.name == name) {
                     Some(rows) => {
-                        rows.coupling.iter_mut().zip(turned).for_each(|(sum, part)| *sum += part);
+                        rows.coupling
+                            .iter_mut()
+                            .zip(turned)
+                            .for_each(|(sum, part)| *sum += part);
                         rows.strain.extend(strain);
                     }
-                    None => found.push(PatchRows { name, patch, coupling: turned.collect(), strain: strain.collect() }),
+                    None => found.push(PatchRows {
+                        name,
+                        patch,
+                        coupling: turned.collect(),
+                        strain: strain.collect(),
+                    }),
                 }
             }
         }
@@ -127,9 +180,16 @@ fn mass_modes(solution: &StructureSolution) -> Vec<MassMode> {
     for (part, (assembly, reduced)) in solution.parts.iter().enumerate() {
         let mut shares: Vec<(f64, usize, usize, f64)> = Vec::new();
         for (index, _, mass) in assembly.body.masses() {
-            let Some(ratio) = mass.damping_ratio else { continue };
+            let Some(ratio) = mass.damping_ratio else {
+                continue;
+            };
             let shape = reduced.modal(&assembly.root_displacement(index), assembly.columns);
-            shares.extend(shape.iter().enumerate().map(|(mode, shape)| (mass.mass_kg * shape * shape, index, mode, ratio)));
+            shares.extend(
+                shape
+                    .iter()
+                    .enumerate()
+                    .map(|(mode, shape)| (mass.mass_kg * shape * shape, index, mode, ratio)),
+            );
         }
         shares.sort_by(|one, other| other.0.total_cmp(&one.0));
         let (mut masses, mut modes) = (Vec::new(), Vec::new());
@@ -158,20 +218,41 @@ mod tests {
     #[test]
     fn the_moment_follows_the_section_under_the_patch() {
         let top = paper_patch(Section::Laminate);
-        let bottom = Patch { face: Face::Bottom, start_m: 0.05, length_m: 0.1, thickness_m: 0.5e-3, ..top.clone() };
+        let bottom = Patch {
+            face: Face::Bottom,
+            start_m: 0.05,
+            length_m: 0.1,
+            thickness_m: 0.5e-3,
+            ..top.clone()
+        };
         let beam = paper_beam();
-        let mut spec = Spec { beam: [("beam".into(), beam.clone())].into(), ..Spec::default() };
-        spec.patch = [("top".into(), top.clone()), ("bottom".into(), bottom.clone())].into();
+        let mut spec = Spec {
+            beam: [("beam".into(), beam.clone())].into(),
+            ..Spec::default()
+        };
+        spec.patch = [
+            ("top".into(), top.clone()),
+            ("bottom".into(), bottom.clone()),
+        ]
+        .into();
         let structures = Structures::new(&spec, &[]).unwrap();
         let solution = structures.solve(&structures.spectral_mesh(1e-6)).unwrap();
         let rows = patch_rows(&spec, &solution.parts[0].0).unwrap();
         let alone = CrossSection::covered(&beam, [&top].into_iter());
         let both = CrossSection::covered(&beam, [&top, &bottom].into_iter());
         let energy = |section: &CrossSection, length_m: f64| {
-            patch_moment_n_m_per_v(&beam, section, &top).powi(2) * length_m / section.bending_stiffness_n_m2
+            patch_moment_n_m_per_v(&beam, section, &top).powi(2) * length_m
+                / section.bending_stiffness_n_m2
         };
         let exact = energy(&alone, 0.05 - 0.009) + energy(&both, 0.094 - 0.05);
-        let found: f64 = rows.iter().find(|rows| rows.name == "top").unwrap().coupling.iter().map(|value| value * value).sum();
+        let found: f64 = rows
+            .iter()
+            .find(|rows| rows.name == "top")
+            .unwrap()
+            .coupling
+            .iter()
+            .map(|value| value * value)
+            .sum();
         assert!((found / exact - 1.0).abs() < 1e-13, "{found:e} {exact:e}");
     }
 }

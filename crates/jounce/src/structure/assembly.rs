@@ -40,20 +40,43 @@ impl<'a> Assembly<'a> {
     /// Places every part on its support, `elements` being those of each beam by its place among the parts.
     pub fn new(body: Body<'a>, elements: Vec<Vec<Element>>) -> Self {
         let has_coordinate = |thing: &PartKind, on: &Support| match thing {
-            PartKind::Mass(mass) => usize::from(mass.stiffness_n_m.is_some() || *on == Support::Nothing),
+            PartKind::Mass(mass) => {
+                usize::from(mass.stiffness_n_m.is_some() || *on == Support::Nothing)
+            }
             PartKind::Beam(beam) => usize::from(beam.root_stiffness_n_m_rad.is_some()),
         };
-        let own: usize = body.parts.iter().map(|part| has_coordinate(&part.thing, &part.on)).sum();
-        let columns = own + elements.iter().flatten().map(|element| element.terms).sum::<usize>();
-        let rigid = body.parts.first().is_some_and(|part| part.on == Support::Nothing);
-        let mut assembly = Self { columns, rigid, placed: Vec::with_capacity(body.parts.len()), body };
+        let own: usize = body
+            .parts
+            .iter()
+            .map(|part| has_coordinate(&part.thing, &part.on))
+            .sum();
+        let columns = own
+            + elements
+                .iter()
+                .flatten()
+                .map(|element| element.terms)
+                .sum::<usize>();
+        let rigid = body
+            .parts
+            .first()
+            .is_some_and(|part| part.on == Support::Nothing);
+        let mut assembly = Self {
+            columns,
+            rigid,
+            placed: Vec::with_capacity(body.parts.len()),
+            body,
+        };
         let mut next_column = 0;
         for (index, chain) in elements.into_iter().enumerate() {
             let part = assembly.body.parts[index];
             let support = assembly.motion_of(part.on);
             let placed = match part.thing {
                 PartKind::Mass(mass) => placed_mass(mass, part.on, support, &mut next_column),
-                PartKind::Beam(beam) => BodyPart::Beam(chained(chain, clamped(beam, support, &mut next_column), &mut next_column)),
+                PartKind::Beam(beam) => BodyPart::Beam(chained(
+                    chain,
+                    clamped(beam, support, &mut next_column),
+                    &mut next_column,
+                )),
             };
             assembly.placed.push(placed);
         }
@@ -64,16 +87,26 @@ impl<'a> Assembly<'a> {
     pub fn root_displacement(&self, part: usize) -> Row {
         match &self.placed[part] {
             BodyPart::Mass { motion, .. } => motion.displacement.clone(),
-            BodyPart::Beam(chain) => chain.first().map_or_else(|| vec![0.0; self.columns], |placed| placed.start.displacement.clone()),
+            BodyPart::Beam(chain) => chain.first().map_or_else(
+                || vec![0.0; self.columns],
+                |placed| placed.start.displacement.clone(),
+            ),
         }
     }
 
     /// Displacement of the beam that is part `part` at `place_m` from the root.
     pub fn displacement(&self, part: usize, place_m: f64) -> Row {
-        let Some(placed) = self.element_at(part, place_m) else { return self.root_displacement(part) };
+        let Some(placed) = self.element_at(part, place_m) else {
+            return self.root_displacement(part);
+        };
         let offset_m = place_m - placed.element.start_m;
         let start = &placed.start;
-        let mut row: Row = start.displacement.iter().zip(&start.slope).map(|(w, slope)| w + offset_m * slope).collect();
+        let mut row: Row = start
+            .displacement
+            .iter()
+            .zip(&start.slope)
+            .map(|(w, slope)| w + offset_m * slope)
+            .collect();
         placed.add(&mut row, &placed.element.displacement(offset_m));
         row
     }
@@ -81,10 +114,17 @@ impl<'a> Assembly<'a> {
     /// Slope of the beam that is part `part` at `place_m` from the root; of a mass, that of what it is fixed to.
     pub fn slope(&self, part: usize, place_m: f64) -> Row {
         let Some(placed) = self.element_at(part, place_m) else {
-            return if let BodyPart::Mass { motion, .. } = &self.placed[part] { motion.slope.clone() } else { vec![0.0; self.columns] };
+            return if let BodyPart::Mass { motion, .. } = &self.placed[part] {
+                motion.slope.clone()
+            } else {
+                vec![0.0; self.columns]
+            };
         };
         let mut row = placed.start.slope.clone();
-        placed.add(&mut row, &placed.element.slope(place_m - placed.element.start_m));
+        placed.add(
+            &mut row,
+            &placed.element.slope(place_m - placed.element.start_m),
+        );
         row
     }
 
@@ -92,7 +132,10 @@ impl<'a> Assembly<'a> {
     pub fn curvature(&self, part: usize, place_m: f64) -> Row {
         let mut row = vec![0.0; self.columns];
         if let Some(placed) = self.element_at(part, place_m) {
-            placed.add(&mut row, &placed.element.curvature(place_m - placed.element.start_m));
+            placed.add(
+                &mut row,
+                &placed.element.curvature(place_m - placed.element.start_m),
+            );
         }
         row
     }
@@ -100,8 +143,18 @@ impl<'a> Assembly<'a> {
     /// Displacement of the end of each beam, in the order of their names; of each mass where there is no beam.
     pub fn free_ends(&self) -> Vec<Row> {
         let beams = self.body.beams();
-        let ends: Vec<Row> = beams.iter().map(|(part, _, beam)| self.displacement(*part, beam.length_m)).collect();
-        if ends.is_empty() { self.body.masses().map(|(part, ..)| self.root_displacement(part)).collect() } else { ends }
+        let ends: Vec<Row> = beams
+            .iter()
+            .map(|(part, _, beam)| self.displacement(*part, beam.length_m))
+            .collect();
+        if ends.is_empty() {
+            self.body
+                .masses()
+                .map(|(part, ..)| self.root_displacement(part))
+                .collect()
+        } else {
+            ends
+        }
     }
 
     /// The mass factor `G`.
@@ -116,8 +169,16 @@ impl<'a> Assembly<'a> {
             placed.add_mass(&mut factor, row);
             row += placed.mass_rows();
         }
-        let finite = factor.col_iter().all(|column| column.iter().all(|entry| entry.is_finite()));
-        if finite { Ok(factor) } else { Err(StructureError::NotRepresentable { body: self.body.name().into() }) }
+        let finite = factor
+            .col_iter()
+            .all(|column| column.iter().all(|entry| entry.is_finite()));
+        if finite {
+            Ok(factor)
+        } else {
+            Err(StructureError::NotRepresentable {
+                body: self.body.name().into(),
+            })
+        }
     }
 
     /// Mass that moves with each strain coordinate under a unit translation of everything: `G^T g`, with `g` the translation in the rows
@@ -128,21 +189,39 @@ impl<'a> Assembly<'a> {
     pub fn translated_mass(&self) -> Result<Row, StructureError> {
         let factor = self.mass_factor()?;
         let translation: Vec<f64> = self.placed.iter().flat_map(BodyPart::translation).collect();
-        Ok(factor.col_iter().map(|column| column.iter().zip(&translation).map(|(entry, unit)| entry * unit).sum()).collect())
+        Ok(factor
+            .col_iter()
+            .map(|column| {
+                column
+                    .iter()
+                    .zip(&translation)
+                    .map(|(entry, unit)| entry * unit)
+                    .sum()
+            })
+            .collect())
     }
 
     fn motion_of(&self, support: Support) -> PlaceMotion {
         match support {
-            Support::Ground | Support::Nothing => PlaceMotion { displacement: vec![0.0; self.columns], slope: vec![0.0; self.columns] },
-            Support::Mass(part) => PlaceMotion { displacement: self.root_displacement(part), slope: self.slope(part, 0.0) },
-            Support::Point(part, place_m) => {
-                PlaceMotion { displacement: self.displacement(part, place_m), slope: self.slope(part, place_m) }
-            }
+            Support::Ground | Support::Nothing => PlaceMotion {
+                displacement: vec![0.0; self.columns],
+                slope: vec![0.0; self.columns],
+            },
+            Support::Mass(part) => PlaceMotion {
+                displacement: self.root_displacement(part),
+                slope: self.slope(part, 0.0),
+            },
+            Support::Point(part, place_m) => PlaceMotion {
+                displacement: self.displacement(part, place_m),
+                slope: self.slope(part, place_m),
+            },
         }
     }
 
     fn element_at(&self, part: usize, place_m: f64) -> Option<&PlacedElement> {
-        let BodyPart::Beam(chain) = &self.placed[part] else { return None };
+        let BodyPart::Beam(chain) = &self.placed[part] else {
+            return None;
+        };
         let after = chain.partition_point(|placed| placed.element.start_m <= place_m);
         chain.get(after.saturating_sub(1))
     }
@@ -163,8 +242,17 @@ mod tests {
             neutral_axis_m: 0.0,
             coated_m: [0.0; 2],
         };
-        let element = |start_m, length_m, stiffness| Element { start_m, length_m, section: section(stiffness), terms };
-        vec![element(0.0, 0.1, 0.2), element(0.1, 0.05, 0.2), element(0.15, 0.15, 0.1)]
+        let element = |start_m, length_m, stiffness| Element {
+            start_m,
+            length_m,
+            section: section(stiffness),
+            terms,
+        };
+        vec![
+            element(0.0, 0.1, 0.2),
+            element(0.1, 0.05, 0.2),
+            element(0.15, 0.15, 0.1),
+        ]
     }
 
     fn square(row: &Row) -> f64 {
@@ -185,8 +273,16 @@ mod tests {
 
     /// A beam of 0.3 m, by its name, on a mass of 2 kg.
     fn on_table(table: Mass) -> Spec {
-        let beam = Beam { length_m: 0.3, root: "table".into(), ..crate::structure::section::tests::paper_beam() };
-        Spec { beam: [("beam".into(), beam)].into(), mass: [("table".into(), table)].into(), ..Spec::default() }
+        let beam = Beam {
+            length_m: 0.3,
+            root: "table".into(),
+            ..crate::structure::section::tests::paper_beam()
+        };
+        Spec {
+            beam: [("beam".into(), beam)].into(),
+            mass: [("table".into(), table)].into(),
+            ..Spec::default()
+        }
     }
 
     /// A unit force at the end: `1/k + integral of (L - x)^2 / EI`; measured 3e-16.
@@ -194,8 +290,13 @@ mod tests {
     fn rows_hold_the_static_flexibility() {
         let spec = on_table(table("ground", Some(400.0)));
         for terms in [2, 7] {
-            let assembly = Assembly::new(bodies(&spec, &[]).unwrap().remove(0), vec![Vec::new(), stepped(terms)]);
-            let exact = 1.0 / 400.0 + (0.3_f64.powi(3) - 0.15_f64.powi(3)) / (3.0 * 0.2) + 0.15_f64.powi(3) / (3.0 * 0.1);
+            let assembly = Assembly::new(
+                bodies(&spec, &[]).unwrap().remove(0),
+                vec![Vec::new(), stepped(terms)],
+            );
+            let exact = 1.0 / 400.0
+                + (0.3_f64.powi(3) - 0.15_f64.powi(3)) / (3.0 * 0.2)
+                + 0.15_f64.powi(3) / (3.0 * 0.1);
             assert!((square(&assembly.displacement(1, 0.3)) / exact - 1.0).abs() < 1e-14);
             let inside = 1.0 / 400.0 + 0.1_f64.powi(3) / (3.0 * 0.2);
             assert!((square(&assembly.displacement(1, 0.1)) / inside - 1.0).abs() < 1e-14);
@@ -208,14 +309,31 @@ mod tests {
     #[test]
     fn a_beam_on_a_beam_adds_its_flexibility() {
         let mut spec = on_table(table("ground", Some(400.0)));
-        let arm = Beam { length_m: 0.3, root: "beam.end".into(), ..crate::structure::section::tests::paper_beam() };
+        let arm = Beam {
+            length_m: 0.3,
+            root: "beam.end".into(),
+            ..crate::structure::section::tests::paper_beam()
+        };
         spec.beam.insert("arm".into(), arm);
         let uniform = |length_m: f64| {
-            let section = CrossSection { bending_stiffness_n_m2: 0.2, mass_per_length_kg_m: 0.08, neutral_axis_m: 0.0, coated_m: [0.0; 2] };
-            vec![Element { start_m: 0.0, length_m, section, terms: 3 }]
+            let section = CrossSection {
+                bending_stiffness_n_m2: 0.2,
+                mass_per_length_kg_m: 0.08,
+                neutral_axis_m: 0.0,
+                coated_m: [0.0; 2],
+            };
+            vec![Element {
+                start_m: 0.0,
+                length_m,
+                section,
+                terms: 3,
+            }]
         };
         let body = bodies(&spec, &[]).unwrap().remove(0);
-        assert_eq!(body.parts.iter().map(|part| part.name).collect::<Vec<_>>(), ["table", "beam", "arm"]);
+        assert_eq!(
+            body.parts.iter().map(|part| part.name).collect::<Vec<_>>(),
+            ["table", "beam", "arm"]
+        );
         let assembly = Assembly::new(body, vec![Vec::new(), uniform(0.3), uniform(0.3)]);
         let exact = 1.0 / 400.0 + 0.6_f64.powi(3) / (3.0 * 0.2);
         assert!((square(&assembly.displacement(2, 0.3)) / exact - 1.0).abs() < 1e-14);
@@ -226,9 +344,15 @@ mod tests {
     #[test]
     fn rigid_column_has_the_total_mass() {
         let spec = on_table(table("nothing", None));
-        let assembly = Assembly::new(bodies(&spec, &[]).unwrap().remove(0), vec![Vec::new(), stepped(4)]);
+        let assembly = Assembly::new(
+            bodies(&spec, &[]).unwrap().remove(0),
+            vec![Vec::new(), stepped(4)],
+        );
         assert!(assembly.rigid);
-        assert!((assembly.mass_factor().unwrap().col(0).squared_norm_l2() - 2.0 - 0.08 * 0.3).abs() < 1e-14);
+        assert!(
+            (assembly.mass_factor().unwrap().col(0).squared_norm_l2() - 2.0 - 0.08 * 0.3).abs()
+                < 1e-14
+        );
         assert_eq!(assembly.free_ends(), [assembly.displacement(1, 0.3)]);
     }
 }

@@ -63,7 +63,13 @@ impl<'a> Body<'a> {
     /// The beams with their places among the parts, in the order of their names.
     pub fn beams(&self) -> Vec<(usize, &'a str, &'a Beam)> {
         let mut beams: Vec<_> = (self.parts.iter().enumerate())
-            .filter_map(|(part, it)| if let PartKind::Beam(beam) = it.thing { Some((part, it.name, beam)) } else { None })
+            .filter_map(|(part, it)| {
+                if let PartKind::Beam(beam) = it.thing {
+                    Some((part, it.name, beam))
+                } else {
+                    None
+                }
+            })
             .collect();
         beams.sort_by_key(|(_, name, _)| *name);
         beams
@@ -71,10 +77,13 @@ impl<'a> Body<'a> {
 
     /// The masses with their places among the parts.
     pub fn masses(&self) -> impl Iterator<Item = (usize, &'a str, &'a Mass)> {
-        self.parts
-            .iter()
-            .enumerate()
-            .filter_map(|(part, it)| if let PartKind::Mass(mass) = it.thing { Some((part, it.name, mass)) } else { None })
+        self.parts.iter().enumerate().filter_map(|(part, it)| {
+            if let PartKind::Mass(mass) = it.thing {
+                Some((part, it.name, mass))
+            } else {
+                None
+            }
+        })
     }
 
     /// Adds a part, then all that stand on it: masses first, then beams, each in the order of their names.
@@ -83,13 +92,27 @@ impl<'a> Body<'a> {
         self.parts.push(Part { name, thing, on });
         let support = |text: &str| match (thing, text.split_once('.')) {
             (PartKind::Mass(_), None) if text == name => Some(Support::Mass(place)),
-            (PartKind::Beam(beam), Some((of, point))) if of == name => Some(Support::Point(place, place_m(beam, point)?)),
+            (PartKind::Beam(beam), Some((of, point))) if of == name => {
+                Some(Support::Point(place, place_m(beam, point)?))
+            }
             _ => None,
         };
-        let masses: Vec<_> = spec.mass.iter().filter_map(|(key, mass)| Some((key, mass, support(&mass.on)?))).collect();
-        let beams: Vec<_> = spec.beam.iter().filter_map(|(key, beam)| Some((key, beam, support(&beam.root)?))).collect();
-        masses.into_iter().for_each(|(key, mass, on)| self.grow(spec, key, PartKind::Mass(mass), on));
-        beams.into_iter().for_each(|(key, beam, on)| self.grow(spec, key, PartKind::Beam(beam), on));
+        let masses: Vec<_> = spec
+            .mass
+            .iter()
+            .filter_map(|(key, mass)| Some((key, mass, support(&mass.on)?)))
+            .collect();
+        let beams: Vec<_> = spec
+            .beam
+            .iter()
+            .filter_map(|(key, beam)| Some((key, beam, support(&beam.root)?)))
+            .collect();
+        masses
+            .into_iter()
+            .for_each(|(key, mass, on)| self.grow(spec, key, PartKind::Mass(mass), on));
+        beams
+            .into_iter()
+            .for_each(|(key, beam, on)| self.grow(spec, key, PartKind::Beam(beam), on));
     }
 }
 
@@ -99,7 +122,9 @@ impl<'a> Body<'a> {
 /// `UnknownSupport`, `UnknownBeam`, `SupportCycle`, `CannotHold`, `CannotHoldGiven`, `OutOfRange`.
 pub(super) fn bodies<'a>(spec: &'a Spec, held: &[String]) -> Result<Vec<Body<'a>>, StructureError> {
     check_references(spec)?;
-    spec.mass.iter().try_for_each(|(name, mass)| check_mass(spec, name, mass))?;
+    spec.mass
+        .iter()
+        .try_for_each(|(name, mass)| check_mass(spec, name, mass))?;
     held.iter().try_for_each(|name| check_held(spec, name))?;
     let mut bodies = Vec::new();
     let mut rooted = |name: &'a str, thing, on| {
@@ -110,16 +135,30 @@ pub(super) fn bodies<'a>(spec: &'a Spec, held: &[String]) -> Result<Vec<Body<'a>
     for (name, mass) in spec.mass.iter().filter(|(name, _)| !held.contains(name)) {
         match mass.on.as_str() {
             NO_SUPPORT => rooted(name.as_str(), PartKind::Mass(mass), Support::Nothing),
-            on if spec.is_base(on) || held.iter().any(|held| held == on) => rooted(name.as_str(), PartKind::Mass(mass), Support::Ground),
+            on if spec.is_base(on) || held.iter().any(|held| held == on) => {
+                rooted(name.as_str(), PartKind::Mass(mass), Support::Ground)
+            }
             _ => {}
         }
     }
-    for (name, beam) in spec.beam.iter().filter(|(_, beam)| spec.is_base(&beam.root) || held.contains(&beam.root)) {
+    for (name, beam) in spec
+        .beam
+        .iter()
+        .filter(|(_, beam)| spec.is_base(&beam.root) || held.contains(&beam.root))
+    {
         rooted(name.as_str(), PartKind::Beam(beam), Support::Ground);
     }
-    let placed: BTreeSet<&str> = bodies.iter().flat_map(|body| body.parts.iter().map(|part| part.name)).collect();
+    let placed: BTreeSet<&str> = bodies
+        .iter()
+        .flat_map(|body| body.parts.iter().map(|part| part.name))
+        .collect();
     let masses = spec.mass.keys().filter(|name| !held.contains(name));
-    match spec.beam.keys().chain(masses).find(|name| !placed.contains(name.as_str())) {
+    match spec
+        .beam
+        .keys()
+        .chain(masses)
+        .find(|name| !placed.contains(name.as_str()))
+    {
         None => Ok(bodies),
         Some(name) => Err(StructureError::SupportCycle { name: name.clone() }),
     }
@@ -136,55 +175,117 @@ fn place_m(beam: &Beam, point: &str) -> Option<f64> {
 
 fn check_references(spec: &Spec) -> Result<(), StructureError> {
     let stands = |support: &str, words: &[&str]| match support.split_once('.') {
-        None => words.contains(&support) || spec.is_base(support) || spec.mass.contains_key(support),
-        Some((name, point)) => spec.beam.get(name).is_some_and(|beam| place_m(beam, point).is_some()),
+        None => {
+            words.contains(&support) || spec.is_base(support) || spec.mass.contains_key(support)
+        }
+        Some((name, point)) => spec
+            .beam
+            .get(name)
+            .is_some_and(|beam| place_m(beam, point).is_some()),
     };
-    let roots = spec.beam.iter().map(|(name, beam)| (format!("beam.{name}.root"), &beam.root, &[GROUND][..]));
-    let feet = spec.mass.iter().map(|(name, mass)| (format!("mass.{name}.on"), &mass.on, &[GROUND, NO_SUPPORT][..]));
-    if let Some((place, found, words)) = roots.chain(feet).find(|(_, support, words)| !stands(support, words)) {
-        let known = listed(words.iter().copied().chain(spec.mass.keys().map(String::as_str)));
-        return Err(StructureError::UnknownSupport { place, found: found.clone(), known });
+    let roots = spec
+        .beam
+        .iter()
+        .map(|(name, beam)| (format!("beam.{name}.root"), &beam.root, &[GROUND][..]));
+    let feet = spec.mass.iter().map(|(name, mass)| {
+        (
+            format!("mass.{name}.on"),
+            &mass.on,
+            &[GROUND, NO_SUPPORT][..],
+        )
+    });
+    if let Some((place, found, words)) = roots
+        .chain(feet)
+        .find(|(_, support, words)| !stands(support, words))
+    {
+        let known = listed(
+            words
+                .iter()
+                .copied()
+                .chain(spec.mass.keys().map(String::as_str)),
+        );
+        return Err(StructureError::UnknownSupport {
+            place,
+            found: found.clone(),
+            known,
+        });
     }
-    let patches = spec.patch.iter().map(|(name, patch)| (format!("patch.{name}"), &patch.on));
-    let layers = spec.layer.iter().map(|(name, layer)| (format!("layer.{name}"), &layer.on));
-    match patches.chain(layers).find(|(_, on)| !spec.beam.contains_key(*on)) {
+    let patches = spec
+        .patch
+        .iter()
+        .map(|(name, patch)| (format!("patch.{name}"), &patch.on));
+    let layers = spec
+        .layer
+        .iter()
+        .map(|(name, layer)| (format!("layer.{name}"), &layer.on));
+    match patches
+        .chain(layers)
+        .find(|(_, on)| !spec.beam.contains_key(*on))
+    {
         None => Ok(()),
         Some((place, on)) => {
             let beams = listed(spec.beam.keys().map(String::as_str));
-            Err(StructureError::UnknownBeam { place, beam: on.clone(), beams })
+            Err(StructureError::UnknownBeam {
+                place,
+                beam: on.clone(),
+                beams,
+            })
         }
     }
 }
 
 fn check_mass(spec: &Spec, name: &str, mass: &Mass) -> Result<(), StructureError> {
     StructureError::positive(format!("mass.{name}.mass"), mass.mass_kg)?;
-    StructureError::not_negative(format!("mass.{name}.rotary_inertia"), mass.rotary_inertia_kg_m2)?;
+    StructureError::not_negative(
+        format!("mass.{name}.rotary_inertia"),
+        mass.rotary_inertia_kg_m2,
+    )?;
     match mass.stiffness_n_m {
         None if spec.is_base(&mass.on) => Err(StructureError::MissingSpring { mass: name.into() }),
         None => Ok(()),
-        Some(_) if mass.on == NO_SUPPORT => Err(StructureError::SpringToNothing { mass: name.into() }),
+        Some(_) if mass.on == NO_SUPPORT => {
+            Err(StructureError::SpringToNothing { mass: name.into() })
+        }
         Some(stiffness_n_m) => {
             StructureError::positive(format!("mass.{name}.stiffness"), stiffness_n_m)?;
-            StructureError::not_negative(format!("mass.{name}.damping_ratio"), mass.damping_ratio.unwrap_or(f64::NAN))
+            StructureError::not_negative(
+                format!("mass.{name}.damping_ratio"),
+                mass.damping_ratio.unwrap_or(f64::NAN),
+            )
         }
     }
 }
 
 /// A mass on the ground or free can be held; one on a beam or on another mass would leave the structure statically indeterminate.
 fn check_held(spec: &Spec, name: &str) -> Result<(), StructureError> {
-    let given = name.split('.').next().is_some_and(|first| spec.modal.contains_key(first));
+    let given = name
+        .split('.')
+        .next()
+        .is_some_and(|first| spec.modal.contains_key(first));
     let can = |mass: &Mass| spec.is_base(&mass.on) || mass.on == NO_SUPPORT;
     match (spec.mass.get(name).is_some_and(can), given) {
         (true, _) => Ok(()),
         (false, true) => Err(StructureError::CannotHoldGiven { name: name.into() }),
         (false, false) => {
-            let masses = listed(spec.mass.iter().filter(|(_, mass)| can(mass)).map(|(name, _)| name.as_str()));
-            Err(StructureError::CannotHold { name: name.into(), masses })
+            let masses = listed(
+                spec.mass
+                    .iter()
+                    .filter(|(_, mass)| can(mass))
+                    .map(|(name, _)| name.as_str()),
+            );
+            Err(StructureError::CannotHold {
+                name: name.into(),
+                masses,
+            })
         }
     }
 }
 
 fn listed<'a>(names: impl Iterator<Item = &'a str>) -> String {
     let names: Vec<_> = names.collect();
-    if names.is_empty() { "there is none".into() } else { names.join(", ") }
+    if names.is_empty() {
+        "there is none".into()
+    } else {
+        names.join(", ")
+    }
 }

@@ -47,7 +47,10 @@ impl Element {
     /// Displacement of the end per strain coordinates 0 and 1, the start being held; no other coordinate moves it.
     pub fn end_displacement(&self) -> [f64; 2] {
         let square_m2 = self.half_m() * self.half_m();
-        [2.0 * square_m2 * self.curvature_per_strain(0), -2.0 / 3.0 * square_m2 * self.curvature_per_strain(1)]
+        [
+            2.0 * square_m2 * self.curvature_per_strain(0),
+            -2.0 / 3.0 * square_m2 * self.curvature_per_strain(1),
+        ]
     }
 
     /// Legendre coefficients `(order, coefficient)` of the displacement per strain coordinate `j`, the start being held.
@@ -59,21 +62,35 @@ impl Element {
     /// Displacement at `offset_m` from the start per strain coordinate, the start being held.
     pub fn displacement(&self, offset_m: f64) -> Vec<f64> {
         let legendre = legendre(offset_m / self.half_m() - 1.0, self.terms + 2);
-        let at = |j| self.displacement_orders(j).iter().map(|(order, weight)| weight * legendre[*order]).sum();
+        let at = |j| {
+            self.displacement_orders(j)
+                .iter()
+                .map(|(order, weight)| weight * legendre[*order])
+                .sum()
+        };
         (0..self.terms).map(at).collect()
     }
 
     /// Slope at `offset_m` from the start per strain coordinate, the start being held.
     pub fn slope(&self, offset_m: f64) -> Vec<f64> {
         let legendre = legendre(offset_m / self.half_m() - 1.0, self.terms + 1);
-        let integral = |j: usize| once_integrated(j).iter().map(|(order, weight)| weight * legendre[*order]).sum::<f64>();
-        (0..self.terms).map(|j| self.half_m() * self.curvature_per_strain(j) * integral(j)).collect()
+        let integral = |j: usize| {
+            once_integrated(j)
+                .iter()
+                .map(|(order, weight)| weight * legendre[*order])
+                .sum::<f64>()
+        };
+        (0..self.terms)
+            .map(|j| self.half_m() * self.curvature_per_strain(j) * integral(j))
+            .collect()
     }
 
     /// Curvature at `offset_m` from the start per strain coordinate, 1/m.
     pub fn curvature(&self, offset_m: f64) -> Vec<f64> {
         let legendre = legendre(offset_m / self.half_m() - 1.0, self.terms);
-        (0..self.terms).map(|j| self.curvature_per_strain(j) * legendre[j]).collect()
+        (0..self.terms)
+            .map(|j| self.curvature_per_strain(j) * legendre[j])
+            .collect()
     }
 
     /// Factor that turns Legendre coefficient `order` of a displacement into the root of twice its kinetic energy at 1 rad/s.
@@ -91,18 +108,28 @@ fn order_weight(j: usize) -> f64 {
 fn once_integrated(j: usize) -> [(usize, f64); 2] {
     match j {
         0 => [(0, 1.0), (1, 1.0)],
-        _ => [(j - 1, -1.0 / order_weight(j)), (j + 1, 1.0 / order_weight(j))],
+        _ => [
+            (j - 1, -1.0 / order_weight(j)),
+            (j + 1, 1.0 / order_weight(j)),
+        ],
     }
 }
 
 /// `II[P_j]` as a sum of Legendre polynomials.
 fn twice_integrated(j: usize) -> [(usize, f64); 3] {
     let n = 2.0 * j as f64;
-    let (middle, above) = (-2.0 / ((n - 1.0) * (n + 3.0)), 1.0 / ((n + 1.0) * (n + 3.0)));
+    let (middle, above) = (
+        -2.0 / ((n - 1.0) * (n + 3.0)),
+        1.0 / ((n + 1.0) * (n + 3.0)),
+    );
     match j {
         0 => [(0, middle), (1, 1.0), (2, above)],
         1 => [(0, -1.0 / 3.0), (1, middle), (3, above)],
-        _ => [(j - 2, 1.0 / ((n + 1.0) * (n - 1.0))), (j, middle), (j + 2, above)],
+        _ => [
+            (j - 2, 1.0 / ((n + 1.0) * (n - 1.0))),
+            (j, middle),
+            (j + 2, above),
+        ],
     }
 }
 
@@ -121,8 +148,18 @@ mod tests {
     use super::*;
 
     fn element(terms: usize) -> Element {
-        let section = CrossSection { bending_stiffness_n_m2: 0.15, mass_per_length_kg_m: 0.08, neutral_axis_m: 0.0, coated_m: [0.0; 2] };
-        Element { start_m: 0.0, length_m: 0.2, section, terms }
+        let section = CrossSection {
+            bending_stiffness_n_m2: 0.15,
+            mass_per_length_kg_m: 0.08,
+            neutral_axis_m: 0.0,
+            coated_m: [0.0; 2],
+        };
+        Element {
+            start_m: 0.0,
+            length_m: 0.2,
+            section,
+            terms,
+        }
     }
 
     /// Curvature from third-order differences would lose digits: check the integrals by composite Simpson instead.
@@ -132,24 +169,43 @@ mod tests {
         let panels = 4000;
         let step_m = element.length_m / panels as f64;
         for j in 0..element.terms {
-            let curvature =
-                |offset_m: f64| element.curvature_per_strain(j) * legendre(offset_m / element.half_m() - 1.0, element.terms + 1)[j];
+            let curvature = |offset_m: f64| {
+                element.curvature_per_strain(j)
+                    * legendre(offset_m / element.half_m() - 1.0, element.terms + 1)[j]
+            };
             let (mut slope, mut displacement) = (0.0, 0.0);
             for panel in 0..panels {
                 let start_m = panel as f64 * step_m;
-                let mid = step_m / 6.0 * (curvature(start_m) + 4.0 * curvature(start_m + step_m / 2.0) + curvature(start_m + step_m));
-                let half =
-                    step_m / 12.0 * (curvature(start_m) + 4.0 * curvature(start_m + step_m / 4.0) + curvature(start_m + step_m / 2.0));
+                let mid = step_m / 6.0
+                    * (curvature(start_m)
+                        + 4.0 * curvature(start_m + step_m / 2.0)
+                        + curvature(start_m + step_m));
+                let half = step_m / 12.0
+                    * (curvature(start_m)
+                        + 4.0 * curvature(start_m + step_m / 4.0)
+                        + curvature(start_m + step_m / 2.0));
                 displacement += step_m / 6.0 * (slope + 4.0 * (slope + half) + slope + mid);
                 slope += mid;
                 if panel == 2600 {
-                    assert!((slope - element.slope(start_m + step_m)[j]).abs() < 1e-11, "{j}");
-                    assert!((displacement - element.displacement(start_m + step_m)[j]).abs() < 1e-11, "{j}");
+                    assert!(
+                        (slope - element.slope(start_m + step_m)[j]).abs() < 1e-11,
+                        "{j}"
+                    );
+                    assert!(
+                        (displacement - element.displacement(start_m + step_m)[j]).abs() < 1e-11,
+                        "{j}"
+                    );
                 }
             }
             let end = element.end_displacement();
-            assert!((slope - if j == 0 { element.end_slope() } else { 0.0 }).abs() < 1e-11, "{j}");
-            assert!((displacement - end.get(j).copied().unwrap_or(0.0)).abs() < 1e-11, "{j}");
+            assert!(
+                (slope - if j == 0 { element.end_slope() } else { 0.0 }).abs() < 1e-11,
+                "{j}"
+            );
+            assert!(
+                (displacement - end.get(j).copied().unwrap_or(0.0)).abs() < 1e-11,
+                "{j}"
+            );
         }
     }
 }

@@ -25,19 +25,25 @@ pub enum StructureError {
         known: String,
     },
     /// Beams or masses that stand on each other and on nothing else.
-    #[error("nothing holds \"{name}\" up: follow what it stands on and let one of them stand on the ground")]
+    #[error(
+        "nothing holds \"{name}\" up: follow what it stands on and let one of them stand on the ground"
+    )]
     SupportCycle {
         /// One of them.
         name: String,
     },
     /// A mass on the ground that nothing lets move.
-    #[error("mass.{mass} stands on the ground without a spring: give it a stiffness, or on = \"nothing\" for a free mass")]
+    #[error(
+        "mass.{mass} stands on the ground without a spring: give it a stiffness, or on = \"nothing\" for a free mass"
+    )]
     MissingSpring {
         /// Name of the mass.
         mass: String,
     },
     /// A free mass with a spring.
-    #[error("mass.{mass} stands on nothing and has a spring: leave out its stiffness, or name what the spring is fixed to")]
+    #[error(
+        "mass.{mass} stands on nothing and has a spring: leave out its stiffness, or name what the spring is fixed to"
+    )]
     SpringToNothing {
         /// Name of the mass.
         mass: String,
@@ -53,7 +59,9 @@ pub enum StructureError {
         beams: String,
     },
     /// A patch does not lie within its beam.
-    #[error("{patch} covers {start_m} m to {end_m} m of a beam that is {length_m} m long: it must lie within the beam")]
+    #[error(
+        "{patch} covers {start_m} m to {end_m} m of a beam that is {length_m} m long: it must lie within the beam"
+    )]
     PatchOutside {
         /// Key path of the patch or layer.
         patch: String,
@@ -65,7 +73,9 @@ pub enum StructureError {
         length_m: f64,
     },
     /// Two patches cover the same place.
-    #[error("{first} ends at {end_m} m and {second} starts at {start_m} m of the same face: patches must not overlap, nor layers")]
+    #[error(
+        "{first} ends at {end_m} m and {second} starts at {start_m} m of the same face: patches must not overlap, nor layers"
+    )]
     PatchesOverlap {
         /// Key path of the patch or layer nearer the root.
         first: String,
@@ -85,7 +95,9 @@ pub enum StructureError {
         second: String,
     },
     /// A layer that lies under part of a patch.
-    #[error("{layer} covers {start_m} m to {end_m} m, under a part of {patch}: let it reach under the whole patch or end beside it")]
+    #[error(
+        "{layer} covers {start_m} m to {end_m} m, under a part of {patch}: let it reach under the whole patch or end beside it"
+    )]
     LayerUnderPart {
         /// Key path of the layer.
         layer: String,
@@ -117,13 +129,17 @@ pub enum StructureError {
         masses: String,
     },
     /// A structure given by its modes cannot be held at a point.
-    #[error("cannot hold \"{name}\" fixed: it belongs to a structure given by its modes; give the modes with that point held")]
+    #[error(
+        "cannot hold \"{name}\" fixed: it belongs to a structure given by its modes; give the modes with that point held"
+    )]
     CannotHoldGiven {
         /// What was to be held.
         name: String,
     },
     /// The reduction asks for no mode at all.
-    #[error("reduction.modes is {wanted} and {held} bodies are held: at least one mode must remain")]
+    #[error(
+        "reduction.modes is {wanted} and {held} bodies are held: at least one mode must remain"
+    )]
     NoModes {
         /// `reduction.modes`
         wanted: usize,
@@ -131,7 +147,9 @@ pub enum StructureError {
         held: usize,
     },
     /// The reduction asks for more modes than there are.
-    #[error("{wanted} modes are asked for and the structure has {available}: set reduction.modes to at most {available}")]
+    #[error(
+        "{wanted} modes are asked for and the structure has {available}: set reduction.modes to at most {available}"
+    )]
     TooManyModes {
         /// Number of modes asked for.
         wanted: usize,
@@ -154,7 +172,9 @@ pub enum StructureError {
         suggestion: f64,
     },
     /// A mesh with more unknowns than this solver takes.
-    #[error("elements of at most {longest_m} m make {unknowns} unknowns: at most {allowed} are taken; use longer elements")]
+    #[error(
+        "elements of at most {longest_m} m make {unknowns} unknowns: at most {allowed} are taken; use longer elements"
+    )]
     MeshTooFine {
         /// Longest element asked for, m.
         longest_m: f64,
@@ -164,7 +184,9 @@ pub enum StructureError {
         allowed: usize,
     },
     /// Numbers so large or so small that the eigenproblem cannot be written in double precision.
-    #[error("the stiffness and mass of \"{body}\" are outside the range of double precision: check the units of its quantities")]
+    #[error(
+        "the stiffness and mass of \"{body}\" are outside the range of double precision: check the units of its quantities"
+    )]
     NotRepresentable {
         /// A beam or mass of the structure.
         body: String,
@@ -207,10 +229,23 @@ impl StructureError {
 
     /// Refuses a tolerance that is looser than useful or tighter than double precision.
     pub(super) fn tolerance(place: String, value: f64) -> Result<(), Self> {
-        Self::require((1e-13..=0.1).contains(&value), place, value, "between 1e-13 and 0.1")
+        Self::require(
+            (1e-13..=0.1).contains(&value),
+            place,
+            value,
+            "between 1e-13 and 0.1",
+        )
     }
 
     fn require(within: bool, place: String, value: f64, allowed: &'static str) -> Result<(), Self> {
-        if within && value.is_finite() { Ok(()) } else { Err(Self::OutOfRange { place, value, allowed }) }
+        if within && value.is_finite() {
+            Ok(())
+        } else {
+            Err(Self::OutOfRange {
+                place,
+                value,
+                allowed,
+            })
+        }
     }
 }

@@ -37,44 +37,77 @@ pub(super) struct PatchedSegment<'a> {
 impl PatchedSegment<'_> {
     /// Its cross-section.
     pub fn section(&self, beam: &Beam) -> CrossSection {
-        CrossSection::laminated(beam, self.layers.iter().copied(), self.patches.iter().map(|(_, patch)| *patch))
+        CrossSection::laminated(
+            beam,
+            self.layers.iter().copied(),
+            self.patches.iter().map(|(_, patch)| *patch),
+        )
     }
 }
 
 /// The segments of the beam `name`, from root to end.
-pub(super) fn segments(spec: &Spec, name: &str, beam: &Beam) -> Result<Vec<BeamSegment>, StructureError> {
+pub(super) fn segments(
+    spec: &Spec,
+    name: &str,
+    beam: &Beam,
+) -> Result<Vec<BeamSegment>, StructureError> {
     let segment = |stretch: PatchedSegment| BeamSegment {
         start_m: stretch.start_m,
         length_m: stretch.end_m - stretch.start_m,
         section: stretch.section(beam),
     };
-    Ok(stretches(spec, name, beam)?.into_iter().map(segment).collect())
+    Ok(stretches(spec, name, beam)?
+        .into_iter()
+        .map(segment)
+        .collect())
 }
 
 /// The beam `name` cut at its named points and at the ends of its layers and patches, from root to end.
 ///
 /// # Errors
 /// Every variant that names a beam or a patch.
-pub(super) fn stretches<'a>(spec: &'a Spec, name: &str, beam: &Beam) -> Result<Vec<PatchedSegment<'a>>, StructureError> {
+pub(super) fn stretches<'a>(
+    spec: &'a Spec,
+    name: &str,
+    beam: &Beam,
+) -> Result<Vec<PatchedSegment<'a>>, StructureError> {
     check_beam(name, beam)?;
     let covers = covers(spec, name, beam)?;
     let mut cuts_m = vec![0.0, beam.length_m];
     let ends = covers.iter().flat_map(|cover| [cover.start_m, cover.end_m]);
     for cut_m in ends.chain(beam.point.values().copied()) {
-        if cuts_m.iter().all(|have_m| (have_m - cut_m).abs() > MIN_CUT_DISTANCE * beam.length_m) {
+        if cuts_m
+            .iter()
+            .all(|have_m| (have_m - cut_m).abs() > MIN_CUT_DISTANCE * beam.length_m)
+        {
             cuts_m.push(cut_m);
         }
     }
     cuts_m.sort_by(f64::total_cmp);
-    cuts_m.windows(2).map(|ends| stretch(&covers, ends[0], ends[1])).collect()
+    cuts_m
+        .windows(2)
+        .map(|ends| stretch(&covers, ends[0], ends[1]))
+        .collect()
 }
 
-fn stretch<'a>(covers: &[Covering<'a>], start_m: f64, end_m: f64) -> Result<PatchedSegment<'a>, StructureError> {
+fn stretch<'a>(
+    covers: &[Covering<'a>],
+    start_m: f64,
+    end_m: f64,
+) -> Result<PatchedSegment<'a>, StructureError> {
     let middle_m = (start_m + end_m) / 2.0;
-    let here: Vec<&Covering> = covers.iter().filter(|cover| cover.start_m < middle_m && middle_m < cover.end_m).collect();
-    let section = here.first().map_or(Section::default(), |cover| cover.section);
+    let here: Vec<&Covering> = covers
+        .iter()
+        .filter(|cover| cover.start_m < middle_m && middle_m < cover.end_m)
+        .collect();
+    let section = here
+        .first()
+        .map_or(Section::default(), |cover| cover.section);
     match here.iter().find(|cover| cover.section != section) {
-        Some(other) => Err(StructureError::SectionsDiffer { first: here[0].key(), second: other.key() }),
+        Some(other) => Err(StructureError::SectionsDiffer {
+            first: here[0].key(),
+            second: other.key(),
+        }),
         None => Ok(PatchedSegment {
             start_m,
             end_m,
@@ -92,14 +125,23 @@ fn check_beam(name: &str, beam: &Beam) -> Result<(), StructureError> {
         ("youngs_modulus", beam.youngs_modulus_pa),
         ("density", beam.density_kg_m3),
     ];
-    let clamp = beam.root_stiffness_n_m_rad.map(|stiffness_n_m_rad| ("root_stiffness", stiffness_n_m_rad));
+    let clamp = beam
+        .root_stiffness_n_m_rad
+        .map(|stiffness_n_m_rad| ("root_stiffness", stiffness_n_m_rad));
     for (key, value) in quantities.into_iter().chain(clamp) {
         StructureError::positive(format!("beam.{name}.{key}"), value)?;
     }
-    match beam.point.iter().find(|(_, place_m)| !(0.0..=beam.length_m).contains(*place_m)) {
+    match beam
+        .point
+        .iter()
+        .find(|(_, place_m)| !(0.0..=beam.length_m).contains(*place_m))
+    {
         None => Ok(()),
-        Some((point, &place_m)) => {
-            Err(StructureError::PointOutside { beam: name.into(), point: point.clone(), place_m, length_m: beam.length_m })
-        }
+        Some((point, &place_m)) => Err(StructureError::PointOutside {
+            beam: name.into(),
+            point: point.clone(),
+            place_m,
+            length_m: beam.length_m,
+        }),
     }
 }

@@ -9,9 +9,15 @@ pub(super) struct ModeOrder(Vec<(usize, usize)>);
 impl ModeOrder {
     /// Ascending in frequency; of equal frequencies the earlier part comes first.
     pub fn ascending(frequencies: &[&[f64]]) -> Self {
-        let of_part = |(part, list): (usize, &&[f64])| (0..list.len()).map(move |mode| (part, mode)).collect::<Vec<_>>();
+        let of_part = |(part, list): (usize, &&[f64])| {
+            (0..list.len())
+                .map(move |mode| (part, mode))
+                .collect::<Vec<_>>()
+        };
         let mut order: Vec<_> = frequencies.iter().enumerate().flat_map(of_part).collect();
-        order.sort_by(|one, other| frequencies[one.0][one.1].total_cmp(&frequencies[other.0][other.1]));
+        order.sort_by(|one, other| {
+            frequencies[one.0][one.1].total_cmp(&frequencies[other.0][other.1])
+        });
         Self(order)
     }
 
@@ -38,12 +44,18 @@ impl ModeOrder {
 
     /// One value per mode of `part`, spread over the merged modes; zero in those of other parts.
     pub fn spread(&self, part: usize, values: &[f64]) -> Vec<f64> {
-        self.0.iter().map(|(of, mode)| if *of == part { values[*mode] } else { 0.0 }).collect()
+        self.0
+            .iter()
+            .map(|(of, mode)| if *of == part { values[*mode] } else { 0.0 })
+            .collect()
     }
 
     /// The value of each merged mode, from one list per part.
     pub fn gather(&self, values: &[&[f64]]) -> Vec<f64> {
-        self.0.iter().map(|(part, mode)| values[*part][*mode]).collect()
+        self.0
+            .iter()
+            .map(|(part, mode)| values[*part][*mode])
+            .collect()
     }
 }
 
@@ -61,11 +73,30 @@ pub(super) fn merged(parts: &[Modes]) -> (ModeOrder, Modes) {
     };
     for (index, part) in parts.iter().enumerate() {
         let spread = |values: &Vec<f64>| order.spread(index, values);
-        modes.base_sqrt_kg.extend(part.base_sqrt_kg.iter().map(|(name, values)| (name.clone(), spread(values))));
-        modes.shape.extend(part.shape.iter().map(|(name, values)| (name.clone(), spread(values))));
+        modes.base_sqrt_kg.extend(
+            part.base_sqrt_kg
+                .iter()
+                .map(|(name, values)| (name.clone(), spread(values))),
+        );
+        modes.shape.extend(
+            part.shape
+                .iter()
+                .map(|(name, values)| (name.clone(), spread(values))),
+        );
         modes.patch.extend(part.patch.iter().map(|(name, patch)| {
-            let (coupling_n_per_v, strain) = (spread(&patch.coupling_n_per_v), patch.strain.iter().map(spread).collect());
-            (name.clone(), PatchModes { coupling_n_per_v, strain, capacitance_f: patch.capacitance_f, leakage_ohm: patch.leakage_ohm })
+            let (coupling_n_per_v, strain) = (
+                spread(&patch.coupling_n_per_v),
+                patch.strain.iter().map(spread).collect(),
+            );
+            (
+                name.clone(),
+                PatchModes {
+                    coupling_n_per_v,
+                    strain,
+                    capacitance_f: patch.capacitance_f,
+                    leakage_ohm: patch.leakage_ohm,
+                },
+            )
         }));
     }
     (order, modes)
@@ -85,7 +116,12 @@ mod tests {
             shape: BTreeMap::from([(name.to_owned(), shape.clone())]),
             patch: BTreeMap::from([(
                 name.to_owned(),
-                PatchModes { coupling_n_per_v: shape, capacitance_f: 1e-9, leakage_ohm: None, strain: Vec::new() },
+                PatchModes {
+                    coupling_n_per_v: shape,
+                    capacitance_f: 1e-9,
+                    leakage_ohm: None,
+                    strain: Vec::new(),
+                },
             )]),
             participation_sqrt_kg: vec![0.5; count],
             base_sqrt_kg: BTreeMap::new(),
@@ -98,7 +134,10 @@ mod tests {
         let (order, modes) = merged(&[part("one", &[1.0, 4.0, 5.0]), part("two", &[0.0, 4.0])]);
         assert_eq!(modes.frequency_rad_s, [0.0, 1.0, 4.0, 4.0, 5.0]);
         assert_eq!(modes.shape["one"], [0.0, 1.0, 2.0, 0.0, 3.0]);
-        assert_eq!(modes.patch["two"].coupling_n_per_v, [1.0, 0.0, 0.0, 2.0, 0.0]);
+        assert_eq!(
+            modes.patch["two"].coupling_n_per_v,
+            [1.0, 0.0, 0.0, 2.0, 0.0]
+        );
         assert_eq!((order.place(1, 1), order.place(1, 2)), (Some(3), None));
         let first = order.first(3);
         assert_eq!((first.len(), first.needed(0), first.needed(1)), (3, 2, 1));

@@ -31,27 +31,49 @@ pub(super) enum Mesh {
 
 impl Mesh {
     /// The mesh for the first `modes` modes of beams made of these segments.
-    pub fn spectral<'a>(modes: usize, tolerance: f64, segments: impl Iterator<Item = &'a BeamSegment>) -> Self {
+    pub fn spectral<'a>(
+        modes: usize,
+        tolerance: f64,
+        segments: impl Iterator<Item = &'a BeamSegment>,
+    ) -> Self {
         let phase: f64 = segments.map(BeamSegment::phase_per_root_frequency).sum();
-        Self::Spectral { root_frequency: PI * modes as f64 / phase, tolerance }
+        Self::Spectral {
+            root_frequency: PI * modes as f64 / phase,
+            tolerance,
+        }
     }
 
     /// The elements of a segment, from its start on.
     pub fn elements(&self, segment: &BeamSegment) -> Vec<Element> {
         let (pieces, terms) = self.division(segment);
         let length_m = segment.length_m / pieces as f64;
-        let element = |piece| Element { start_m: segment.start_m + piece as f64 * length_m, length_m, section: segment.section, terms };
+        let element = |piece| Element {
+            start_m: segment.start_m + piece as f64 * length_m,
+            length_m,
+            section: segment.section,
+            terms,
+        };
         (0..pieces).map(element).collect()
     }
 
     /// Number of pieces of a segment and of terms of each.
     fn division(&self, segment: &BeamSegment) -> (usize, usize) {
         match *self {
-            Self::Cubic { longest_m } => (((segment.length_m / longest_m - 1e-9).ceil() as usize).max(1), 2),
-            Self::Spectral { root_frequency, tolerance } => {
+            Self::Cubic { longest_m } => (
+                ((segment.length_m / longest_m - 1e-9).ceil() as usize).max(1),
+                2,
+            ),
+            Self::Spectral {
+                root_frequency,
+                tolerance,
+            } => {
                 let half_phase = root_frequency * segment.phase_per_root_frequency() / 2.0;
-                let divided = |pieces| (pieces, terms_needed(half_phase / pieces as f64, tolerance));
-                (1..).map(divided).find(|(_, terms)| *terms <= MAX_CURVATURE_TERMS).unwrap_or((1, MAX_CURVATURE_TERMS))
+                let divided =
+                    |pieces| (pieces, terms_needed(half_phase / pieces as f64, tolerance));
+                (1..)
+                    .map(divided)
+                    .find(|(_, terms)| *terms <= MAX_CURVATURE_TERMS)
+                    .unwrap_or((1, MAX_CURVATURE_TERMS))
             }
         }
     }
@@ -74,8 +96,17 @@ mod tests {
     use crate::structure::section::CrossSection;
 
     fn segment(length_m: f64) -> BeamSegment {
-        let section = CrossSection { bending_stiffness_n_m2: 1.0, mass_per_length_kg_m: 1.0, neutral_axis_m: 0.0, coated_m: [0.0; 2] };
-        BeamSegment { start_m: 0.1, length_m, section }
+        let section = CrossSection {
+            bending_stiffness_n_m2: 1.0,
+            mass_per_length_kg_m: 1.0,
+            neutral_axis_m: 0.0,
+            coated_m: [0.0; 2],
+        };
+        BeamSegment {
+            start_m: 0.1,
+            length_m,
+            section,
+        }
     }
 
     #[test]
@@ -93,13 +124,19 @@ mod tests {
         for a in [0.1, 1.0, 5.0] {
             let terms = terms_needed(a, 1e-9);
             let bound = |count: usize| (0..count).map(|j| a / (2 * j + 1) as f64).product::<f64>();
-            assert!(bound(terms) <= 1e-9 && bound(terms - 1) > 1e-9, "{a}: {terms}");
+            assert!(
+                bound(terms) <= 1e-9 && bound(terms - 1) > 1e-9,
+                "{a}: {terms}"
+            );
         }
     }
 
     #[test]
     fn cubic_elements_are_as_long_as_allowed() {
         let mesh = Mesh::Cubic { longest_m: 0.1 };
-        assert_eq!([0.04, 0.1, 0.3, 0.31].map(|length_m| mesh.elements(&segment(length_m)).len()), [1, 1, 3, 4]);
+        assert_eq!(
+            [0.04, 0.1, 0.3, 0.31].map(|length_m| mesh.elements(&segment(length_m)).len()),
+            [1, 1, 3, 4]
+        );
     }
 }

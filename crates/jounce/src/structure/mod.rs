@@ -78,7 +78,11 @@ pub fn modes_holding(spec: &Spec, held: &[String]) -> Result<Modes, StructureErr
 ///
 /// # Errors
 /// As [`modes_holding`]; `MeshTooFine`, and `TooManyModes` for a mesh with fewer unknowns than modes.
-pub fn modes_on_cubic_mesh(spec: &Spec, held: &[String], longest_element_m: f64) -> Result<Modes, StructureError> {
+pub fn modes_on_cubic_mesh(
+    spec: &Spec,
+    held: &[String],
+    longest_element_m: f64,
+) -> Result<Modes, StructureError> {
     let structures = Structures::new(spec, held)?;
     let (converged, _) = refined(&structures, spec.reduction.mesh_tolerance)?;
     let solution = structures.solve(&structures.cubic_mesh(longest_element_m)?)?;
@@ -91,20 +95,31 @@ pub fn modes_on_cubic_mesh(spec: &Spec, held: &[String], longest_element_m: f64)
 ///
 /// # Errors
 /// As [`modes_holding`].
-pub fn shapes_along_beams(spec: &Spec, held: &[String], samples: usize) -> Result<BTreeMap<String, BeamShape>, StructureError> {
+pub fn shapes_along_beams(
+    spec: &Spec,
+    held: &[String],
+    samples: usize,
+) -> Result<BTreeMap<String, BeamShape>, StructureError> {
     let structures = Structures::new(spec, held)?;
     let (solution, error) = refined(&structures, spec.reduction.mesh_tolerance)?;
     let mut shapes = along::beam_shapes(&solution, samples);
     let assembled = assembled::assembled_modes(spec, held, &solution, error)?;
     let (order, _) = with_given(spec, assembled)?;
     for shape in shapes.values_mut() {
-        shape.shape = shape.shape.iter().map(|values| order.spread(0, values)).collect();
+        shape.shape = shape
+            .shape
+            .iter()
+            .map(|values| order.spread(0, values))
+            .collect();
     }
     Ok(shapes)
 }
 
 /// The assembled modes (part 0) merged with those of every `[modal.NAME]`.
-fn with_given(spec: &Spec, assembled: Modes) -> Result<(merge_modes::ModeOrder, Modes), StructureError> {
+fn with_given(
+    spec: &Spec,
+    assembled: Modes,
+) -> Result<(merge_modes::ModeOrder, Modes), StructureError> {
     let mut parts = vec![assembled];
     for (name, modal) in &spec.modal {
         parts.push(user_modes::given_modes(name, modal)?);

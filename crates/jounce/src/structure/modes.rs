@@ -60,10 +60,18 @@ impl Modes {
     /// Participation of each mode in an acceleration of one base, kg^1/2: what stands on no other follows the ground.
     pub fn participation_in_sqrt_kg(&self, base: &str) -> Vec<f64> {
         if base != GROUND {
-            return self.base_sqrt_kg.get(base).cloned().unwrap_or_else(|| vec![0.0; self.len()]);
+            return self
+                .base_sqrt_kg
+                .get(base)
+                .cloned()
+                .unwrap_or_else(|| vec![0.0; self.len()]);
         }
         let others = |mode: usize| self.base_sqrt_kg.values().map(|own| own[mode]).sum::<f64>();
-        self.participation_sqrt_kg.iter().enumerate().map(|(mode, all)| all - others(mode)).collect()
+        self.participation_sqrt_kg
+            .iter()
+            .enumerate()
+            .map(|(mode, all)| all - others(mode))
+            .collect()
     }
 
     /// True when there is no mode at all.

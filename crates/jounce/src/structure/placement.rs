@@ -9,7 +9,11 @@ use faer::Mat;
 /// A part with its coordinates.
 #[derive(Debug, Clone)]
 pub(super) enum BodyPart {
-    Mass { motion: PlaceMotion, mass_kg: f64, rotary_inertia_kg_m2: f64 },
+    Mass {
+        motion: PlaceMotion,
+        mass_kg: f64,
+        rotary_inertia_kg_m2: f64,
+    },
     Beam(Vec<PlacedElement>),
 }
 
@@ -32,7 +36,10 @@ impl BodyPart {
     /// Number of rows of `G`.
     pub fn mass_rows(&self) -> usize {
         match self {
-            Self::Mass { rotary_inertia_kg_m2, .. } => 1 + usize::from(*rotary_inertia_kg_m2 > 0.0),
+            Self::Mass {
+                rotary_inertia_kg_m2,
+                ..
+            } => 1 + usize::from(*rotary_inertia_kg_m2 > 0.0),
             Self::Beam(chain) => chain.iter().map(PlacedElement::mass_rows).sum(),
         }
     }
@@ -40,7 +47,11 @@ impl BodyPart {
     /// Writes the rows of `G`, from `row` on.
     pub fn add_mass(&self, factor: &mut Mat<f64>, row: usize) {
         match self {
-            Self::Mass { motion, mass_kg, rotary_inertia_kg_m2 } => {
+            Self::Mass {
+                motion,
+                mass_kg,
+                rotary_inertia_kg_m2,
+            } => {
                 let mut put = |row: usize, root: f64, motion: &Row| {
                     motion
                         .iter()
@@ -66,10 +77,13 @@ impl BodyPart {
     /// A unit translation in the rows of `G`.
     pub fn translation(&self) -> Vec<f64> {
         match self {
-            Self::Mass { mass_kg, .. } => std::iter::once(mass_kg.sqrt()).chain(std::iter::repeat_n(0.0, self.mass_rows() - 1)).collect(),
+            Self::Mass { mass_kg, .. } => std::iter::once(mass_kg.sqrt())
+                .chain(std::iter::repeat_n(0.0, self.mass_rows() - 1))
+                .collect(),
             Self::Beam(chain) => {
                 let of = |placed: &PlacedElement| {
-                    std::iter::once(placed.element.mass_weight(0)).chain(std::iter::repeat_n(0.0, placed.mass_rows() - 1))
+                    std::iter::once(placed.element.mass_weight(0))
+                        .chain(std::iter::repeat_n(0.0, placed.mass_rows() - 1))
                 };
                 chain.iter().flat_map(of).collect()
             }
@@ -78,15 +92,27 @@ impl BodyPart {
 }
 
 /// A mass on its support: on a spring it moves by a coordinate of its own and does not turn; free, by that coordinate alone.
-pub(super) fn placed_mass(mass: &Mass, on: Support, support: PlaceMotion, next_column: &mut usize) -> BodyPart {
-    let own = mass.stiffness_n_m.map(|stiffness_n_m| 1.0 / stiffness_n_m.sqrt()).or((on == Support::Nothing).then_some(1.0));
+pub(super) fn placed_mass(
+    mass: &Mass,
+    on: Support,
+    support: PlaceMotion,
+    next_column: &mut usize,
+) -> BodyPart {
+    let own = mass
+        .stiffness_n_m
+        .map(|stiffness_n_m| 1.0 / stiffness_n_m.sqrt())
+        .or((on == Support::Nothing).then_some(1.0));
     let mut motion = support;
     if let Some(displacement) = own {
         motion.displacement[*next_column] += displacement;
         motion.slope.fill(0.0);
         *next_column += 1;
     }
-    BodyPart::Mass { motion, mass_kg: mass.mass_kg, rotary_inertia_kg_m2: mass.rotary_inertia_kg_m2 }
+    BodyPart::Mass {
+        motion,
+        mass_kg: mass.mass_kg,
+        rotary_inertia_kg_m2: mass.rotary_inertia_kg_m2,
+    }
 }
 
 /// How the root of a beam moves on its support: a clamp that is not rigid turns by a coordinate of its own.
@@ -100,15 +126,25 @@ pub(super) fn clamped(beam: &Beam, support: PlaceMotion, next_column: &mut usize
 }
 
 /// Places a chain of elements one after the other from a root that moves as `root`.
-pub(super) fn chained(elements: Vec<Element>, root: PlaceMotion, next_column: &mut usize) -> Vec<PlacedElement> {
-    let PlaceMotion { mut displacement, mut slope } = root;
+pub(super) fn chained(
+    elements: Vec<Element>,
+    root: PlaceMotion,
+    next_column: &mut usize,
+) -> Vec<PlacedElement> {
+    let PlaceMotion {
+        mut displacement,
+        mut slope,
+    } = root;
     let mut chain = Vec::with_capacity(elements.len());
     for element in elements {
         let first_column = *next_column;
         chain.push(PlacedElement {
             element,
             first_column,
-            start: PlaceMotion { displacement: displacement.clone(), slope: slope.clone() },
+            start: PlaceMotion {
+                displacement: displacement.clone(),
+                slope: slope.clone(),
+            },
         });
         for (w, turned) in displacement.iter_mut().zip(&slope) {
             *w += element.length_m * turned;
@@ -136,7 +172,9 @@ impl PlacedElement {
 
     /// Writes the weighted Legendre coefficients of the displacement into `factor`, from `row` on.
     fn add_mass(&self, factor: &mut Mat<f64>, row: usize) {
-        let weight: Vec<f64> = (0..self.mass_rows()).map(|order| self.element.mass_weight(order)).collect();
+        let weight: Vec<f64> = (0..self.mass_rows())
+            .map(|order| self.element.mass_weight(order))
+            .collect();
         let half_m = self.element.length_m / 2.0;
         for column in 0..self.first_column {
             let by_slope_m = half_m * self.start.slope[column];

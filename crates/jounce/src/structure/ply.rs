@@ -40,14 +40,21 @@ impl Ply {
             density_kg_m3: patch.density_kg_m3,
             width_m: patch.width_m,
             thickness_m: patch.thickness_m,
-            middle_m: above_m(beam, patch.face, coat_m + patch.foils.each_m(), patch.thickness_m / 2.0),
+            middle_m: above_m(
+                beam,
+                patch.face,
+                coat_m + patch.foils.each_m(),
+                patch.thickness_m / 2.0,
+            ),
         }
     }
 
     /// The foils below and above the active layer; none where it has none.
     pub fn of_foils(beam: &Beam, patch: &Patch, coat_m: f64) -> impl Iterator<Item = Self> {
         let each_m = patch.foils.each_m();
-        let under_m = [coat_m, coat_m + each_m + patch.thickness_m].into_iter().filter(move |_| each_m > 0.0);
+        let under_m = [coat_m, coat_m + each_m + patch.thickness_m]
+            .into_iter()
+            .filter(move |_| each_m > 0.0);
         under_m.map(move |under_m| Self {
             youngs_modulus_pa: patch.foils.modulus_pa(),
             density_kg_m3: patch.foils.mass_per_volume_kg_m3(),
@@ -69,5 +76,9 @@ impl Ply {
 
 /// Height above the bottom of the beam of what lies `coat_m` and `more_m` off a face.
 pub(super) fn above_m(beam: &Beam, face: Face, coat_m: f64, more_m: f64) -> f64 {
-    if face == Face::Top { beam.thickness_m + coat_m + more_m } else { -coat_m - more_m }
+    if face == Face::Top {
+        beam.thickness_m + coat_m + more_m
+    } else {
+        -coat_m - more_m
+    }
 }

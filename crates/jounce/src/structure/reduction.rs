@@ -32,13 +32,26 @@ impl AssemblyModes {
     /// `NotRepresentable` where the numbers leave the range of double precision.
     pub fn new(assembly: &Assembly) -> Result<Self, StructureError> {
         let factor = assembly.mass_factor()?;
-        let reduced = if assembly.rigid { Self::free(factor) } else { Self::held(factor.as_ref()) };
-        reduced.ok_or_else(|| StructureError::NotRepresentable { body: assembly.body.name().into() })
+        let reduced = if assembly.rigid {
+            Self::free(factor)
+        } else {
+            Self::held(factor.as_ref())
+        };
+        reduced.ok_or_else(|| StructureError::NotRepresentable {
+            body: assembly.body.name().into(),
+        })
     }
 
     /// `row . s_k` for the first `modes` modes.
     pub fn modal(&self, row: &Row, modes: usize) -> Vec<f64> {
-        let dot = |mode| self.coordinates.col(mode).iter().zip(row).map(|(s, value)| s * value).sum();
+        let dot = |mode| {
+            self.coordinates
+                .col(mode)
+                .iter()
+                .zip(row)
+                .map(|(s, value)| s * value)
+                .sum()
+        };
         (0..modes).map(dot).collect()
     }
 
@@ -49,9 +62,15 @@ impl AssemblyModes {
         let ends: Vec<Vec<f64>> = free_ends.iter().map(|row| self.modal(row, count)).collect();
         for mode in 0..count {
             let furthest = ends.iter().map(|end| end[mode].abs()).fold(0.0, f64::max);
-            let leading = ends.iter().map(|end| end[mode]).find(|end| end.abs() >= furthest / 2.0);
+            let leading = ends
+                .iter()
+                .map(|end| end[mode])
+                .find(|end| end.abs() >= furthest / 2.0);
             if leading.is_some_and(|end| end < 0.0) {
-                self.coordinates.col_mut(mode).iter_mut().for_each(|s| *s = -*s);
+                self.coordinates
+                    .col_mut(mode)
+                    .iter_mut()
+                    .for_each(|s| *s = -*s);
             }
         }
     }
@@ -60,22 +79,48 @@ impl AssemblyModes {
         let (singular, mut coordinates) = right_singular(factor)?;
         let frequency_rad_s: Vec<f64> = singular.iter().map(|value| 1.0 / value).collect();
         for (mode, frequency) in frequency_rad_s.iter().enumerate() {
-            coordinates.col_mut(mode).iter_mut().for_each(|s| *s *= frequency);
+            coordinates
+                .col_mut(mode)
+                .iter_mut()
+                .for_each(|s| *s *= frequency);
         }
-        frequency_rad_s.iter().all(|frequency| !frequency.is_nan()).then_some(Self { frequency_rad_s, coordinates })
+        frequency_rad_s
+            .iter()
+            .all(|frequency| !frequency.is_nan())
+            .then_some(Self {
+                frequency_rad_s,
+                coordinates,
+            })
     }
 
     fn free(mut factor: Mat<f64>) -> Option<Self> {
         let (rows, columns) = factor.shape();
         let root_mass = factor.col(0).norm_l2();
-        let rigid: Vec<f64> = factor.col(0).iter().map(|entry| entry / root_mass).collect();
+        let rigid: Vec<f64> = factor
+            .col(0)
+            .iter()
+            .map(|entry| entry / root_mass)
+            .collect();
         let mut carried = vec![0.0; columns];
         for (column, carried) in carried.iter_mut().enumerate().skip(1) {
-            let share: f64 = factor.col(column).iter().zip(&rigid).map(|(entry, unit)| entry * unit).sum();
-            factor.col_mut(column).iter_mut().zip(&rigid).for_each(|(entry, unit)| *entry -= share * unit);
+            let share: f64 = factor
+                .col(column)
+                .iter()
+                .zip(&rigid)
+                .map(|(entry, unit)| entry * unit)
+                .sum();
+            factor
+                .col_mut(column)
+                .iter_mut()
+                .zip(&rigid)
+                .for_each(|(entry, unit)| *entry -= share * unit);
             *carried = share / root_mass;
         }
-        let flexible = if columns > 1 { Self::held(factor.get(0..rows, 1..columns))? } else { Self::none() };
+        let flexible = if columns > 1 {
+            Self::held(factor.get(0..rows, 1..columns))?
+        } else {
+            Self::none()
+        };
         let mut coordinates = Mat::zeros(columns, columns);
         coordinates[(0, 0)] = 1.0 / root_mass;
         for mode in 1..columns {
@@ -84,12 +129,20 @@ impl AssemblyModes {
                 coordinates[(0, mode)] -= carried[column] * coordinates[(column, mode)];
             }
         }
-        let frequency_rad_s = std::iter::once(0.0).chain(flexible.frequency_rad_s).collect();
-        Some(Self { frequency_rad_s, coordinates })
+        let frequency_rad_s = std::iter::once(0.0)
+            .chain(flexible.frequency_rad_s)
+            .collect();
+        Some(Self {
+            frequency_rad_s,
+            coordinates,
+        })
     }
 
     fn none() -> Self {
-        Self { frequency_rad_s: Vec::new(), coordinates: Mat::new() }
+        Self {
+            frequency_rad_s: Vec::new(),
+            coordinates: Mat::new(),
+        }
     }
 }
 
@@ -97,10 +150,26 @@ impl AssemblyModes {
 fn right_singular(factor: MatRef<f64>) -> Option<(Vec<f64>, Mat<f64>)> {
     let (rows, columns) = factor.shape();
     let (mut values, mut vectors) = (Diag::zeros(columns), Mat::zeros(columns, columns));
-    let scratch = svd_scratch::<f64>(rows, columns, ComputeSvdVectors::No, ComputeSvdVectors::Thin, Par::Seq, Default::default());
+    let scratch = svd_scratch::<f64>(
+        rows,
+        columns,
+        ComputeSvdVectors::No,
+        ComputeSvdVectors::Thin,
+        Par::Seq,
+        Default::default(),
+    );
     let mut memory = MemBuffer::new(scratch);
     let stack = MemStack::new(&mut memory);
-    svd(factor, values.as_mut(), None, Some(vectors.as_mut()), Par::Seq, stack, Default::default()).ok()?;
+    svd(
+        factor,
+        values.as_mut(),
+        None,
+        Some(vectors.as_mut()),
+        Par::Seq,
+        stack,
+        Default::default(),
+    )
+    .ok()?;
     Some((values.column_vector().iter().copied().collect(), vectors))
 }
 
@@ -114,18 +183,51 @@ mod tests {
     use crate::structure::section::CrossSection;
 
     fn spec(stiffness_n_m: Option<f64>) -> Spec {
-        let on = if stiffness_n_m.is_some() { "ground" } else { "nothing" }.to_owned();
+        let on = if stiffness_n_m.is_some() {
+            "ground"
+        } else {
+            "nothing"
+        }
+        .to_owned();
         let damping_ratio = stiffness_n_m.map(|_| 0.0);
-        let mass =
-            Mass { on, mass_kg: 0.5, rotary_inertia_kg_m2: 0.0, stiffness_n_m, damping_ratio, velocity_m_s: None, friction_n_s_m: None };
-        let beam = Beam { length_m: 0.3, root: "table".into(), ..crate::structure::section::tests::paper_beam() };
-        Spec { beam: [("beam".into(), beam)].into(), mass: [("table".into(), mass)].into(), ..Spec::default() }
+        let mass = Mass {
+            on,
+            mass_kg: 0.5,
+            rotary_inertia_kg_m2: 0.0,
+            stiffness_n_m,
+            damping_ratio,
+            velocity_m_s: None,
+            friction_n_s_m: None,
+        };
+        let beam = Beam {
+            length_m: 0.3,
+            root: "table".into(),
+            ..crate::structure::section::tests::paper_beam()
+        };
+        Spec {
+            beam: [("beam".into(), beam)].into(),
+            mass: [("table".into(), mass)].into(),
+            ..Spec::default()
+        }
     }
 
     fn assembly(spec: &Spec) -> Assembly<'_> {
-        let section = CrossSection { bending_stiffness_n_m2: 0.15, mass_per_length_kg_m: 0.08, neutral_axis_m: 0.0, coated_m: [0.0; 2] };
-        let element = |start_m| Element { start_m, length_m: 0.15, section, terms: 9 };
-        Assembly::new(bodies(spec, &[]).unwrap().remove(0), vec![Vec::new(), vec![element(0.0), element(0.15)]])
+        let section = CrossSection {
+            bending_stiffness_n_m2: 0.15,
+            mass_per_length_kg_m: 0.08,
+            neutral_axis_m: 0.0,
+            coated_m: [0.0; 2],
+        };
+        let element = |start_m| Element {
+            start_m,
+            length_m: 0.15,
+            section,
+            terms: 9,
+        };
+        Assembly::new(
+            bodies(spec, &[]).unwrap().remove(0),
+            vec![Vec::new(), vec![element(0.0), element(0.15)]],
+        )
     }
 
     /// `S^T G^T G S = 1` and, without the rigid coordinate, `S^T S = diag(w^2)`; relative to `w_i w_j`, measured 2e-13.
@@ -144,7 +246,10 @@ mod tests {
                     let strain = strained.col(i).transpose() * strained.col(j);
                     let scale = (w_i * w_j / reduced.frequency_rad_s[1].powi(2)).max(1.0);
                     assert!((kinetic - same).abs() < 1e-12 * scale, "{i} {j}: {kinetic}");
-                    assert!((strain - same * w_i * w_j).abs() <= 1e-12 * w_i * w_j, "{i} {j}: {strain}");
+                    assert!(
+                        (strain - same * w_i * w_j).abs() <= 1e-12 * w_i * w_j,
+                        "{i} {j}: {strain}"
+                    );
                 }
             }
         }
@@ -155,8 +260,17 @@ mod tests {
         let spec = spec(Some(50.0));
         let assembly = assembly(&spec);
         let mut reduced = AssemblyModes::new(&assembly).unwrap();
-        reduced.coordinates.col_mut(2).iter_mut().for_each(|s| *s = -*s);
+        reduced
+            .coordinates
+            .col_mut(2)
+            .iter_mut()
+            .for_each(|s| *s = -*s);
         reduced.orient(&assembly.free_ends());
-        assert!(reduced.modal(&assembly.free_ends()[0], 6).iter().all(|end| *end > 0.0));
+        assert!(
+            reduced
+                .modal(&assembly.free_ends()[0], 6)
+                .iter()
+                .all(|end| *end > 0.0)
+        );
     }
 }

@@ -16,9 +16,14 @@ const MAX_SHAPE_ERROR: f64 = 1e-6;
 ///
 /// # Errors
 /// `NotConverged`; those of [`Structures::solve`].
-pub(super) fn refined<'a>(structures: &Structures<'a>, tolerance: f64) -> Result<(StructureSolution<'a>, Vec<f64>), StructureError> {
+pub(super) fn refined<'a>(
+    structures: &Structures<'a>,
+    tolerance: f64,
+) -> Result<(StructureSolution<'a>, Vec<f64>), StructureError> {
     let on_mesh = |level: i32| {
-        let shape_tolerance = tolerance.min(MAX_SHAPE_ERROR).powf(0.6 + 0.4 * f64::from(level));
+        let shape_tolerance = tolerance
+            .min(MAX_SHAPE_ERROR)
+            .powf(0.6 + 0.4 * f64::from(level));
         structures.solve(&structures.spectral_mesh(shape_tolerance))
     };
     let mut coarse = on_mesh(0)?;
@@ -32,12 +37,23 @@ pub(super) fn refined<'a>(structures: &Structures<'a>, tolerance: f64) -> Result
         }
         coarse = fine;
     }
-    Err(StructureError::NotConverged { change: least, unknowns: coarse.unknowns(), tolerance, suggestion: 10.0 * least })
+    Err(StructureError::NotConverged {
+        change: least,
+        unknowns: coarse.unknowns(),
+        tolerance,
+        suggestion: 10.0 * least,
+    })
 }
 
 /// `|fine - coarse| / fine`, at least the roundoff of a double; of a rigid-body mode, 0.
 pub(super) fn relative_change(coarse: &[f64], fine: &[f64]) -> Vec<f64> {
-    let change = |(coarse, fine): (&f64, &f64)| if *fine > 0.0 { ((fine - coarse).abs() / fine).max(f64::EPSILON) } else { 0.0 };
+    let change = |(coarse, fine): (&f64, &f64)| {
+        if *fine > 0.0 {
+            ((fine - coarse).abs() / fine).max(f64::EPSILON)
+        } else {
+            0.0
+        }
+    };
     coarse.iter().zip(fine).map(change).collect()
 }
 
@@ -60,8 +76,15 @@ mod tests {
             root_stiffness_n_m_rad: None,
             point: BTreeMap::from([("tip".into(), 0.28)]),
         };
-        let reduction = Reduction { modes, mesh_tolerance: 1e-9 };
-        Spec { beam: BTreeMap::from([("beam".into(), beam)]), reduction, ..Spec::default() }
+        let reduction = Reduction {
+            modes,
+            mesh_tolerance: 1e-9,
+        };
+        Spec {
+            beam: BTreeMap::from([("beam".into(), beam)]),
+            reduction,
+            ..Spec::default()
+        }
     }
 
     /// The work of a solve grows with the cube of the number of unknowns: a change here must be meant.
@@ -71,7 +94,10 @@ mod tests {
             let spec = cantilever(modes);
             let (solution, error) = refined(&Structures::new(&spec, &[]).unwrap(), 1e-9).unwrap();
             assert_eq!(solution.unknowns(), unknowns, "{modes} modes");
-            assert!(error.iter().all(|error| *error < 1e-11), "the first mesh holds the square of its shape error: {error:?}");
+            assert!(
+                error.iter().all(|error| *error < 1e-11),
+                "the first mesh holds the square of its shape error: {error:?}"
+            );
         }
     }
 
@@ -79,7 +105,15 @@ mod tests {
     fn a_tolerance_below_roundoff_is_refused_with_what_was_reached() {
         let spec = cantilever(2);
         let error = refined(&Structures::new(&spec, &[]).unwrap(), 1e-17).unwrap_err();
-        let StructureError::NotConverged { change, tolerance, suggestion, .. } = error else { panic!("{error}") };
+        let StructureError::NotConverged {
+            change,
+            tolerance,
+            suggestion,
+            ..
+        } = error
+        else {
+            panic!("{error}")
+        };
         assert!(tolerance == 1e-17 && change < 1e-14 && suggestion > change);
     }
 }

@@ -49,21 +49,44 @@ impl CrossSection {
         layers: impl Iterator<Item = &'l Layer> + Clone,
         patches: impl Iterator<Item = &'a Patch> + Clone,
     ) -> Self {
-        let coat = |face: Face| layers.clone().filter(|layer| layer.face == face).map(|layer| layer.thickness_m).sum::<f64>();
+        let coat = |face: Face| {
+            layers
+                .clone()
+                .filter(|layer| layer.face == face)
+                .map(|layer| layer.thickness_m)
+                .sum::<f64>()
+        };
         let coated_m = [coat(Face::Bottom), coat(Face::Top)];
         let plies: Vec<Ply> = std::iter::once(Ply::of_beam(beam))
             .chain(layers.clone().map(|layer| Ply::of_layer(beam, layer)))
-            .chain(patches.clone().map(|patch| Ply::of_patch(beam, patch, coat(patch.face))))
-            .chain(patches.clone().flat_map(|patch| Ply::of_foils(beam, patch, coat(patch.face))))
+            .chain(
+                patches
+                    .clone()
+                    .map(|patch| Ply::of_patch(beam, patch, coat(patch.face))),
+            )
+            .chain(
+                patches
+                    .clone()
+                    .flat_map(|patch| Ply::of_foils(beam, patch, coat(patch.face))),
+            )
             .collect();
-        let laminate = Self { coated_m, ..Self::of_plies(&plies) };
-        let thin = layers.map(|layer| layer.section).chain(patches.map(|patch| patch.section)).any(|section| section == Section::ThinSkin);
+        let laminate = Self {
+            coated_m,
+            ..Self::of_plies(&plies)
+        };
+        let thin = layers
+            .map(|layer| layer.section)
+            .chain(patches.map(|patch| patch.section))
+            .any(|section| section == Section::ThinSkin);
         if !thin {
             return laminate;
         }
         let bare = Self::bare(beam);
         let lever_m = beam.thickness_m / 2.0;
-        let skin_n_m2: f64 = plies[1..].iter().map(|ply| ply.axial_stiffness_n() * lever_m * lever_m).sum();
+        let skin_n_m2: f64 = plies[1..]
+            .iter()
+            .map(|ply| ply.axial_stiffness_n() * lever_m * lever_m)
+            .sum();
         Self {
             bending_stiffness_n_m2: bare.bending_stiffness_n_m2 + skin_n_m2,
             mass_per_length_kg_m: bare.mass_per_length_kg_m,
@@ -73,7 +96,9 @@ impl CrossSection {
 
     /// Phase of a bending wave of 1 rad/s per length of beam, `(m / EI)^(1/4)`, s^(1/2)/m.
     pub(super) fn wave_number_per_root_frequency(&self) -> f64 {
-        (self.mass_per_length_kg_m / self.bending_stiffness_n_m2).sqrt().sqrt()
+        (self.mass_per_length_kg_m / self.bending_stiffness_n_m2)
+            .sqrt()
+            .sqrt()
     }
 
     /// Thickness of the layer under a patch of a face, m.
@@ -83,11 +108,20 @@ impl CrossSection {
 
     fn of_plies(plies: &[Ply]) -> Self {
         let axial_n: f64 = plies.iter().map(Ply::axial_stiffness_n).sum();
-        let moment_n_m: f64 = plies.iter().map(|ply| ply.axial_stiffness_n() * ply.middle_m).sum();
+        let moment_n_m: f64 = plies
+            .iter()
+            .map(|ply| ply.axial_stiffness_n() * ply.middle_m)
+            .sum();
         let neutral_axis_m = moment_n_m / axial_n;
         Self {
-            bending_stiffness_n_m2: plies.iter().map(|ply| ply.bending_stiffness_n_m2(neutral_axis_m)).sum(),
-            mass_per_length_kg_m: plies.iter().map(|ply| ply.density_kg_m3 * ply.width_m * ply.thickness_m).sum(),
+            bending_stiffness_n_m2: plies
+                .iter()
+                .map(|ply| ply.bending_stiffness_n_m2(neutral_axis_m))
+                .sum(),
+            mass_per_length_kg_m: plies
+                .iter()
+                .map(|ply| ply.density_kg_m3 * ply.width_m * ply.thickness_m)
+                .sum(),
             neutral_axis_m,
             coated_m: [0.0; 2],
         }
@@ -102,14 +136,21 @@ pub fn patch_moment_n_m_per_v(beam: &Beam, section: &CrossSection, patch: &Patch
     let lever_m = ply.middle_m - section.neutral_axis_m;
     match (patch.d33_m_per_v, patch.d31_m_per_v) {
         // The thickness cancels.
-        (None, Some(d31_m_per_v)) => patch.youngs_modulus_pa * d31_m_per_v * patch.width_m * lever_m,
+        (None, Some(d31_m_per_v)) => {
+            patch.youngs_modulus_pa * d31_m_per_v * patch.width_m * lever_m
+        }
         _ => ply.axial_stiffness_n() * patch.free_strain_per_v() * lever_m,
     }
 }
 
 /// Height of the outer face of the active layer above the neutral axis of a section, m: its strain is minus this times the curvature.
 pub fn outer_lever_m(beam: &Beam, section: &CrossSection, patch: &Patch) -> f64 {
-    above_m(beam, patch.face, section.coat_m(patch.face) + patch.foils.each_m(), patch.thickness_m) - section.neutral_axis_m
+    above_m(
+        beam,
+        patch.face,
+        section.coat_m(patch.face) + patch.foils.each_m(),
+        patch.thickness_m,
+    ) - section.neutral_axis_m
 }
 
 #[cfg(test)]
@@ -166,7 +207,8 @@ pub(super) mod tests {
 
     fn stiffness_ratio(section: Section) -> f64 {
         let beam = paper_beam();
-        patched(&beam, &paper_patch(section)).bending_stiffness_n_m2 / CrossSection::bare(&beam).bending_stiffness_n_m2
+        patched(&beam, &paper_patch(section)).bending_stiffness_n_m2
+            / CrossSection::bare(&beam).bending_stiffness_n_m2
     }
 
     #[test]
@@ -182,7 +224,10 @@ pub(super) mod tests {
         let beam = paper_beam();
         let bare = CrossSection::bare(&beam).mass_per_length_kg_m;
         assert!((bare - 2750.0 * 0.03 * 0.98e-3).abs() < 1e-16);
-        assert_eq!(patched(&beam, &paper_patch(Section::ThinSkin)).mass_per_length_kg_m, bare);
+        assert_eq!(
+            patched(&beam, &paper_patch(Section::ThinSkin)).mass_per_length_kg_m,
+            bare
+        );
         let laminate = patched(&beam, &paper_patch(Section::Laminate)).mass_per_length_kg_m;
         assert!((laminate - bare - 5440.0 * 0.03 * 0.3e-3).abs() < 1e-16);
     }
@@ -200,15 +245,31 @@ pub(super) mod tests {
     /// Timoshenko (1925), with `m` and `n` the ratios of thickness and modulus, `strain` the difference of free strain.
     #[test]
     fn free_strain_bends_a_laminate_as_a_bimetal() {
-        for (patch_m, modulus_pa) in [(0.3e-3, 30.336e9), (0.98e-3, 65e9), (2e-3, 5e9), (0.05e-3, 200e9)] {
+        for (patch_m, modulus_pa) in [
+            (0.3e-3, 30.336e9),
+            (0.98e-3, 65e9),
+            (2e-3, 5e9),
+            (0.05e-3, 200e9),
+        ] {
             let beam = paper_beam();
-            let patch = Patch { thickness_m: patch_m, youngs_modulus_pa: modulus_pa, ..paper_patch(Section::Laminate) };
+            let patch = Patch {
+                thickness_m: patch_m,
+                youngs_modulus_pa: modulus_pa,
+                ..paper_patch(Section::Laminate)
+            };
             let curvature = moment(&beam, &patch) / patched(&beam, &patch).bending_stiffness_n_m2;
-            let (m, n) = (beam.thickness_m / patch_m, beam.youngs_modulus_pa / modulus_pa);
+            let (m, n) = (
+                beam.thickness_m / patch_m,
+                beam.youngs_modulus_pa / modulus_pa,
+            );
             let strain = patch.free_strain_per_v();
             let stiffness = 3.0 * (1.0 + m).powi(2) + (1.0 + m * n) * (m * m + 1.0 / (m * n));
-            let bimetal = 6.0 * strain * (1.0 + m).powi(2) / ((beam.thickness_m + patch_m) * stiffness);
-            assert!((curvature / bimetal - 1.0).abs() < 1e-14, "{curvature} {bimetal}");
+            let bimetal =
+                6.0 * strain * (1.0 + m).powi(2) / ((beam.thickness_m + patch_m) * stiffness);
+            assert!(
+                (curvature / bimetal - 1.0).abs() < 1e-14,
+                "{curvature} {bimetal}"
+            );
         }
     }
 
@@ -218,10 +279,14 @@ pub(super) mod tests {
     fn two_faces_make_a_bimorph() {
         let beam = paper_beam();
         let top = paper_patch(Section::Laminate);
-        let bottom = Patch { face: Face::Bottom, ..top.clone() };
+        let bottom = Patch {
+            face: Face::Bottom,
+            ..top.clone()
+        };
         let section = CrossSection::covered(&beam, [&top, &bottom].into_iter());
         let (b, h, p) = (beam.width_m, beam.thickness_m, top.thickness_m);
-        let published = 2.0 * b / 3.0 * (65e9 * h.powi(3) / 8.0 + 30.336e9 * ((p + h / 2.0).powi(3) - h.powi(3) / 8.0));
+        let published = 2.0 * b / 3.0
+            * (65e9 * h.powi(3) / 8.0 + 30.336e9 * ((p + h / 2.0).powi(3) - h.powi(3) / 8.0));
         assert!((section.bending_stiffness_n_m2 / published - 1.0).abs() < 1e-14);
         assert!((section.neutral_axis_m / (h / 2.0) - 1.0).abs() < 1e-14);
         let moment = patch_moment_n_m_per_v(&beam, &section, &top);

@@ -41,11 +41,19 @@ impl<'a> Structures<'a> {
     pub fn new(spec: &'a Spec, held: &[String]) -> Result<Self, StructureError> {
         let bodies = bodies(spec, held)?;
         let cut = |(name, beam): (&'a String, _)| Ok((name.as_str(), segments(spec, name, beam)?));
-        let segments = spec.beam.iter().map(cut).collect::<Result<BTreeMap<_, _>, StructureError>>()?;
+        let segments = spec
+            .beam
+            .iter()
+            .map(cut)
+            .collect::<Result<BTreeMap<_, _>, StructureError>>()?;
         let held = spec.mass.keys().filter(|name| held.contains(name)).count();
         let own = |mass: &Mass| usize::from(mass.stiffness_n_m.is_some() || mass.on == "nothing");
         let available = match segments.is_empty() {
-            true => bodies.iter().flat_map(Body::masses).map(|(_, _, mass)| own(mass)).sum(),
+            true => bodies
+                .iter()
+                .flat_map(Body::masses)
+                .map(|(_, _, mass)| own(mass))
+                .sum(),
             false => MAX_MODES,
         };
         // The default asks for no more than there are.
@@ -56,13 +64,26 @@ impl<'a> Structures<'a> {
             wanted => wanted,
         };
         if !bodies.is_empty() && modes == 0 {
-            return Err(StructureError::NoModes { wanted: spec.reduction.modes, held });
+            return Err(StructureError::NoModes {
+                wanted: spec.reduction.modes,
+                held,
+            });
         }
         if modes > available {
-            return Err(StructureError::TooManyModes { wanted: modes, available });
+            return Err(StructureError::TooManyModes {
+                wanted: modes,
+                available,
+            });
         }
-        StructureError::tolerance("reduction.mesh_tolerance".into(), spec.reduction.mesh_tolerance)?;
-        Ok(Self { bodies, segments, modes })
+        StructureError::tolerance(
+            "reduction.mesh_tolerance".into(),
+            spec.reduction.mesh_tolerance,
+        )?;
+        Ok(Self {
+            bodies,
+            segments,
+            modes,
+        })
     }
 
     /// The mesh for mode shapes of relative error `tolerance`.
@@ -75,11 +96,21 @@ impl<'a> Structures<'a> {
     /// # Errors
     /// `NotRepresentable`, `TooManyModes` where the mesh has fewer unknowns than modes are kept.
     pub fn solve(&self, mesh: &Mesh) -> Result<StructureSolution<'a>, StructureError> {
-        let parts = self.bodies.iter().map(|body| solved(self.assembled(body, mesh))).collect::<Result<Vec<_>, _>>()?;
-        let frequencies: Vec<&[f64]> = parts.iter().map(|(_, reduced)| reduced.frequency_rad_s.as_slice()).collect();
+        let parts = self
+            .bodies
+            .iter()
+            .map(|body| solved(self.assembled(body, mesh)))
+            .collect::<Result<Vec<_>, _>>()?;
+        let frequencies: Vec<&[f64]> = parts
+            .iter()
+            .map(|(_, reduced)| reduced.frequency_rad_s.as_slice())
+            .collect();
         let order = ModeOrder::ascending(&frequencies).first(self.modes);
         match order.len() {
-            available if available < self.modes => Err(StructureError::TooManyModes { wanted: self.modes, available }),
+            available if available < self.modes => Err(StructureError::TooManyModes {
+                wanted: self.modes,
+                available,
+            }),
             _ => Ok(StructureSolution { parts, order }),
         }
     }
@@ -90,17 +121,29 @@ impl<'a> Structures<'a> {
     /// `OutOfRange`, `MeshTooFine`.
     pub fn cubic_mesh(&self, longest_m: f64) -> Result<Mesh, StructureError> {
         StructureError::positive("the longest element".into(), longest_m)?;
-        let elements: f64 = self.segments.values().flatten().map(|segment| (segment.length_m / longest_m).ceil()).sum();
+        let elements: f64 = self
+            .segments
+            .values()
+            .flatten()
+            .map(|segment| (segment.length_m / longest_m).ceil())
+            .sum();
         let unknowns = ((2.0 * elements) as usize).saturating_add(self.bodies.len());
         if unknowns > MAX_UNKNOWNS {
-            return Err(StructureError::MeshTooFine { longest_m, unknowns, allowed: MAX_UNKNOWNS });
+            return Err(StructureError::MeshTooFine {
+                longest_m,
+                unknowns,
+                allowed: MAX_UNKNOWNS,
+            });
         }
         Ok(Mesh::Cubic { longest_m })
     }
 
     fn assembled(&self, body: &Body<'a>, mesh: &Mesh) -> Assembly<'a> {
         let elements = |part: &Part| match part.thing {
-            PartKind::Beam(_) => self.segments[part.name].iter().flat_map(|segment| mesh.elements(segment)).collect::<Vec<Element>>(),
+            PartKind::Beam(_) => self.segments[part.name]
+                .iter()
+                .flat_map(|segment| mesh.elements(segment))
+                .collect::<Vec<Element>>(),
             PartKind::Mass(_) => Vec::new(),
         };
         let elements = body.parts.iter().map(elements).collect();
@@ -111,13 +154,20 @@ impl<'a> Structures<'a> {
 impl StructureSolution<'_> {
     /// Angular frequencies of the kept modes, rad/s.
     pub fn frequency_rad_s(&self) -> Vec<f64> {
-        let lists: Vec<&[f64]> = self.parts.iter().map(|(_, reduced)| reduced.frequency_rad_s.as_slice()).collect();
+        let lists: Vec<&[f64]> = self
+            .parts
+            .iter()
+            .map(|(_, reduced)| reduced.frequency_rad_s.as_slice())
+            .collect();
         self.order.gather(&lists)
     }
 
     /// Number of unknowns of all bodies.
     pub fn unknowns(&self) -> usize {
-        self.parts.iter().map(|(assembly, _)| assembly.columns).sum()
+        self.parts
+            .iter()
+            .map(|(assembly, _)| assembly.columns)
+            .sum()
     }
 }
 

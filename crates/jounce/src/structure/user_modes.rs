@@ -13,24 +13,38 @@ pub(super) fn given_modes(name: &str, modal: &Modal) -> Result<Modes, StructureE
     let count = modal.frequency_hz.len();
     let full = |place: String, values: &Vec<f64>| match values.len() {
         found if found == count => Ok(values.clone()),
-        found => Err(StructureError::WrongLength { place, found, expected: count }),
+        found => Err(StructureError::WrongLength {
+            place,
+            found,
+            expected: count,
+        }),
     };
     for frequency_hz in &modal.frequency_hz {
         StructureError::not_negative(format!("modal.{name}.frequency_hz"), *frequency_hz)?;
     }
     let participation = match modal.participation_sqrt_kg.is_empty() {
         true => vec![0.0; count],
-        false => full(format!("modal.{name}.participation_sqrt_kg"), &modal.participation_sqrt_kg)?,
+        false => full(
+            format!("modal.{name}.participation_sqrt_kg"),
+            &modal.participation_sqrt_kg,
+        )?,
     };
     let mut modes = Modes {
         participation_sqrt_kg: participation,
-        frequency_rad_s: modal.frequency_hz.iter().map(|frequency_hz| TAU * frequency_hz).collect(),
+        frequency_rad_s: modal
+            .frequency_hz
+            .iter()
+            .map(|frequency_hz| TAU * frequency_hz)
+            .collect(),
         damping_ratio: full(format!("modal.{name}.damping_ratio"), &modal.damping_ratio)?,
         discretisation_error: vec![0.0; count],
         ..Modes::default()
     };
     for (point, values) in &modal.point {
-        modes.shape.insert(format!("{name}.{point}"), full(format!("modal.{name}.point.{point}"), values)?);
+        modes.shape.insert(
+            format!("{name}.{point}"),
+            full(format!("modal.{name}.point.{point}"), values)?,
+        );
     }
     for (patch, modal_patch) in &modal.patch {
         let place = format!("modal.{name}.patch.{patch}.coupling_n_per_v");

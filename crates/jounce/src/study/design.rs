@@ -34,7 +34,12 @@ impl Design {
             Sampling::Random | Sampling::LatinHypercube | Sampling::Sobol => drawn,
         };
         let draw = CubePoints::new(sampling, varied.len(), points, seed);
-        Self { varied, sampling, points, draw }
+        Self {
+            varied,
+            sampling,
+            points,
+            draw,
+        }
     }
 
     /// Number of points.
@@ -57,7 +62,9 @@ impl Design {
                 varied.values[place]
             }
             Sampling::List => varied.values[index],
-            Sampling::Random | Sampling::LatinHypercube | Sampling::Sobol => varied.between(self.draw.place(index, dimension)),
+            Sampling::Random | Sampling::LatinHypercube | Sampling::Sobol => {
+                varied.between(self.draw.place(index, dimension))
+            }
         };
         self.varied.iter().enumerate().map(value).collect()
     }
@@ -67,7 +74,11 @@ impl Varied {
     /// The value at a place between the two ends.
     fn between(&self, place: f64) -> f64 {
         let (low, high) = (self.values[0], self.values[1]);
-        let value = if self.logarithmic { low * (high / low).powf(place) } else { low + (high - low) * place };
+        let value = if self.logarithmic {
+            low * (high / low).powf(place)
+        } else {
+            low + (high - low) * place
+        };
         value.clamp(low, high)
     }
 }

@@ -30,7 +30,9 @@ pub enum StudyError {
     #[error(transparent)]
     Study(#[from] AnalysisError),
     /// The folder holds the parts of another study.
-    #[error("\"{folder}\" holds another study ({found}, this one is {wanted}); give another folder, or remove that one")]
+    #[error(
+        "\"{folder}\" holds another study ({found}, this one is {wanted}); give another folder, or remove that one"
+    )]
     OtherStudy {
         /// The folder.
         folder: PathBuf,
@@ -46,7 +48,9 @@ pub enum StudyError {
         folder: PathBuf,
     },
     /// Another process works on the same shard.
-    #[error("another process works on shard {shard} of the study in \"{folder}\"; wait for it, or take another shard")]
+    #[error(
+        "another process works on shard {shard} of the study in \"{folder}\"; wait for it, or take another shard"
+    )]
     Busy {
         /// The folder.
         folder: PathBuf,
@@ -54,7 +58,9 @@ pub enum StudyError {
         shard: String,
     },
     /// Parts that are not there yet.
-    #[error("{missing} of {parts} parts are missing, the first is number {first}; `jounce study run` computes them")]
+    #[error(
+        "{missing} of {parts} parts are missing, the first is number {first}; `jounce study run` computes them"
+    )]
     Missing {
         /// How many.
         missing: usize,
@@ -64,7 +70,9 @@ pub enum StudyError {
         first: usize,
     },
     /// A folder that cannot be made, or into which nothing can be written.
-    #[error("cannot write into the folder \"{folder}\": {reason}; choose another one, where you may write")]
+    #[error(
+        "cannot write into the folder \"{folder}\": {reason}; choose another one, where you may write"
+    )]
     Folder {
         /// The folder.
         folder: PathBuf,
@@ -72,7 +80,9 @@ pub enum StudyError {
         reason: String,
     },
     /// A file that is not what it should be.
-    #[error("\"{path}\" is damaged: {reason}; remove it and run the study again, which computes it anew")]
+    #[error(
+        "\"{path}\" is damaged: {reason}; remove it and run the study again, which computes it anew"
+    )]
     Damaged {
         /// The file.
         path: PathBuf,
@@ -88,5 +98,9 @@ pub enum StudyError {
 }
 
 fn listed(faults: &[Fault]) -> String {
-    faults.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n")
+    faults
+        .iter()
+        .map(ToString::to_string)
+        .collect::<Vec<_>>()
+        .join("\n")
 }

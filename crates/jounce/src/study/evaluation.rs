@@ -3,7 +3,8 @@
 use super::key_quantities::{diagram, jumps, sweep};
 use super::{Quantity, StudyError};
 use crate::analysis::{
-    AnalysisError, BandwidthSearch, Basins, BranchSearch, Cloud, Ensemble, InitialStates, Model, OrbitMethodKind, Parameter, Recognition,
+    AnalysisError, BandwidthSearch, Basins, BranchSearch, Cloud, Ensemble, InitialStates, Model,
+    OrbitMethodKind, Parameter, Recognition,
 };
 use crate::linear::{self, FrfInput, FrfResponse, Random, RandomError, RandomLoad, RandomStop};
 use crate::run::{RunPlan, simulate};
@@ -15,58 +16,153 @@ use std::path::Path;
 ///
 /// # Errors
 /// In words: a point that fails is a row of the table.
-pub(super) fn evaluate(quantity: &Quantity, prepared: &Model, folder: &Path) -> Result<Vec<f64>, String> {
+pub(super) fn evaluate(
+    quantity: &Quantity,
+    prepared: &Model,
+    folder: &Path,
+) -> Result<Vec<f64>, String> {
     match quantity {
         Quantity::Run => run(prepared, folder).map_err(|error| error.to_string()),
         Quantity::Modes { count } => Ok(modes(prepared, *count)),
-        Quantity::Frf { range_hz, points, .. } => frf(prepared, *range_hz, *points),
-        Quantity::Sweep { over, values, direction, fixed_duration } => {
-            sweep(prepared, (over, values), (*direction, *fixed_duration), folder)
-        }
-        Quantity::Diagram { over, values, order, tolerance } => diagram(prepared, (over, values), *order, *tolerance),
-        Quantity::Jumps { keys, ranges, seeds, longest_period, tolerance } => {
-            jumps(prepared, keys, *ranges, (*seeds, *longest_period, *tolerance))
-        }
-        Quantity::Basins { starts, seed, spread, recognition } => {
-            let cloud = Cloud { starts: *starts, seed: *seed, spread: *spread };
+        Quantity::Frf {
+            range_hz, points, ..
+        } => frf(prepared, *range_hz, *points),
+        Quantity::Sweep {
+            over,
+            values,
+            direction,
+            fixed_duration,
+        } => sweep(
+            prepared,
+            (over, values),
+            (*direction, *fixed_duration),
+            folder,
+        ),
+        Quantity::Diagram {
+            over,
+            values,
+            order,
+            tolerance,
+        } => diagram(prepared, (over, values), *order, *tolerance),
+        Quantity::Jumps {
+            keys,
+            ranges,
+            seeds,
+            longest_period,
+            tolerance,
+        } => jumps(
+            prepared,
+            keys,
+            *ranges,
+            (*seeds, *longest_period, *tolerance),
+        ),
+        Quantity::Basins {
+            starts,
+            seed,
+            spread,
+            recognition,
+        } => {
+            let cloud = Cloud {
+                starts: *starts,
+                seed: *seed,
+                spread: *spread,
+            };
             basins(prepared, cloud, *recognition).map_err(|error| error.to_string())
         }
-        Quantity::Branch { over, range, seeds, longest_period, tolerance } => {
+        Quantity::Branch {
+            over,
+            range,
+            seeds,
+            longest_period,
+            tolerance,
+        } => {
             let key = NumericKey::find(&prepared.spec, over).map_err(|fault| fault.to_string())?;
-            branch(prepared, &key, (*range, *seeds, *longest_period, *tolerance))
+            branch(
+                prepared,
+                &key,
+                (*range, *seeds, *longest_period, *tolerance),
+            )
         }
-        Quantity::Ensemble { members, seed } => ensemble(prepared, (*members, *seed), folder).map_err(|error| error.to_string()),
+        Quantity::Ensemble { members, seed } => {
+            ensemble(prepared, (*members, *seed), folder).map_err(|error| error.to_string())
+        }
         Quantity::Noise => noise(prepared).map_err(|error| error.to_string()),
     }
 }
 
 /// Frequency of the only drive, for a study of basins.
 pub(super) fn drive_key(prepared: &Model) -> Result<(NumericKey, f64), StudyError> {
-    let found = prepared.spec.drive.iter().find_map(|(name, drive)| Some((name, drive.frequency_hz()?)));
-    let aperiodic = || AnalysisError::Aperiodic { drive: prepared.spec.drive.keys().next().cloned().unwrap_or_default() };
+    let found = prepared
+        .spec
+        .drive
+        .iter()
+        .find_map(|(name, drive)| Some((name, drive.frequency_hz()?)));
+    let aperiodic = || AnalysisError::Aperiodic {
+        drive: prepared
+            .spec
+            .drive
+            .keys()
+            .next()
+            .cloned()
+            .unwrap_or_default(),
+    };
     let (name, value) = found.ok_or_else(aperiodic)?;
-    Ok((NumericKey::find(&prepared.spec, &format!("drive.{name}.frequency")).map_err(AnalysisError::from)?, value))
+    Ok((
+        NumericKey::find(&prepared.spec, &format!("drive.{name}.frequency"))
+            .map_err(AnalysisError::from)?,
+        value,
+    ))
 }
 
 /// What shakes a harvester: its first force, or else its base.
 pub(super) fn shaken(spec: &Spec) -> Option<FrfInput> {
-    let force = spec.drive.values().find(|drive| drive.kind == DriveKind::Force).map(|drive| FrfInput::Force(drive.at.clone()));
-    force.or_else(|| spec.drive.values().next().map(|_| FrfInput::BaseAcceleration))
+    let force = spec
+        .drive
+        .values()
+        .find(|drive| drive.kind == DriveKind::Force)
+        .map(|drive| FrfInput::Force(drive.at.clone()));
+    force.or_else(|| {
+        spec.drive
+            .values()
+            .next()
+            .map(|_| FrfInput::BaseAcceleration)
+    })
 }
 
 /// Largest voltage of the frequency response, and where.
 fn frf(prepared: &Model, (low_hz, high_hz): (f64, f64), points: usize) -> Result<Vec<f64>, String> {
     let plant = &prepared.kernel.plant;
     if let Some(bridge) = plant.system.bridges.first() {
-        return Err(format!("circuit.{}.interface is not linear, so that it has no frequency response", bridge.name));
+        return Err(format!(
+            "circuit.{}.interface is not linear, so that it has no frequency response",
+            bridge.name
+        ));
     }
-    let load = plant.system.loads.first().map(|load| FrfResponse::LoadVoltage(load.name.clone()));
-    let patch = || plant.system.modes.patch.keys().next().map(|patch| FrfResponse::Voltage(patch.clone()));
-    let response = load.or_else(patch).ok_or("the harvester has no patch, so that there is no voltage")?;
-    let input = shaken(&prepared.spec).ok_or("the harvester has no drive, so that nothing shakes it")?;
+    let load = plant
+        .system
+        .loads
+        .first()
+        .map(|load| FrfResponse::LoadVoltage(load.name.clone()));
+    let patch = || {
+        plant
+            .system
+            .modes
+            .patch
+            .keys()
+            .next()
+            .map(|patch| FrfResponse::Voltage(patch.clone()))
+    };
+    let response = load
+        .or_else(patch)
+        .ok_or("the harvester has no patch, so that there is no voltage")?;
+    let input =
+        shaken(&prepared.spec).ok_or("the harvester has no drive, so that nothing shakes it")?;
     let ratio = (high_hz / low_hz).ln() / (points - 1) as f64;
-    let frequency_hz: Vec<f64> = (0..points).map(|k| (low_hz * (ratio * k as f64).exp()).min(high_hz)).collect();
-    let found = linear::frf(plant, &input, &[response], &frequency_hz).map_err(|error| error.to_string())?;
+    let frequency_hz: Vec<f64> = (0..points)
+        .map(|k| (low_hz * (ratio * k as f64).exp()).min(high_hz))
+        .collect();
+    let found = linear::frf(plant, &input, &[response], &frequency_hz)
+        .map_err(|error| error.to_string())?;
     let sizes = found[0].value.iter().map(|value| value.norm());
     let highest = sizes.zip(&frequency_hz).max_by(|a, b| a.0.total_cmp(&b.0));
     Ok(highest.map_or_else(Vec::new, |(size, place_hz)| vec![size, *place_hz]))
@@ -85,8 +181,12 @@ fn run(prepared: &Model, folder: &Path) -> Result<Vec<f64>, AnalysisError> {
         answer.max_contact_force_n,
         answer.contacts as f64 / plan.average_over_s,
         answer.contact_duty,
-        f64::from(u8::from(answer.settlement.is_some_and(|found| found.settled))),
-        answer.settlement.map_or(0.0, |found| f64::from(found.period_cycles)),
+        f64::from(u8::from(
+            answer.settlement.is_some_and(|found| found.settled),
+        )),
+        answer
+            .settlement
+            .map_or(0.0, |found| f64::from(found.period_cycles)),
         answer.energies.residual_relative(),
     ])
 }
@@ -94,16 +194,36 @@ fn run(prepared: &Model, folder: &Path) -> Result<Vec<f64>, AnalysisError> {
 fn modes(prepared: &Model, count: usize) -> Vec<f64> {
     let modes = &prepared.kernel.plant.system.modes;
     let each = |values: &[f64], mode: usize| values.get(mode).copied().unwrap_or(f64::NAN);
-    (0..count).flat_map(|mode| [each(&modes.frequency_rad_s, mode) / TAU, each(&modes.damping_ratio, mode)]).collect()
+    (0..count)
+        .flat_map(|mode| {
+            [
+                each(&modes.frequency_rad_s, mode) / TAU,
+                each(&modes.damping_ratio, mode),
+            ]
+        })
+        .collect()
 }
 
-fn basins(prepared: &Model, cloud: Cloud, recognition: Recognition) -> Result<Vec<f64>, StudyError> {
+fn basins(
+    prepared: &Model,
+    cloud: Cloud,
+    recognition: Recognition,
+) -> Result<Vec<f64>, StudyError> {
     let (key, value) = drive_key(prepared)?;
     let parameter = Parameter::new(prepared, &key, value);
-    let study = Basins { base: prepared, parameter: &parameter, value, starts: InitialStates::Cloud(cloud), recognition };
+    let study = Basins {
+        base: prepared,
+        parameter: &parameter,
+        value,
+        starts: InitialStates::Cloud(cloud),
+        recognition,
+    };
     let found = study.run(&|| ())?;
-    let (undecided, attractors): (Vec<_>, Vec<_>) = found.attractors.iter().partition(|one| one.is_undecided());
-    let highest = attractors.iter().max_by(|a, b| a.mean_power_w.total_cmp(&b.mean_power_w));
+    let (undecided, attractors): (Vec<_>, Vec<_>) =
+        found.attractors.iter().partition(|one| one.is_undecided());
+    let highest = attractors
+        .iter()
+        .max_by(|a, b| a.mean_power_w.total_cmp(&b.mean_power_w));
     Ok(vec![
         found.expected_power_w,
         found.expected_power_low_w,
@@ -123,14 +243,33 @@ fn branch(
 ) -> Result<Vec<f64>, String> {
     let parameter = Parameter::new(prepared, key, range.1 - range.0);
     let method = OrbitMethodKind::Shooting;
-    let search = BranchSearch { base: prepared, parameter: &parameter, range, method, tolerance, seeds, longest_period };
+    let search = BranchSearch {
+        base: prepared,
+        parameter: &parameter,
+        range,
+        method,
+        tolerance,
+        seeds,
+        longest_period,
+    };
     let branches = search.run().map_err(|error| error.to_string())?;
     if branches.is_empty() {
         return Err("no periodic orbit was found".to_owned());
     }
-    let together = BandwidthSearch { base: prepared, parameter: &parameter, range, tolerance }.run(&branches).together;
-    let of = |value: fn(&crate::analysis::Bandwidth) -> f64| together.as_ref().map_or(f64::NAN, value);
-    let bifurcations: usize = branches.iter().map(|branch| branch.bifurcations.len()).sum();
+    let together = BandwidthSearch {
+        base: prepared,
+        parameter: &parameter,
+        range,
+        tolerance,
+    }
+    .run(&branches)
+    .together;
+    let of =
+        |value: fn(&crate::analysis::Bandwidth) -> f64| together.as_ref().map_or(f64::NAN, value);
+    let bifurcations: usize = branches
+        .iter()
+        .map(|branch| branch.bifurcations.len())
+        .sum();
     Ok(vec![
         of(|found| found.peak.mean_power_w),
         of(|found| found.peak.parameter),
@@ -140,12 +279,32 @@ fn branch(
     ])
 }
 
-fn ensemble(prepared: &Model, (members, seed): (usize, u64), folder: &Path) -> Result<Vec<f64>, AnalysisError> {
+fn ensemble(
+    prepared: &Model,
+    (members, seed): (usize, u64),
+    folder: &Path,
+) -> Result<Vec<f64>, AnalysisError> {
     let start = prepared.start(folder)?;
-    let found =
-        Ensemble { base: prepared, start, members, seed, relative_width: None, most_rounds: 1, with_spectrum: false }.run(&|_| ())?;
-    let residual = found.members.iter().fold(0.0_f64, |worst, member| worst.max(member.energy_residual_relative.abs()));
-    Ok(vec![found.power_w.mean, found.power_w.half_width, found.contact_rate_hz.mean, found.max_impact_velocity_m_s, residual])
+    let found = Ensemble {
+        base: prepared,
+        start,
+        members,
+        seed,
+        relative_width: None,
+        most_rounds: 1,
+        with_spectrum: false,
+    }
+    .run(&|_| ())?;
+    let residual = found.members.iter().fold(0.0_f64, |worst, member| {
+        worst.max(member.energy_residual_relative.abs())
+    });
+    Ok(vec![
+        found.power_w.mean,
+        found.power_w.half_width,
+        found.contact_rate_hz.mean,
+        found.max_impact_velocity_m_s,
+        residual,
+    ])
 }
 
 /// Of the first load and the first stop, NaN where there is none.

@@ -13,7 +13,10 @@ pub(super) struct FaultCollector<'t> {
 
 impl<'t> FaultCollector<'t> {
     pub(super) fn new(text: &'t str) -> Self {
-        Self { text, faults: Vec::new() }
+        Self {
+            text,
+            faults: Vec::new(),
+        }
     }
 
     /// The document; a syntax error is the only fault then.
@@ -30,23 +33,52 @@ impl<'t> FaultCollector<'t> {
 
     /// A value as it stands in the text.
     pub(super) fn bare(&self, item: &Item) -> &'t str {
-        item.span().and_then(|span| self.text.get(span)).unwrap_or_default()
+        item.span()
+            .and_then(|span| self.text.get(span))
+            .unwrap_or_default()
     }
 
     /// Adds a fault.
-    pub(super) fn fault(&mut self, key: &str, span: Option<Range<usize>>, message: impl Into<String>) {
+    pub(super) fn fault(
+        &mut self,
+        key: &str,
+        span: Option<Range<usize>>,
+        message: impl Into<String>,
+    ) {
         let before = span.map_or("", |span| self.text.get(..span.start).unwrap_or(self.text));
         let line = before.matches('\n').count() + 1;
-        let column = before.rsplit('\n').next().unwrap_or_default().chars().count() + 1;
-        self.faults.push(Fault { line, column, key: key.to_owned(), message: message.into(), set: None });
+        let column = before
+            .rsplit('\n')
+            .next()
+            .unwrap_or_default()
+            .chars()
+            .count()
+            + 1;
+        self.faults.push(Fault {
+            line,
+            column,
+            key: key.to_owned(),
+            message: message.into(),
+            set: None,
+        });
     }
 
     /// Refuses keys that are not known.
     pub(super) fn known(&mut self, path: &str, table: &Table, known: &[&str]) {
         for (key, item) in table {
             if !known.contains(&key) {
-                let span = table.key(key).and_then(toml_edit::Key::span).or(item.span());
-                self.fault(&format!("{path}{key}"), span, format!("{path}{key}: there is no such key; there are {}", known.join(", ")));
+                let span = table
+                    .key(key)
+                    .and_then(toml_edit::Key::span)
+                    .or(item.span());
+                self.fault(
+                    &format!("{path}{key}"),
+                    span,
+                    format!(
+                        "{path}{key}: there is no such key; there are {}",
+                        known.join(", ")
+                    ),
+                );
             }
         }
     }
@@ -55,7 +87,11 @@ impl<'t> FaultCollector<'t> {
     pub(super) fn table<'i>(&mut self, path: &str, item: Option<&'i Item>) -> Option<&'i Table> {
         let item = item?;
         if item.as_table().is_none() {
-            self.fault(path, item.span(), format!("{path} must be a table, [{path}]"));
+            self.fault(
+                path,
+                item.span(),
+                format!("{path} must be a table, [{path}]"),
+            );
         }
         item.as_table()
     }
@@ -64,18 +100,38 @@ impl<'t> FaultCollector<'t> {
     pub(super) fn text<'i>(&mut self, path: &str, item: Option<&'i Item>) -> Option<&'i str> {
         let item = item?;
         if item.as_str().is_none() {
-            self.fault(path, item.span(), format!("{path} must be a text, as in {path} = \"...\""));
+            self.fault(
+                path,
+                item.span(),
+                format!("{path} must be a text, as in {path} = \"...\""),
+            );
         }
         item.as_str()
     }
 
     /// A whole number within limits, or its default.
-    pub(super) fn whole(&mut self, path: &str, item: Option<&Item>, limits: (u64, u64), default: u64) -> u64 {
+    pub(super) fn whole(
+        &mut self,
+        path: &str,
+        item: Option<&Item>,
+        limits: (u64, u64),
+        default: u64,
+    ) -> u64 {
         let Some(item) = item else { return default };
-        let found = item.as_integer().and_then(|number| u64::try_from(number).ok()).filter(|n| (limits.0..=limits.1).contains(n));
+        let found = item
+            .as_integer()
+            .and_then(|number| u64::try_from(number).ok())
+            .filter(|n| (limits.0..=limits.1).contains(n));
         if found.is_none() {
             let shown = format!(" is {}; it", self.bare(item));
-            self.fault(path, item.span(), format!("{path}{shown} must be a whole number from {} to {}", limits.0, limits.1));
+            self.fault(
+                path,
+                item.span(),
+                format!(
+                    "{path}{shown} must be a whole number from {} to {}",
+                    limits.0, limits.1
+                ),
+            );
         }
         found.unwrap_or(default)
     }
@@ -83,10 +139,17 @@ impl<'t> FaultCollector<'t> {
     /// A number above 0, or its default.
     pub(super) fn positive(&mut self, path: &str, item: Option<&Item>, default: f64) -> f64 {
         let Some(item) = item else { return default };
-        let number = item.as_float().or(item.as_integer().map(|number| number as f64)).filter(|number| *number > 0.0 && number.is_finite());
+        let number = item
+            .as_float()
+            .or(item.as_integer().map(|number| number as f64))
+            .filter(|number| *number > 0.0 && number.is_finite());
         if number.is_none() {
             let shown = format!(" is {}; it", self.bare(item));
-            self.fault(path, item.span(), format!("{path}{shown} must be a number greater than 0"));
+            self.fault(
+                path,
+                item.span(),
+                format!("{path}{shown} must be a number greater than 0"),
+            );
         }
         number.unwrap_or(default)
     }

@@ -53,7 +53,10 @@ impl Folder {
     /// A folder that cannot be made, or that holds another study.
     pub fn of(path: &Path, study: &Study) -> Result<Self, StudyError> {
         let parts = path.join("parts");
-        let unwritable = |reason: std::io::Error| StudyError::Folder { folder: parts.clone(), reason: reason.to_string() };
+        let unwritable = |reason: std::io::Error| StudyError::Folder {
+            folder: parts.clone(),
+            reason: reason.to_string(),
+        };
         std::fs::create_dir_all(&parts).map_err(unwritable)?;
         let manifest = study.manifest();
         let card = StudyCard {
@@ -74,7 +77,10 @@ impl Folder {
             Err(StudyError::NoStudy { .. }) => {
                 let text = serde_json::to_string_pretty(&card).unwrap_or_default() + "\n";
                 store::write(&path.join(CARD_FILE), text.as_bytes())?;
-                Ok(Self { path: path.to_owned(), card })
+                Ok(Self {
+                    path: path.to_owned(),
+                    card,
+                })
             }
             Err(error) => Err(error),
         }
@@ -86,9 +92,17 @@ impl Folder {
     /// A folder that holds none.
     pub fn open(path: &Path) -> Result<Self, StudyError> {
         let file = path.join(CARD_FILE);
-        let text = std::fs::read_to_string(&file).map_err(|_| StudyError::NoStudy { folder: path.to_owned() })?;
-        let damaged = |reason: serde_json::Error| StudyError::Damaged { path: file.clone(), reason: reason.to_string() };
-        Ok(Self { path: path.to_owned(), card: serde_json::from_str(&text).map_err(damaged)? })
+        let text = std::fs::read_to_string(&file).map_err(|_| StudyError::NoStudy {
+            folder: path.to_owned(),
+        })?;
+        let damaged = |reason: serde_json::Error| StudyError::Damaged {
+            path: file.clone(),
+            reason: reason.to_string(),
+        };
+        Ok(Self {
+            path: path.to_owned(),
+            card: serde_json::from_str(&text).map_err(damaged)?,
+        })
     }
 
     /// Computes the parts of a shard that are not there, on all threads; `done` hears of the points of each that is, with those that were
@@ -96,25 +110,45 @@ impl Folder {
     ///
     /// # Errors
     /// A folder that cannot be written, another process at the same shard.
-    pub fn run(&self, study: &Study, shard: Shard, control: &Control, done: &(dyn Fn(usize) + Sync)) -> Result<(), StudyError> {
+    pub fn run(
+        &self,
+        study: &Study,
+        shard: Shard,
+        control: &Control,
+        done: &(dyn Fn(usize) + Sync),
+    ) -> Result<(), StudyError> {
         let _lock = Lock::take(&self.path, shard)?;
         self.clean();
-        let own: Vec<usize> = (0..self.card.parts).filter(|part| shard.takes(*part)).collect();
-        let missing: Vec<usize> = own.iter().copied().filter(|part| self.part(*part).is_err()).collect();
-        let points = |parts: &[usize]| parts.iter().map(|part| study.points(*part).len()).sum::<usize>();
+        let own: Vec<usize> = (0..self.card.parts)
+            .filter(|part| shard.takes(*part))
+            .collect();
+        let missing: Vec<usize> = own
+            .iter()
+            .copied()
+            .filter(|part| self.part(*part).is_err())
+            .collect();
+        let points = |parts: &[usize]| {
+            parts
+                .iter()
+                .map(|part| study.points(*part).len())
+                .sum::<usize>()
+        };
         control.expect(points(&missing));
         done(points(&own) - points(&missing));
         // One part at a time for each thread: they are few and long.
-        missing.into_par_iter().with_max_len(1).try_for_each(|part| {
-            if control.is_stopped() {
-                return Ok(());
-            }
-            if let Some(table) = study.part(part, control)? {
-                table.write(&self.file(part), &study.part_manifest(part))?;
-                done(table.rows());
-            }
-            Ok(())
-        })
+        missing
+            .into_par_iter()
+            .with_max_len(1)
+            .try_for_each(|part| {
+                if control.is_stopped() {
+                    return Ok(());
+                }
+                if let Some(table) = study.part(part, control)? {
+                    table.write(&self.file(part), &study.part_manifest(part))?;
+                    done(table.rows());
+                }
+                Ok(())
+            })
     }
 
     /// Keeps a part that was computed elsewhere.
@@ -128,7 +162,9 @@ impl Folder {
 
     /// Numbers of the parts that are not there, or damaged.
     pub fn missing(&self) -> Vec<usize> {
-        (0..self.card.parts).filter(|part| self.part(*part).is_err()).collect()
+        (0..self.card.parts)
+            .filter(|part| self.part(*part).is_err())
+            .collect()
     }
 
     /// How far the study is.
@@ -144,8 +180,21 @@ impl Folder {
                 Err(_) => {}
             }
         }
-        let StudyCard { study_sha256, points, parts, .. } = self.card.clone();
-        Status { study_sha256, points, parts, finished, failed_points, damaged, merged: self.table().is_file() }
+        let StudyCard {
+            study_sha256,
+            points,
+            parts,
+            ..
+        } = self.card.clone();
+        Status {
+            study_sha256,
+            points,
+            parts,
+            finished,
+            failed_points,
+            damaged,
+            merged: self.table().is_file(),
+        }
     }
 
     /// Where the merged table is.
@@ -158,9 +207,15 @@ impl Folder {
     /// # Errors
     /// Parts that are missing or damaged, a file that cannot be written.
     pub fn merge(&self) -> Result<PathBuf, StudyError> {
-        let missing: Vec<usize> = (0..self.card.parts).filter(|part| !self.file(*part).is_file()).collect();
+        let missing: Vec<usize> = (0..self.card.parts)
+            .filter(|part| !self.file(*part).is_file())
+            .collect();
         if let Some(first) = missing.first() {
-            return Err(StudyError::Missing { missing: missing.len(), parts: self.card.parts, first: *first });
+            return Err(StudyError::Missing {
+                missing: missing.len(),
+                parts: self.card.parts,
+                first: *first,
+            });
         }
         self.clean();
         let (_, mut manifest) = Table::read(&self.file(0))?;
@@ -180,14 +235,26 @@ impl Folder {
     fn part(&self, part: usize) -> Result<Table, StudyError> {
         let path = self.file(part);
         if !path.is_file() {
-            return Err(StudyError::Missing { missing: 1, parts: self.card.parts, first: part });
+            return Err(StudyError::Missing {
+                missing: 1,
+                parts: self.card.parts,
+                first: part,
+            });
         }
-        let damaged = |reason: String| StudyError::Damaged { path: path.clone(), reason };
+        let damaged = |reason: String| StudyError::Damaged {
+            path: path.clone(),
+            reason,
+        };
         let (table, manifest) = Table::read(&path).map_err(|error| match error {
             TableError::Read { reason, .. } => damaged(reason),
             error => error.into(),
         })?;
-        let says = |option: &str, value: &str| manifest.options.get(option).is_some_and(|found| found == value);
+        let says = |option: &str, value: &str| {
+            manifest
+                .options
+                .get(option)
+                .is_some_and(|found| found == value)
+        };
         if says("study_sha256", &self.card.study_sha256) && says("part", &part.to_string()) {
             Ok(table)
         } else {
@@ -196,7 +263,9 @@ impl Folder {
     }
 
     fn file(&self, part: usize) -> PathBuf {
-        self.path.join("parts").join(format!("part-{part:06}.parquet"))
+        self.path
+            .join("parts")
+            .join(format!("part-{part:06}.parquet"))
     }
 }
 
@@ -212,7 +281,9 @@ fn short(digest: &str) -> String {
 fn failures(table: &Table) -> usize {
     let texts = table.column("failure").map(|column| &column.values);
     match texts {
-        Some(crate::table::Values::Text(texts)) => texts.iter().filter(|text| !text.is_empty()).count(),
+        Some(crate::table::Values::Text(texts)) => {
+            texts.iter().filter(|text| !text.is_empty()).count()
+        }
         _ => 0,
     }
 }

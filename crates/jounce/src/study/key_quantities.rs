@@ -1,7 +1,8 @@
 //! Quantities that are themselves found over one or two keys: sweeps, diagrams and jumps.
 
 use crate::analysis::{
-    AnalysisError, AttractorKind, BifurcationSearch, BranchKind, CurveKind, Diagram, DiagramOrder, Model, Parameter, Sweep, SweepOrder,
+    AnalysisError, AttractorKind, BifurcationSearch, BranchKind, CurveKind, Diagram, DiagramOrder,
+    Model, Parameter, Sweep, SweepOrder,
 };
 use crate::orbit::OrbitError;
 use crate::spec::{KeyRange, NumericKey};
@@ -18,31 +19,82 @@ pub(super) fn sweep(
     folder: &Path,
 ) -> Result<Vec<f64>, String> {
     let range = KeyRange::parse(key(prepared, over)?, values).map_err(|fault| fault.to_string())?;
-    let study = Sweep { spec: &prepared.spec, range: &range, direction, fixed_duration, folder: folder.to_path_buf() };
-    let points = study.run(None, &prepared.kernel.control, &|_| ()).map_err(|error| error.to_string())?;
-    let highest = points.iter().max_by(|a, b| a.mean_power_w.total_cmp(&b.mean_power_w)).ok_or("the sweep was stopped")?;
+    let study = Sweep {
+        spec: &prepared.spec,
+        range: &range,
+        direction,
+        fixed_duration,
+        folder: folder.to_path_buf(),
+    };
+    let points = study
+        .run(None, &prepared.kernel.control, &|_| ())
+        .map_err(|error| error.to_string())?;
+    let highest = points
+        .iter()
+        .max_by(|a, b| a.mean_power_w.total_cmp(&b.mean_power_w))
+        .ok_or("the sweep was stopped")?;
     let unsettled = points.iter().filter(|point| !point.settled).count();
     let sum_w: f64 = points.iter().map(|point| point.mean_power_w).sum();
-    Ok(vec![highest.mean_power_w, highest.parameter, sum_w / points.len() as f64, unsettled as f64])
+    Ok(vec![
+        highest.mean_power_w,
+        highest.parameter,
+        sum_w / points.len() as f64,
+        unsettled as f64,
+    ])
 }
 
 /// Highest power, longest period and share without a period of the motions over a key.
-pub(super) fn diagram(prepared: &Model, (over, values): (&str, &[f64]), order: DiagramOrder, tolerance: f64) -> Result<Vec<f64>, String> {
+pub(super) fn diagram(
+    prepared: &Model,
+    (over, values): (&str, &[f64]),
+    order: DiagramOrder,
+    tolerance: f64,
+) -> Result<Vec<f64>, String> {
     if prepared.kernel.plant.period_s().is_none() {
         let frequencies = prepared.kernel.plant.tones.len();
         return Err(OrbitError::<AnalysisError>::Frequencies { frequencies }.to_string());
     }
     let (key, width) = (key(prepared, over)?, values[values.len() - 1] - values[0]);
-    let parameter = Parameter::new(prepared, &key, if width > 0.0 { width } else { values[0].abs().max(1e-12) });
-    let study = Diagram { base: prepared, parameter: &parameter, values, order, cycles: APERIODIC_CYCLES, tolerance };
-    let visits = study.run(None, &|_| ()).map_err(|error| error.to_string())?;
-    let found: Vec<_> = visits.iter().filter(|visit| visit.motion != AttractorKind::Lost).collect();
-    let highest = found.iter().max_by(|a, b| a.mean_power_w.total_cmp(&b.mean_power_w)).ok_or("every march failed")?;
-    let aperiodic = found.iter().filter(|visit| visit.motion != AttractorKind::Orbit).count();
+    let parameter = Parameter::new(
+        prepared,
+        &key,
+        if width > 0.0 {
+            width
+        } else {
+            values[0].abs().max(1e-12)
+        },
+    );
+    let study = Diagram {
+        base: prepared,
+        parameter: &parameter,
+        values,
+        order,
+        cycles: APERIODIC_CYCLES,
+        tolerance,
+    };
+    let visits = study
+        .run(None, &|_| ())
+        .map_err(|error| error.to_string())?;
+    let found: Vec<_> = visits
+        .iter()
+        .filter(|visit| visit.motion != AttractorKind::Lost)
+        .collect();
+    let highest = found
+        .iter()
+        .max_by(|a, b| a.mean_power_w.total_cmp(&b.mean_power_w))
+        .ok_or("every march failed")?;
+    let aperiodic = found
+        .iter()
+        .filter(|visit| visit.motion != AttractorKind::Orbit)
+        .count();
     Ok(vec![
         highest.mean_power_w,
         highest.parameter,
-        found.iter().map(|visit| visit.period_cycles).max().map_or(0.0, f64::from),
+        found
+            .iter()
+            .map(|visit| visit.period_cycles)
+            .max()
+            .map_or(0.0, f64::from),
         aperiodic as f64 / found.len() as f64,
         (visits.len() - found.len()) as f64,
     ])
@@ -56,12 +108,31 @@ pub(super) fn jumps(
     (seeds, longest_period, tolerance): (usize, u32, f64),
 ) -> Result<Vec<f64>, String> {
     let [first, second] = [key(prepared, &keys[0])?, key(prepared, &keys[1])?];
-    let search = BifurcationSearch { base: prepared, keys: [&first, &second], ranges, tolerance, seeds, longest_period, peaks: false };
+    let search = BifurcationSearch {
+        base: prepared,
+        keys: [&first, &second],
+        ranges,
+        tolerance,
+        seeds,
+        longest_period,
+        peaks: false,
+    };
     let curves = search.run().map_err(|error| error.to_string())?;
-    let folds: Vec<_> = curves.iter().filter(|curve| curve.kind == CurveKind::Bifurcation(BranchKind::Fold)).collect();
-    let places = || folds.iter().flat_map(|curve| &curve.points).map(|point| point.parameter);
+    let folds: Vec<_> = curves
+        .iter()
+        .filter(|curve| curve.kind == CurveKind::Bifurcation(BranchKind::Fold))
+        .collect();
+    let places = || {
+        folds
+            .iter()
+            .flat_map(|curve| &curve.points)
+            .map(|point| point.parameter)
+    };
     // Without a fold both ends are NaN.
-    let (low, high) = (places().fold(f64::NAN, f64::min), places().fold(f64::NAN, f64::max));
+    let (low, high) = (
+        places().fold(f64::NAN, f64::min),
+        places().fold(f64::NAN, f64::max),
+    );
     Ok(vec![curves.len() as f64, folds.len() as f64, low, high])
 }
 

@@ -33,7 +33,10 @@ impl Study {
     /// # Errors
     /// A file that cannot be read; everything that is wrong in it.
     pub fn read(path: &Path) -> Result<Self, StudyError> {
-        let unreadable = |reason: std::io::Error| StudyError::Unreadable { path: path.to_owned(), reason: reason.to_string() };
+        let unreadable = |reason: std::io::Error| StudyError::Unreadable {
+            path: path.to_owned(),
+            reason: reason.to_string(),
+        };
         let text = std::fs::read_to_string(path).map_err(unreadable)?;
         Self::parse(&text, path.parent().unwrap_or(Path::new("")))
     }
@@ -47,7 +50,10 @@ impl Study {
         let said = read(text, |named| {
             let Some(named) = named else {
                 let path = folder.join("spec");
-                return Err(StudyError::Unreadable { path, reason: "the study names no spec; write spec = \"harvester.toml\"".to_owned() });
+                return Err(StudyError::Unreadable {
+                    path,
+                    reason: "the study names no spec; write spec = \"harvester.toml\"".to_owned(),
+                });
             };
             let path = folder.join(named);
             beside = path.parent().map_or_else(PathBuf::new, Path::to_path_buf);
@@ -63,9 +69,10 @@ impl Study {
     pub fn with_spec(file: SpecFile, folder: &Path, text: &str) -> Result<Self, StudyError> {
         let said = read(text, |named| match named {
             None => Ok(file),
-            Some(named) => {
-                Err(StudyError::Unreadable { path: named.into(), reason: "the spec of this study is given beside it".to_owned() })
-            }
+            Some(named) => Err(StudyError::Unreadable {
+                path: named.into(),
+                reason: "the spec of this study is given beside it".to_owned(),
+            }),
         })?;
         Self::of(said, folder.to_path_buf())
     }
@@ -73,8 +80,20 @@ impl Study {
     fn of(said: StudyText, folder: PathBuf) -> Result<Self, StudyError> {
         let spec = said.file.spec().map_err(StudyError::Spec)?;
         let hash_hex = digest(&spec, &said);
-        let StudyText { design, quantity, points_per_part, .. } = said;
-        Ok(Self { spec, design, quantity, folder, points_per_part, hash_hex })
+        let StudyText {
+            design,
+            quantity,
+            points_per_part,
+            ..
+        } = said;
+        Ok(Self {
+            spec,
+            design,
+            quantity,
+            folder,
+            points_per_part,
+            hash_hex,
+        })
     }
 
     /// SHA-256 of all that the table depends on: the spec, the points, the quantity, the parts and the version of jounce.
@@ -95,7 +114,9 @@ impl Study {
 
     /// Where a table of this study comes from.
     pub fn manifest(&self) -> Manifest {
-        Manifest::new(&self.spec.hash_hex()).with("command", "study").with("study_sha256", &self.hash_hex)
+        Manifest::new(&self.spec.hash_hex())
+            .with("command", "study")
+            .with("study_sha256", &self.hash_hex)
     }
 
     /// The manifest of one part.
@@ -110,7 +131,10 @@ impl Study {
     /// [`StudyError::Table`].
     pub fn part(&self, part: usize, control: &Control) -> Result<Option<Table>, StudyError> {
         let measures = self.quantity.measures();
-        let points: Vec<(usize, Vec<f64>)> = self.points(part).map(|index| (index, self.design.point(index))).collect();
+        let points: Vec<(usize, Vec<f64>)> = self
+            .points(part)
+            .map(|index| (index, self.design.point(index)))
+            .collect();
         let mut rows: Vec<Result<Vec<f64>, String>> = Vec::with_capacity(points.len());
         let mut last: Option<Model> = None;
         for (_, values) in &points {
@@ -120,25 +144,62 @@ impl Study {
             }
             control.count();
         }
-        let mut columns =
-            vec![Column::new("point", "", "number of the point", points.iter().map(|(index, _)| *index as u64).collect::<Vec<_>>())];
+        let mut columns = vec![Column::new(
+            "point",
+            "",
+            "number of the point",
+            points
+                .iter()
+                .map(|(index, _)| *index as u64)
+                .collect::<Vec<_>>(),
+        )];
         for (k, varied) in self.design.varied.iter().enumerate() {
             let (path, unit) = (varied.key.path(), varied.key.unit());
-            columns.push(Column::new(path, &unit, "varied key", points.iter().map(|(_, values)| values[k]).collect::<Vec<_>>()));
+            columns.push(Column::new(
+                path,
+                &unit,
+                "varied key",
+                points
+                    .iter()
+                    .map(|(_, values)| values[k])
+                    .collect::<Vec<_>>(),
+            ));
         }
         for (k, measure) in measures.iter().enumerate() {
-            columns.push(measure.column(rows.iter().map(|row| row.as_ref().map_or(f64::NAN, |values| values[k])).collect()));
+            columns.push(
+                measure.column(
+                    rows.iter()
+                        .map(|row| row.as_ref().map_or(f64::NAN, |values| values[k]))
+                        .collect(),
+                ),
+            );
         }
-        let why = rows.into_iter().map(|row| row.err().unwrap_or_default()).collect::<Vec<String>>();
-        columns.push(Column::new("failure", "", "why there is no answer; empty where there is one", why));
+        let why = rows
+            .into_iter()
+            .map(|row| row.err().unwrap_or_default())
+            .collect::<Vec<String>>();
+        columns.push(Column::new(
+            "failure",
+            "",
+            "why there is no answer; empty where there is one",
+            why,
+        ));
         Ok(Some(Table::new(columns)?))
     }
 
     /// The numbers at one point; what two neighbours share is made once.
-    fn answer(&self, values: &[f64], last: &mut Option<Model>, control: &Control) -> Result<Vec<f64>, String> {
+    fn answer(
+        &self,
+        values: &[f64],
+        last: &mut Option<Model>,
+        control: &Control,
+    ) -> Result<Vec<f64>, String> {
         let mut spec = self.spec.clone();
         for (varied, value) in self.design.varied.iter().zip(values) {
-            varied.key.set(&mut spec, *value).map_err(|fault| fault.to_string())?;
+            varied
+                .key
+                .set(&mut spec, *value)
+                .map_err(|fault| fault.to_string())?;
         }
         let made = match last {
             Some(before) => before.changed(spec),
@@ -155,13 +216,28 @@ impl Study {
 fn digest(spec: &Spec, said: &StudyText) -> String {
     let mut all = format!("jounce {}\n{}\n", env!("CARGO_PKG_VERSION"), spec.to_toml());
     for varied in &said.design.varied {
-        let values = varied.values.iter().map(|value| value.to_bits().to_string()).collect::<Vec<_>>().join(" ");
+        let values = varied
+            .values
+            .iter()
+            .map(|value| value.to_bits().to_string())
+            .collect::<Vec<_>>()
+            .join(" ");
         all += &format!("{} {} {values}\n", varied.key.path(), varied.logarithmic);
     }
-    let place = (0..said.design.len().min(3)).map(|index| said.design.point(index)).collect::<Vec<_>>();
-    all += &format!("{} {} {place:?} {} {:?}", said.design.sampling.name(), said.design.len(), said.points_per_part, said.quantity);
-    Sha256::digest(all.as_bytes()).iter().fold(String::new(), |mut text, byte| {
-        let _ = write!(text, "{byte:02x}");
-        text
-    })
+    let place = (0..said.design.len().min(3))
+        .map(|index| said.design.point(index))
+        .collect::<Vec<_>>();
+    all += &format!(
+        "{} {} {place:?} {} {:?}",
+        said.design.sampling.name(),
+        said.design.len(),
+        said.points_per_part,
+        said.quantity
+    );
+    Sha256::digest(all.as_bytes())
+        .iter()
+        .fold(String::new(), |mut text, byte| {
+            let _ = write!(text, "{byte:02x}");
+            text
+        })
 }

@@ -109,11 +109,21 @@ enum MeasureKind {
 }
 
 fn number(name: &str, unit: &'static str, about: &'static str) -> Measure {
-    Measure { name: name.to_owned(), unit, about, kind: MeasureKind::Number }
+    Measure {
+        name: name.to_owned(),
+        unit,
+        about,
+        kind: MeasureKind::Number,
+    }
 }
 
 fn count(name: &str, about: &'static str) -> Measure {
-    Measure { name: name.to_owned(), unit: "", about, kind: MeasureKind::Count }
+    Measure {
+        name: name.to_owned(),
+        unit: "",
+        about,
+        kind: MeasureKind::Count,
+    }
 }
 
 impl Quantity {
@@ -136,27 +146,51 @@ impl Quantity {
     /// The numbers that it gives, in order.
     pub(super) fn measures(&self) -> Vec<Measure> {
         let power = number("mean_power_w", "W", "mean power of all loads");
-        let residual = number("energy_residual_relative", "", "energy residual over the largest energy");
+        let residual = number(
+            "energy_residual_relative",
+            "",
+            "energy residual over the largest energy",
+        );
         match self {
             Self::Run => vec![
                 power,
-                number("voltage_rms_v", "V", "voltage of the first load, else of what the first rectifier feeds, rms"),
+                number(
+                    "voltage_rms_v",
+                    "V",
+                    "voltage of the first load, else of what the first rectifier feeds, rms",
+                ),
                 number("max_penetration_m", "m", "largest penetration of the stop"),
                 number("max_contact_force_n", "N", "largest contact force"),
                 number("contact_rate_hz", "Hz", "contacts per second"),
                 number("contact_duty", "", "share of the time in contact"),
-                Measure { name: "settled".to_owned(), unit: "", about: "settled when it was averaged", kind: MeasureKind::Flag },
+                Measure {
+                    name: "settled".to_owned(),
+                    unit: "",
+                    about: "settled when it was averaged",
+                    kind: MeasureKind::Flag,
+                },
                 count("period_cycles", "period in drive cycles, 0 for none"),
                 residual,
             ],
             Self::Modes { count } => (1..=*count)
                 .flat_map(|mode| {
-                    let frequency = number(&format!("frequency_{mode}_hz"), "Hz", "undamped short-circuit frequency");
-                    [frequency, number(&format!("damping_ratio_{mode}"), "", "damping ratio")]
+                    let frequency = number(
+                        &format!("frequency_{mode}_hz"),
+                        "Hz",
+                        "undamped short-circuit frequency",
+                    );
+                    [
+                        frequency,
+                        number(&format!("damping_ratio_{mode}"), "", "damping ratio"),
+                    ]
                 })
                 .collect(),
             Self::Frf { unit, .. } => vec![
-                number("peak_voltage", unit, "largest voltage of the first load, or of the first patch where there is none"),
+                number(
+                    "peak_voltage",
+                    unit,
+                    "largest voltage of the first load, or of the first patch where there is none",
+                ),
                 number("peak_frequency_hz", "Hz", "frequency of it"),
             ],
             Self::Sweep { .. } => vec![
@@ -171,17 +205,37 @@ impl Quantity {
             Self::Branch { .. } => branch(),
             Self::Ensemble { .. } => vec![
                 power,
-                number("mean_power_half_width_w", "W", "half the width of its 95 % interval"),
+                number(
+                    "mean_power_half_width_w",
+                    "W",
+                    "half the width of its 95 % interval",
+                ),
                 number("contact_rate_hz", "Hz", "contacts per second"),
-                number("max_impact_velocity_m_s", "m/s", "largest speed at which a contact began"),
+                number(
+                    "max_impact_velocity_m_s",
+                    "m/s",
+                    "largest speed at which a contact began",
+                ),
                 residual,
             ],
             Self::Noise => vec![
                 power,
                 number("voltage_rms_v", "V", "voltage of the first load, rms"),
-                number("statistical_bandwidth_hz", "Hz", "statistical bandwidth of that voltage"),
-                number("reached_hz", "Hz", "how often the gap of the first stop would be reached"),
-                number("share_beyond", "", "share of the time that would be spent beyond it"),
+                number(
+                    "statistical_bandwidth_hz",
+                    "Hz",
+                    "statistical bandwidth of that voltage",
+                ),
+                number(
+                    "reached_hz",
+                    "Hz",
+                    "how often the gap of the first stop would be reached",
+                ),
+                number(
+                    "share_beyond",
+                    "",
+                    "share of the time that would be spent beyond it",
+                ),
             ],
         }
     }
@@ -191,8 +245,15 @@ fn diagram() -> Vec<Measure> {
     vec![
         number("peak_power_w", "W", "highest mean power"),
         number("peak_parameter", "", "value of the key there, SI"),
-        count("longest_period_cycles", "longest period that was found, in drive cycles"),
-        number("aperiodic_fraction", "", "share of the motions without a period"),
+        count(
+            "longest_period_cycles",
+            "longest period that was found, in drive cycles",
+        ),
+        number(
+            "aperiodic_fraction",
+            "",
+            "share of the motions without a period",
+        ),
         count("lost", "marches that failed"),
     ]
 }
@@ -201,20 +262,48 @@ fn jumps() -> Vec<Measure> {
     vec![
         count("curves", "curves that were found"),
         count("folds", "those of them that are folds"),
-        number("fold_low", "", "lowest value of the first key on a fold, SI"),
-        number("fold_high", "", "highest value of the first key on a fold, SI"),
+        number(
+            "fold_low",
+            "",
+            "lowest value of the first key on a fold, SI",
+        ),
+        number(
+            "fold_high",
+            "",
+            "highest value of the first key on a fold, SI",
+        ),
     ]
 }
 
 fn basins() -> Vec<Measure> {
     vec![
-        number("expected_power_w", "W", "power to be expected from a start of the cloud"),
-        number("expected_power_low_w", "W", "lower end of its 95 % interval"),
-        number("expected_power_high_w", "W", "upper end of its 95 % interval"),
+        number(
+            "expected_power_w",
+            "W",
+            "power to be expected from a start of the cloud",
+        ),
+        number(
+            "expected_power_low_w",
+            "W",
+            "lower end of its 95 % interval",
+        ),
+        number(
+            "expected_power_high_w",
+            "W",
+            "upper end of its 95 % interval",
+        ),
         count("attractors", "attractors that were found"),
-        number("highest_power_w", "W", "mean power of the attractor that gives most"),
+        number(
+            "highest_power_w",
+            "W",
+            "mean power of the attractor that gives most",
+        ),
         number("highest_fraction", "", "share of the starts that end on it"),
-        number("undecided_fraction", "", "share of the starts for which no attractor was proved"),
+        number(
+            "undecided_fraction",
+            "",
+            "share of the starts for which no attractor was proved",
+        ),
         count("lost", "marches that failed"),
     ]
 }
@@ -223,7 +312,11 @@ fn branch() -> Vec<Measure> {
     vec![
         number("peak_power_w", "W", "highest stable mean power"),
         number("peak_parameter", "", "value of the key there, SI"),
-        number("half_power_bandwidth", "", "width over which a stable orbit has half of it, SI"),
+        number(
+            "half_power_bandwidth",
+            "",
+            "width over which a stable orbit has half of it, SI",
+        ),
         count("branches", "branches that were found"),
         count("bifurcations", "bifurcations on them"),
     ]
@@ -234,8 +327,16 @@ impl Measure {
     pub(super) fn column(&self, values: Vec<f64>) -> Column {
         let values: Values = match self.kind {
             MeasureKind::Number => values.into(),
-            MeasureKind::Count => values.into_iter().map(|value| value as u64).collect::<Vec<u64>>().into(),
-            MeasureKind::Flag => values.into_iter().map(|value| value == 1.0).collect::<Vec<bool>>().into(),
+            MeasureKind::Count => values
+                .into_iter()
+                .map(|value| value as u64)
+                .collect::<Vec<u64>>()
+                .into(),
+            MeasureKind::Flag => values
+                .into_iter()
+                .map(|value| value == 1.0)
+                .collect::<Vec<bool>>()
+                .into(),
         };
         Column::new(&self.name, self.unit, self.about, values)
     }

@@ -42,11 +42,29 @@ pub(super) struct StudyText {
 }
 
 /// Reads a text; `file` finds the spec by the path that the text names, `None` where it names none.
-pub(super) fn read(text: &str, file: impl FnOnce(Option<&str>) -> Result<SpecFile, StudyError>) -> Result<StudyText, StudyError> {
+pub(super) fn read(
+    text: &str,
+    file: impl FnOnce(Option<&str>) -> Result<SpecFile, StudyError>,
+) -> Result<StudyText, StudyError> {
     let mut reader = FaultCollector::new(text);
-    let Some(document) = reader.document() else { return Err(StudyError::Faults(reader.faults)) };
+    let Some(document) = reader.document() else {
+        return Err(StudyError::Faults(reader.faults));
+    };
     let root = document.as_table();
-    reader.known("", root, &["spec", "sampling", "points", "seed", "points_per_part", "set", "vary", "quantity"]);
+    reader.known(
+        "",
+        root,
+        &[
+            "spec",
+            "sampling",
+            "points",
+            "seed",
+            "points_per_part",
+            "set",
+            "vary",
+            "quantity",
+        ],
+    );
     let path = reader.text("spec", root.get("spec"));
     let mut file = file(path)?;
     settings(&mut reader, root.get("set"), &mut file);
@@ -61,10 +79,23 @@ pub(super) fn read(text: &str, file: impl FnOnce(Option<&str>) -> Result<SpecFil
         return Err(StudyError::Faults(reader.faults));
     }
     let design = Design::new(varied, sampling, points, seed);
-    let usual = design.len().div_ceil(DEFAULT_PARTS).clamp(1, MAX_POINTS_PER_PART) as u64;
-    let points_per_part = reader.whole("points_per_part", root.get("points_per_part"), (1, 1_000_000), usual) as usize;
+    let usual = design
+        .len()
+        .div_ceil(DEFAULT_PARTS)
+        .clamp(1, MAX_POINTS_PER_PART) as u64;
+    let points_per_part = reader.whole(
+        "points_per_part",
+        root.get("points_per_part"),
+        (1, 1_000_000),
+        usual,
+    ) as usize;
     if reader.faults.is_empty() {
-        Ok(StudyText { file, design, quantity, points_per_part })
+        Ok(StudyText {
+            file,
+            design,
+            quantity,
+            points_per_part,
+        })
     } else {
         Err(StudyError::Faults(reader.faults))
     }
@@ -72,7 +103,9 @@ pub(super) fn read(text: &str, file: impl FnOnce(Option<&str>) -> Result<SpecFil
 
 /// Keys that hold at every point.
 fn settings(reader: &mut FaultCollector, item: Option<&Item>, file: &mut SpecFile) {
-    let Some(table) = reader.table("set", item) else { return };
+    let Some(table) = reader.table("set", item) else {
+        return;
+    };
     for (key, item) in table {
         if item.as_value().is_none() {
             reader.fault(
@@ -89,11 +122,19 @@ fn settings(reader: &mut FaultCollector, item: Option<&Item>, file: &mut SpecFil
 }
 
 fn sampling(reader: &mut FaultCollector, item: Option<&Item>) -> Sampling {
-    let Some(name) = reader.text("sampling", item) else { return Sampling::Grid };
-    let found = Sampling::ALL.into_iter().find(|sampling| sampling.name() == name);
+    let Some(name) = reader.text("sampling", item) else {
+        return Sampling::Grid;
+    };
+    let found = Sampling::ALL
+        .into_iter()
+        .find(|sampling| sampling.name() == name);
     if found.is_none() {
         let names = Sampling::ALL.map(Sampling::name).join(", ");
-        reader.fault("sampling", item.and_then(Item::span), format!("sampling is \"{name}\"; it must be one of {names}"));
+        reader.fault(
+            "sampling",
+            item.and_then(Item::span),
+            format!("sampling is \"{name}\"; it must be one of {names}"),
+        );
     }
     found.unwrap_or(Sampling::Grid)
 }
@@ -101,9 +142,19 @@ fn sampling(reader: &mut FaultCollector, item: Option<&Item>) -> Sampling {
 fn drawn(reader: &mut FaultCollector, root: &Table, sampling: Sampling) -> usize {
     let item = root.get("points");
     match (item, sampling.draws()) {
-        (None, true) => reader.fault("points", None, format!("points is missing; sampling = \"{}\" needs their number", sampling.name())),
+        (None, true) => reader.fault(
+            "points",
+            None,
+            format!(
+                "points is missing; sampling = \"{}\" needs their number",
+                sampling.name()
+            ),
+        ),
         (Some(item), false) => {
-            let why = format!("points does not go with sampling = \"{}\", whose values say how many there are", sampling.name());
+            let why = format!(
+                "points does not go with sampling = \"{}\", whose values say how many there are",
+                sampling.name()
+            );
             reader.fault("points", item.span(), why);
         }
         (Some(_), true) | (None, false) => {}
@@ -112,10 +163,16 @@ fn drawn(reader: &mut FaultCollector, root: &Table, sampling: Sampling) -> usize
 }
 
 /// What is said where the ends of a drawn key are not told.
-const DRAWN_RANGE_HINT: &str = "drawn values need a range FROM:TO, or FROM:TO:log above 0, from a smaller to a larger value";
+const DRAWN_RANGE_HINT: &str =
+    "drawn values need a range FROM:TO, or FROM:TO:log above 0, from a smaller to a larger value";
 
 /// The keys that are varied, with their values.
-fn varied(reader: &mut FaultCollector, item: Option<&Item>, file: &SpecFile, sampling: Sampling) -> Vec<Varied> {
+fn varied(
+    reader: &mut FaultCollector,
+    item: Option<&Item>,
+    file: &SpecFile,
+    sampling: Sampling,
+) -> Vec<Varied> {
     let table = reader.table("vary", item);
     let Some(table) = table.filter(|table| !table.is_empty()) else {
         reader.fault(
@@ -136,45 +193,89 @@ fn varied(reader: &mut FaultCollector, item: Option<&Item>, file: &SpecFile, sam
             None => (text, false),
         };
         if sampling.draws() && range.split([':', ',']).count() != 2 {
-            reader.fault(key, item.span(), format!("{key}: {text:?} cannot be drawn from; {DRAWN_RANGE_HINT}"));
+            reader.fault(
+                key,
+                item.span(),
+                format!("{key}: {text:?} cannot be drawn from; {DRAWN_RANGE_HINT}"),
+            );
             continue;
         }
         // A drawn key has the two ends of its range as values.
-        let range = if sampling.draws() { range.replacen(':', ",", 1) } else { range.to_owned() };
+        let range = if sampling.draws() {
+            range.replacen(':', ",", 1)
+        } else {
+            range.to_owned()
+        };
         let faults = match file.numeric_key(key) {
             Err(faults) => faults.as_slice().to_vec(),
             Ok(numeric) => match KeyRange::parse(numeric, &range) {
                 Err(fault) => vec![fault],
                 Ok(range) => {
-                    found.push(Varied { key: range.key().clone(), values: range.values().to_vec(), logarithmic });
+                    found.push(Varied {
+                        key: range.key().clone(),
+                        values: range.values().to_vec(),
+                        logarithmic,
+                    });
                     Vec::new()
                 }
             },
         };
-        faults.into_iter().for_each(|fault| reader.fault(key, item.span(), fault.message));
+        faults
+            .into_iter()
+            .for_each(|fault| reader.fault(key, item.span(), fault.message));
     }
     found
 }
 
 /// Values that do not go together.
-fn check_sides(reader: &mut FaultCollector, item: Option<&Item>, sampling: Sampling, varied: &[Varied]) {
+fn check_sides(
+    reader: &mut FaultCollector,
+    item: Option<&Item>,
+    sampling: Sampling,
+    varied: &[Varied],
+) {
     let span = item.and_then(Item::span);
     let count = varied.first().map_or(0, |first| first.values.len());
     for one in varied {
-        let ends = matches!(one.values[..], [low, high] if low < high && (!one.logarithmic || low > 0.0));
+        let ends =
+            matches!(one.values[..], [low, high] if low < high && (!one.logarithmic || low > 0.0));
         if sampling.draws() && !ends {
-            reader.fault(one.key.path(), span.clone(), format!("{}: {DRAWN_RANGE_HINT}", one.key.path()));
+            reader.fault(
+                one.key.path(),
+                span.clone(),
+                format!("{}: {DRAWN_RANGE_HINT}", one.key.path()),
+            );
         }
         if sampling == Sampling::List && one.values.len() != count {
-            let why = format!("has {} values where {} has {count}; a list takes them side by side", one.values.len(), varied[0].key.path());
-            reader.fault(one.key.path(), span.clone(), format!("{} {why}", one.key.path()));
+            let why = format!(
+                "has {} values where {} has {count}; a list takes them side by side",
+                one.values.len(),
+                varied[0].key.path()
+            );
+            reader.fault(
+                one.key.path(),
+                span.clone(),
+                format!("{} {why}", one.key.path()),
+            );
         }
     }
-    let points = varied.iter().try_fold(1_u64, |product, one| product.checked_mul(one.values.len() as u64));
+    let points = varied.iter().try_fold(1_u64, |product, one| {
+        product.checked_mul(one.values.len() as u64)
+    });
     if sampling == Sampling::Grid && points.is_none_or(|points| points > MAX_POINTS) {
-        reader.fault("vary", span.clone(), format!("the grid has more than {MAX_POINTS} points; give fewer values"));
+        reader.fault(
+            "vary",
+            span.clone(),
+            format!("the grid has more than {MAX_POINTS} points; give fewer values"),
+        );
     }
     if sampling == Sampling::Sobol && varied.len() > MAX_DIMENSIONS {
-        reader.fault("vary", span, format!("sampling = \"sobol\" takes at most {MAX_DIMENSIONS} keys; use \"latin-hypercube\""));
+        reader.fault(
+            "vary",
+            span,
+            format!(
+                "sampling = \"sobol\" takes at most {MAX_DIMENSIONS} keys; use \"latin-hypercube\""
+            ),
+        );
     }
 }

@@ -9,7 +9,9 @@ use crate::spec::{Drive, DriveSignal, KeyRange, Quantity as Kind, SpecFile};
 use toml_edit::{Item, Table};
 
 /// Commands that answer a study.
-const COMMANDS: &[&str] = &["run", "modes", "frf", "sweep", "diagram", "branch", "jumps", "basins", "ensemble", "noise"];
+const COMMANDS: &[&str] = &[
+    "run", "modes", "frf", "sweep", "diagram", "branch", "jumps", "basins", "ensemble", "noise",
+];
 
 /// The table, and the spec that it is about.
 struct QuantityTable<'a> {
@@ -18,11 +20,17 @@ struct QuantityTable<'a> {
 }
 
 /// Reads what is computed, with its options.
-pub(super) fn quantity(reader: &mut FaultCollector, item: Option<&Item>, file: &SpecFile) -> Quantity {
+pub(super) fn quantity(
+    reader: &mut FaultCollector,
+    item: Option<&Item>,
+    file: &SpecFile,
+) -> Quantity {
     let empty = Table::new();
     let table = reader.table("quantity", item).unwrap_or(&empty);
     let asked = QuantityTable { table, file };
-    let command = reader.text("quantity.command", table.get("command")).unwrap_or("run");
+    let command = reader
+        .text("quantity.command", table.get("command"))
+        .unwrap_or("run");
     let options: &[&str] = match command {
         "modes" => &["count"],
         "frf" => &["from", "to", "points"],
@@ -30,7 +38,14 @@ pub(super) fn quantity(reader: &mut FaultCollector, item: Option<&Item>, file: &
         "diagram" => &["over", "direction", "tolerance"],
         "branch" => &["over", "seeds", "longest_period", "tolerance"],
         "jumps" => &["over", "against", "seeds", "longest_period", "tolerance"],
-        "basins" => &["starts", "seed", "spread", "tolerance", "longest_period", "max_cycles"],
+        "basins" => &[
+            "starts",
+            "seed",
+            "spread",
+            "tolerance",
+            "longest_period",
+            "max_cycles",
+        ],
         "ensemble" => &["members", "seed"],
         _ => &[],
     };
@@ -39,7 +54,9 @@ pub(super) fn quantity(reader: &mut FaultCollector, item: Option<&Item>, file: &
     }
     match command {
         "run" => Quantity::Run,
-        "modes" => Quantity::Modes { count: asked.whole(reader, "count", 200, 3) as usize },
+        "modes" => Quantity::Modes {
+            count: asked.whole(reader, "count", 200, 3) as usize,
+        },
         "frf" => asked.frf(reader),
         "sweep" => asked.sweep(reader),
         "diagram" => asked.diagram(reader),
@@ -57,7 +74,10 @@ pub(super) fn quantity(reader: &mut FaultCollector, item: Option<&Item>, file: &
         },
         "noise" => asked.noise(reader),
         other => {
-            let why = format!("quantity.command is \"{other}\"; it must be one of {}", COMMANDS.join(", "));
+            let why = format!(
+                "quantity.command is \"{other}\"; it must be one of {}",
+                COMMANDS.join(", ")
+            );
             reader.fault("quantity.command", asked.span("command"), why);
             Quantity::Run
         }
@@ -66,12 +86,23 @@ pub(super) fn quantity(reader: &mut FaultCollector, item: Option<&Item>, file: &
 
 impl QuantityTable<'_> {
     fn frf(&self, reader: &mut FaultCollector) -> Quantity {
-        let range_hz = (self.frequency(reader, "from", 1.0), self.frequency(reader, "to", 1000.0));
+        let range_hz = (
+            self.frequency(reader, "from", 1.0),
+            self.frequency(reader, "to", 1000.0),
+        );
         if range_hz.0 >= range_hz.1 {
-            let why = format!("quantity.from is {} Hz and quantity.to {} Hz; from must be below to", range_hz.0, range_hz.1);
+            let why = format!(
+                "quantity.from is {} Hz and quantity.to {} Hz; from must be below to",
+                range_hz.0, range_hz.1
+            );
             reader.fault("quantity.from", self.span("from"), why);
         }
-        let points = reader.whole("quantity.points", self.table.get("points"), (2, 1_000_000), 2000) as usize;
+        let points = reader.whole(
+            "quantity.points",
+            self.table.get("points"),
+            (2, 1_000_000),
+            2000,
+        ) as usize;
         let input = self.file.spec().ok().as_ref().and_then(shaken);
         if input.is_none() {
             reader.fault(
@@ -80,14 +111,24 @@ impl QuantityTable<'_> {
                 "frf needs a drive that says what shakes the harvester: a force or a base",
             );
         }
-        let unit = input.map_or("", |input| FrfResponse::LoadVoltage(String::new()).unit(&input));
-        Quantity::Frf { range_hz, points, unit }
+        let unit = input.map_or("", |input| {
+            FrfResponse::LoadVoltage(String::new()).unit(&input)
+        });
+        Quantity::Frf {
+            range_hz,
+            points,
+            unit,
+        }
     }
 
     fn noise(&self, reader: &mut FaultCollector) -> Quantity {
         let noisy = |drive: &Drive| matches!(drive.signal, DriveSignal::Noise { .. });
         // A spec that has faults of its own is told of elsewhere.
-        if self.file.spec().is_ok_and(|spec| !spec.drive.values().any(noisy)) {
+        if self
+            .file
+            .spec()
+            .is_ok_and(|spec| !spec.drive.values().any(noisy))
+        {
             let why = "noise needs a drive with signal = \"noise\"; \"run\" and \"frf\" tell what other drives do";
             reader.fault("quantity.command", self.span("command"), why);
         }
@@ -95,32 +136,64 @@ impl QuantityTable<'_> {
     }
 
     fn sweep(&self, reader: &mut FaultCollector) -> Quantity {
-        let orders =
-            [("up", SweepOrder::Up), ("down", SweepOrder::Down), ("both", SweepOrder::Both), ("independent", SweepOrder::Independent)];
+        let orders = [
+            ("up", SweepOrder::Up),
+            ("down", SweepOrder::Down),
+            ("both", SweepOrder::Both),
+            ("independent", SweepOrder::Independent),
+        ];
         let direction = self.one_of(reader, "direction", &orders);
-        let fixed_duration = self.table.get("fixed_duration").map_or(Some(false), Item::as_bool);
+        let fixed_duration = self
+            .table
+            .get("fixed_duration")
+            .map_or(Some(false), Item::as_bool);
         if fixed_duration.is_none() {
-            reader.fault("quantity.fixed_duration", self.span("fixed_duration"), "quantity.fixed_duration must be true or false");
+            reader.fault(
+                "quantity.fixed_duration",
+                self.span("fixed_duration"),
+                "quantity.fixed_duration must be true or false",
+            );
         }
         let (over, values) = match self.values(reader) {
             Some((range, text)) => (range.key().path().to_owned(), text.to_owned()),
             None => (String::new(), String::new()),
         };
-        Quantity::Sweep { over, values, direction, fixed_duration: fixed_duration.unwrap_or_default() }
+        Quantity::Sweep {
+            over,
+            values,
+            direction,
+            fixed_duration: fixed_duration.unwrap_or_default(),
+        }
     }
 
     fn diagram(&self, reader: &mut FaultCollector) -> Quantity {
-        let order =
-            self.one_of(reader, "direction", &[("both", DiagramOrder::Both), ("up", DiagramOrder::Up), ("down", DiagramOrder::Down)]);
+        let order = self.one_of(
+            reader,
+            "direction",
+            &[
+                ("both", DiagramOrder::Both),
+                ("up", DiagramOrder::Up),
+                ("down", DiagramOrder::Down),
+            ],
+        );
         let tolerance = self.tolerance(reader, 1e-8);
         let (over, values) = match self.values(reader) {
             Some((range, _)) => (range.key().path().to_owned(), range.values().to_vec()),
             None => (String::new(), Vec::new()),
         };
         if values.windows(2).any(|pair| pair[0] >= pair[1]) {
-            reader.fault("quantity.over", self.span("over"), "quantity.over: the values of a diagram must rise");
+            reader.fault(
+                "quantity.over",
+                self.span("over"),
+                "quantity.over: the values of a diagram must rise",
+            );
         }
-        Quantity::Diagram { over, values, order, tolerance }
+        Quantity::Diagram {
+            over,
+            values,
+            order,
+            tolerance,
+        }
     }
 
     fn branch(&self, reader: &mut FaultCollector) -> Quantity {
@@ -147,7 +220,12 @@ impl QuantityTable<'_> {
     }
 
     fn whole(&self, reader: &mut FaultCollector, key: &str, most: u64, default: u64) -> u64 {
-        reader.whole(&format!("quantity.{key}"), self.table.get(key), (1, most), default)
+        reader.whole(
+            &format!("quantity.{key}"),
+            self.table.get(key),
+            (1, most),
+            default,
+        )
     }
 
     fn seeds(&self, reader: &mut FaultCollector) -> usize {
@@ -162,7 +240,12 @@ impl QuantityTable<'_> {
         let given = Recognition::at(self.tolerance(reader, 1e-8));
         let most = u64::from(u32::MAX);
         Recognition {
-            longest_period: self.whole(reader, "longest_period", most, u64::from(given.longest_period)) as u32,
+            longest_period: self.whole(
+                reader,
+                "longest_period",
+                most,
+                u64::from(given.longest_period),
+            ) as u32,
             max_cycles: self.whole(reader, "max_cycles", most, u64::from(given.max_cycles)) as u32,
             ..given
         }
@@ -176,10 +259,16 @@ impl QuantityTable<'_> {
     fn one_of<T: Copy>(&self, reader: &mut FaultCollector, key: &str, known: &[(&str, T)]) -> T {
         let path = format!("quantity.{key}");
         let said = reader.text(&path, self.table.get(key));
-        let found = said.map_or(known.first(), |said| known.iter().find(|(word, _)| *word == said));
+        let found = said.map_or(known.first(), |said| {
+            known.iter().find(|(word, _)| *word == said)
+        });
         if found.is_none() {
             let words: Vec<&str> = known.iter().map(|(word, _)| *word).collect();
-            let why = format!("{path} is \"{}\"; it must be one of {}", said.unwrap_or_default(), words.join(", "));
+            let why = format!(
+                "{path} is \"{}\"; it must be one of {}",
+                said.unwrap_or_default(),
+                words.join(", ")
+            );
             reader.fault(&path, self.span(key), why);
         }
         found.unwrap_or(&known[0]).1
@@ -188,12 +277,25 @@ impl QuantityTable<'_> {
     /// A frequency above 0, Hz.
     fn frequency(&self, reader: &mut FaultCollector, key: &str, default_hz: f64) -> f64 {
         let path = format!("quantity.{key}");
-        let Some(text) = reader.text(&path, self.table.get(key)) else { return default_hz };
-        let read = Kind::Frequency.read(text).map_err(|error| error.to_string());
-        let found =
-            read.and_then(|value| if value > 0.0 && value.is_finite() { Ok(value) } else { Err("it must be above 0 Hz".to_owned()) });
+        let Some(text) = reader.text(&path, self.table.get(key)) else {
+            return default_hz;
+        };
+        let read = Kind::Frequency
+            .read(text)
+            .map_err(|error| error.to_string());
+        let found = read.and_then(|value| {
+            if value > 0.0 && value.is_finite() {
+                Ok(value)
+            } else {
+                Err("it must be above 0 Hz".to_owned())
+            }
+        });
         found.unwrap_or_else(|why| {
-            reader.fault(&path, self.span(key), format!("{path} is \"{text}\": {why}"));
+            reader.fault(
+                &path,
+                self.span(key),
+                format!("{path} is \"{text}\": {why}"),
+            );
             default_hz
         })
     }
@@ -204,7 +306,9 @@ impl QuantityTable<'_> {
         match self.file.range(text) {
             Ok(range) => Some((range, text.split_once('=').map_or("", |(_, values)| values))),
             Err(faults) => {
-                faults.as_slice().iter().for_each(|fault| reader.fault("quantity.over", self.span("over"), &fault.message));
+                faults.as_slice().iter().for_each(|fault| {
+                    reader.fault("quantity.over", self.span("over"), &fault.message)
+                });
                 None
             }
         }
@@ -214,22 +318,40 @@ impl QuantityTable<'_> {
     fn ends(&self, reader: &mut FaultCollector, key: &str, example: &str) -> (String, (f64, f64)) {
         let path = format!("quantity.{key}");
         let nothing = (String::new(), (0.0, 1.0));
-        let Some(text) = self.assignment(reader, key, example) else { return nothing };
+        let Some(text) = self.assignment(reader, key, example) else {
+            return nothing;
+        };
         match self.file.range(&text.replacen(':', ",", 1)) {
             Ok(range) => match range.values() {
                 [low, high] if low < high => return (range.key().path().to_owned(), (*low, *high)),
-                _ => reader.fault(&path, self.span(key), format!("{text}: write KEY=FROM:TO, from a smaller to a larger value")),
+                _ => reader.fault(
+                    &path,
+                    self.span(key),
+                    format!("{text}: write KEY=FROM:TO, from a smaller to a larger value"),
+                ),
             },
-            Err(faults) => faults.as_slice().iter().for_each(|fault| reader.fault(&path, self.span(key), &fault.message)),
+            Err(faults) => faults
+                .as_slice()
+                .iter()
+                .for_each(|fault| reader.fault(&path, self.span(key), &fault.message)),
         }
         nothing
     }
 
-    fn assignment<'t>(&'t self, reader: &mut FaultCollector, key: &str, example: &str) -> Option<&'t str> {
+    fn assignment<'t>(
+        &'t self,
+        reader: &mut FaultCollector,
+        key: &str,
+        example: &str,
+    ) -> Option<&'t str> {
         let path = format!("quantity.{key}");
         let item = self.table.get(key);
         if item.is_none() {
-            reader.fault(&path, None, format!("{path} is missing; write {key} = \"{example}\""));
+            reader.fault(
+                &path,
+                None,
+                format!("{path} is missing; write {key} = \"{example}\""),
+            );
         }
         reader.text(&path, item)
     }

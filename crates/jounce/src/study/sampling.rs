@@ -20,7 +20,13 @@ pub enum Sampling {
 
 impl Sampling {
     /// All of them.
-    pub const ALL: [Self; 5] = [Self::Grid, Self::List, Self::Random, Self::LatinHypercube, Self::Sobol];
+    pub const ALL: [Self; 5] = [
+        Self::Grid,
+        Self::List,
+        Self::Random,
+        Self::LatinHypercube,
+        Self::Sobol,
+    ];
 
     /// Name in a study.
     pub fn name(self) -> &'static str {
@@ -54,10 +60,18 @@ pub(super) struct CubePoints {
 impl CubePoints {
     pub(super) fn new(sampling: Sampling, dimensions: usize, points: usize, seed: u64) -> Self {
         let each = |wanted: bool| if wanted { dimensions } else { 0 };
-        let cells = (0..each(sampling == Sampling::LatinHypercube)).map(|dimension| shuffled(points, seed, dimension as u64)).collect();
+        let cells = (0..each(sampling == Sampling::LatinHypercube))
+            .map(|dimension| shuffled(points, seed, dimension as u64))
+            .collect();
         let shift = |dimension| (RandomStream::new(seed, dimension as u64).seed() >> 21) as u32;
         let shifts = (0..each(sampling == Sampling::Sobol)).map(shift).collect();
-        Self { sampling, points, seed, cells, shifts }
+        Self {
+            sampling,
+            points,
+            seed,
+            cells,
+            shifts,
+        }
     }
 
     /// Place of a point along a dimension, in [0, 1).
@@ -66,14 +80,16 @@ impl CubePoints {
             Sampling::Sobol => sobol(dimension, index as u32, self.shifts[dimension]),
             Sampling::LatinHypercube => {
                 let cell = f64::from(self.cells[dimension][index]);
-                ((cell + self.uniform(index, dimension)) / self.points as f64).min(1.0 - f64::EPSILON)
+                ((cell + self.uniform(index, dimension)) / self.points as f64)
+                    .min(1.0 - f64::EPSILON)
             }
             Sampling::Random | Sampling::Grid | Sampling::List => self.uniform(index, dimension),
         }
     }
 
     fn uniform(&self, index: usize, dimension: usize) -> f64 {
-        let mut stream = RandomStream::new(self.seed.wrapping_add(dimension as u64 + 1), index as u64);
+        let mut stream =
+            RandomStream::new(self.seed.wrapping_add(dimension as u64 + 1), index as u64);
         stream.uniform()
     }
 }
@@ -96,7 +112,9 @@ mod tests {
     fn a_latin_hypercube_has_one_point_in_each_cell_of_every_key() {
         let draw = CubePoints::new(Sampling::LatinHypercube, 3, 100, 7);
         for dimension in 0..3 {
-            let mut cells: Vec<usize> = (0..100).map(|index| (100.0 * draw.place(index, dimension)) as usize).collect();
+            let mut cells: Vec<usize> = (0..100)
+                .map(|index| (100.0 * draw.place(index, dimension)) as usize)
+                .collect();
             assert!(!cells.iter().copied().eq(0..100), "the order is drawn");
             cells.sort_unstable();
             assert!(cells.iter().copied().eq(0..100));
@@ -107,17 +125,26 @@ mod tests {
     #[test]
     fn random_points_fill_the_cube() {
         let draw = CubePoints::new(Sampling::Random, 2, 20_000, 1);
-        let points: Vec<[f64; 2]> = (0..20_000).map(|index| [draw.place(index, 0) - 0.5, draw.place(index, 1) - 0.5]).collect();
-        let mean = |value: &dyn Fn(&[f64; 2]) -> f64| points.iter().map(value).sum::<f64>() / 20_000.0;
+        let points: Vec<[f64; 2]> = (0..20_000)
+            .map(|index| [draw.place(index, 0) - 0.5, draw.place(index, 1) - 0.5])
+            .collect();
+        let mean =
+            |value: &dyn Fn(&[f64; 2]) -> f64| points.iter().map(value).sum::<f64>() / 20_000.0;
         assert!(mean(&|p| p[0]).abs() < 4.0 * (1.0_f64 / 12.0 / 20_000.0).sqrt());
-        assert!((mean(&|p| p[1] * p[1]) - 1.0 / 12.0).abs() < 4.0 * (1.0_f64 / 180.0 / 20_000.0).sqrt());
+        assert!(
+            (mean(&|p| p[1] * p[1]) - 1.0 / 12.0).abs() < 4.0 * (1.0_f64 / 180.0 / 20_000.0).sqrt()
+        );
         assert!(mean(&|p| p[0] * p[1]).abs() < 4.0 * (1.0_f64 / 144.0 / 20_000.0).sqrt());
     }
 
     #[test]
     fn another_seed_gives_other_points() {
         for sampling in [Sampling::Random, Sampling::LatinHypercube, Sampling::Sobol] {
-            let places = |seed| (0..8).map(|index| CubePoints::new(sampling, 2, 8, seed).place(index, 1)).collect::<Vec<f64>>();
+            let places = |seed| {
+                (0..8)
+                    .map(|index| CubePoints::new(sampling, 2, 8, seed).place(index, 1))
+                    .collect::<Vec<f64>>()
+            };
             assert_eq!(places(1), places(1));
             assert_ne!(places(1), places(2), "{}", sampling.name());
         }

@@ -32,10 +32,14 @@ impl FromStr for Shard {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let numbers = text.split_once('/').and_then(|(index, of)| Some((index.trim().parse().ok()?, of.trim().parse().ok()?)));
+        let numbers = text
+            .split_once('/')
+            .and_then(|(index, of)| Some((index.trim().parse().ok()?, of.trim().parse().ok()?)));
         match numbers {
             Some((index, of)) if (1..=of).contains(&index) => Ok(Self { index, of }),
-            _ => Err(format!("\"{text}\" is no shard; write I/N with I from 1 to N, as in 3/8")),
+            _ => Err(format!(
+                "\"{text}\" is no shard; write I/N with I from 1 to N, as in 3/8"
+            )),
         }
     }
 }
@@ -48,7 +52,16 @@ mod tests {
     #[test]
     fn every_part_falls_to_one_shard() {
         for part in 0..50 {
-            assert_eq!((1..=7).filter(|index| Shard { index: *index, of: 7 }.takes(part)).count(), 1);
+            assert_eq!(
+                (1..=7)
+                    .filter(|index| Shard {
+                        index: *index,
+                        of: 7
+                    }
+                    .takes(part))
+                    .count(),
+                1
+            );
         }
     }
 
@@ -56,7 +69,10 @@ mod tests {
     fn what_is_no_shard_is_told() {
         assert_eq!("3/8".parse::<Shard>().unwrap(), Shard { index: 3, of: 8 });
         for wrong in ["0/8", "9/8", "3", "3/0", "a/b", "-1/2", "1/2/3", ""] {
-            assert!(wrong.parse::<Shard>().unwrap_err().contains("write I/N"), "{wrong}");
+            assert!(
+                wrong.parse::<Shard>().unwrap_err().contains("write I/N"),
+                "{wrong}"
+            );
         }
     }
 }

@@ -27,13 +27,18 @@ const BITS: usize = 32;
 pub(super) fn sobol(dimension: usize, index: u32, shift: u32) -> f64 {
     let gray = index ^ (index >> 1);
     let directions = directions(dimension);
-    let digits = (0..BITS).filter(|k| gray >> k & 1 == 1).fold(shift, |digits, k| digits ^ directions[k]);
+    let digits = (0..BITS)
+        .filter(|k| gray >> k & 1 == 1)
+        .fold(shift, |digits, k| digits ^ directions[k]);
     f64::from(digits) / 2.0_f64.powi(BITS as i32)
 }
 
 fn directions(dimension: usize) -> [u32; BITS] {
     let mut v = [0; BITS];
-    let Some(&(degree, coefficients, first)) = dimension.checked_sub(1).and_then(|place| DIRECTION_NUMBERS.get(place)) else {
+    let Some(&(degree, coefficients, first)) = dimension
+        .checked_sub(1)
+        .and_then(|place| DIRECTION_NUMBERS.get(place))
+    else {
         return std::array::from_fn(|k| 1 << (BITS - 1 - k));
     };
     for k in 0..BITS {
@@ -41,7 +46,9 @@ fn directions(dimension: usize) -> [u32; BITS] {
             first[k] << (BITS - 1 - k)
         } else {
             let switched = (1..degree).filter(|j| coefficients >> (degree - 1 - j) & 1 == 1);
-            switched.fold(v[k - degree] ^ (v[k - degree] >> degree), |sum, j| sum ^ v[k - j])
+            switched.fold(v[k - degree] ^ (v[k - degree] >> degree), |sum, j| {
+                sum ^ v[k - j]
+            })
         };
     }
     v
@@ -56,10 +63,26 @@ mod tests {
     fn points_are_those_of_scipy() {
         let wanted: [(u32, [f64; 10]); 6] = [
             (1, [0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5]),
-            (2, [0.75, 0.25, 0.25, 0.25, 0.75, 0.75, 0.25, 0.75, 0.75, 0.75]),
-            (3, [0.25, 0.75, 0.75, 0.75, 0.25, 0.25, 0.75, 0.25, 0.25, 0.25]),
-            (4, [0.375, 0.375, 0.625, 0.875, 0.375, 0.125, 0.375, 0.875, 0.875, 0.625]),
-            (5, [0.875, 0.875, 0.125, 0.375, 0.875, 0.625, 0.875, 0.375, 0.375, 0.125]),
+            (
+                2,
+                [0.75, 0.25, 0.25, 0.25, 0.75, 0.75, 0.25, 0.75, 0.75, 0.75],
+            ),
+            (
+                3,
+                [0.25, 0.75, 0.75, 0.75, 0.25, 0.25, 0.75, 0.25, 0.25, 0.25],
+            ),
+            (
+                4,
+                [
+                    0.375, 0.375, 0.625, 0.875, 0.375, 0.125, 0.375, 0.875, 0.875, 0.625,
+                ],
+            ),
+            (
+                5,
+                [
+                    0.875, 0.875, 0.125, 0.375, 0.875, 0.625, 0.875, 0.375, 0.375, 0.125,
+                ],
+            ),
             (
                 1000,
                 [
@@ -78,7 +101,11 @@ mod tests {
         ];
         for (index, point) in wanted {
             for (dimension, x) in point.into_iter().enumerate() {
-                assert_eq!(sobol(dimension, index, 0), x, "point {index}, dimension {dimension}");
+                assert_eq!(
+                    sobol(dimension, index, 0),
+                    x,
+                    "point {index}, dimension {dimension}"
+                );
             }
         }
     }
@@ -87,7 +114,9 @@ mod tests {
     #[test]
     fn every_cell_holds_one_point() {
         for dimension in 0..MAX_DIMENSIONS {
-            let mut cells: Vec<u32> = (0..64).map(|index| (64.0 * sobol(dimension, index, 0x1234_5678)) as u32).collect();
+            let mut cells: Vec<u32> = (0..64)
+                .map(|index| (64.0 * sobol(dimension, index, 0x1234_5678)) as u32)
+                .collect();
             cells.sort_unstable();
             assert!(cells.iter().copied().eq(0..64), "{dimension}: {cells:?}");
         }

@@ -31,7 +31,12 @@ pub enum Values {
 impl Column {
     /// A column from any of the kinds of values that a table knows.
     pub fn new(name: &str, unit: &str, about: &str, values: impl Into<Values>) -> Self {
-        Self { name: name.to_owned(), unit: unit.to_owned(), about: about.to_owned(), values: values.into() }
+        Self {
+            name: name.to_owned(),
+            unit: unit.to_owned(),
+            about: about.to_owned(),
+            values: values.into(),
+        }
     }
 }
 
@@ -89,7 +94,10 @@ impl Values {
 }
 
 fn parse_all<T: std::str::FromStr>(texts: Vec<String>) -> Result<Vec<T>, String> {
-    let parse = |text: String| text.parse().map_err(|_| format!("\"{text}\" is not a {}", std::any::type_name::<T>()));
+    let parse = |text: String| {
+        text.parse()
+            .map_err(|_| format!("\"{text}\" is not a {}", std::any::type_name::<T>()))
+    };
     texts.into_iter().map(parse).collect()
 }
 

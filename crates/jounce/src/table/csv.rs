@@ -20,7 +20,9 @@ pub(super) fn encode(table: &Table) -> Result<Vec<u8>, String> {
         return Ok(Vec::new());
     }
     let mut writer = csv::Writer::from_writer(Vec::new());
-    heads(&mut writer, table).and_then(|()| rows(&mut writer, table)).map_err(|fault| fault.to_string())?;
+    heads(&mut writer, table)
+        .and_then(|()| rows(&mut writer, table))
+        .map_err(|fault| fault.to_string())?;
     writer.into_inner().map_err(|fault| fault.to_string())
 }
 
@@ -35,13 +37,19 @@ pub(super) fn join<W: Write, E>(
     let mut names = None;
     for table in tables {
         let table = table?;
-        let own: Vec<String> = table.columns().iter().map(|column| column.name.clone()).collect();
+        let own: Vec<String> = table
+            .columns()
+            .iter()
+            .map(|column| column.name.clone())
+            .collect();
         match &names {
             None => {
                 heads(&mut writer, &table).map_err(told)?;
                 names = Some(own);
             }
-            Some(names) if *names != own => return Err(failed("the tables have different columns".to_owned())),
+            Some(names) if *names != own => {
+                return Err(failed("the tables have different columns".to_owned()));
+            }
             Some(_) => {}
         }
         rows(&mut writer, &table).map_err(told)?;
@@ -58,27 +66,44 @@ fn heads<W: Write>(writer: &mut csv::Writer<W>, table: &Table) -> Result<(), csv
 
 fn rows<W: Write>(writer: &mut csv::Writer<W>, table: &Table) -> Result<(), csv::Error> {
     for row in 0..table.rows() {
-        writer.write_record(table.columns().iter().map(|column| column.values.text(row).unwrap_or_default()))?;
+        writer.write_record(
+            table
+                .columns()
+                .iter()
+                .map(|column| column.values.text(row).unwrap_or_default()),
+        )?;
     }
     Ok(())
 }
 
 pub(super) fn decode(path: &Path) -> Result<(Table, Manifest), String> {
     let sidecar = sidecar_path(path);
-    let notes = std::fs::read_to_string(&sidecar).map_err(|fault| format!("its notes \"{}\": {fault}", sidecar.display()))?;
+    let notes = std::fs::read_to_string(&sidecar)
+        .map_err(|fault| format!("its notes \"{}\": {fault}", sidecar.display()))?;
     let notes = Notes::from_json(&notes)?;
     let mut reader = csv::Reader::from_path(path).map_err(|fault| fault.to_string())?;
-    let expected: Vec<_> = notes.columns.iter().map(|note| note.name.as_str()).collect();
+    let expected: Vec<_> = notes
+        .columns
+        .iter()
+        .map(|note| note.name.as_str())
+        .collect();
     if *reader.headers().map_err(|fault| fault.to_string())? != expected {
         return Err("its header is not the one in its notes".to_owned());
     }
     let mut fields = vec![Vec::new(); expected.len()];
     for record in reader.records() {
         let record = record.map_err(|fault| fault.to_string())?;
-        fields.iter_mut().zip(record.iter()).for_each(|(column, field)| column.push(field.to_owned()));
+        fields
+            .iter_mut()
+            .zip(record.iter())
+            .for_each(|(column, field)| column.push(field.to_owned()));
     }
     let parse = |(texts, kind): (_, &String)| Values::parse(kind, texts);
-    let values = fields.into_iter().zip(notes.columns.iter().map(|note| &note.kind)).map(parse).collect::<Result<_, _>>()?;
+    let values = fields
+        .into_iter()
+        .zip(notes.columns.iter().map(|note| &note.kind))
+        .map(parse)
+        .collect::<Result<_, _>>()?;
     notes.join(values)
 }
 
@@ -91,21 +116,37 @@ mod tests {
     #[test]
     fn the_text_is_what_a_spreadsheet_expects() {
         let columns = vec![
-            Column::new("frequency_hz", "Hz", "drive frequency", vec![4.0, 0.1 + 0.2, 1e-7]),
+            Column::new(
+                "frequency_hz",
+                "Hz",
+                "drive frequency",
+                vec![4.0, 0.1 + 0.2, 1e-7],
+            ),
             Column::new("settled", "", "", vec![true, false, true]),
-            Column::new("note", "", "", vec!["a,b".to_owned(), String::new(), "say \"no\"".to_owned()]),
+            Column::new(
+                "note",
+                "",
+                "",
+                vec!["a,b".to_owned(), String::new(), "say \"no\"".to_owned()],
+            ),
         ];
         let text = String::from_utf8(encode(&Table::new(columns).unwrap()).unwrap()).unwrap();
         let expected = "frequency_hz,settled,note\n4.0,true,\"a,b\"\n0.30000000000000004,false,\n1e-7,true,\"say \"\"no\"\"\"\n";
         assert_eq!(text, expected);
-        assert_eq!(sidecar_path(Path::new("out/sweep.csv")), Path::new("out/sweep.manifest.json"));
+        assert_eq!(
+            sidecar_path(Path::new("out/sweep.csv")),
+            Path::new("out/sweep.manifest.json")
+        );
     }
 
     #[test]
     fn a_header_that_was_edited_is_an_error() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("t.csv");
-        Table::new(vec![Column::new("a", "", "", vec![1.0])]).unwrap().write(&path, &Manifest::new("")).unwrap();
+        Table::new(vec![Column::new("a", "", "", vec![1.0])])
+            .unwrap()
+            .write(&path, &Manifest::new(""))
+            .unwrap();
         std::fs::write(&path, "b\n1.0\n").unwrap();
         assert!(decode(&path).unwrap_err().contains("header"));
     }

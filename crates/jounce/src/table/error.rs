@@ -9,7 +9,9 @@ use crate::store::StoreError;
 #[serde(untagged)]
 pub enum TableError {
     /// A column does not fit the columns before it.
-    #[error("column \"{column}\" has {rows} rows, the table has {expected}; all columns of a table are equally long")]
+    #[error(
+        "column \"{column}\" has {rows} rows, the table has {expected}; all columns of a table are equally long"
+    )]
     Lengths {
         /// Name of the column.
         column: String,

@@ -11,7 +11,8 @@ pub(super) fn encode(table: &Table, manifest: &Manifest) -> String {
         units.insert(column.name.clone(), Value::from(column.unit.as_str()));
         about.insert(column.name.clone(), Value::from(column.about.as_str()));
     }
-    json!({ "columns": columns, "units": units, "about": about, "manifest": manifest }).to_string() + "\n"
+    json!({ "columns": columns, "units": units, "about": about, "manifest": manifest }).to_string()
+        + "\n"
 }
 
 /// JSON has no NaN and no infinity; they become `null`.
@@ -36,8 +37,16 @@ mod tests {
         let numbers = vec![0.1 + 0.2, 5e-324, -0.0, f64::NAN, f64::INFINITY];
         let table = Table::new(vec![Column::new("power_w", "W", "mean power", numbers)]).unwrap();
         let value: Value = serde_json::from_str(&encode(&table, &Manifest::new("ab"))).unwrap();
-        let read: Vec<_> = value["columns"]["power_w"].as_array().unwrap().iter().map(Value::as_f64).collect();
-        assert_eq!(read, [Some(0.1 + 0.2), Some(5e-324), Some(-0.0), None, None]);
+        let read: Vec<_> = value["columns"]["power_w"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .map(Value::as_f64)
+            .collect();
+        assert_eq!(
+            read,
+            [Some(0.1 + 0.2), Some(5e-324), Some(-0.0), None, None]
+        );
         assert!(read[2].unwrap().is_sign_negative());
         assert_eq!(value["units"]["power_w"], "W");
         assert_eq!(value["manifest"]["spec_sha256"], "ab");

@@ -19,7 +19,9 @@ impl Table {
     /// Columns of different lengths, a name that is empty or used twice.
     pub fn new(columns: Vec<Column>) -> Result<Self, TableError> {
         let mut table = Self::default();
-        columns.into_iter().try_for_each(|column| table.push(column))?;
+        columns
+            .into_iter()
+            .try_for_each(|column| table.push(column))?;
         Ok(table)
     }
 
@@ -29,11 +31,17 @@ impl Table {
     /// Its length differs from that of the table, its name is empty or taken.
     pub fn push(&mut self, column: Column) -> Result<(), TableError> {
         if column.name.is_empty() || self.column(&column.name).is_some() {
-            return Err(TableError::Name { column: column.name });
+            return Err(TableError::Name {
+                column: column.name,
+            });
         }
         let (rows, expected) = (column.values.len(), self.rows());
         if !self.columns.is_empty() && rows != expected {
-            return Err(TableError::Lengths { column: column.name, rows, expected });
+            return Err(TableError::Lengths {
+                column: column.name,
+                rows,
+                expected,
+            });
         }
         self.columns.push(column);
         Ok(())
@@ -70,12 +78,25 @@ impl Table {
         match ending(path) {
             Some("csv") => {
                 // The sidecar first: a CSV file that exists always has its notes.
-                store::write(&csv::sidecar_path(path), csv::sidecar(self, manifest).as_bytes())?;
-                store::write(path, &csv::encode(self).map_err(|reason| encode_error(path, reason))?)?;
+                store::write(
+                    &csv::sidecar_path(path),
+                    csv::sidecar(self, manifest).as_bytes(),
+                )?;
+                store::write(
+                    path,
+                    &csv::encode(self).map_err(|reason| encode_error(path, reason))?,
+                )?;
             }
-            Some("parquet") => store::write(path, &parquet::encode(self, manifest).map_err(|reason| encode_error(path, reason))?)?,
+            Some("parquet") => store::write(
+                path,
+                &parquet::encode(self, manifest).map_err(|reason| encode_error(path, reason))?,
+            )?,
             Some("json") => store::write(path, json::encode(self, manifest).as_bytes())?,
-            _ => return Err(TableError::Format { path: path.to_owned() }),
+            _ => {
+                return Err(TableError::Format {
+                    path: path.to_owned(),
+                });
+            }
         }
         Ok(())
     }
@@ -85,7 +106,8 @@ impl Table {
     /// # Errors
     /// Content that Parquet refuses.
     pub fn to_parquet(&self, manifest: &Manifest) -> Result<Vec<u8>, TableError> {
-        parquet::encode(self, manifest).map_err(|reason| encode_error(Path::new("table.parquet"), reason))
+        parquet::encode(self, manifest)
+            .map_err(|reason| encode_error(Path::new("table.parquet"), reason))
     }
 
     /// Writes tables of the same columns one after the other to a file, each as it comes: `.parquet`, where each is a row group, or `.csv`
@@ -102,10 +124,19 @@ impl Table {
         match (ending(path), tables.peek()) {
             // The sidecar first: a CSV file that exists always has its notes.
             (Some("csv"), Some(Ok(first))) => {
-                store::write(&csv::sidecar_path(path), csv::sidecar(first, manifest).as_bytes()).map_err(TableError::from)?;
+                store::write(
+                    &csv::sidecar_path(path),
+                    csv::sidecar(first, manifest).as_bytes(),
+                )
+                .map_err(TableError::from)?;
             }
             (Some("csv" | "parquet"), _) => {}
-            _ => return Err(TableError::Format { path: path.to_owned() }.into()),
+            _ => {
+                return Err(TableError::Format {
+                    path: path.to_owned(),
+                }
+                .into());
+            }
         }
         let mut failure = None;
         let stored = store::write_from(path, |file| {
@@ -133,9 +164,16 @@ impl Table {
         let read = match ending(path) {
             Some("csv") => csv::decode(path),
             Some("parquet") => parquet::decode(path),
-            _ => return Err(TableError::Format { path: path.to_owned() }),
+            _ => {
+                return Err(TableError::Format {
+                    path: path.to_owned(),
+                });
+            }
         };
-        read.map_err(|reason| TableError::Read { path: path.to_owned(), reason })
+        read.map_err(|reason| TableError::Read {
+            path: path.to_owned(),
+            reason,
+        })
     }
 }
 
@@ -144,7 +182,10 @@ fn ending(path: &Path) -> Option<&str> {
 }
 
 fn encode_error(path: &Path, reason: String) -> TableError {
-    TableError::Encode { path: path.to_owned(), reason }
+    TableError::Encode {
+        path: path.to_owned(),
+        reason,
+    }
 }
 
 #[cfg(test)]
@@ -153,25 +194,69 @@ mod tests {
     use super::*;
 
     fn awkward() -> Table {
-        let floats = vec![0.1 + 0.2, -0.0, f64::NAN, 5e-324, f64::MAX, f64::NEG_INFINITY, 1e-7, 7.023_747_569_4e-5];
-        let texts = ["plain", "comma, quote \" and\nnewline", "", "µΩ", " ", "NaN", "1", "'"];
+        let floats = vec![
+            0.1 + 0.2,
+            -0.0,
+            f64::NAN,
+            5e-324,
+            f64::MAX,
+            f64::NEG_INFINITY,
+            1e-7,
+            7.023_747_569_4e-5,
+        ];
+        let texts = [
+            "plain",
+            "comma, quote \" and\nnewline",
+            "",
+            "µΩ",
+            " ",
+            "NaN",
+            "1",
+            "'",
+        ];
         Table::new(vec![
             Column::new("power_w", "W", "mean power", floats),
-            Column::new("shift", "", "signed", vec![i64::MIN, -1, 0, 1, 2, 3, 4, i64::MAX]),
-            Column::new("contacts", "", "count", vec![0u64, 1, 2, 3, 4, 5, 1 << 53 | 1, u64::MAX]),
-            Column::new("settled", "", "yes or no", vec![true, false, true, true, false, false, true, false]),
+            Column::new(
+                "shift",
+                "",
+                "signed",
+                vec![i64::MIN, -1, 0, 1, 2, 3, 4, i64::MAX],
+            ),
+            Column::new(
+                "contacts",
+                "",
+                "count",
+                vec![0u64, 1, 2, 3, 4, 5, 1 << 53 | 1, u64::MAX],
+            ),
+            Column::new(
+                "settled",
+                "",
+                "yes or no",
+                vec![true, false, true, true, false, false, true, false],
+            ),
             Column::new("label", "", "text", texts.map(str::to_owned).to_vec()),
         ])
         .unwrap()
     }
 
     fn manifest() -> Manifest {
-        Manifest { seed: Some(7), ..Manifest::new("00ff").with("command", "sweep").with("over", "drive.shaker.frequency=4Hz:20Hz:0.1Hz") }
+        Manifest {
+            seed: Some(7),
+            ..Manifest::new("00ff")
+                .with("command", "sweep")
+                .with("over", "drive.shaker.frequency=4Hz:20Hz:0.1Hz")
+        }
     }
 
     /// Equal as bits, which `==` is not for NaN and -0.
     fn same_bits(a: &Table, b: &Table) -> bool {
-        let bits = |t: &Table| t.floats("power_w").unwrap().iter().map(|x| x.to_bits()).collect::<Vec<_>>();
+        let bits = |t: &Table| {
+            t.floats("power_w")
+                .unwrap()
+                .iter()
+                .map(|x| x.to_bits())
+                .collect::<Vec<_>>()
+        };
         bits(a) == bits(b) && a.columns()[1..] == b.columns()[1..]
     }
 
@@ -192,10 +277,17 @@ mod tests {
     fn the_same_table_gives_the_same_bytes() {
         let folder = tempfile::tempdir().unwrap();
         for name in ["t.csv", "t.parquet", "t.json"] {
-            let (a, b) = (folder.path().join(name), folder.path().join(format!("again-{name}")));
+            let (a, b) = (
+                folder.path().join(name),
+                folder.path().join(format!("again-{name}")),
+            );
             awkward().write(&a, &manifest()).unwrap();
             awkward().write(&b, &manifest()).unwrap();
-            assert_eq!(std::fs::read(&a).unwrap(), std::fs::read(&b).unwrap(), "{name}");
+            assert_eq!(
+                std::fs::read(&a).unwrap(),
+                std::fs::read(&b).unwrap(),
+                "{name}"
+            );
         }
     }
 
@@ -203,8 +295,12 @@ mod tests {
     fn empty_tables_survive() {
         let folder = tempfile::tempdir().unwrap();
         let no_rows = Table::new(vec![Column::new("a", "m", "", Vec::<f64>::new())]).unwrap();
-        for (name, table) in [("a.csv", &no_rows), ("a.parquet", &no_rows), ("b.csv", &Table::default()), ("b.parquet", &Table::default())]
-        {
+        for (name, table) in [
+            ("a.csv", &no_rows),
+            ("a.parquet", &no_rows),
+            ("b.csv", &Table::default()),
+            ("b.parquet", &Table::default()),
+        ] {
             let path = folder.path().join(name);
             table.write(&path, &manifest()).unwrap();
             assert_eq!(&Table::read(&path).unwrap().0, table, "{name}");
@@ -215,20 +311,42 @@ mod tests {
     fn unequal_lengths_and_double_names_are_errors() {
         let two = || Column::new("a", "", "", vec![1.0, 2.0]);
         let three = Column::new("b", "", "", vec![1.0, 2.0, 3.0]);
-        assert!(matches!(Table::new(vec![two(), three]), Err(TableError::Lengths { rows: 3, expected: 2, .. })));
-        assert!(matches!(Table::new(vec![two(), two()]), Err(TableError::Name { .. })));
+        assert!(matches!(
+            Table::new(vec![two(), three]),
+            Err(TableError::Lengths {
+                rows: 3,
+                expected: 2,
+                ..
+            })
+        ));
+        assert!(matches!(
+            Table::new(vec![two(), two()]),
+            Err(TableError::Name { .. })
+        ));
     }
 
     #[test]
     fn a_place_that_cannot_be_written_or_read_is_an_error() {
         let folder = tempfile::tempdir().unwrap();
         let at = |name: &str| folder.path().join(name);
-        assert!(matches!(awkward().write(&at("no/t.csv"), &manifest()), Err(TableError::Store(_))));
-        assert!(matches!(awkward().write(&at("t.xls"), &manifest()), Err(TableError::Format { .. })));
+        assert!(matches!(
+            awkward().write(&at("no/t.csv"), &manifest()),
+            Err(TableError::Store(_))
+        ));
+        assert!(matches!(
+            awkward().write(&at("t.xls"), &manifest()),
+            Err(TableError::Format { .. })
+        ));
         for name in ["t.csv", "t.parquet"] {
-            assert!(matches!(Table::read(&at(name)), Err(TableError::Read { .. })), "{name} is missing");
+            assert!(
+                matches!(Table::read(&at(name)), Err(TableError::Read { .. })),
+                "{name} is missing"
+            );
             std::fs::write(at(name), b"\xff\x00garbage").unwrap();
-            assert!(matches!(Table::read(&at(name)), Err(TableError::Read { .. })), "{name} is garbage");
+            assert!(
+                matches!(Table::read(&at(name)), Err(TableError::Read { .. })),
+                "{name} is garbage"
+            );
         }
     }
 }

@@ -30,7 +30,10 @@ impl Notes {
             about: column.about.clone(),
             kind: column.values.kind().to_owned(),
         };
-        Self { manifest: manifest.clone(), columns: table.columns().iter().map(note).collect() }
+        Self {
+            manifest: manifest.clone(),
+            columns: table.columns().iter().map(note).collect(),
+        }
     }
 
     pub(super) fn to_json(&self) -> String {
@@ -38,12 +41,20 @@ impl Notes {
     }
 
     pub(super) fn from_json(text: &str) -> Result<Self, String> {
-        serde_json::from_str(text).map_err(|fault| format!("its notes are not those of jounce ({fault})"))
+        serde_json::from_str(text)
+            .map_err(|fault| format!("its notes are not those of jounce ({fault})"))
     }
 
     /// Joins the notes with the values of each column.
     pub(super) fn join(self, values: Vec<Values>) -> Result<(Table, Manifest), String> {
-        let columns = self.columns.into_iter().zip(values).map(|(note, values)| Column::new(&note.name, &note.unit, &note.about, values));
-        Ok((Table::new(columns.collect()).map_err(|fault| fault.to_string())?, self.manifest))
+        let columns = self
+            .columns
+            .into_iter()
+            .zip(values)
+            .map(|(note, values)| Column::new(&note.name, &note.unit, &note.about, values));
+        Ok((
+            Table::new(columns.collect()).map_err(|fault| fault.to_string())?,
+            self.manifest,
+        ))
     }
 }

@@ -28,11 +28,22 @@ pub(super) fn decode(path: &Path) -> Result<(Table, Manifest), String> {
     let file = File::open(path).map_err(|fault| fault.to_string())?;
     let reader = SerializedFileReader::new(file).map_err(|fault| fault.to_string())?;
     let notes = notes_of(&reader)?;
-    let columns = reader.metadata().file_metadata().schema_descr().num_columns();
+    let columns = reader
+        .metadata()
+        .file_metadata()
+        .schema_descr()
+        .num_columns();
     if columns != notes.columns.len() {
-        return Err(format!("it has {columns} columns, its notes name {}", notes.columns.len()));
+        return Err(format!(
+            "it has {columns} columns, its notes name {}",
+            notes.columns.len()
+        ));
     }
-    let values = notes.columns.iter().enumerate().map(|(index, note)| read_column(&reader, index, &note.kind));
+    let values = notes
+        .columns
+        .iter()
+        .enumerate()
+        .map(|(index, note)| read_column(&reader, index, &note.kind));
     let values = values.collect::<Result<_, _>>()?;
     notes.join(values)
 }
@@ -48,14 +59,18 @@ pub(super) fn join<W: Write + Send, E>(
     for table in tables {
         let table = table?;
         if let Some(target) = target.take() {
-            writer = Some(begin(target, &table, manifest).map_err(|fault| failed(fault.to_string()))?);
+            writer =
+                Some(begin(target, &table, manifest).map_err(|fault| failed(fault.to_string()))?);
         }
         if let Some(writer) = &mut writer {
             append(writer, &table).map_err(|fault| failed(fault.to_string()))?;
         }
     }
     match writer {
-        Some(writer) => writer.close().map(|_| ()).map_err(|fault| failed(fault.to_string())),
+        Some(writer) => writer
+            .close()
+            .map(|_| ())
+            .map_err(|fault| failed(fault.to_string())),
         None => Err(failed("there is no table to write".to_owned())),
     }
 }
@@ -69,21 +84,33 @@ fn write(table: &Table, manifest: &Manifest) -> Result<Vec<u8>, ParquetError> {
 }
 
 /// A file for tables like this one.
-fn begin<W: Write + Send>(target: W, table: &Table, manifest: &Manifest) -> Result<SerializedFileWriter<W>, ParquetError> {
+fn begin<W: Write + Send>(
+    target: W,
+    table: &Table,
+    manifest: &Manifest,
+) -> Result<SerializedFileWriter<W>, ParquetError> {
     let notes = KeyValue::new(KEY.to_owned(), Notes::of(table, manifest).to_json());
     let properties = WriterProperties::builder()
         .set_compression(Compression::SNAPPY)
-        .set_created_by(format!("{} version {}", manifest.created_by, manifest.version))
+        .set_created_by(format!(
+            "{} version {}",
+            manifest.created_by, manifest.version
+        ))
         .set_key_value_metadata(Some(vec![notes]))
         .build();
     SerializedFileWriter::new(target, Arc::new(schema(table)?), Arc::new(properties))
 }
 
 /// The rows of a table as one group.
-fn append<W: Write + Send>(writer: &mut SerializedFileWriter<W>, table: &Table) -> Result<(), ParquetError> {
+fn append<W: Write + Send>(
+    writer: &mut SerializedFileWriter<W>,
+    table: &Table,
+) -> Result<(), ParquetError> {
     let mut rows = writer.next_row_group()?;
     for column in table.columns() {
-        let Some(mut target) = rows.next_column()? else { break };
+        let Some(mut target) = rows.next_column()? else {
+            break;
+        };
         write_column(&mut target, &column.values)?;
         target.close()?;
     }
@@ -92,8 +119,15 @@ fn append<W: Write + Send>(writer: &mut SerializedFileWriter<W>, table: &Table) 
 }
 
 fn schema(table: &Table) -> Result<Type, ParquetError> {
-    let fields = table.columns().iter().map(field).map(|f| f.map(Arc::new)).collect::<Result<_, _>>()?;
-    Type::group_type_builder("table").with_fields(fields).build()
+    let fields = table
+        .columns()
+        .iter()
+        .map(field)
+        .map(|f| f.map(Arc::new))
+        .collect::<Result<_, _>>()?;
+    Type::group_type_builder("table")
+        .with_fields(fields)
+        .build()
 }
 
 fn field(column: &Column) -> Result<Type, ParquetError> {
@@ -104,53 +138,137 @@ fn field(column: &Column) -> Result<Type, ParquetError> {
         Values::Flag(_) => (Physical::BOOLEAN, None),
         Values::Text(_) => (Physical::BYTE_ARRAY, Some(LogicalType::String)),
     };
-    Type::primitive_type_builder(&column.name, physical).with_repetition(Repetition::REQUIRED).with_logical_type(logical).build()
+    Type::primitive_type_builder(&column.name, physical)
+        .with_repetition(Repetition::REQUIRED)
+        .with_logical_type(logical)
+        .build()
 }
 
-fn write_column(target: &mut SerializedColumnWriter<'_>, values: &Values) -> Result<usize, ParquetError> {
+fn write_column(
+    target: &mut SerializedColumnWriter<'_>,
+    values: &Values,
+) -> Result<usize, ParquetError> {
     match values {
         Values::Float(v) => target.typed::<DoubleType>().write_batch(v, None, None),
         Values::Integer(v) => target.typed::<Int64Type>().write_batch(v, None, None),
         // Parquet stores an unsigned integer as the signed one of the same bits.
-        Values::Count(v) => target.typed::<Int64Type>().write_batch(&v.iter().map(|x| x.cast_signed()).collect::<Vec<_>>(), None, None),
+        Values::Count(v) => target.typed::<Int64Type>().write_batch(
+            &v.iter().map(|x| x.cast_signed()).collect::<Vec<_>>(),
+            None,
+            None,
+        ),
         Values::Flag(v) => target.typed::<BoolType>().write_batch(v, None, None),
         Values::Text(v) => {
-            let texts: Vec<_> = v.iter().map(|text| ByteArray::from(text.as_str())).collect();
-            target.typed::<ByteArrayType>().write_batch(&texts, None, None)
+            let texts: Vec<_> = v
+                .iter()
+                .map(|text| ByteArray::from(text.as_str()))
+                .collect();
+            target
+                .typed::<ByteArrayType>()
+                .write_batch(&texts, None, None)
         }
     }
 }
 
 fn notes_of(reader: &SerializedFileReader<File>) -> Result<Notes, String> {
     let pairs = reader.metadata().file_metadata().key_value_metadata();
-    let notes = pairs.and_then(|pairs| pairs.iter().find(|pair| pair.key == KEY)).and_then(|pair| pair.value.as_deref());
+    let notes = pairs
+        .and_then(|pairs| pairs.iter().find(|pair| pair.key == KEY))
+        .and_then(|pair| pair.value.as_deref());
     Notes::from_json(notes.ok_or("it has no notes of jounce")?)
 }
 
-fn read_column(reader: &SerializedFileReader<File>, index: usize, kind: &str) -> Result<Values, String> {
-    let wrong = || format!("column {} does not hold the kind \"{kind}\" that its notes name", index + 1);
+fn read_column(
+    reader: &SerializedFileReader<File>,
+    index: usize,
+    kind: &str,
+) -> Result<Values, String> {
+    let wrong = || {
+        format!(
+            "column {} does not hold the kind \"{kind}\" that its notes name",
+            index + 1
+        )
+    };
     let mut parts = Vec::new();
     for group in 0..reader.num_row_groups() {
-        let rows = reader.get_row_group(group).map_err(|fault| fault.to_string())?;
-        parts.push((rows.get_column_reader(index).map_err(|fault| fault.to_string())?, rows.metadata().num_rows()));
+        let rows = reader
+            .get_row_group(group)
+            .map_err(|fault| fault.to_string())?;
+        parts.push((
+            rows.get_column_reader(index)
+                .map_err(|fault| fault.to_string())?,
+            rows.metadata().num_rows(),
+        ));
     }
     match kind {
-        "float" => typed(parts, |r| if let ColumnReader::DoubleColumnReader(r) = r { Some(r) } else { None }, wrong).map(Values::Float),
+        "float" => typed(
+            parts,
+            |r| {
+                if let ColumnReader::DoubleColumnReader(r) = r {
+                    Some(r)
+                } else {
+                    None
+                }
+            },
+            wrong,
+        )
+        .map(Values::Float),
         "integer" => integers(parts, wrong).map(Values::Integer),
-        "count" => Ok(Values::Count(integers(parts, wrong)?.into_iter().map(i64::cast_unsigned).collect())),
-        "flag" => typed(parts, |r| if let ColumnReader::BoolColumnReader(r) = r { Some(r) } else { None }, wrong).map(Values::Flag),
+        "count" => Ok(Values::Count(
+            integers(parts, wrong)?
+                .into_iter()
+                .map(i64::cast_unsigned)
+                .collect(),
+        )),
+        "flag" => typed(
+            parts,
+            |r| {
+                if let ColumnReader::BoolColumnReader(r) = r {
+                    Some(r)
+                } else {
+                    None
+                }
+            },
+            wrong,
+        )
+        .map(Values::Flag),
         "text" => {
-            let pick = |r| if let ColumnReader::ByteArrayColumnReader(r) = r { Some(r) } else { None };
+            let pick = |r| {
+                if let ColumnReader::ByteArrayColumnReader(r) = r {
+                    Some(r)
+                } else {
+                    None
+                }
+            };
             let texts = typed(parts, pick, wrong)?;
-            let text = |bytes: ByteArray| String::from_utf8(bytes.data().to_vec()).map_err(|fault| fault.to_string());
-            texts.into_iter().map(text).collect::<Result<_, _>>().map(Values::Text)
+            let text = |bytes: ByteArray| {
+                String::from_utf8(bytes.data().to_vec()).map_err(|fault| fault.to_string())
+            };
+            texts
+                .into_iter()
+                .map(text)
+                .collect::<Result<_, _>>()
+                .map(Values::Text)
         }
         other => Err(format!("there is no kind of column \"{other}\"")),
     }
 }
 
-fn integers(parts: Vec<(ColumnReader, i64)>, wrong: impl Fn() -> String) -> Result<Vec<i64>, String> {
-    typed(parts, |r| if let ColumnReader::Int64ColumnReader(r) = r { Some(r) } else { None }, wrong)
+fn integers(
+    parts: Vec<(ColumnReader, i64)>,
+    wrong: impl Fn() -> String,
+) -> Result<Vec<i64>, String> {
+    typed(
+        parts,
+        |r| {
+            if let ColumnReader::Int64ColumnReader(r) = r {
+                Some(r)
+            } else {
+                None
+            }
+        },
+        wrong,
+    )
 }
 
 fn typed<T: DataType>(
@@ -164,7 +282,10 @@ fn typed<T: DataType>(
         let mut reader = pick(part).ok_or_else(&wrong)?;
         let (mut read, mut last) = (0, 1);
         while read < rows && last > 0 {
-            last = reader.read_records(rows - read, None, None, &mut values).map_err(|fault| fault.to_string())?.0;
+            last = reader
+                .read_records(rows - read, None, None, &mut values)
+                .map_err(|fault| fault.to_string())?
+                .0;
             read += last;
         }
     }
@@ -189,9 +310,22 @@ mod tests {
         std::fs::write(&path, encode(&table, &Manifest::new("ab")).unwrap()).unwrap();
         let reader = SerializedFileReader::new(File::open(&path).unwrap()).unwrap();
         let row = reader.get_row_iter(None).unwrap().nth(1).unwrap().unwrap();
-        let row: Vec<_> = row.get_column_iter().map(|(name, field)| format!("{name}={field}")).collect();
-        assert_eq!(row, ["power_w=NaN", "contacts=18446744073709551615", "label=\"b\""]);
-        assert_eq!(reader.metadata().row_group(0).column(0).compression(), Compression::SNAPPY);
+        let row: Vec<_> = row
+            .get_column_iter()
+            .map(|(name, field)| format!("{name}={field}"))
+            .collect();
+        assert_eq!(
+            row,
+            [
+                "power_w=NaN",
+                "contacts=18446744073709551615",
+                "label=\"b\""
+            ]
+        );
+        assert_eq!(
+            reader.metadata().row_group(0).column(0).compression(),
+            Compression::SNAPPY
+        );
         assert_eq!(notes_of(&reader).unwrap().columns[0].unit, "W");
     }
 }

@@ -55,7 +55,12 @@ pub struct Agreement {
 }
 
 /// Marches all starts of a cloud by brute force.
-pub fn endings(system: &System, starts: &[Vec<f64>], patience: Patience, tolerance: f64) -> Vec<Ending> {
+pub fn endings(
+    system: &System,
+    starts: &[Vec<f64>],
+    patience: Patience,
+    tolerance: f64,
+) -> Vec<Ending> {
     match system.modes.len() {
         1 => endings_of::<1, 4>(system, starts, patience, tolerance),
         2 => endings_of::<2, 6>(system, starts, patience, tolerance),
@@ -64,33 +69,63 @@ pub fn endings(system: &System, starts: &[Vec<f64>], patience: Patience, toleran
     }
 }
 
-fn endings_of<const N: usize, const D: usize>(system: &System, starts: &[Vec<f64>], patience: Patience, tolerance: f64) -> Vec<Ending> {
+fn endings_of<const N: usize, const D: usize>(
+    system: &System,
+    starts: &[Vec<f64>],
+    patience: Patience,
+    tolerance: f64,
+) -> Vec<Ending> {
     let model = ReferenceModel::<N, D>::of(system);
-    starts.par_iter().map(|start| classify(Flow { model: &model, tolerance }, start, patience)).collect()
+    starts
+        .par_iter()
+        .map(|start| {
+            classify(
+                Flow {
+                    model: &model,
+                    tolerance,
+                },
+                start,
+                patience,
+            )
+        })
+        .collect()
 }
 
 /// Whether the states of one motion are those of another, shifted by some cycles.
 fn same_states(a: &[Vec<f64>], b: &[Vec<f64>], size: f64) -> bool {
-    let distance = |x: &[f64], y: &[f64]| x.iter().zip(y).map(|(x, y)| (x - y).powi(2)).sum::<f64>().sqrt();
+    let distance = |x: &[f64], y: &[f64]| {
+        x.iter()
+            .zip(y)
+            .map(|(x, y)| (x - y).powi(2))
+            .sum::<f64>()
+            .sqrt()
+    };
     let n = a.len();
-    n == b.len() && (0..n).any(|shift| (0..n).all(|i| distance(&a[i], &b[(i + shift) % n]) <= STATES * size))
+    n == b.len()
+        && (0..n).any(|shift| (0..n).all(|i| distance(&a[i], &b[(i + shift) % n]) <= STATES * size))
 }
 
 /// Whether a power is that of an ending: relative to itself, and within what the states leave open, `2 sqrt(P P_close) + P_close`.
 fn same_power(ending: &Ending, power_w: f64) -> bool {
-    let (larger, close) = (ending.mean_power_w.max(power_w), CLOSE * CLOSE * ending.power_scale_w);
+    let (larger, close) = (
+        ending.mean_power_w.max(power_w),
+        CLOSE * CLOSE * ending.power_scale_w,
+    );
     (ending.mean_power_w - power_w).abs() <= POWER * larger + 2.0 * (larger * close).sqrt() + close
 }
 
 /// Whether an account describes an ending.
 fn verdict(ending: &Ending, account: Option<&Account>) -> Verdict {
-    let Some(account) = account else { return Verdict::Undecided };
+    let Some(account) = account else {
+        return Verdict::Undecided;
+    };
     match (ending.kind, account.kind) {
         (Kind::Lost | Kind::Unsettled, _) => Verdict::Unknown,
         (_, AccountKind::Undecided) => Verdict::Undecided,
         (Kind::Periodic(own), AccountKind::Periodic(theirs)) => {
             let powers = same_power(ending, account.mean_power_w);
-            if own == theirs && powers && same_states(&ending.strobe, &account.strobe, ending.size) {
+            if own == theirs && powers && same_states(&ending.strobe, &account.strobe, ending.size)
+            {
                 Verdict::Same
             } else {
                 Verdict::Different
@@ -98,7 +133,9 @@ fn verdict(ending: &Ending, account: Option<&Account>) -> Verdict {
         }
         (Kind::Torus, AccountKind::Torus) | (Kind::Chaos, AccountKind::Chaos) => Verdict::Same,
         // A period that brute force does not look for may be there.
-        (Kind::Torus, AccountKind::Periodic(theirs)) if theirs > ending.cycles / 4 => Verdict::Unknown,
+        (Kind::Torus, AccountKind::Periodic(theirs)) if theirs > ending.cycles / 4 => {
+            Verdict::Unknown
+        }
         _ => Verdict::Different,
     }
 }
@@ -111,7 +148,8 @@ fn groups(endings: &[Ending]) -> Vec<Vec<usize>> {
             let known = &endings[group[0]];
             known.kind == ending.kind
                 && (!matches!(ending.kind, Kind::Periodic(_))
-                    || same_power(known, ending.mean_power_w) && same_states(&known.strobe, &ending.strobe, ending.size))
+                    || same_power(known, ending.mean_power_w)
+                        && same_states(&known.strobe, &ending.strobe, ending.size))
         };
         match groups.iter_mut().find(is_one) {
             Some(group) => group.push(index),
@@ -123,25 +161,44 @@ fn groups(endings: &[Ending]) -> Vec<Vec<usize>> {
 }
 
 /// Compares both on one spec.
-pub fn compare(file: &SpecFile, starts: InitialStates, patience: Patience, tolerance: f64) -> Agreement {
+pub fn compare(
+    file: &SpecFile,
+    starts: InitialStates,
+    patience: Patience,
+    tolerance: f64,
+) -> Agreement {
     let prepared = Model::new(file.spec().unwrap()).unwrap();
     let plant = &prepared.kernel.plant;
     let drive = &plant.system.drives[0];
-    let key = (format!("drive.{}.frequency", drive.name), drive.frequency_hz);
+    let key = (
+        format!("drive.{}.frequency", drive.name),
+        drive.frequency_hz,
+    );
     let begin = Instant::now();
     let found = accounts(file, (&key.0, key.1), starts.clone());
     let library_s = begin.elapsed().as_secs_f64();
     let begin = Instant::now();
-    let physical: Vec<Vec<f64>> = (0..starts.len()).map(|index| starts.start(plant, index)).collect();
+    let physical: Vec<Vec<f64>> = (0..starts.len())
+        .map(|index| starts.start(plant, index))
+        .collect();
     let endings = endings(&plant.system, &physical, patience, tolerance);
     let brute_s = begin.elapsed().as_secs_f64();
     let of = |index: usize| found.iter().find(|account| account.starts.contains(&index));
     let again = |index: usize, factor: f64| {
         let start = std::slice::from_ref(&physical[index]);
-        verdict(&self::endings(&plant.system, start, patience, factor * tolerance)[0], of(index))
+        verdict(
+            &self::endings(&plant.system, start, patience, factor * tolerance)[0],
+            of(index),
+        )
     };
     let decide = |(index, ending): (usize, &Ending)| match verdict(ending, of(index)) {
-        Verdict::Different if AGAIN.iter().any(|factor| again(index, *factor) == Verdict::Same) => Verdict::Sensitive,
+        Verdict::Different
+            if AGAIN
+                .iter()
+                .any(|factor| again(index, *factor) == Verdict::Same) =>
+        {
+            Verdict::Sensitive
+        }
         decided => decided,
     };
     let verdicts = endings.iter().enumerate().map(decide).collect();
@@ -149,7 +206,14 @@ pub fn compare(file: &SpecFile, starts: InitialStates, patience: Patience, toler
     let other_starts = match starts {
         InitialStates::Cloud(cloud) => {
             let part = cloud.starts / HELD_BACK;
-            let held_back = accounts(file, (&key.0, key.1), InitialStates::Cloud(Cloud { starts: part, ..cloud }));
+            let held_back = accounts(
+                file,
+                (&key.0, key.1),
+                InitialStates::Cloud(Cloud {
+                    starts: part,
+                    ..cloud
+                }),
+            );
             covered(&endings[part..], &held_back, part)
         }
         InitialStates::Grid(_) => [0, 0],
@@ -169,8 +233,13 @@ fn covered(endings: &[Ending], accounts: &[Account], of: usize) -> [usize; 2] {
     let groups = groups(endings);
     let holds = |group: &&Vec<usize>| {
         let ending = &endings[group[0]];
-        let own = accounts.iter().find(|account| verdict(ending, Some(account)) == Verdict::Same);
-        let [low, high] = own.map_or_else(|| unseen(of), |account| [account.share.low, account.share.high]);
+        let own = accounts
+            .iter()
+            .find(|account| verdict(ending, Some(account)) == Verdict::Same);
+        let [low, high] = own.map_or_else(
+            || unseen(of),
+            |account| [account.share.low, account.share.high],
+        );
         (low..=high).contains(&(group.len() as f64 / endings.len() as f64))
     };
     [groups.len(), groups.iter().filter(holds).count()]
@@ -179,7 +248,10 @@ fn covered(endings: &[Ending], accounts: &[Account], of: usize) -> [usize; 2] {
 impl Agreement {
     /// Number of attractors by brute force and by the library.
     pub fn attractors(&self) -> [usize; 2] {
-        let decided = self.accounts.iter().filter(|account| account.kind != AccountKind::Undecided);
+        let decided = self
+            .accounts
+            .iter()
+            .filter(|account| account.kind != AccountKind::Undecided);
         [groups(&self.endings).len(), decided.count()]
     }
 
@@ -192,24 +264,59 @@ impl Agreement {
 impl Display for Agreement {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let [library_s, brute_s] = self.seconds;
-        let counts = [Verdict::Same, Verdict::Different, Verdict::Sensitive, Verdict::Undecided, Verdict::Unknown]
-            .map(|verdict| self.count(verdict));
+        let counts = [
+            Verdict::Same,
+            Verdict::Different,
+            Verdict::Sensitive,
+            Verdict::Undecided,
+            Verdict::Unknown,
+        ]
+        .map(|verdict| self.count(verdict));
         let [same, different, sensitive, undecided, unknown] = counts;
         let [own, theirs] = self.attractors();
-        writeln!(f, "same {same} different {different} sensitive {sensitive} undecided {undecided} unknown {unknown}")?;
-        writeln!(f, "  attractors by brute force {own}, by the library {theirs}")?;
+        writeln!(
+            f,
+            "same {same} different {different} sensitive {sensitive} undecided {undecided} unknown {unknown}"
+        )?;
+        writeln!(
+            f,
+            "  attractors by brute force {own}, by the library {theirs}"
+        )?;
         let [all, held] = self.same_starts;
         let [others, held_others] = self.other_starts;
-        writeln!(f, "  shares in their intervals: {held} of {all}; of other starts {held_others} of {others}")?;
+        writeln!(
+            f,
+            "  shares in their intervals: {held} of {all}; of other starts {held_others} of {others}"
+        )?;
         let cycles: usize = self.endings.iter().map(|ending| ending.cycles).sum();
-        writeln!(f, "  library {library_s:.2} s, brute force {brute_s:.2} s over {cycles} cycles")?;
+        writeln!(
+            f,
+            "  library {library_s:.2} s, brute force {brute_s:.2} s over {cycles} cycles"
+        )?;
         for group in groups(&self.endings) {
-            let Ending { kind, mean_power_w, exponent, .. } = &self.endings[group[0]];
-            let exponent = exponent.map_or(String::new(), |[value, error]| format!(", exponent {value:.5} +- {error:.5} a cycle"));
-            writeln!(f, "  brute force {kind:?} {mean_power_w:.9e} W: {}{exponent}", group.len())?;
+            let Ending {
+                kind,
+                mean_power_w,
+                exponent,
+                ..
+            } = &self.endings[group[0]];
+            let exponent = exponent.map_or(String::new(), |[value, error]| {
+                format!(", exponent {value:.5} +- {error:.5} a cycle")
+            });
+            writeln!(
+                f,
+                "  brute force {kind:?} {mean_power_w:.9e} W: {}{exponent}",
+                group.len()
+            )?;
         }
         for account in &self.accounts {
-            writeln!(f, "  library     {} {:.9e} W: {}", account.id, account.mean_power_w, account.starts.len())?;
+            writeln!(
+                f,
+                "  library     {} {:.9e} W: {}",
+                account.id,
+                account.mean_power_w,
+                account.starts.len()
+            )?;
         }
         Ok(())
     }

@@ -12,7 +12,9 @@ pub struct Draw(u64);
 impl Draw {
     /// Stream number `index` of a seed.
     pub fn new(seed: u64, index: u64) -> Self {
-        let mut draw = Self(seed.wrapping_mul(0xd134_2543_de82_ef95) ^ index.wrapping_mul(0xaf25_1af3_b0f0_25b5));
+        let mut draw = Self(
+            seed.wrapping_mul(0xd134_2543_de82_ef95) ^ index.wrapping_mul(0xaf25_1af3_b0f0_25b5),
+        );
         draw.next();
         draw
     }
@@ -68,7 +70,12 @@ pub fn drawn(seed: u64, index: u64) -> String {
     (1..modes).for_each(|i| frequencies.push(frequencies[i - 1] * draw.within(1.8, 6.5)));
     let tip: Vec<f64> = (0..modes).map(|i| if i == 0 { 1.0 } else { draw.one_of(&[-1.0, 1.0]) } * draw.within(0.5, 1.5)).collect();
     let stiffness = (TAU * frequencies[0] / tip[0]).powi(2);
-    let scales = Scales { frequencies, tip, length: draw.decades(1e-4, 1e-2), stiffness };
+    let scales = Scales {
+        frequencies,
+        tip,
+        length: draw.decades(1e-4, 1e-2),
+        stiffness,
+    };
     let mut text = modal(draw, &scales);
     stops(draw, &scales, &mut text);
     let ratio = draw.decades(0.3, 2.5);
@@ -83,20 +90,27 @@ pub fn drawn(seed: u64, index: u64) -> String {
     );
     if draw.happens(0.4) {
         // Gravity bends the first mode by up to a length at the tip.
-        let sag = scales.length * draw.within(-1.0, 1.0) * scales.angular().powi(2) / (scales.tip[0] * 0.8);
+        let sag = scales.length * draw.within(-1.0, 1.0) * scales.angular().powi(2)
+            / (scales.tip[0] * 0.8);
         _ = writeln!(text, "[gravity]\nacceleration = \"{sag:.6} m/s^2\"");
     }
     text + "[run]\nduration = \"100 s\"\naverage_over = \"50 s\"\n"
 }
 
 fn list(values: impl Iterator<Item = f64>) -> String {
-    values.map(|value| format!("{value:.6}")).collect::<Vec<_>>().join(", ")
+    values
+        .map(|value| format!("{value:.6}"))
+        .collect::<Vec<_>>()
+        .join(", ")
 }
 
 /// The table of modes and, mostly, a patch with its resistor.
 fn modal(draw: &mut Draw, scales: &Scales) -> String {
     let modes = scales.frequencies.len();
-    let (frequency, tip) = (list(scales.frequencies.iter().copied()), list(scales.tip.iter().copied()));
+    let (frequency, tip) = (
+        list(scales.frequencies.iter().copied()),
+        list(scales.tip.iter().copied()),
+    );
     let ratios = list((0..modes).map(|_| draw.decades(0.005, 0.1)));
     let side = list((0..modes).map(|i| scales.tip[i] * draw.within(-0.9, 0.9)));
     let participation = list((0..modes).map(|i| 0.8 / (1.0 + i as f64).powi(2)));
@@ -108,8 +122,17 @@ fn modal(draw: &mut Draw, scales: &Scales) -> String {
         // The coupling coefficient theta^2 / (C w^2) of the first mode is 0.1 to 10 %.
         let capacitance: f64 = 1e-6;
         let first = (draw.decades(1e-3, 0.1) * capacitance).sqrt() * scales.angular();
-        let coupling = (0..modes).map(|i| if i == 0 { first } else { first * draw.within(-2.0, 2.0) });
-        let coupling = coupling.map(|value| format!("{value:.9}")).collect::<Vec<_>>().join(", ");
+        let coupling = (0..modes).map(|i| {
+            if i == 0 {
+                first
+            } else {
+                first * draw.within(-2.0, 2.0)
+            }
+        });
+        let coupling = coupling
+            .map(|value| format!("{value:.9}"))
+            .collect::<Vec<_>>()
+            .join(", ");
         let resistance = draw.decades(0.1, 10.0) / (capacitance * scales.angular());
         _ = writeln!(
             text,
@@ -125,11 +148,26 @@ fn stops(draw: &mut Draw, scales: &Scales, text: &mut String) {
     let count = draw.one_of(&[1, 2]);
     let mut rigid = false;
     for number in 0..count {
-        let at = if number == 1 && draw.happens(0.3) && !rigid { "side" } else { "tip" };
+        let at = if number == 1 && draw.happens(0.3) && !rigid {
+            "side"
+        } else {
+            "tip"
+        };
         let side = if number == 0 { "positive" } else { "negative" };
-        let words: &[&str] = &["hertz", "spring", "kelvin-voigt", "hunt-crossley", "rigid", "cubic"];
+        let words: &[&str] = &[
+            "hertz",
+            "spring",
+            "kelvin-voigt",
+            "hunt-crossley",
+            "rigid",
+            "cubic",
+        ];
         // A rigid stop at another point than the first one's has no place beside a second rigid one.
-        let word = draw.one_of(if at == "side" || number == 1 && !rigid { &words[..4] } else { words });
+        let word = draw.one_of(if at == "side" || number == 1 && !rigid {
+            &words[..4]
+        } else {
+            words
+        });
         rigid |= word == "rigid";
         let gap = scales.length
             * match word {
@@ -137,7 +175,10 @@ fn stops(draw: &mut Draw, scales: &Scales, text: &mut String) {
                 "rigid" => draw.one_of(&[0.0, 0.3, 1.0]),
                 _ => draw.one_of(&[0.0, 0.2, 1.0, 1.0, -0.2, -1.0]) * draw.within(0.5, 1.0),
             };
-        _ = writeln!(text, "[stop.s{number}]\nat = \"h.{at}\"\nside = \"{side}\"\ngap = \"{gap:.9} m\"\nlaw = \"{word}\"");
+        _ = writeln!(
+            text,
+            "[stop.s{number}]\nat = \"h.{at}\"\nside = \"{side}\"\ngap = \"{gap:.9} m\"\nlaw = \"{word}\""
+        );
         law(draw, scales, word, text);
     }
 }
@@ -149,20 +190,35 @@ fn law(draw: &mut Draw, scales: &Scales, word: &str, text: &mut String) {
     let powered = stiffness / (exponent * (0.1 * scales.length).powf(exponent - 1.0));
     let mass = scales.tip[0].powi(-2);
     _ = match word {
-        "hertz" => writeln!(text, "stiffness = \"{powered:.3} N/m^{exponent}\"\nexponent = {exponent}"),
+        "hertz" => writeln!(
+            text,
+            "stiffness = \"{powered:.3} N/m^{exponent}\"\nexponent = {exponent}"
+        ),
         "hunt-crossley" => {
             let damping = draw.decades(0.02, 1.0) / (scales.angular() * scales.length);
-            writeln!(text, "stiffness = \"{powered:.3} N/m^{exponent}\"\nexponent = {exponent}\ndamping = \"{damping:.6} s/m\"")
+            writeln!(
+                text,
+                "stiffness = \"{powered:.3} N/m^{exponent}\"\nexponent = {exponent}\ndamping = \"{damping:.6} s/m\""
+            )
         }
         "spring" => writeln!(text, "stiffness = \"{stiffness:.3} N/m\""),
         "kelvin-voigt" => {
             let damping = 2.0 * draw.decades(0.01, 0.4) * (stiffness * mass).sqrt();
-            writeln!(text, "stiffness = \"{stiffness:.3} N/m\"\ndamping = \"{damping:.6} N s/m\"")
+            writeln!(
+                text,
+                "stiffness = \"{stiffness:.3} N/m\"\ndamping = \"{damping:.6} N s/m\""
+            )
         }
         "cubic" => {
-            let (linear, cubic) = (scales.stiffness * draw.within(-0.6, 2.0), scales.stiffness * draw.decades(0.1, 20.0));
+            let (linear, cubic) = (
+                scales.stiffness * draw.within(-0.6, 2.0),
+                scales.stiffness * draw.decades(0.1, 20.0),
+            );
             let cubic = cubic / scales.length.powi(2);
-            writeln!(text, "stiffness = \"{linear:.3} N/m\"\ncubic_stiffness = \"{cubic:.3} N/m^3\"")
+            writeln!(
+                text,
+                "stiffness = \"{linear:.3} N/m\"\ncubic_stiffness = \"{cubic:.3} N/m^3\""
+            )
         }
         _ => writeln!(text, "restitution = {:.2}", draw.within(0.2, 0.95)),
     };
@@ -177,7 +233,11 @@ mod tests {
     fn every_drawn_text_is_a_legal_spec_and_all_kinds_occur() {
         let texts: Vec<String> = (0..300).map(|index| drawn(1, index)).collect();
         for (index, text) in texts.iter().enumerate() {
-            assert!(Spec::from_toml(text).is_ok(), "number {index}:\n{text}\n{:?}", Spec::from_toml(text).err());
+            assert!(
+                Spec::from_toml(text).is_ok(),
+                "number {index}:\n{text}\n{:?}",
+                Spec::from_toml(text).err()
+            );
             assert_eq!(*text, drawn(1, index as u64));
         }
         let kinds = [

@@ -20,11 +20,18 @@ const SEED: u64 = 22;
 const TOLERANCE: f64 = 1e-13;
 
 fn number(name: &str) -> Option<usize> {
-    std::env::var(name).ok().map(|text| text.parse().unwrap_or_else(|_| panic!("{name} is `{text}`, no number")))
+    std::env::var(name).ok().map(|text| {
+        text.parse()
+            .unwrap_or_else(|_| panic!("{name} is `{text}`, no number"))
+    })
 }
 
 fn cloud(starts: usize) -> InitialStates {
-    InitialStates::Cloud(Cloud { starts, seed: 5, spread: 3.0 })
+    InitialStates::Cloud(Cloud {
+        starts,
+        seed: 5,
+        spread: 3.0,
+    })
 }
 
 /// Drawn harvesters that cost little: their motions settle within some hundred cycles. Neither the library nor brute force takes any of
@@ -34,12 +41,33 @@ const QUICK: [u64; 6] = [8, 15, 18, 20, 25, 26];
 #[test]
 fn a_few_drawn_harvesters_end_where_brute_force_ends() {
     for index in QUICK {
-        let found = compare(&SpecFile::from_text(drawn(SEED, index)), cloud(40), Patience { cycles: 4000, period: 64 }, TOLERANCE);
+        let found = compare(
+            &SpecFile::from_text(drawn(SEED, index)),
+            cloud(40),
+            Patience {
+                cycles: 4000,
+                period: 64,
+            },
+            TOLERANCE,
+        );
         eprint!("{index:3} {found}");
-        assert!(found.count(Verdict::Different) == 0, "harvester {index}: {found}");
-        assert!(found.count(Verdict::Same) >= 38, "harvester {index}: {found}");
-        assert_eq!(found.attractors()[0], found.attractors()[1], "harvester {index}: {found}");
-        assert_eq!(found.same_starts[0], found.same_starts[1], "harvester {index}: {found}");
+        assert!(
+            found.count(Verdict::Different) == 0,
+            "harvester {index}: {found}"
+        );
+        assert!(
+            found.count(Verdict::Same) >= 38,
+            "harvester {index}: {found}"
+        );
+        assert_eq!(
+            found.attractors()[0],
+            found.attractors()[1],
+            "harvester {index}: {found}"
+        );
+        assert_eq!(
+            found.same_starts[0], found.same_starts[1],
+            "harvester {index}: {found}"
+        );
     }
 }
 
@@ -49,8 +77,14 @@ fn many_drawn_harvesters_end_where_brute_force_ends() {
         eprintln!("SKIPPED: JOUNCE_DRAWN_SYSTEMS gives the number of harvesters");
         return;
     };
-    let (starts, first) = (number("JOUNCE_DRAWN_STARTS").unwrap_or(400), number("JOUNCE_DRAWN_FIRST").unwrap_or(0));
-    let patience = Patience { cycles: number("JOUNCE_DRAWN_CYCLES").unwrap_or(20_000), period: 64 };
+    let (starts, first) = (
+        number("JOUNCE_DRAWN_STARTS").unwrap_or(400),
+        number("JOUNCE_DRAWN_FIRST").unwrap_or(0),
+    );
+    let patience = Patience {
+        cycles: number("JOUNCE_DRAWN_CYCLES").unwrap_or(20_000),
+        period: 64,
+    };
     let mut wrong = Vec::new();
     let (mut checked, mut held) = (0, 0);
     for index in first..first + systems {
@@ -64,5 +98,8 @@ fn many_drawn_harvesters_end_where_brute_force_ends() {
         }
     }
     eprintln!("shares of other starts in their intervals: {held} of {checked}");
-    assert!(wrong.is_empty(), "harvesters with other attractors or starts attributed wrongly: {wrong:?}");
+    assert!(
+        wrong.is_empty(),
+        "harvesters with other attractors or starts attributed wrongly: {wrong:?}"
+    );
 }

@@ -1,6 +1,9 @@
 //! The library's account of a cloud: all that is used of its analysis of basins.
 
-use jounce::analysis::{Attractor, AttractorKind, BasinFraction, Basins, InitialStates, Model, Parameter, Recognition, wilson};
+use jounce::analysis::{
+    Attractor, AttractorKind, BasinFraction, Basins, InitialStates, Model, Parameter, Recognition,
+    wilson,
+};
 use jounce::spec::SpecFile;
 
 /// What the library says of the starts that end on one attractor.
@@ -30,7 +33,15 @@ pub fn accounts(file: &SpecFile, (key, value): (&str, f64), starts: InitialState
     let base = Model::new(file.spec().unwrap()).unwrap();
     let key = file.numeric_key(key).unwrap();
     let parameter = Parameter::new(&base, &key, 1.0);
-    let answer = Basins { base: &base, parameter: &parameter, value, starts, recognition: Recognition::at(1e-8) }.run(&|| ()).unwrap();
+    let answer = Basins {
+        base: &base,
+        parameter: &parameter,
+        value,
+        starts,
+        recognition: Recognition::at(1e-8),
+    }
+    .run(&|| ())
+    .unwrap();
     answer.attractors.iter().map(account).collect()
 }
 
@@ -46,7 +57,9 @@ fn account(attractor: &Attractor) -> Account {
         kind,
         mean_power_w: attractor.mean_power_w,
         // The last state is the first again.
-        strobe: attractor.orbit.as_ref().map_or(Vec::new(), |orbit| orbit.strobe_states[..orbit.period_cycles as usize].to_vec()),
+        strobe: attractor.orbit.as_ref().map_or(Vec::new(), |orbit| {
+            orbit.strobe_states[..orbit.period_cycles as usize].to_vec()
+        }),
         share: attractor.share,
         starts: attractor.starts.clone(),
     }

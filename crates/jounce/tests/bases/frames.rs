@@ -15,7 +15,9 @@ fn stiffness_n_m() -> f64 {
 /// The mass on a base, with two stops that stand on the ground.
 fn text(on: &str, damping_ratio: f64, law: &str, drives: &str) -> String {
     let stop = |name: &str, side: &str, gap: &str| {
-        format!("[stop.{name}]\nat = \"mass\"\nframe = \"ground\"\nside = \"{side}\"\ngap = \"{gap}\"\n{law}\n")
+        format!(
+            "[stop.{name}]\nat = \"mass\"\nframe = \"ground\"\nside = \"{side}\"\ngap = \"{gap}\"\n{law}\n"
+        )
     };
     format!(
         "[mass.mass]\non = \"{on}\"\nmass = \"1 kg\"\nfrequency = \"{FREQUENCY_HZ} Hz\"\ndamping_ratio = {damping_ratio}\n{}{}{drives}",
@@ -25,7 +27,13 @@ fn text(on: &str, damping_ratio: f64, law: &str, drives: &str) -> String {
 }
 
 /// Marches both to several times and compares place and speed in space; gives the contacts.
-fn compare(what: &str, moving: &str, still: &str, base: impl Fn(f64) -> [f64; 2], allowed: f64) -> u64 {
+fn compare(
+    what: &str,
+    moving: &str,
+    still: &str,
+    base: impl Fn(f64) -> [f64; 2],
+    allowed: f64,
+) -> u64 {
     let (moving, still) = (kernel(moving), kernel(still));
     let [x, v] = base(0.0);
     // At rest in space, in both.
@@ -36,16 +44,33 @@ fn compare(what: &str, moving: &str, still: &str, base: impl Fn(f64) -> [f64; 2]
         let time_s = 0.0371 * f64::from(k);
         one.advance_to(time_s).unwrap();
         other.advance_to(time_s).unwrap();
-        let ([place, speed], [still_m, still_m_s]) = (motion(&one, &moving, "mass"), motion(&other, &still, "mass"));
+        let ([place, speed], [still_m, still_m_s]) = (
+            motion(&one, &moving, "mass"),
+            motion(&other, &still, "mass"),
+        );
         let [x, v] = base(time_s);
         let rate = TAU * FREQUENCY_HZ;
-        worst = worst.max((place + x - still_m).abs().max((speed + v - still_m_s).abs() / rate));
+        worst = worst.max(
+            (place + x - still_m)
+                .abs()
+                .max((speed + v - still_m_s).abs() / rate),
+        );
         largest = largest.max(still_m.abs());
     }
-    let (contacts, balance) = (one.statistics().contacts, one.energies().residual_relative().abs());
-    eprintln!("{what}: {contacts} contacts, apart by {:.1e}, balance {balance:.1e}", worst / largest);
+    let (contacts, balance) = (
+        one.statistics().contacts,
+        one.energies().residual_relative().abs(),
+    );
+    eprintln!(
+        "{what}: {contacts} contacts, apart by {:.1e}, balance {balance:.1e}",
+        worst / largest
+    );
     assert_eq!(contacts, other.statistics().contacts, "{what}");
-    assert!(worst < allowed * largest && balance < 1e-10, "{what}: {:e}, {balance:e}", worst / largest);
+    assert!(
+        worst < allowed * largest && balance < 1e-10,
+        "{what}: {:e}, {balance:e}",
+        worst / largest
+    );
     contacts
 }
 
@@ -55,15 +80,33 @@ fn a_sinusoidal_base_is_a_force_on_its_spring() {
     let (amplitude_m, drive_hz, phase, ratio): (f64, f64, f64, f64) = (0.9e-3, 7.3, 0.4, 0.03);
     let w = TAU * drive_hz;
     let c = 2.0 * ratio * TAU * FREQUENCY_HZ * MASS_KG;
-    let (size, turn) = (amplitude_m * stiffness_n_m().hypot(c * w), phase + (c * w).atan2(stiffness_n_m()));
+    let (size, turn) = (
+        amplitude_m * stiffness_n_m().hypot(c * w),
+        phase + (c * w).atan2(stiffness_n_m()),
+    );
     let course = |amplitude: String, kind: &str, angle: f64| {
-        format!("[drive.d]\n{kind}amplitude = \"{amplitude}\"\nfrequency = \"{drive_hz} Hz\"\nphase = \"{angle:.17} rad\"\n")
+        format!(
+            "[drive.d]\n{kind}amplitude = \"{amplitude}\"\nfrequency = \"{drive_hz} Hz\"\nphase = \"{angle:.17} rad\"\n"
+        )
     };
-    let displaced = course(format!("{amplitude_m:.17e} m"), "kind = \"base-displacement\"\nat = \"head\"\n", phase);
+    let displaced = course(
+        format!("{amplitude_m:.17e} m"),
+        "kind = \"base-displacement\"\nat = \"head\"\n",
+        phase,
+    );
     let peak_m_s2 = amplitude_m * w * w;
-    let accelerated = course(format!("{peak_m_s2:.17e} m/s^2"), "kind = \"base-acceleration\"\nat = \"head\"\n", phase + PI);
+    let accelerated = course(
+        format!("{peak_m_s2:.17e} m/s^2"),
+        "kind = \"base-acceleration\"\nat = \"head\"\n",
+        phase + PI,
+    );
     let forced = course(format!("{size:.17e} N"), "at = \"mass\"\n", turn);
-    let base = |t: f64| [amplitude_m * (w * t + phase).sin(), amplitude_m * w * (w * t + phase).cos()];
+    let base = |t: f64| {
+        [
+            amplitude_m * (w * t + phase).sin(),
+            amplitude_m * w * (w * t + phase).cos(),
+        ]
+    };
     for law in LAWS {
         for (kind, drive) in [("displacement", &displaced), ("acceleration", &accelerated)] {
             let contacts = compare(
@@ -83,13 +126,20 @@ fn a_sinusoidal_base_is_a_force_on_its_spring() {
 fn other_displacements_are_forces_on_a_spring_too() {
     let k = stiffness_n_m();
     let (amplitude_m, start_s, duration_s) = (4e-3, 0.05, 0.11);
-    let course = |amplitude: String, at: &str, rest: &str| format!("[drive.d]\n{at}amplitude = \"{amplitude}\"\n{rest}");
+    let course = |amplitude: String, at: &str, rest: &str| {
+        format!("[drive.d]\n{at}amplitude = \"{amplitude}\"\n{rest}")
+    };
     let head = "kind = \"base-displacement\"\nat = \"head\"\n";
-    let pulse = format!("signal = \"half-sine\"\nstart = \"{start_s} s\"\nduration = \"{duration_s} s\"\n");
+    let pulse =
+        format!("signal = \"half-sine\"\nstart = \"{start_s} s\"\nduration = \"{duration_s} s\"\n");
     let on_pulse = |t: f64| (start_s..start_s + duration_s).contains(&t);
     let half = |t: f64| {
         let (sin, cos) = (PI * (t - start_s) / duration_s).sin_cos();
-        if on_pulse(t) { [amplitude_m * sin, amplitude_m * PI / duration_s * cos] } else { [0.0; 2] }
+        if on_pulse(t) {
+            [amplitude_m * sin, amplitude_m * PI / duration_s * cos]
+        } else {
+            [0.0; 2]
+        }
     };
     let sweep = "signal = \"chirp\"\nfrom = \"4 Hz\"\nto = \"12 Hz\"\nduration = \"3 s\"\n";
     let chirp = |t: f64| {
@@ -97,17 +147,39 @@ fn other_displacements_are_forces_on_a_spring_too() {
         if t == 0.0 {
             return [0.0; 2];
         }
-        let (angle, rate) = (TAU * (4.0 * t + 8.0 / 6.0 * t * t), TAU * (4.0 + 8.0 / 3.0 * t));
+        let (angle, rate) = (
+            TAU * (4.0 * t + 8.0 / 6.0 * t * t),
+            TAU * (4.0 + 8.0 / 3.0 * t),
+        );
         let (sin, cos) = angle.sin_cos();
         [1.1e-3 * sin, 1.1e-3 * rate * cos]
     };
     for law in LAWS {
         let name = law.lines().next().unwrap();
-        let moving = text("head", 0.0, law, &course(format!("{amplitude_m:.17e} m"), head, &pulse));
-        let still = text("ground", 0.0, law, &course(format!("{:.17e} N", k * amplitude_m), "at = \"mass\"\n", &pulse));
+        let moving = text(
+            "head",
+            0.0,
+            law,
+            &course(format!("{amplitude_m:.17e} m"), head, &pulse),
+        );
+        let still = text(
+            "ground",
+            0.0,
+            law,
+            &course(
+                format!("{:.17e} N", k * amplitude_m),
+                "at = \"mass\"\n",
+                &pulse,
+            ),
+        );
         assert!(compare(&format!("half-sine, {name}"), &moving, &still, half, 1e-9) >= 3);
         let moving = text("head", 0.0, law, &course("1.1 mm".to_owned(), head, sweep));
-        let still = text("ground", 0.0, law, &course(format!("{:.17e} N", k * 1.1e-3), "at = \"mass\"\n", sweep));
+        let still = text(
+            "ground",
+            0.0,
+            law,
+            &course(format!("{:.17e} N", k * 1.1e-3), "at = \"mass\"\n", sweep),
+        );
         assert!(compare(&format!("chirp, {name}"), &moving, &still, chirp, 1e-6) >= 3);
     }
 }

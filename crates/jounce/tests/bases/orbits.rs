@@ -21,11 +21,36 @@ fn start_m(file: &SpecFile, x_m: f64, balance: bool) -> (Orbit, f64) {
     let base = Model::new(file.spec().unwrap()).unwrap();
     let key = file.numeric_key("drive.d.frequency").unwrap();
     let parameter = Parameter::new(&base, &key, 1.0);
-    let settled = settled_orbit(&parameter, DRIVE_HZ, &vec![0.0; base.kernel.plant.len()], 1e-11, 1e-11).unwrap();
+    let settled = settled_orbit(
+        &parameter,
+        DRIVE_HZ,
+        &vec![0.0; base.kernel.plant.len()],
+        1e-11,
+        1e-11,
+    )
+    .unwrap();
     let orbit = if balance {
-        let method = HarmonicBalance::new(Shooting::new(&parameter, &base.kernel, 1, 1e-10), &base.kernel, 128, 3e-8).unwrap();
-        let position = Position { unknown: method.unknown_of(settled.start(), DRIVE_HZ).unwrap(), parameter: DRIVE_HZ };
-        let found = correct_at(&method, &Corrector { goal: 1e-10, most: 20 }, &Metric::at(&position, 1.0), position).unwrap();
+        let method = HarmonicBalance::new(
+            Shooting::new(&parameter, &base.kernel, 1, 1e-10),
+            &base.kernel,
+            128,
+            3e-8,
+        )
+        .unwrap();
+        let position = Position {
+            unknown: method.unknown_of(settled.start(), DRIVE_HZ).unwrap(),
+            parameter: DRIVE_HZ,
+        };
+        let found = correct_at(
+            &method,
+            &Corrector {
+                goal: 1e-10,
+                most: 20,
+            },
+            &Metric::at(&position, 1.0),
+            position,
+        )
+        .unwrap();
         method.orbit(&found.local, found.error).unwrap()
     } else {
         settled
@@ -40,8 +65,16 @@ fn both_methods_find_the_orbit_of_the_other_frame() {
     let (amplitude_m, w) = (0.6e-3, TAU * DRIVE_HZ);
     let (k, c) = ((TAU * 6.0_f64).powi(2), 2.0 * 0.05 * TAU * 6.0);
     let (size, turn) = (amplitude_m * k.hypot(c * w), (c * w).atan2(k));
-    let moving = file("head", &format!("kind = \"base-displacement\"\nat = \"head\"\namplitude = \"{amplitude_m:.17e} m\"\n"));
-    let still = file("ground", &format!("at = \"mass\"\namplitude = \"{size:.17e} N\"\nphase = \"{turn:.17} rad\"\n"));
+    let moving = file(
+        "head",
+        &format!(
+            "kind = \"base-displacement\"\nat = \"head\"\namplitude = \"{amplitude_m:.17e} m\"\n"
+        ),
+    );
+    let still = file(
+        "ground",
+        &format!("at = \"mass\"\namplitude = \"{size:.17e} N\"\nphase = \"{turn:.17} rad\"\n"),
+    );
     let (wanted, place_m) = start_m(&still, 0.0, false);
     for balance in [false, true] {
         let (orbit, found_m) = start_m(&moving, 0.0, balance);
@@ -52,6 +85,9 @@ fn both_methods_find_the_orbit_of_the_other_frame() {
             "balance {balance}: {} contacts, apart by {apart:.1e}, multipliers by {multiplier:.1e}, allowed {allowed:.1e}",
             orbit.contacts
         );
-        assert!(orbit.contacts == 1 && wanted.contacts == 1 && apart < allowed && multiplier < 1e-6, "{apart:e} {multiplier:e}");
+        assert!(
+            orbit.contacts == 1 && wanted.contacts == 1 && apart < allowed && multiplier < 1e-6,
+            "{apart:e} {multiplier:e}"
+        );
     }
 }

@@ -12,7 +12,12 @@ pub fn kernel(text: &str) -> Kernel {
 }
 
 /// A march from displacements and velocities of all modes.
-pub fn integrator<'k>(kernel: &'k Kernel, displacement: &[f64], velocity: &[f64], tolerance: f64) -> Integrator<'k> {
+pub fn integrator<'k>(
+    kernel: &'k Kernel,
+    displacement: &[f64],
+    velocity: &[f64],
+    tolerance: f64,
+) -> Integrator<'k> {
     let mut x: Vec<f64> = displacement.iter().chain(velocity).copied().collect();
     x.resize(kernel.plant.len(), 0.0);
     Integrator::new(kernel, &kernel.plant.from_physical(&x, 0.0), 0.0, tolerance).unwrap()

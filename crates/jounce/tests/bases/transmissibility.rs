@@ -28,10 +28,14 @@ fn a_mass_between_two_springs_moves_as_its_closed_form_says() {
         march.advance_to(end_s).unwrap();
         let input_w = (march.energies().input_j - before_j) / window_s;
         let expected = c64::cis(w * end_s) * c64::new(0.0, -x_m) * relative;
-        let error = (motion(&march, &kernel, "mass")[0] - expected.re).abs() / (x_m * relative.norm());
+        let error =
+            (motion(&march, &kernel, "mass")[0] - expected.re).abs() / (x_m * relative.norm());
         let lost_w = 0.5 * c * (w * x_m * relative.norm()).powi(2);
         let input = input_w / lost_w - 1.0;
         eprintln!("{drive_hz} Hz: off by {error:.1e}, power {input:.1e}");
-        assert!(error < 1e-9 && input.abs() < 1e-9, "{drive_hz} Hz: {error:e} {input:e}");
+        assert!(
+            error < 1e-9 && input.abs() < 1e-9,
+            "{drive_hz} Hz: {error:e} {input:e}"
+        );
     }
 }

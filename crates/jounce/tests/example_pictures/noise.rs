@@ -20,8 +20,14 @@ fn power_with_and_without_an_inductor() {
     };
     let lines = [
         over_resistance("resistor", &resistance_ohm, |_, words| power(words, None)),
-        over_resistance("with a tuned inductor", &resistance_ohm, |_, words| power(words, Some("51.73000567214974 H"))),
+        over_resistance("with a tuned inductor", &resistance_ohm, |_, words| {
+            power(words, Some("51.73000567214974 H"))
+        }),
     ];
     let title = "Mean power under white noise of 1 (m/s²)² per rad/s, two-sided";
-    check(EXAMPLE, "power", &power_against_resistance(title, "W", &lines));
+    check(
+        EXAMPLE,
+        "power",
+        &power_against_resistance(title, "W", &lines),
+    );
 }

@@ -13,13 +13,25 @@ fn line(branch: &Branch) -> BranchLine {
         label: format!("period {}", branch.period_cycles),
         parameter: branch.points.iter().map(|point| point.parameter).collect(),
         // The cubic spring is relaxed at 0: how far it is pressed is the displacement.
-        value: branch.points.iter().map(|point| point.orbit.max_penetration_m).collect(),
-        stable: branch.points.iter().map(|point| point.orbit.is_stable()).collect(),
+        value: branch
+            .points
+            .iter()
+            .map(|point| point.orbit.max_penetration_m)
+            .collect(),
+        stable: branch
+            .points
+            .iter()
+            .map(|point| point.orbit.is_stable())
+            .collect(),
     }
 }
 
 fn mark(found: &Bifurcation) -> BranchMark {
-    BranchMark { kind: found.kind.name().to_owned(), parameter: found.at.parameter, value: found.at.orbit.max_penetration_m }
+    BranchMark {
+        kind: found.kind.name().to_owned(),
+        parameter: found.at.parameter,
+        value: found.at.orbit.max_penetration_m,
+    }
 }
 
 #[test]
@@ -30,10 +42,35 @@ fn resonance_curve_with_both_folds() {
     let range = (0.95, 1.4);
     let parameter = Parameter::new(&base, &key, range.1 - range.0);
     let method = OrbitMethodKind::Shooting;
-    let found = BranchSearch { base: &base, parameter: &parameter, range, method, tolerance: 1e-10, seeds: 0, longest_period: 1 }.run();
+    let found = BranchSearch {
+        base: &base,
+        parameter: &parameter,
+        range,
+        method,
+        tolerance: 1e-10,
+        seeds: 0,
+        longest_period: 1,
+    }
+    .run();
     let found = found.unwrap();
     let lines: Vec<BranchLine> = found.iter().map(line).collect();
-    let marks: Vec<BranchMark> = found.iter().flat_map(|branch| branch.bifurcations.iter().map(mark)).collect();
-    let axes = (Axis::linear("Drive frequency", "Hz"), Axis::linear("Largest displacement", "m"));
-    check(EXAMPLE, "resonance", &branches("Duffing's oscillator at 1 N", axes.0, axes.1, &lines, &marks));
+    let marks: Vec<BranchMark> = found
+        .iter()
+        .flat_map(|branch| branch.bifurcations.iter().map(mark))
+        .collect();
+    let axes = (
+        Axis::linear("Drive frequency", "Hz"),
+        Axis::linear("Largest displacement", "m"),
+    );
+    check(
+        EXAMPLE,
+        "resonance",
+        &branches(
+            "Duffing's oscillator at 1 N",
+            axes.0,
+            axes.1,
+            &lines,
+            &marks,
+        ),
+    );
 }

@@ -7,10 +7,17 @@ use jounce::linear::FrfResponse;
 use jounce::picture::{Axis, Figure, Panel, Series, power_against_resistance};
 
 /// A panel of one line for each load.
-fn panel(quantity: &str, unit: &str, frequency_hz: &[f64], lines: &[(&str, Vec<f64>)], named: bool) -> Panel {
+fn panel(
+    quantity: &str,
+    unit: &str,
+    frequency_hz: &[f64],
+    lines: &[(&str, Vec<f64>)],
+    named: bool,
+) -> Panel {
     let mut panel = Panel::new(Axis::log("Frequency", "Hz"), Axis::log(quantity, unit)).high(210.0);
     for (index, (label, value)) in lines.iter().enumerate() {
-        let series = Series::line(frequency_hz.to_vec(), value.clone()).colour(jounce::picture::Colour::nth(index));
+        let series = Series::line(frequency_hz.to_vec(), value.clone())
+            .colour(jounce::picture::Colour::nth(index));
         panel = panel.with(if named { series.label(label) } else { series });
     }
     panel
@@ -30,21 +37,41 @@ fn unimorph_voltage_current_and_tip_at_five_loads() {
     let lines = |response: FrfResponse, per_load: &dyn Fn(f64) -> f64| -> Vec<(&str, Vec<f64>)> {
         let line = |(label, words, ohm): &(&'static str, &str, f64)| {
             let plant = plant(EXAMPLE, &[("circuit.load.resistance", words)]);
-            (*label, per_g(&plant, response.clone(), &frequency_hz).into_iter().map(|value| value * per_load(*ohm)).collect())
+            (
+                *label,
+                per_g(&plant, response.clone(), &frequency_hz)
+                    .into_iter()
+                    .map(|value| value * per_load(*ohm))
+                    .collect(),
+            )
         };
         loads.iter().map(line).collect()
     };
     let voltage = || FrfResponse::LoadVoltage("load".into());
-    let figure = Figure::new("Voltage, current and motion of the tip against the load, peak values per g of the base")
-        .with(panel("Voltage per g", "V", &frequency_hz, &lines(voltage(), &|_| 1.0), true))
-        .with(panel("Current per g", "A", &frequency_hz, &lines(voltage(), &|ohm| 1.0 / ohm), false))
-        .with(panel(
-            "Tip per g, relative to the base",
-            "m",
-            &frequency_hz,
-            &lines(FrfResponse::Displacement("beam.end".into()), &|_| 1.0),
-            false,
-        ));
+    let figure = Figure::new(
+        "Voltage, current and motion of the tip against the load, peak values per g of the base",
+    )
+    .with(panel(
+        "Voltage per g",
+        "V",
+        &frequency_hz,
+        &lines(voltage(), &|_| 1.0),
+        true,
+    ))
+    .with(panel(
+        "Current per g",
+        "A",
+        &frequency_hz,
+        &lines(voltage(), &|ohm| 1.0 / ohm),
+        false,
+    ))
+    .with(panel(
+        "Tip per g, relative to the base",
+        "m",
+        &frequency_hz,
+        &lines(FrfResponse::Displacement("beam.end".into()), &|_| 1.0),
+        false,
+    ));
     check(EXAMPLE, "responses", &figure);
 }
 
@@ -53,14 +80,34 @@ fn bimorph_power_in_series_and_parallel() {
     const EXAMPLE: &str = "bimorph-erturk-2009";
     let resistance_ohm = spaced(1e3, 1e7, 81);
     // The resonances with shorted and with open electrodes.
-    let lines: Vec<_> = [("series", 45.7), ("series", 48.2), ("parallel", 45.7), ("parallel", 48.2)]
-        .into_iter()
-        .map(|(wiring, frequency_hz)| {
-            over_resistance(&format!("{wiring}, {frequency_hz} Hz"), &resistance_ohm, |ohm, words| {
-                let settings = [("circuit.load.wiring", wiring), ("circuit.load.resistance", words)];
+    let lines: Vec<_> = [
+        ("series", 45.7),
+        ("series", 48.2),
+        ("parallel", 45.7),
+        ("parallel", 48.2),
+    ]
+    .into_iter()
+    .map(|(wiring, frequency_hz)| {
+        over_resistance(
+            &format!("{wiring}, {frequency_hz} Hz"),
+            &resistance_ohm,
+            |ohm, words| {
+                let settings = [
+                    ("circuit.load.wiring", wiring),
+                    ("circuit.load.resistance", words),
+                ];
                 power_per_g2(&plant(EXAMPLE, &settings), frequency_hz, ohm)
-            })
-        })
-        .collect();
-    check(EXAMPLE, "power", &power_against_resistance("Mean power for a base that shakes with a peak of 1 g", "W", &lines));
+            },
+        )
+    })
+    .collect();
+    check(
+        EXAMPLE,
+        "power",
+        &power_against_resistance(
+            "Mean power for a base that shakes with a peak of 1 g",
+            "W",
+            &lines,
+        ),
+    );
 }

@@ -19,27 +19,48 @@ fn share(blow: &Impulse) -> f64 {
     let coupling = blow.coupling_squared.sqrt() * DISC_RAD_S * CAPACITANCE_F.sqrt();
     let resistance = blow.alpha / (DISC_RAD_S * CAPACITANCE_F);
     let settings = [
-        ("modal.disc.damping_ratio", format!("[{}]", blow.damping_ratio)),
-        ("modal.disc.patch.ceramic.coupling_n_per_v", format!("[{coupling}]")),
+        (
+            "modal.disc.damping_ratio",
+            format!("[{}]", blow.damping_ratio),
+        ),
+        (
+            "modal.disc.patch.ceramic.coupling_n_per_v",
+            format!("[{coupling}]"),
+        ),
         ("circuit.load.resistance", format!("{resistance} ohm")),
         // Until what is left is 1e-11 of the blow.
-        ("run.duration", format!("{} s", 13.0 / (blow.damping_ratio * DISC_RAD_S))),
+        (
+            "run.duration",
+            format!("{} s", 13.0 / (blow.damping_ratio * DISC_RAD_S)),
+        ),
         ("run.average_over", "1 ms".to_owned()),
     ];
-    let settings: Vec<(&str, &str)> = settings.iter().map(|(key, value)| (*key, value.as_str())).collect();
+    let settings: Vec<(&str, &str)> = settings
+        .iter()
+        .map(|(key, value)| (*key, value.as_str()))
+        .collect();
     let (_, answer) = run(EXAMPLE, "impulse.toml", &settings);
-    assert!(relative(answer.energies.input_j, 0.5 * DISC_KG * 0.25) < 1e-12, "{:?}", answer.energies);
+    assert!(
+        relative(answer.energies.input_j, 0.5 * DISC_KG * 0.25) < 1e-12,
+        "{:?}",
+        answer.energies
+    );
     answer.energies.loads_j[0] / answer.energies.input_j
 }
 
 fn blow(damping_ratio: f64, coupling_squared: f64, alpha: f64) -> Impulse {
-    Impulse { alpha, coupling_squared, damping_ratio }
+    Impulse {
+        alpha,
+        coupling_squared,
+        damping_ratio,
+    }
 }
 
 /// Measured: 2e-14.
 #[test]
 fn share_of_a_blow_is_the_closed_form() {
-    for (damping_ratio, coupling_squared) in [(0.01, 0.1), (0.005, 0.02), (0.02, 0.3), (0.01, 0.05)] {
+    for (damping_ratio, coupling_squared) in [(0.01, 0.1), (0.005, 0.02), (0.02, 0.3), (0.01, 0.05)]
+    {
         for alpha in [0.1, 0.5, 1.0, 4.0] {
             let blow = blow(damping_ratio, coupling_squared, alpha);
             let error = relative(share(&blow), blow.efficiency());
@@ -52,7 +73,12 @@ fn share_of_a_blow_is_the_closed_form() {
 /// The load of the largest share, by the vertex of a parabola through three loads in even ratios.
 fn best_alpha(start: &Impulse) -> f64 {
     let step = 0.01_f64;
-    let at = |k: f64| share(&Impulse { alpha: start.best_alpha() * (k * step).exp(), ..*start });
+    let at = |k: f64| {
+        share(&Impulse {
+            alpha: start.best_alpha() * (k * step).exp(),
+            ..*start
+        })
+    };
     let [low, middle, high] = [-1.0, 0.0, 1.0].map(at);
     assert!(low < middle && high < middle);
     start.best_alpha() * (0.5 * step * (low - high) / (low - 2.0 * middle + high)).exp()
@@ -62,11 +88,16 @@ fn best_alpha(start: &Impulse) -> f64 {
 #[test]
 fn trends_of_the_efficiency() {
     let rising = |values: &[f64]| values.windows(2).all(|pair| pair[0] < pair[1]);
-    assert!(rising(&[0.04, 0.02, 0.01, 0.005].map(|damping_ratio| share(&blow(damping_ratio, 0.05, 1.0)))));
-    assert!(rising(&[0.01, 0.03, 0.1, 0.3].map(|coupling_squared| share(&blow(0.01, coupling_squared, 1.0)))));
+    assert!(rising(
+        &[0.04, 0.02, 0.01, 0.005].map(|damping_ratio| share(&blow(damping_ratio, 0.05, 1.0)))
+    ));
+    assert!(rising(&[0.01, 0.03, 0.1, 0.3].map(|coupling_squared| {
+        share(&blow(0.01, coupling_squared, 1.0))
+    })));
     // A lossy dielectric is a resistor beside the load: the pair takes what the two take together.
     let load = 1.0;
-    let with_leak = |leak: f64| share(&blow(0.01, 0.05, load * leak / (load + leak))) * leak / (load + leak);
+    let with_leak =
+        |leak: f64| share(&blow(0.01, 0.05, load * leak / (load + leak))) * leak / (load + leak);
     let shares = [1.0, 10.0, 100.0, 1e6].map(with_leak);
     eprintln!("with a leak of 1, 10, 100, 1e6 times the load: {shares:?}");
     assert!(rising(&shares) && relative(shares[3], blow(0.01, 0.05, load).efficiency()) < 1e-5);
@@ -93,7 +124,10 @@ fn merge() -> [f64; 2] {
         relative(-disc, share * speed),
         relative(statistics.max_impact_velocity_m_s, speed),
         relative(statistics.impulse_n_s, reduced_kg * speed),
-        relative(integrator.energies().contact_loss_j, 0.5 * reduced_kg * speed * speed),
+        relative(
+            integrator.energies().contact_loss_j,
+            0.5 * reduced_kg * speed * speed,
+        ),
     ];
     eprintln!("merge: velocities, strike, impulse, loss {errors:?}");
     assert!(errors.iter().all(|error| *error < 1e-6), "{errors:?}");
@@ -109,7 +143,10 @@ fn every_expected_row_is_met() {
         &[
             ("share_strong", share(&blow(0.01, 0.1, 1.0))),
             ("share_weak", share(&blow(0.005, 0.02, 0.5))),
-            ("best_resistance_ohm", best_alpha(&start) / (DISC_RAD_S * CAPACITANCE_F)),
+            (
+                "best_resistance_ohm",
+                best_alpha(&start) / (DISC_RAD_S * CAPACITANCE_F),
+            ),
             ("merge_velocity_m_s", common_m_s),
             ("merge_loss_j", loss_j),
             ("drop_share", drop_share()),

@@ -19,13 +19,22 @@ fn coupled_rad_s() -> f64 {
 
 /// `zeta = (c1 + c2) / (2 sqrt((k1 + k2) (m1 + m2)))` of the two together.
 fn coupled_damping(own: [f64; 2]) -> f64 {
-    let damping: f64 = (0..2).map(|i| 2.0 * own[i] * (STIFFNESS_N_M[i] * MASS_KG[i]).sqrt()).sum();
+    let damping: f64 = (0..2)
+        .map(|i| 2.0 * own[i] * (STIFFNESS_N_M[i] * MASS_KG[i]).sqrt())
+        .sum();
     damping / (2.0 * (STIFFNESS_N_M.iter().sum::<f64>() * MASS_KG.iter().sum::<f64>()).sqrt())
 }
 
 fn oscillators(damping: [f64; 2]) -> Kernel {
     let [driving, generating] = damping.map(|ratio| format!("{ratio}"));
-    kernel(system(EXAMPLE, SPEC, &[("mass.driving.damping_ratio", &driving), ("mass.generating.damping_ratio", &generating)]))
+    kernel(system(
+        EXAMPLE,
+        SPEC,
+        &[
+            ("mass.driving.damping_ratio", &driving),
+            ("mass.generating.damping_ratio", &generating),
+        ],
+    ))
 }
 
 /// The driving mass has just come in at 0.1 m/s.
@@ -48,7 +57,8 @@ fn together_they_are_one_oscillator() {
         let time_s = 0.1 * f64::from(step) * PI / w;
         integrator.advance_to(time_s).unwrap();
         let exact_m = common / swing * (-zeta * w * time_s).exp() * (swing * time_s).sin();
-        let error = ["driving", "generating"].map(|point| (motion(&integrator, &kernel, point)[0] - exact_m).abs() * w / common);
+        let error = ["driving", "generating"]
+            .map(|point| (motion(&integrator, &kernel, point)[0] - exact_m).abs() * w / common);
         eprintln!("after {step} tenths of the contact: {error:?}");
         assert!(error.iter().all(|error| *error < 1e-9), "{error:?}");
     }
@@ -69,22 +79,45 @@ fn contact() -> [f64; 2] {
 fn the_spec_starts_with_the_strike() {
     let (_, answer) = run(EXAMPLE, SPEC, &[]);
     let loss_j = 0.5 * MASS_KG[0] * MASS_KG[1] / MASS_KG.iter().sum::<f64>() * SPEED_M_S.powi(2);
-    assert!(answer.contacts == 1 && relative(answer.energies.contact_loss_j, loss_j) < 1e-9, "{answer:?}");
-    let free = [("mass.driving.damping_ratio", "0"), ("mass.generating.damping_ratio", "0"), ("run.tolerance", "1e-11")];
+    assert!(
+        answer.contacts == 1 && relative(answer.energies.contact_loss_j, loss_j) < 1e-9,
+        "{answer:?}"
+    );
+    let free = [
+        ("mass.driving.damping_ratio", "0"),
+        ("mass.generating.damping_ratio", "0"),
+        ("run.tolerance", "1e-11"),
+    ];
     let (_, answer) = run(EXAMPLE, SPEC, &free);
-    let error = relative(answer.stops[0].mean_contact_duration_s, PI / coupled_rad_s());
-    eprintln!("dwell {error:.1e}, loss {:.1e}", relative(answer.energies.contact_loss_j, loss_j));
-    assert!(answer.contacts == 1 && error < 1e-6, "{} contacts, {error:e}", answer.contacts);
+    let error = relative(
+        answer.stops[0].mean_contact_duration_s,
+        PI / coupled_rad_s(),
+    );
+    eprintln!(
+        "dwell {error:.1e}, loss {:.1e}",
+        relative(answer.energies.contact_loss_j, loss_j)
+    );
+    assert!(
+        answer.contacts == 1 && error < 1e-6,
+        "{} contacts, {error:e}",
+        answer.contacts
+    );
 }
 
 #[test]
 fn every_expected_row_is_met() {
     let [duration_s, loss_j] = contact();
     let reduced_kg = MASS_KG[0] * MASS_KG[1] / MASS_KG.iter().sum::<f64>();
-    assert!(relative(duration_s, PI / coupled_rad_s()) < 1e-6 && relative(loss_j, 0.5 * reduced_kg * SPEED_M_S.powi(2)) < 1e-9);
+    assert!(
+        relative(duration_s, PI / coupled_rad_s()) < 1e-6
+            && relative(loss_j, 0.5 * reduced_kg * SPEED_M_S.powi(2)) < 1e-9
+    );
     let (_, answer) = run(EXAMPLE, "harvester.toml", &[]);
     let residual = answer.energies.residual_relative();
-    eprintln!("{:.3e} W, residual {residual:.1e}, {} contacts", answer.mean_power_w, answer.contacts);
+    eprintln!(
+        "{:.3e} W, residual {residual:.1e}, {} contacts",
+        answer.mean_power_w, answer.contacts
+    );
     assert!(residual.abs() < 1e-8 && answer.stops.iter().all(|stop| stop.contacts > 10));
     check(
         EXAMPLE,

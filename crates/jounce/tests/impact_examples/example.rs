@@ -40,7 +40,8 @@ pub fn run(example: &str, file: &str, settings: &[(&str, &str)]) -> (Kernel, Run
 /// Sets the velocity of a point that one mode moves, m/s, in a physical state `(q, q', V)`.
 pub fn throw(system: &System, state: &mut [f64], point: &str, velocity_m_s: f64) {
     let n = system.modes.len();
-    state[n + own_mode(system, point)] = velocity_m_s / system.modes.shape[point][own_mode(system, point)];
+    state[n + own_mode(system, point)] =
+        velocity_m_s / system.modes.shape[point][own_mode(system, point)];
 }
 
 /// The one mode that moves a point.
@@ -53,12 +54,20 @@ pub fn own_mode(system: &System, point: &str) -> usize {
 
 /// A march from a physical state at time 0.
 pub fn integrator<'k>(kernel: &'k Kernel, state: &[f64], tolerance: f64) -> Integrator<'k> {
-    Integrator::new(kernel, &kernel.plant.from_physical(state, 0.0), 0.0, tolerance).unwrap()
+    Integrator::new(
+        kernel,
+        &kernel.plant.from_physical(state, 0.0),
+        0.0,
+        tolerance,
+    )
+    .unwrap()
 }
 
 /// Displacement and velocity of a point where a march has come to.
 pub fn motion(integrator: &Integrator, kernel: &Kernel, point: &str) -> [f64; 2] {
-    let state = kernel.plant.to_physical(&integrator.state(), integrator.time_s());
+    let state = kernel
+        .plant
+        .to_physical(&integrator.state(), integrator.time_s());
     let shape = &kernel.plant.system.modes.shape[point];
     let n = shape.len();
     [0, n].map(|from| shape.iter().zip(&state[from..]).map(|(s, q)| s * q).sum())

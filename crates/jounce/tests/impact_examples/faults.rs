@@ -23,22 +23,35 @@ fn each_fault_is_told_once() {
     assert!(Spec::from_toml(&format!("{BALL}{}", contact("-0.6 um", gravity))).is_ok());
     assert!(Spec::from_toml(&format!("{BALL}{}", contact("-0.7 um", gravity))).is_err());
     for (text, message) in [
-        (BALL.to_owned(), "mass.ball.on is \"nothing\", so the mass would drift for ever: give [gravity] or a [stop.NAME] that it strikes"),
+        (
+            BALL.to_owned(),
+            "mass.ball.on is \"nothing\", so the mass would drift for ever: give [gravity] or a [stop.NAME] that it strikes",
+        ),
         (
             format!("{BALL}{}", contact("-1 um", "")),
             "stop.contact.gap is -1 um: at rest the free mass \"ball\" would lie inside what it strikes; give at least 0",
         ),
         (
-            BALL.replace("\"nothing\"", "\"plate.end\"").replace("[damping]", "root = \"ball\"\n[damping]"),
+            BALL.replace("\"nothing\"", "\"plate.end\"")
+                .replace("[damping]", "root = \"ball\"\n[damping]"),
             "nothing holds these up: plate on ball on plate; let one of them stand on the ground",
         ),
         (
-            format!("{BALL}{}", contact("20 mm", "[circuit.load]\npatch = \"disc\"\nresistance = \"1 kohm\"\n")),
+            format!(
+                "{BALL}{}",
+                contact(
+                    "20 mm",
+                    "[circuit.load]\npatch = \"disc\"\nresistance = \"1 kohm\"\n"
+                )
+            ),
             "there is no patch \"disc\"",
         ),
     ] {
         let found = Spec::from_toml(&text).unwrap_err().to_string();
-        assert!(found.contains(message) && found.lines().count() == 1, "{text}\n-> {found}");
+        assert!(
+            found.contains(message) && found.lines().count() == 1,
+            "{text}\n-> {found}"
+        );
     }
 }
 
@@ -47,14 +60,31 @@ fn each_fault_is_told_once() {
 fn a_run_that_starts_inside_a_rigid_stop_is_refused() {
     let text = "[mass.m]\nmass = \"1 kg\"\nfrequency = \"1 Hz\"\ndamping_ratio = 0.01\n\
                 [stop.wall]\nat = \"m\"\nlaw = \"rigid\"\ngap = \"-1 mm\"\nrestitution = 0.5\n";
-    assert!(Spec::from_toml(text).unwrap_err().to_string().contains("at rest \"m\" would lie inside the rigid stop"));
+    assert!(
+        Spec::from_toml(text)
+            .unwrap_err()
+            .to_string()
+            .contains("at rest \"m\" would lie inside the rigid stop")
+    );
     let spec = Spec::from_toml(&format!("{text}[run]\nstart = \"linear\"\n")).unwrap();
     let kernel = kernel(System::assemble(&spec, modes(&spec).unwrap()).unwrap());
-    let plan = RunPlan { duration_s: 1.0, average_over_s: 1.0, tolerance: 1e-7, record_s: 0.0 };
+    let plan = RunPlan {
+        duration_s: 1.0,
+        average_over_s: 1.0,
+        tolerance: 1e-7,
+        record_s: 0.0,
+    };
     let mut start = StartState::rest(&kernel.plant);
     let error = simulate(&kernel, &start, &plan).unwrap_err();
-    assert!(matches!(&error, RunError::StartsInside { stop, depth_m } if stop == "wall" && *depth_m == 1e-3), "{error}");
+    assert!(
+        matches!(&error, RunError::StartsInside { stop, depth_m } if stop == "wall" && *depth_m == 1e-3),
+        "{error}"
+    );
     start.displacement[0] = -1e-3;
     let answer = simulate(&kernel, &start, &plan).unwrap();
-    assert!(answer.stops[0].contact_duty > 1.0 - 1e-9, "it rests on the stop: {:?}", answer.stops);
+    assert!(
+        answer.stops[0].contact_duty > 1.0 - 1e-9,
+        "it rests on the stop: {:?}",
+        answer.stops
+    );
 }

@@ -19,7 +19,10 @@ fn run_w(force: &str, frequency: &str) -> f64 {
     ];
     let (_, answer) = run(EXAMPLE, SPEC, &settings);
     let residual = answer.energies.residual_relative();
-    eprintln!("{force}, {frequency}: {} contacts, residual {residual:.1e}", answer.contacts);
+    eprintln!(
+        "{force}, {frequency}: {} contacts, residual {residual:.1e}",
+        answer.contacts
+    );
     assert!(answer.contacts > 10 && residual.abs() < 1e-8);
     answer.mean_power_w
 }
@@ -50,10 +53,22 @@ fn every_expected_row_is_met() {
 /// 6 Hz they give less. Ours: 3.89 times as much, 0.387 times.
 #[test]
 fn impacts_help_above_the_resonance_and_not_below() {
-    for (force, frequency, least, most) in [("200 N", "13 Hz", 2.0, 8.0), ("50 N", "6 Hz", 0.2, 0.8)] {
-        let (kernel, answer) = run(EXAMPLE, SPEC, &[("drive.shaker.amplitude", force), ("drive.shaker.frequency", frequency)]);
+    for (force, frequency, least, most) in
+        [("200 N", "13 Hz", 2.0, 8.0), ("50 N", "6 Hz", 0.2, 0.8)]
+    {
+        let (kernel, answer) = run(
+            EXAMPLE,
+            SPEC,
+            &[
+                ("drive.shaker.amplitude", force),
+                ("drive.shaker.frequency", frequency),
+            ],
+        );
         let ratio = answer.mean_power_w / steady_power_w(&kernel.plant);
         eprintln!("{force}, {frequency}: {ratio:.3} of the linear power");
-        assert!((least..most).contains(&ratio), "{force}, {frequency}: {ratio}");
+        assert!(
+            (least..most).contains(&ratio),
+            "{force}, {frequency}: {ratio}"
+        );
     }
 }

@@ -40,9 +40,15 @@ fn one_impact_is_newtons() {
         relative(tip, (1.0 + e) * m / (m + beam) * speed),
         relative(m * after + beam * tip, m * speed),
         relative(statistics.impulse_n_s, (1.0 + e) * reduced * speed),
-        relative(integrator.energies().contact_loss_j, 0.5 * reduced * (1.0 - e * e) * speed * speed),
+        relative(
+            integrator.energies().contact_loss_j,
+            0.5 * reduced * (1.0 - e * e) * speed * speed,
+        ),
     ];
-    eprintln!("beam of {:.3} g: velocities, momentum, impulse, loss {errors:?}", 1e3 * beam);
+    eprintln!(
+        "beam of {:.3} g: velocities, momentum, impulse, loss {errors:?}",
+        1e3 * beam
+    );
     assert_eq!(statistics.contacts, 1);
     assert!(errors.iter().all(|error| *error < 1e-9), "{errors:?}");
 }
@@ -54,8 +60,16 @@ fn isolated_impact() -> [f64; 2] {
     let (m, beam, speed, mode) = (40e-6, beam_kg(&system), 0.8, own_mode(&system, "right.end"));
     let (modes, load) = (&system.modes, &system.loads[1]);
     let frequency_rad_s = modes.frequency_rad_s[mode];
-    let coupling: f64 = load.connections.iter().map(|own| own.sign * modes.patch[&own.patch].coupling_n_per_v[mode]).sum();
-    let capacitance_f: f64 = load.connections.iter().map(|own| modes.patch[&own.patch].capacitance_f).sum();
+    let coupling: f64 = load
+        .connections
+        .iter()
+        .map(|own| own.sign * modes.patch[&own.patch].coupling_n_per_v[mode])
+        .sum();
+    let capacitance_f: f64 = load
+        .connections
+        .iter()
+        .map(|own| modes.patch[&own.patch].capacitance_f)
+        .sum();
     let blow = Impulse {
         alpha: frequency_rad_s * capacitance_f * load.resistance_ohm,
         coupling_squared: coupling.powi(2) / (frequency_rad_s.powi(2) * capacitance_f),
@@ -70,7 +84,10 @@ fn isolated_impact() -> [f64; 2] {
     let tip_m_s = (1.0 + RESTITUTION) * m / (m + beam) * speed;
     let exact_j = blow.efficiency() * 0.5 * beam * tip_m_s * tip_m_s;
     let found_j = integrator.energies().loads_j[1];
-    eprintln!("{blow:?}: {found_j:e} J, {:.1e}", relative(found_j, exact_j));
+    eprintln!(
+        "{blow:?}: {found_j:e} J, {:.1e}",
+        relative(found_j, exact_j)
+    );
     [found_j, exact_j]
 }
 
@@ -80,7 +97,12 @@ fn a_fall_through_the_channel_takes_its_time() {
     let mut system = undriven(&[]);
     let participation: Vec<f64> = system.modes.participation_sqrt_kg.clone();
     let wave = jounce::drive::Wave::Constant(G_M_S2);
-    system.signals.push(jounce::plant::Signal { name: "gravity".to_owned(), shape: participation, wave, base: None });
+    system.signals.push(jounce::plant::Signal {
+        name: "gravity".to_owned(),
+        shape: participation,
+        wave,
+        base: None,
+    });
     let kernel = kernel(system);
     let mut start = StartState::linear(&kernel.plant);
     let missile = own_mode(&kernel.plant.system, "missile");
@@ -92,7 +114,10 @@ fn a_fall_through_the_channel_takes_its_time() {
     assert_eq!(integrator.statistics().contacts, 0);
     integrator.advance_to(meets_s * (1.0 + 1e-9)).unwrap();
     let statistics = integrator.statistics_by_stop()[1];
-    let error = relative(statistics.max_impact_velocity_m_s, (2.0 * G_M_S2 * fall_m).sqrt());
+    let error = relative(
+        statistics.max_impact_velocity_m_s,
+        (2.0 * G_M_S2 * fall_m).sqrt(),
+    );
     eprintln!("strikes after {meets_s} s with {error:.1e}");
     assert!(statistics.contacts >= 1 && error < 1e-9, "{error:e}");
 }
@@ -105,13 +130,20 @@ fn every_expected_row_is_met() {
     let (_, turned) = run(EXAMPLE, "turning.toml", &[]);
     for answer in [&shaken, &turned] {
         let residual = answer.energies.residual_relative();
-        eprintln!("{:.3e} W, residual {residual:.1e}, {} contacts", answer.mean_power_w, answer.contacts);
+        eprintln!(
+            "{:.3e} W, residual {residual:.1e}, {} contacts",
+            answer.mean_power_w, answer.contacts
+        );
         assert!(residual.abs() < 1e-5 && answer.stops.iter().all(|stop| stop.contacts > 10));
     }
     // No turn can give more than the weight of the missile times the length of the channel.
     assert!(turned.mean_power_w < 4e-3 * 9.80665 * 2.0 * GAP_M * 1.0);
     check(
         EXAMPLE,
-        &[("isolated_impact_j", harvested_j), ("turning_power_w", turned.mean_power_w), ("shaken_power_w", shaken.mean_power_w)],
+        &[
+            ("isolated_impact_j", harvested_j),
+            ("turning_power_w", turned.mean_power_w),
+            ("shaken_power_w", shaken.mean_power_w),
+        ],
     );
 }

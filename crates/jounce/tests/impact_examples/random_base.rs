@@ -8,7 +8,11 @@ use std::path::Path;
 
 const EXAMPLE: &str = "random-base";
 /// Above the resonance, strong, the stop on the table.
-const ABOVE: &[(&str, &str)] = &[("drive.shaker.low", "12 Hz"), ("drive.shaker.psd", "1000 N^2/Hz"), ("stop.tip.frame", "table")];
+const ABOVE: &[(&str, &str)] = &[
+    ("drive.shaker.low", "12 Hz"),
+    ("drive.shaker.psd", "1000 N^2/Hz"),
+    ("stop.tip.frame", "table"),
+];
 
 /// Mean power without and with the stop, W: in closed form, and of four members of 12 s.
 fn powers_w(file: &str, settings: &[(&str, &str)]) -> [f64; 2] {
@@ -16,10 +20,27 @@ fn powers_w(file: &str, settings: &[(&str, &str)]) -> [f64; 2] {
     let base = Model::new(spec(EXAMPLE, file, &[settings, &short].concat())).unwrap();
     let start = base.start(Path::new("")).unwrap();
     let linear = Random::new(&base.spec).unwrap().answer().unwrap();
-    assert!(linear.loads.iter().all(|load| load.difference_relative.abs() < 1e-10), "{:?}", linear.loads);
-    let study = Ensemble { base: &base, start, members: 4, seed: 1, relative_width: None, most_rounds: 1, with_spectrum: false };
+    assert!(
+        linear
+            .loads
+            .iter()
+            .all(|load| load.difference_relative.abs() < 1e-10),
+        "{:?}",
+        linear.loads
+    );
+    let study = Ensemble {
+        base: &base,
+        start,
+        members: 4,
+        seed: 1,
+        relative_width: None,
+        most_rounds: 1,
+        with_spectrum: false,
+    };
     let answer = study.run(&|_| {}).unwrap();
-    let residual = answer.members.iter().fold(0.0_f64, |max, member| max.max(member.energy_residual_relative.abs()));
+    let residual = answer.members.iter().fold(0.0_f64, |max, member| {
+        max.max(member.energy_residual_relative.abs())
+    });
     eprintln!(
         "{file}: {:.4e} W, stop {:.3e} +- {:.1e} W, energy {residual:.1e}",
         linear.mean_power_w, answer.power_w.mean, answer.power_w.half_width
@@ -37,7 +58,11 @@ fn every_expected_row_is_met() {
     let no_ball_w = steady_power_w(&kernel.plant);
     assert!(ball.energies.residual_relative().abs() < 1e-6 && ball.contacts > 100);
     // What the page says: a stop costs at resonance, wins above it and past a soft spring; a ball wins above resonance.
-    assert!(stop_w < 0.5 * linear_w && stop_above_w > 10.0 * linear_above_w && stop_floor_w > 50.0 * linear_floor_w);
+    assert!(
+        stop_w < 0.5 * linear_w
+            && stop_above_w > 10.0 * linear_above_w
+            && stop_floor_w > 50.0 * linear_floor_w
+    );
     assert!(ball.mean_power_w > 1.5 * no_ball_w);
     check(
         EXAMPLE,

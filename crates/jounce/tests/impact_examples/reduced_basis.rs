@@ -11,12 +11,22 @@ use std::sync::Arc;
 /// The system with only the lowest modes of its beam kept; the free mass (mode 0) stays.
 pub fn free_interface(system: &System, kept: usize) -> System {
     let beam = system.modes.len() - 1;
-    in_coordinates(system, &Mat::from_fn(beam, kept, |row, column| if row == column { 1.0 } else { 0.0 }))
+    in_coordinates(
+        system,
+        &Mat::from_fn(
+            beam,
+            kept,
+            |row, column| if row == column { 1.0 } else { 0.0 },
+        ),
+    )
 }
 
 /// The system with the modes of the beam held at its tip and the static shape, `kept` coordinates in all.
 pub fn fixed_contact(system: &System, kept: usize) -> System {
-    let square: Vec<f64> = system.modes.frequency_rad_s[1..].iter().map(|w| w * w).collect();
+    let square: Vec<f64> = system.modes.frequency_rad_s[1..]
+        .iter()
+        .map(|w| w * w)
+        .collect();
     let tip = &system.modes.shape["upper.end"][1..];
     let n = tip.len();
     // An orthonormal basis of what leaves the tip where it is: the columns of a reflection that turns the tip's row into an axis.
@@ -24,11 +34,23 @@ pub fn fixed_contact(system: &System, kept: usize) -> System {
     let mut mirror: Vec<f64> = tip.iter().map(|t| t / norm).collect();
     mirror[0] += mirror[0].signum();
     let size: f64 = mirror.iter().map(|m| m * m).sum();
-    let still = Mat::from_fn(n, n - 1, |row, column| f64::from(row == column + 1) - 2.0 * mirror[row] * mirror[column + 1] / size);
-    let held = Mat::from_fn(n - 1, n - 1, |a, b| (0..n).map(|i| still[(i, a)] * square[i] * still[(i, b)]).sum::<f64>());
+    let still = Mat::from_fn(n, n - 1, |row, column| {
+        f64::from(row == column + 1) - 2.0 * mirror[row] * mirror[column + 1] / size
+    });
+    let held = Mat::from_fn(n - 1, n - 1, |a, b| {
+        (0..n)
+            .map(|i| still[(i, a)] * square[i] * still[(i, b)])
+            .sum::<f64>()
+    });
     let modes = held.self_adjoint_eigen(Side::Lower).unwrap();
     let held_modes = &still * modes.U();
-    let basis = Mat::from_fn(n, kept, |row, column| if column + 1 < kept { held_modes[(row, column)] } else { tip[row] / square[row] });
+    let basis = Mat::from_fn(n, kept, |row, column| {
+        if column + 1 < kept {
+            held_modes[(row, column)]
+        } else {
+            tip[row] / square[row]
+        }
+    });
     in_coordinates(system, &basis)
 }
 
@@ -36,23 +58,39 @@ pub fn fixed_contact(system: &System, kept: usize) -> System {
 fn in_coordinates(system: &System, basis: &Mat<f64>) -> System {
     let modes = &system.modes;
     let square: Vec<f64> = modes.frequency_rad_s[1..].iter().map(|w| w * w).collect();
-    let mass = (basis.transpose() * basis).self_adjoint_eigen(Side::Lower).unwrap();
+    let mass = (basis.transpose() * basis)
+        .self_adjoint_eigen(Side::Lower)
+        .unwrap();
     let scale = mass.S().column_vector();
-    let whitened = Mat::from_fn(basis.ncols(), basis.ncols(), |i, j| mass.U()[(i, j)] / scale[j].sqrt());
+    let whitened = Mat::from_fn(basis.ncols(), basis.ncols(), |i, j| {
+        mass.U()[(i, j)] / scale[j].sqrt()
+    });
     let orthonormal = basis * whitened;
     let stiffness = Mat::from_fn(basis.ncols(), basis.ncols(), |a, b| {
-        square.iter().enumerate().map(|(i, square)| orthonormal[(i, a)] * square * orthonormal[(i, b)]).sum::<f64>()
+        square
+            .iter()
+            .enumerate()
+            .map(|(i, square)| orthonormal[(i, a)] * square * orthonormal[(i, b)])
+            .sum::<f64>()
     });
     let solved = stiffness.self_adjoint_eigen(Side::Lower).unwrap();
     let shapes = &orthonormal * solved.U();
     let onto = |row: &[f64]| -> Vec<f64> {
-        let on_beam = (0..shapes.ncols()).map(|k| row[1..].iter().enumerate().map(|(i, value)| value * shapes[(i, k)]).sum::<f64>());
+        let on_beam = (0..shapes.ncols()).map(|k| {
+            row[1..]
+                .iter()
+                .enumerate()
+                .map(|(i, value)| value * shapes[(i, k)])
+                .sum::<f64>()
+        });
         std::iter::once(row[0]).chain(on_beam).collect()
     };
     let mut reduced = system.clone();
     let squares = solved.S().column_vector();
     let own = Arc::make_mut(&mut reduced.modes);
-    own.frequency_rad_s = std::iter::once(0.0).chain((0..shapes.ncols()).map(|k| squares[k].sqrt())).collect();
+    own.frequency_rad_s = std::iter::once(0.0)
+        .chain((0..shapes.ncols()).map(|k| squares[k].sqrt()))
+        .collect();
     own.damping_ratio = vec![0.0; shapes.ncols() + 1];
     own.discretisation_error = vec![0.0; shapes.ncols() + 1];
     own.participation_sqrt_kg = onto(&modes.participation_sqrt_kg);
@@ -61,6 +99,9 @@ fn in_coordinates(system: &System, basis: &Mat<f64>) -> System {
         patch.coupling_n_per_v = onto(&patch.coupling_n_per_v);
         patch.strain.clear();
     });
-    reduced.stops.iter_mut().for_each(|stop| stop.shape = onto(&stop.shape));
+    reduced
+        .stops
+        .iter_mut()
+        .for_each(|stop| stop.shape = onto(&stop.shape));
     reduced
 }

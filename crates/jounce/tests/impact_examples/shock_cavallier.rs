@@ -17,7 +17,11 @@ fn single() -> (f64, f64, Impulse) {
     let (modes, load) = (&system.modes, &system.loads[0]);
     let frequency_rad_s = modes.frequency_rad_s[0];
     // Both layers in parallel, the lower one turned round.
-    let coupling: f64 = load.connections.iter().map(|own| own.sign * modes.patch[&own.patch].coupling_n_per_v[0]).sum();
+    let coupling: f64 = load
+        .connections
+        .iter()
+        .map(|own| own.sign * modes.patch[&own.patch].coupling_n_per_v[0])
+        .sum();
     let capacitance_f: f64 = modes.patch.values().map(|patch| patch.capacitance_f).sum();
     let blow = Impulse {
         alpha: frequency_rad_s * capacitance_f * load.resistance_ohm,
@@ -32,7 +36,14 @@ fn share(periods: f64) -> f64 {
     let (frequency_rad_s, participation, _) = single();
     let duration_s = periods * TAU / frequency_rad_s;
     let duration = format!("{duration_s} s");
-    let (_, answer) = run(EXAMPLE, SPEC, &[("reduction.modes", "1"), ("drive.shock.duration", &duration)]);
+    let (_, answer) = run(
+        EXAMPLE,
+        SPEC,
+        &[
+            ("reduction.modes", "1"),
+            ("drive.shock.duration", &duration),
+        ],
+    );
     let velocity = 2.0 * PEAK_M_S2 * duration_s / PI;
     answer.energies.loads_j[0] / (0.5 * (participation * velocity).powi(2))
 }
@@ -44,14 +55,26 @@ fn a_short_shock_is_a_blow() {
     let (_, _, blow) = single();
     let errors = [0.05, 0.025].map(|periods| relative(share(periods), blow.efficiency()));
     eprintln!("{blow:?}: {errors:?}");
-    assert!(errors[0] < 0.01 && (errors[0] / errors[1] - 4.0).abs() < 0.1, "{errors:?}");
+    assert!(
+        errors[0] < 0.01 && (errors[0] / errors[1] - 4.0).abs() < 0.1,
+        "{errors:?}"
+    );
 }
 
 /// The mode alone with open patches and without damping, and its frequency.
 fn undamped() -> (System, f64) {
-    let mut system = system(EXAMPLE, SPEC, &[("reduction.modes", "1"), ("damping.beyond", "0")]);
+    let mut system = system(
+        EXAMPLE,
+        SPEC,
+        &[("reduction.modes", "1"), ("damping.beyond", "0")],
+    );
     system.loads.clear();
-    let stiffening: f64 = system.modes.patch.values().map(|patch| patch.coupling_n_per_v[0].powi(2) / patch.capacitance_f).sum();
+    let stiffening: f64 = system
+        .modes
+        .patch
+        .values()
+        .map(|patch| patch.coupling_n_per_v[0].powi(2) / patch.capacitance_f)
+        .sum();
     let frequency_rad_s = (system.modes.frequency_rad_s[0].powi(2) + stiffening).sqrt();
     (system, frequency_rad_s)
 }
@@ -62,19 +85,31 @@ fn residual(periods: f64) -> f64 {
     let participation = system.modes.participation_sqrt_kg[0];
     let length_s = periods * TAU / frequency_rad_s;
     let file = ("drive.shock.duration", format!("{length_s} s"));
-    system.signals = self::system(EXAMPLE, SPEC, &[("reduction.modes", "1"), (file.0, &file.1)]).signals;
+    system.signals = self::system(
+        EXAMPLE,
+        SPEC,
+        &[("reduction.modes", "1"), (file.0, &file.1)],
+    )
+    .signals;
     assert!(!matches!(system.signals[0].wave, Wave::Constant(_)));
     let kernel = kernel(system);
     let mut integrator = integrator(&kernel, &vec![0.0; kernel.plant.len()], 1e-12);
     integrator.advance_to(1.01 * length_s).unwrap();
-    let state = kernel.plant.to_physical(&integrator.state(), integrator.time_s());
-    state[0].hypot(state[1] / frequency_rad_s) * frequency_rad_s.powi(2) / (participation * PEAK_M_S2)
+    let state = kernel
+        .plant
+        .to_physical(&integrator.state(), integrator.time_s());
+    state[0].hypot(state[1] / frequency_rad_s) * frequency_rad_s.powi(2)
+        / (participation * PEAK_M_S2)
 }
 
 /// `|2 b / (1 - b^2)| |cos(w T / 2)|` with `b = pi / (w T)`, its limit `pi / 2` at `b = 1`.
 fn residual_exact(periods: f64) -> f64 {
     let ratio = 0.5 / periods;
-    if ratio == 1.0 { 0.5 * PI } else { (2.0 * ratio / (1.0 - ratio * ratio) * (PI * periods).cos()).abs() }
+    if ratio == 1.0 {
+        0.5 * PI
+    } else {
+        (2.0 * ratio / (1.0 - ratio * ratio) * (PI * periods).cos()).abs()
+    }
 }
 
 /// Measured: 5e-13; a half sine is marched exactly.
@@ -100,7 +135,8 @@ fn glued_plate_j() -> f64 {
 fn layered_beam_hz() -> f64 {
     let (core_m, layer_m, length_m) = (0.3e-3_f64, 0.1e-3_f64, 20e-3);
     let whole_m = core_m + 2.0 * layer_m;
-    let stiffness = 169e9 * core_m.powi(3) / 12.0 + 1.0 / 16.4e-12 * (whole_m.powi(3) - core_m.powi(3)) / 12.0;
+    let stiffness =
+        169e9 * core_m.powi(3) / 12.0 + 1.0 / 16.4e-12 * (whole_m.powi(3) - core_m.powi(3)) / 12.0;
     let mass = 2329.0 * core_m + 7750.0 * 2.0 * layer_m;
     1.875_104_068_711_961_f64.powi(2) / (TAU * length_m * length_m) * (stiffness / mass).sqrt()
 }
@@ -111,8 +147,13 @@ fn every_expected_row_is_met() {
     assert!(relative(layered_beam_hz(), frequency_rad_s / TAU) < 1e-9);
     let (_, answer) = run(EXAMPLE, SPEC, &[]);
     let harvested_j = answer.energies.loads_j[0];
-    eprintln!("beam {harvested_j:.2e} J, glued plate below {:.2e} J", glued_plate_j());
-    assert!(harvested_j > 1000.0 * glued_plate_j() && answer.energies.residual_relative().abs() < 1e-8);
+    eprintln!(
+        "beam {harvested_j:.2e} J, glued plate below {:.2e} J",
+        glued_plate_j()
+    );
+    assert!(
+        harvested_j > 1000.0 * glued_plate_j() && answer.energies.residual_relative().abs() < 1e-8
+    );
     check(
         EXAMPLE,
         &[

@@ -24,12 +24,26 @@ fn two_oscillators_swing_at_the_bilinear_frequency() {
     throw(&kernel.plant.system, &mut start, "upper", -0.5);
     let mut integrator = integrator(&kernel, &start, 1e-11);
     let bilinear_rad_s = 2.0 * 1.0 * 10.0 / (1.0 + 10.0);
-    integrator.advance_to(20.0 * TAU / bilinear_rad_s * (1.0 - 1e-12)).unwrap();
-    let state = kernel.plant.to_physical(&integrator.state(), integrator.time_s());
-    let error = start.iter().zip(&state).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+    integrator
+        .advance_to(20.0 * TAU / bilinear_rad_s * (1.0 - 1e-12))
+        .unwrap();
+    let state = kernel
+        .plant
+        .to_physical(&integrator.state(), integrator.time_s());
+    let error = start
+        .iter()
+        .zip(&state)
+        .map(|(a, b)| (a - b).abs())
+        .fold(0.0, f64::max);
     let statistics = integrator.statistics();
-    eprintln!("{error:.1e}, pressed for {:.1e} relative", relative(statistics.time_s, 20.0 * PI / 10.0));
-    assert!(error < 1e-8 && relative(statistics.time_s, 20.0 * PI / 10.0) < 1e-7, "{error:e}");
+    eprintln!(
+        "{error:.1e}, pressed for {:.1e} relative",
+        relative(statistics.time_s, 20.0 * PI / 10.0)
+    );
+    assert!(
+        error < 1e-8 && relative(statistics.time_s, 20.0 * PI / 10.0) < 1e-7,
+        "{error:e}"
+    );
 }
 
 /// The spec by itself shows it: pressed together for half a period of 10 rad/s, at whatever speeds.
@@ -39,18 +53,29 @@ fn the_spec_starts_as_the_oscillators_meet() {
         let (_, answer) = run(EXAMPLE, "bilinear.toml", &settings);
         let error = relative(answer.stops[0].mean_contact_duration_s, PI / 10.0);
         eprintln!("{settings:?}: {error:.1e}");
-        assert!(answer.contacts == 3 && error < 1e-6, "{settings:?}: {} contacts, {error:e}", answer.contacts);
+        assert!(
+            answer.contacts == 3 && error < 1e-6,
+            "{settings:?}: {} contacts, {error:e}",
+            answer.contacts
+        );
     }
 }
 
 /// Equal beams on one base move alike; beams that are far apart do not know of each other: no contact, and the power of linear theory.
 #[test]
 fn equal_beams_and_distant_beams_are_linear() {
-    for settings in [[("beam.upper.thickness", "1 mm"), ("run.start", "linear")], [("stop.tips.gap", "1 m"), ("run.start", "linear")]] {
+    for settings in [
+        [("beam.upper.thickness", "1 mm"), ("run.start", "linear")],
+        [("stop.tips.gap", "1 m"), ("run.start", "linear")],
+    ] {
         let (kernel, answer) = run(EXAMPLE, SPEC, &settings);
         let error = relative(answer.mean_power_w, steady_power_w(&kernel.plant));
         eprintln!("{settings:?}: {error:.1e}");
-        assert!(answer.contacts == 0 && error < 1e-9, "{settings:?}: {} contacts, {error:e}", answer.contacts);
+        assert!(
+            answer.contacts == 0 && error < 1e-9,
+            "{settings:?}: {} contacts, {error:e}",
+            answer.contacts
+        );
     }
 }
 
@@ -67,26 +92,54 @@ fn coupled_power_w(system: &System) -> f64 {
         match (row < n, column < n) {
             (true, true) => {
                 let own = modes.frequency_rad_s[row];
-                let diagonal = c64::new(own * own - w * w, 2.0 * modes.damping_ratio[row] * own * w) * is(row == column);
+                let diagonal =
+                    c64::new(own * own - w * w, 2.0 * modes.damping_ratio[row] * own * w)
+                        * is(row == column);
                 diagonal + STIFFNESS_N_M * between[row] * between[column]
             }
             (true, false) => c64::new(-patches[column - n].coupling_n_per_v[row], 0.0),
             (false, true) => c64::new(0.0, w * patches[row - n].coupling_n_per_v[column]),
-            (false, false) => c64::new(1.0 / system.loads[row - n].resistance_ohm, w * patches[row - n].capacitance_f) * is(row == column),
+            (false, false) => {
+                c64::new(
+                    1.0 / system.loads[row - n].resistance_ohm,
+                    w * patches[row - n].capacitance_f,
+                ) * is(row == column)
+            }
         }
     };
-    let force = Mat::from_fn(size, 1, |row, _| c64::new(if row < n { drive.shape[row] * drive.amplitude_n } else { 0.0 }, 0.0));
-    let answer = Mat::from_fn(size, size, entry).partial_piv_lu().solve(&force);
-    (0..patches.len()).map(|k| 0.5 * answer[(n + k, 0)].norm_sqr() / system.loads[k].resistance_ohm).sum()
+    let force = Mat::from_fn(size, 1, |row, _| {
+        c64::new(
+            if row < n {
+                drive.shape[row] * drive.amplitude_n
+            } else {
+                0.0
+            },
+            0.0,
+        )
+    });
+    let answer = Mat::from_fn(size, size, entry)
+        .partial_piv_lu()
+        .solve(&force);
+    (0..patches.len())
+        .map(|k| 0.5 * answer[(n + k, 0)].norm_sqr() / system.loads[k].resistance_ohm)
+        .sum()
 }
 
 /// A spring that pushes and pulls, marched from rest until it is steady, and the coupled linear equations. Measured: 7e-12.
 fn permanent() -> [f64; 2] {
     let mut system = system(EXAMPLE, SPEC, &[("stop.tips.gap", "0 mm")]);
-    system.stops[0].law = Law::Cubic(Cubic { stiffness_n_m: STIFFNESS_N_M, cubic_stiffness_n_m3: 0.0 });
+    system.stops[0].law = Law::Cubic(Cubic {
+        stiffness_n_m: STIFFNESS_N_M,
+        cubic_stiffness_n_m3: 0.0,
+    });
     let exact_w = coupled_power_w(&system);
     let kernel = kernel(system);
-    let plan = RunPlan { duration_s: 15.0, average_over_s: 5.0, tolerance: 1e-10, record_s: 0.0 };
+    let plan = RunPlan {
+        duration_s: 15.0,
+        average_over_s: 5.0,
+        tolerance: 1e-10,
+        record_s: 0.0,
+    };
     let answer = simulate(&kernel, &StartState::rest(&kernel.plant), &plan).unwrap();
     [answer.mean_power_w, exact_w]
 }
@@ -94,7 +147,10 @@ fn permanent() -> [f64; 2] {
 #[test]
 fn every_expected_row_is_met() {
     let [marched_w, exact_w] = permanent();
-    eprintln!("permanent contact: {marched_w:e} W, {:.1e}", relative(marched_w, exact_w));
+    eprintln!(
+        "permanent contact: {marched_w:e} W, {:.1e}",
+        relative(marched_w, exact_w)
+    );
     assert!(relative(marched_w, exact_w) < 1e-6);
     let (kernel, answer) = run(EXAMPLE, SPEC, &[]);
     let residual = answer.energies.residual_relative();
@@ -102,6 +158,10 @@ fn every_expected_row_is_met() {
     assert!(residual.abs() < 1e-8 && answer.settlement.unwrap().settled);
     check(
         EXAMPLE,
-        &[("permanent_contact_w", marched_w), ("linear_power_w", steady_power_w(&kernel.plant)), ("mean_power_w", answer.mean_power_w)],
+        &[
+            ("permanent_contact_w", marched_w),
+            ("linear_power_w", steady_power_w(&kernel.plant)),
+            ("mean_power_w", answer.mean_power_w),
+        ],
     );
 }

@@ -19,10 +19,15 @@ fn without_comments_and_literals(source: &str) -> Vec<char> {
     let mut at = 0;
     while at < text.len() {
         let end = match (text[at], text.get(at + 1)) {
-            ('/', Some('/')) => text[at..].iter().position(|c| *c == '\n').map_or(text.len(), |length| at + length),
+            ('/', Some('/')) => text[at..]
+                .iter()
+                .position(|c| *c == '\n')
+                .map_or(text.len(), |length| at + length),
             ('/', Some('*')) => end_of_comment(&text, at),
             ('"', _) => end_of_string(&text, at),
-            ('r', Some('"' | '#')) if at == 0 || !is_word(text[at - 1]) || text[at - 1] == 'b' => end_of_raw_string(&text, at),
+            ('r', Some('"' | '#')) if at == 0 || !is_word(text[at - 1]) || text[at - 1] == 'b' => {
+                end_of_raw_string(&text, at)
+            }
             ('\'', _) => end_of_character(&text, at),
             _ => at,
         };
@@ -37,7 +42,10 @@ pub fn is_word(c: char) -> bool {
 }
 
 fn blank(text: &mut [char], start: usize, end: usize) {
-    text[start..end].iter_mut().filter(|c| **c != '\n').for_each(|c| *c = ' ');
+    text[start..end]
+        .iter_mut()
+        .filter(|c| **c != '\n')
+        .for_each(|c| *c = ' ');
 }
 
 fn position(text: &[char], wanted: &[char], from: usize) -> Option<usize> {
@@ -100,7 +108,11 @@ fn end_of_item(text: &[char], start: usize) -> usize {
             _ => {}
         }
         if depth == 0 && (*c == '}' || *c == ';') {
-            return if text.get(at + 1) == Some(&';') { at + 2 } else { at + 1 };
+            return if text.get(at + 1) == Some(&';') {
+                at + 2
+            } else {
+                at + 1
+            };
         }
     }
     text.len()
@@ -112,17 +124,23 @@ mod tests {
 
     #[test]
     fn comments_and_literals_are_gone_and_code_stays() {
-        let source =
-            "a(); // crate::x\nb(\"crate::\\\"y\", r#\"crate::\"z\"#, '\\'', '\"', 'q'); /* crate::/* */u */ let r#type: &'static str = c;";
+        let source = "a(); // crate::x\nb(\"crate::\\\"y\", r#\"crate::\"z\"#, '\\'', '\"', 'q'); /* crate::/* */u */ let r#type: &'static str = c;";
         let code = blanked(source);
         assert!(!code.contains("crate"), "{code}");
-        assert!(code.contains("a();") && code.contains("b(") && code.contains("let r#type: &'static str = c;"), "{code}");
+        assert!(
+            code.contains("a();")
+                && code.contains("b(")
+                && code.contains("let r#type: &'static str = c;"),
+            "{code}"
+        );
         assert_eq!(code.chars().count(), source.chars().count());
     }
 
     #[test]
     fn test_items_are_gone_and_what_follows_stays() {
-        let code = blanked("#[cfg(test)]\nmod tests { fn f() { g([1]); } }\n#[cfg(test)]\nuse crate::{a, b};\nuse crate::plant;");
+        let code = blanked(
+            "#[cfg(test)]\nmod tests { fn f() { g([1]); } }\n#[cfg(test)]\nuse crate::{a, b};\nuse crate::plant;",
+        );
         assert_eq!(code.trim(), "use crate::plant;");
         assert_eq!(code.matches('\n').count(), 4);
     }

@@ -22,35 +22,61 @@ impl Layering {
     /// Reads the list of a crate from the block "```text layers of CRATE": one layer per line, its name first.
     pub fn from_markdown(text: &str, name: &str) -> Option<Self> {
         let opens = |line: &str| line.trim_end().strip_prefix(OPENING) == Some(name);
-        let lines = text.lines().skip_while(|line| !opens(line)).skip(1).take_while(|line| !line.starts_with("```"));
-        let names: Vec<String> = lines.filter_map(|line| line.split_whitespace().next().map(str::to_owned)).collect();
+        let lines = text
+            .lines()
+            .skip_while(|line| !opens(line))
+            .skip(1)
+            .take_while(|line| !line.starts_with("```"));
+        let names: Vec<String> = lines
+            .filter_map(|line| line.split_whitespace().next().map(str::to_owned))
+            .collect();
         (!names.is_empty()).then_some(Self(names))
     }
 
     /// Everything that breaks the order, one sentence each.
     pub fn faults(&self, sources: &[Source]) -> Vec<String> {
-        let mut folders: Vec<&str> = sources.iter().filter_map(|source| layer_of(&source.path)).collect();
+        let mut folders: Vec<&str> = sources
+            .iter()
+            .filter_map(|source| layer_of(&source.path))
+            .collect();
         folders.sort_unstable();
         folders.dedup();
         let unlisted = folders.iter().filter(|folder| self.place(folder).is_none());
-        let absent = self.0.iter().filter(|layer| !folders.contains(&layer.as_str()));
-        let mut faults: Vec<String> = unlisted.map(|folder| format!("`{folder}` is not in the layer list of ARCHITECTURE.md")).collect();
-        faults.extend(absent.map(|layer| format!("ARCHITECTURE.md lists `{layer}`, but the crate has no such module")));
+        let absent = self
+            .0
+            .iter()
+            .filter(|layer| !folders.contains(&layer.as_str()));
+        let mut faults: Vec<String> = unlisted
+            .map(|folder| format!("`{folder}` is not in the layer list of ARCHITECTURE.md"))
+            .collect();
+        faults.extend(absent.map(|layer| {
+            format!("ARCHITECTURE.md lists `{layer}`, but the crate has no such module")
+        }));
         faults.extend(sources.iter().flat_map(|source| self.faults_of(source)));
         faults
     }
 
     fn faults_of(&self, source: &Source) -> Vec<String> {
         // The root of the crate sees everything.
-        let Some(layer) = layer_of(&source.path) else { return Vec::new() };
+        let Some(layer) = layer_of(&source.path) else {
+            return Vec::new();
+        };
         let used = uses(&source.text, depth_of(&source.path));
-        let says = |used: &super::paths::Use, why: String| format!("{}:{}: {why}", source.path, used.line);
+        let says =
+            |used: &super::paths::Use, why: String| format!("{}:{}: {why}", source.path, used.line);
         used.iter()
             .filter_map(|used| match (self.place(layer), self.place(&used.name)) {
-                (_, None) => Some(says(used, format!("`crate::{}` is not a layer; name the layer that holds it", used.name))),
-                (Some(own), Some(other)) if other > own => {
-                    Some(says(used, format!("`{layer}` uses `{}`, which stands to its right", used.name)))
-                }
+                (_, None) => Some(says(
+                    used,
+                    format!(
+                        "`crate::{}` is not a layer; name the layer that holds it",
+                        used.name
+                    ),
+                )),
+                (Some(own), Some(other)) if other > own => Some(says(
+                    used,
+                    format!("`{layer}` uses `{}`, which stands to its right", used.name),
+                )),
                 _ => None,
             })
             .collect()
@@ -81,7 +107,10 @@ mod tests {
     const LIST: &str = "# A\n\n```text layers of a\nother   crate\n```\n\n```text layers of jounce\nspec    says\nplant   linear\nmarch   time\n```\n\n```text\nother\n```\n";
 
     fn faults(files: &[(&str, &str)]) -> Vec<String> {
-        let source = |(path, text): &(&str, &str)| Source { path: (*path).to_owned(), text: (*text).to_owned() };
+        let source = |(path, text): &(&str, &str)| Source {
+            path: (*path).to_owned(),
+            text: (*text).to_owned(),
+        };
         let layering = Layering::from_markdown(LIST, "jounce").expect("the list is there");
         layering.faults(&files.iter().map(source).collect::<Vec<_>>())
     }
@@ -90,7 +119,10 @@ mod tests {
         ("lib.rs", "pub mod march; use crate::march::Marcher;"),
         ("spec/mod.rs", ""),
         ("plant/mod.rs", "use crate::spec::Spec;"),
-        ("march/flight.rs", "use crate::{plant::Plant, spec, march::Kernel}; use super::super::plant;"),
+        (
+            "march/flight.rs",
+            "use crate::{plant::Plant, spec, march::Kernel}; use super::super::plant;",
+        ),
     ];
 
     #[test]
@@ -100,40 +132,70 @@ mod tests {
 
     #[test]
     fn an_arrow_to_the_right_is_caught_however_it_is_written() {
-        for text in
-            ["\nuse crate::march::Marcher;", "\nfn f() { crate::march::go() }", "\nuse crate::{spec, march};", "\nuse super::super::march;"]
-        {
+        for text in [
+            "\nuse crate::march::Marcher;",
+            "\nfn f() { crate::march::go() }",
+            "\nuse crate::{spec, march};",
+            "\nuse super::super::march;",
+        ] {
             let found = faults(&[&WHOLE[..], &[("plant/system.rs", text)]].concat());
-            assert_eq!(found, ["plant/system.rs:2: `plant` uses `march`, which stands to its right"], "{text}");
+            assert_eq!(
+                found,
+                ["plant/system.rs:2: `plant` uses `march`, which stands to its right"],
+                "{text}"
+            );
         }
     }
 
     #[test]
     fn tests_and_comments_may_point_anywhere() {
-        let text = "//! See [`crate::march`].\n#[cfg(test)]\nmod tests { use crate::march::Marcher; }";
-        assert_eq!(faults(&[&WHOLE[..], &[("plant/system.rs", text)]].concat()), Vec::<String>::new());
+        let text =
+            "//! See [`crate::march`].\n#[cfg(test)]\nmod tests { use crate::march::Marcher; }";
+        assert_eq!(
+            faults(&[&WHOLE[..], &[("plant/system.rs", text)]].concat()),
+            Vec::<String>::new()
+        );
     }
 
     #[test]
     fn a_way_round_through_the_root_is_caught() {
         let found = faults(&[&WHOLE[..], &[("plant/system.rs", "use crate::Marcher;")]].concat());
-        assert_eq!(found, ["plant/system.rs:1: `crate::Marcher` is not a layer; name the layer that holds it"]);
+        assert_eq!(
+            found,
+            ["plant/system.rs:1: `crate::Marcher` is not a layer; name the layer that holds it"]
+        );
     }
 
     #[test]
     fn a_folder_that_is_not_listed_and_a_layer_without_folder_are_caught() {
         let found = faults(&[&WHOLE[..3], &[("orbit/mod.rs", ""), ("extra.rs", "")]].concat());
         assert_eq!(found.len(), 3, "{found:?}");
-        assert!(found[0].contains("`extra`") && found[1].contains("`orbit`") && found[2].contains("`march`"), "{found:?}");
+        assert!(
+            found[0].contains("`extra`")
+                && found[1].contains("`orbit`")
+                && found[2].contains("`march`"),
+            "{found:?}"
+        );
     }
 
     #[test]
     fn a_document_without_the_list_has_none() {
-        assert_eq!(Layering::from_markdown("```text\nspec\n```", "jounce"), None);
+        assert_eq!(
+            Layering::from_markdown("```text\nspec\n```", "jounce"),
+            None
+        );
     }
 
     #[test]
     fn depth_counts_modules() {
-        assert_eq!([depth_of("march/mod.rs"), depth_of("march/flight.rs"), depth_of("spec/key/mod.rs"), depth_of("lib.rs")], [1, 2, 2, 1]);
+        assert_eq!(
+            [
+                depth_of("march/mod.rs"),
+                depth_of("march/flight.rs"),
+                depth_of("spec/key/mod.rs"),
+                depth_of("lib.rs")
+            ],
+            [1, 2, 2, 1]
+        );
     }
 }

@@ -22,7 +22,10 @@ fn sources(folder: &Path, inside: &Path) -> Vec<Source> {
             found.extend(sources(&path, &name));
         } else if path.extension().is_some_and(|extension| extension == "rs") {
             let text = std::fs::read_to_string(&path).expect("sources are UTF-8");
-            found.push(Source { path: name.to_string_lossy().replace('\\', "/"), text });
+            found.push(Source {
+                path: name.to_string_lossy().replace('\\', "/"),
+                text,
+            });
         }
     }
     found.sort_by(|a, b| a.path.cmp(&b.path));
@@ -31,12 +34,19 @@ fn sources(folder: &Path, inside: &Path) -> Vec<Source> {
 
 #[test]
 fn every_arrow_points_to_the_left() {
-    let architecture = std::fs::read_to_string(root().join("ARCHITECTURE.md")).expect("ARCHITECTURE.md is there");
+    let architecture =
+        std::fs::read_to_string(root().join("ARCHITECTURE.md")).expect("ARCHITECTURE.md is there");
     let mut faults = Vec::new();
     for name in ["jounce", "jounce-measure"] {
-        let layering = Layering::from_markdown(&architecture, name).expect("ARCHITECTURE.md has a layer list for each library");
+        let layering = Layering::from_markdown(&architecture, name)
+            .expect("ARCHITECTURE.md has a layer list for each library");
         let sources = sources(&root().join("crates").join(name).join("src"), Path::new(""));
-        faults.extend(layering.faults(&sources).into_iter().map(|fault| format!("{name}: {fault}")));
+        faults.extend(
+            layering
+                .faults(&sources)
+                .into_iter()
+                .map(|fault| format!("{name}: {fault}")),
+        );
     }
     assert!(faults.is_empty(), "\n{}", faults.join("\n"));
 }

@@ -46,13 +46,18 @@ fn words(code: &[char]) -> Vec<(usize, String)> {
 
 /// True where only `::` lies between a word and the place of the next.
 fn joined(code: &[char], before: &(usize, String), next: usize) -> bool {
-    let between: String = code[before.0 + before.1.chars().count()..next].iter().collect();
+    let between: String = code[before.0 + before.1.chars().count()..next]
+        .iter()
+        .collect();
     between.split_whitespace().collect::<String>() == "::"
 }
 
 /// Length of the chain `super::super::..` at the start of the words.
 fn supers(code: &[char], words: &[(usize, String)]) -> usize {
-    let linked = words.windows(2).take_while(|pair| pair[1].1 == "super" && joined(code, &pair[0], pair[1].0)).count();
+    let linked = words
+        .windows(2)
+        .take_while(|pair| pair[1].1 == "super" && joined(code, &pair[0], pair[1].0))
+        .count();
     1 + linked
 }
 
@@ -83,13 +88,21 @@ fn first_names(group: &str) -> Vec<String> {
             member.push(c);
         }
     }
-    members.iter().map(|member| first_name(member.trim())).filter(|name| !name.is_empty()).collect()
+    members
+        .iter()
+        .map(|member| first_name(member.trim()))
+        .filter(|name| !name.is_empty())
+        .collect()
 }
 
 /// The name at the start; a glob is itself.
 fn first_name(text: &str) -> String {
     let text = text.strip_prefix("r#").unwrap_or(text);
-    if text.starts_with('*') { "*".to_owned() } else { text.chars().take_while(|c| is_word(*c)).collect() }
+    if text.starts_with('*') {
+        "*".to_owned()
+    } else {
+        text.chars().take_while(|c| is_word(*c)).collect()
+    }
 }
 
 #[cfg(test)]
@@ -97,16 +110,31 @@ mod tests {
     use super::uses;
 
     fn names(source: &str, depth: usize) -> Vec<String> {
-        uses(source, depth).into_iter().map(|found| found.name).collect()
+        uses(source, depth)
+            .into_iter()
+            .map(|found| found.name)
+            .collect()
     }
 
     #[test]
     fn finds_every_spelling_of_a_path_from_the_root() {
         assert_eq!(names("use crate::plant::Pair;", 2), ["plant"]);
-        assert_eq!(names("use crate::{plant::{Pair, Tone}, spec, march::{self}};", 2), ["plant", "spec", "march"]);
-        assert_eq!(names("fn f(x: &crate :: spec::Spec) -> Vec<crate::plant::Pair> {}", 2), ["spec", "plant"]);
+        assert_eq!(
+            names("use crate::{plant::{Pair, Tone}, spec, march::{self}};", 2),
+            ["plant", "spec", "march"]
+        );
+        assert_eq!(
+            names(
+                "fn f(x: &crate :: spec::Spec) -> Vec<crate::plant::Pair> {}",
+                2
+            ),
+            ["spec", "plant"]
+        );
         assert_eq!(names("pub use crate::*;", 2), ["*"]);
-        assert_eq!(names("pub(crate) fn f() { super::g(); crates::h(); }", 2), Vec::<String>::new());
+        assert_eq!(
+            names("pub(crate) fn f() { super::g(); crates::h(); }", 2),
+            Vec::<String>::new()
+        );
     }
 
     #[test]
@@ -114,7 +142,10 @@ mod tests {
         assert_eq!(names("use super::super::spec::Spec;", 2), ["spec"]);
         assert_eq!(names("use super::kernel::Kernel;", 2), Vec::<String>::new());
         assert_eq!(names("use super::spec::Spec;", 1), ["spec"]);
-        assert_eq!(names("use super::{contact, plant as p};", 1), ["contact", "plant"]);
+        assert_eq!(
+            names("use super::{contact, plant as p};", 1),
+            ["contact", "plant"]
+        );
     }
 
     #[test]

@@ -27,22 +27,33 @@ fn powers(resistance_ohm: f64, inductance_h: Option<f64>) -> [f64; 2] {
     let resistance = format!("{resistance_ohm:e} ohm");
     let inductance = inductance_h.map(|inductance_h| format!("{inductance_h:e} H"));
     let mut settings = vec![("circuit.load.resistance", resistance.as_str())];
-    settings.extend(inductance.as_deref().map(|inductance| ("circuit.load.inductance", inductance)));
+    settings.extend(
+        inductance
+            .as_deref()
+            .map(|inductance| ("circuit.load.inductance", inductance)),
+    );
     let plant = plant(EXAMPLE, &settings);
-    [white_noise_powers_w(&plant, DENSITY).unwrap()[0], noise_powers_between_w(&plant, DENSITY, [0.0, f64::INFINITY]).unwrap()[0]]
+    [
+        white_noise_powers_w(&plant, DENSITY).unwrap()[0],
+        noise_powers_between_w(&plant, DENSITY, [0.0, f64::INFINITY]).unwrap()[0],
+    ]
 }
 
 /// Section 3 of the paper: no inductor.
 fn without_inductor(alpha: f64) -> f64 {
     let (zeta, k) = (damping_ratio(), coupling_squared());
-    PI * MASS_KG * alpha * k / ((2.0 * zeta * alpha * alpha + alpha) * k + 4.0 * zeta * zeta * alpha + 2.0 * (alpha * alpha + 1.0) * zeta)
+    PI * MASS_KG * alpha * k
+        / ((2.0 * zeta * alpha * alpha + alpha) * k
+            + 4.0 * zeta * zeta * alpha
+            + 2.0 * (alpha * alpha + 1.0) * zeta)
 }
 
 /// Section 4 of the paper: inductor in parallel.
 fn with_inductor(alpha: f64, beta: f64) -> f64 {
     let (zeta, k) = (damping_ratio(), coupling_squared());
     let lead = beta + 2.0 * alpha * zeta;
-    let below = beta * lead * (1.0 + 2.0 * alpha * zeta) * (alpha * k + 2.0 * zeta) + 2.0 * alpha * alpha * zeta * (beta - 1.0).powi(2);
+    let below = beta * lead * (1.0 + 2.0 * alpha * zeta) * (alpha * k + 2.0 * zeta)
+        + 2.0 * alpha * alpha * zeta * (beta - 1.0).powi(2);
     PI * MASS_KG * alpha * beta * k * lead / below
 }
 
@@ -53,11 +64,17 @@ fn both_methods_are_the_closed_form() {
     let henry = |beta: f64| beta / (frequency_rad_s().powi(2) * CAPACITANCE_F);
     for alpha in [0.05, 0.864936, 3.0, 40.0] {
         for power in powers(ohm(alpha), None) {
-            assert!((power / without_inductor(alpha) - 1.0).abs() < 1e-8, "{alpha}: {power}");
+            assert!(
+                (power / without_inductor(alpha) - 1.0).abs() < 1e-8,
+                "{alpha}: {power}"
+            );
         }
         for beta in [0.2, 1.0, 1.3, 25.0] {
             for power in powers(ohm(alpha), Some(henry(beta))) {
-                assert!((power / with_inductor(alpha, beta) - 1.0).abs() < 1e-8, "{alpha} {beta}: {power}");
+                assert!(
+                    (power / with_inductor(alpha, beta) - 1.0).abs() < 1e-8,
+                    "{alpha} {beta}: {power}"
+                );
             }
         }
     }
@@ -78,7 +95,10 @@ fn every_expected_row_is_met() {
             ("best_resistance_ohm", best_ohm),
             ("best_power_w", best),
             ("tuned_inductor_power_w", powers(3e4, Some(tuned_h))[0]),
-            ("best_tuned_inductor_power_w", powers(1.0 / coupling_squared().sqrt() / scale, Some(tuned_h))[0]),
+            (
+                "best_tuned_inductor_power_w",
+                powers(1.0 / coupling_squared().sqrt() / scale, Some(tuned_h))[0],
+            ),
         ],
     );
 }

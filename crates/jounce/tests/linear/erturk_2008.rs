@@ -47,7 +47,10 @@ fn every_expected_row_is_met() {
             ("open_circuit_1_hz", near(&open, 48.8).0),
             ("open_circuit_2_hz", near(&open, 301.5).0),
             ("open_circuit_3_hz", near(&open, 839.2).0),
-            ("capacitance_nf", spec.patch["ceramic"].clamped_capacitance_f() * 1e9),
+            (
+                "capacitance_nf",
+                spec.patch["ceramic"].clamped_capacitance_f() * 1e9,
+            ),
             ("bending_stiffness_n_m2", section.bending_stiffness_n_m2),
             ("mass_per_length_kg_m", section.mass_per_length_kg_m),
             ("voltage_1_kohm_v_per_g", highest("1 kohm")),
@@ -91,7 +94,10 @@ fn voltage_and_motion_are_the_closed_form() {
         let (mut source, mut mobility) = (c64::new(0.0, 0.0), c64::new(0.0, 0.0));
         let dynamic = |mode: usize| {
             let natural = closed.frequency_rad_s(mode);
-            c64::new(natural * natural - w * w, 2.0 * spec.damping.ratios[mode] * natural * w)
+            c64::new(
+                natural * natural - w * w,
+                2.0 * spec.damping.ratios[mode] * natural * w,
+            )
         };
         for mode in 0..spec.damping.ratios.len() {
             let chi = moment * slope(mode);
@@ -102,14 +108,29 @@ fn voltage_and_motion_are_the_closed_form() {
         let tip: c64 = (0..spec.damping.ratios.len())
             .map(|mode| {
                 let chi = moment * slope(mode);
-                (voltage * chi - closed.participation_sqrt_kg(mode)) * closed.shape(mode, closed.length_m) / dynamic(mode)
+                (voltage * chi - closed.participation_sqrt_kg(mode))
+                    * closed.shape(mode, closed.length_m)
+                    / dynamic(mode)
             })
             .sum();
-        let wanted = [FrfResponse::Voltage("ceramic".into()), FrfResponse::Displacement("beam.end".into())];
-        let found = frf(&plant, &FrfInput::BaseAcceleration, &wanted, &[frequency_hz]).unwrap();
+        let wanted = [
+            FrfResponse::Voltage("ceramic".into()),
+            FrfResponse::Displacement("beam.end".into()),
+        ];
+        let found = frf(
+            &plant,
+            &FrfInput::BaseAcceleration,
+            &wanted,
+            &[frequency_hz],
+        )
+        .unwrap();
         for (found, exact) in found.iter().zip([voltage, tip]) {
             let error = (found.value[0] - exact).norm() / exact.norm();
-            assert!(error < 1e-9, "{frequency_hz} Hz, {}: {error:e}", found.response.name());
+            assert!(
+                error < 1e-9,
+                "{frequency_hz} Hz, {}: {error:e}",
+                found.response.name()
+            );
         }
     }
     assert!(voltage_per_g(&plant, 48.0) > 0.0);

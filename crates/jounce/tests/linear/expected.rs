@@ -8,7 +8,13 @@ use jounce::plant::Plant;
 
 /// Voltage of the load per g of the base, V zero to peak.
 pub fn voltage_per_g(plant: &Plant, frequency_hz: f64) -> f64 {
-    let answer = frf(plant, &FrfInput::BaseAcceleration, &[FrfResponse::LoadVoltage("load".into())], &[frequency_hz]).unwrap();
+    let answer = frf(
+        plant,
+        &FrfInput::BaseAcceleration,
+        &[FrfResponse::LoadVoltage("load".into())],
+        &[frequency_hz],
+    )
+    .unwrap();
     answer[0].value[0].norm() * G_M_S2
 }
 
@@ -16,8 +22,15 @@ pub fn voltage_per_g(plant: &Plant, frequency_hz: f64) -> f64 {
 pub fn peak(plant: &Plant, mut low_hz: f64, mut high_hz: f64) -> (f64, f64) {
     let golden = (5f64.sqrt() - 1.0) / 2.0;
     while high_hz - low_hz > 1e-7 * high_hz {
-        let (one, two) = (high_hz - golden * (high_hz - low_hz), low_hz + golden * (high_hz - low_hz));
-        if voltage_per_g(plant, one) > voltage_per_g(plant, two) { high_hz = two } else { low_hz = one }
+        let (one, two) = (
+            high_hz - golden * (high_hz - low_hz),
+            low_hz + golden * (high_hz - low_hz),
+        );
+        if voltage_per_g(plant, one) > voltage_per_g(plant, two) {
+            high_hz = two
+        } else {
+            low_hz = one
+        }
     }
     (low_hz, voltage_per_g(plant, low_hz))
 }
@@ -26,7 +39,15 @@ pub fn peak(plant: &Plant, mut low_hz: f64, mut high_hz: f64) -> (f64, f64) {
 pub fn best_resistance(make: impl Fn(&str) -> Plant, frequency_hz: f64) -> (f64, f64) {
     let voltage = |ohm: f64| {
         let plant = make(&format!("{ohm} ohm"));
-        frf(&plant, &FrfInput::BaseAcceleration, &[FrfResponse::LoadVoltage("load".into())], &[frequency_hz]).unwrap()[0].value[0] * G_M_S2
+        frf(
+            &plant,
+            &FrfInput::BaseAcceleration,
+            &[FrfResponse::LoadVoltage("load".into())],
+            &[frequency_hz],
+        )
+        .unwrap()[0]
+            .value[0]
+            * G_M_S2
     };
     let (r1, r2) = (1e4, 1e5);
     let (v1, v2) = (voltage(r1), voltage(r2));

@@ -4,11 +4,16 @@ use std::path::{Path, PathBuf};
 
 /// Folder of an example.
 pub fn folder(example: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples").join(example)
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("../../examples")
+        .join(example)
 }
 
 fn expected(example: &str) -> toml_edit::DocumentMut {
-    std::fs::read_to_string(folder(example).join("expected.toml")).unwrap().parse().unwrap()
+    std::fs::read_to_string(folder(example).join("expected.toml"))
+        .unwrap()
+        .parse()
+        .unwrap()
 }
 
 /// Every row of `expected.toml` must be among the computed ones and lie within what it allows; the other way round too.
@@ -16,7 +21,10 @@ pub fn check(example: &str, computed: &[(&str, f64)]) {
     let document = expected(example);
     assert_eq!(document.len(), computed.len());
     for (name, _) in document.iter() {
-        let (_, found) = computed.iter().find(|(computed, _)| *computed == name).unwrap_or_else(|| panic!("{name} is not computed"));
+        let (_, found) = computed
+            .iter()
+            .find(|(computed, _)| *computed == name)
+            .unwrap_or_else(|| panic!("{name} is not computed"));
         check_row(example, name, *found);
     }
 }
@@ -24,9 +32,18 @@ pub fn check(example: &str, computed: &[(&str, f64)]) {
 /// One row of `expected.toml`.
 pub fn check_row(example: &str, name: &str, found: f64) {
     let document = expected(example);
-    let row = document.get(name).unwrap_or_else(|| panic!("{example} expects no {name}"));
+    let row = document
+        .get(name)
+        .unwrap_or_else(|| panic!("{example} expects no {name}"));
     let number = |key: &str| row[key].as_float().unwrap();
     let difference = (found / number("value") - 1.0).abs();
-    eprintln!("{example} {name}: {found} against {} ({difference:.1e})", number("value"));
-    assert!(difference <= number("allowed"), "{example} {name}: {found} against {}", number("value"));
+    eprintln!(
+        "{example} {name}: {found} against {} ({difference:.1e})",
+        number("value")
+    );
+    assert!(
+        difference <= number("allowed"),
+        "{example} {name}: {found} against {}",
+        number("value")
+    );
 }

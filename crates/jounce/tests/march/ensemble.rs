@@ -31,14 +31,31 @@ fn spec(more: &str) -> Model {
     Model::new(Spec::from_toml(&text).unwrap()).unwrap()
 }
 
-fn run(base: &Model, members: usize, relative_width: Option<f64>) -> Result<EnsembleResult, AnalysisError> {
+fn run(
+    base: &Model,
+    members: usize,
+    relative_width: Option<f64>,
+) -> Result<EnsembleResult, AnalysisError> {
     marched(base, members, relative_width, false)
 }
 
-fn marched(base: &Model, members: usize, relative_width: Option<f64>, with_spectrum: bool) -> Result<EnsembleResult, AnalysisError> {
+fn marched(
+    base: &Model,
+    members: usize,
+    relative_width: Option<f64>,
+    with_spectrum: bool,
+) -> Result<EnsembleResult, AnalysisError> {
     let start = base.start(Path::new("")).unwrap();
     let most_rounds = if relative_width.is_some() { 50 } else { 1 };
-    let study = Ensemble { base, start, members, seed: 5, relative_width, most_rounds, with_spectrum };
+    let study = Ensemble {
+        base,
+        start,
+        members,
+        seed: 5,
+        relative_width,
+        most_rounds,
+        with_spectrum,
+    };
     study.run(&|_| {})
 }
 
@@ -50,7 +67,11 @@ fn a_stopped_ensemble_makes_no_more_realisations() {
     let begun = std::time::Instant::now();
     let answer = run(&base, 100_000, None).unwrap();
     assert!(answer.members.is_empty() && !answer.reached);
-    assert!(begun.elapsed().as_secs_f64() < 10.0, "{:?}", begun.elapsed());
+    assert!(
+        begun.elapsed().as_secs_f64() < 10.0,
+        "{:?}",
+        begun.elapsed()
+    );
 }
 
 /// Mean power `pi m a k^2 S / ((2 z a^2 + a) k^2 + 4 z^2 a + 2 (a^2 + 1) z)`, `a = w C R`, `k^2 = theta^2 / (K C)`, `S` two-sided per
@@ -59,33 +80,66 @@ fn a_stopped_ensemble_makes_no_more_realisations() {
 fn mean_power_under_white_noise_is_that_of_the_closed_form() {
     let answer = run(&spec(""), 24, None).unwrap();
     let w = (STIFFNESS_N_M / MASS_KG).sqrt();
-    let (zeta, a) = (DASHPOT_N_S_M / (2.0 * MASS_KG * w), w * CAPACITANCE_F * LOAD_OHM);
+    let (zeta, a) = (
+        DASHPOT_N_S_M / (2.0 * MASS_KG * w),
+        w * CAPACITANCE_F * LOAD_OHM,
+    );
     let k2 = COUPLING_N_V.powi(2) / (STIFFNESS_N_M * CAPACITANCE_F);
     let density = 0.5 / (4.0 * PI);
-    let exact = PI * MASS_KG * a * k2 * density / ((2.0 * zeta * a * a + a) * k2 + 4.0 * zeta * zeta * a + 2.0 * (a * a + 1.0) * zeta);
+    let exact = PI * MASS_KG * a * k2 * density
+        / ((2.0 * zeta * a * a + a) * k2 + 4.0 * zeta * zeta * a + 2.0 * (a * a + 1.0) * zeta);
     let power = answer.power_w;
-    let residual = answer.members.iter().fold(0.0_f64, |max, member| max.max(member.energy_residual_relative.abs()));
-    eprintln!("{:.4e} +- {:.1e} W, exact {exact:.4e} W, energy {residual:.1e}", power.mean, power.half_width);
-    assert_eq!((power.interval, answer.reached, answer.contact_rate_hz.mean), (IntervalOver::Members, true, 0.0));
+    let residual = answer.members.iter().fold(0.0_f64, |max, member| {
+        max.max(member.energy_residual_relative.abs())
+    });
+    eprintln!(
+        "{:.4e} +- {:.1e} W, exact {exact:.4e} W, energy {residual:.1e}",
+        power.mean, power.half_width
+    );
+    assert_eq!(
+        (power.interval, answer.reached, answer.contact_rate_hz.mean),
+        (IntervalOver::Members, true, 0.0)
+    );
     // 2.07 is Student's quantile of 23 degrees of freedom: three standard deviations.
-    assert!((power.mean - exact).abs() < 3.0 * power.half_width / 2.07 + 0.005 * exact, "{} {exact}", power.mean);
+    assert!(
+        (power.mean - exact).abs() < 3.0 * power.half_width / 2.07 + 0.005 * exact,
+        "{} {exact}",
+        power.mean
+    );
     assert!(power.half_width < 0.2 * exact && residual < 1e-11);
 }
 
 #[test]
 fn members_come_until_the_interval_is_narrow_and_threads_change_nothing() {
-    let base = spec("[stop.wall]\nat = \"cell.mass\"\nlaw = \"hertz\"\nstiffness = \"1e6 N/m^1.5\"\ngap = \"20 um\"\n");
+    let base = spec(
+        "[stop.wall]\nat = \"cell.mass\"\nlaw = \"hertz\"\nstiffness = \"1e6 N/m^1.5\"\ngap = \"20 um\"\n",
+    );
     let with = |threads: usize| {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(threads)
+            .build()
+            .unwrap();
         pool.install(|| run(&base, 4, Some(0.15))).unwrap()
     };
     let (one, three) = (with(1), with(3));
     assert_eq!(one, three);
-    assert!(one.reached && one.power_w.relative_width() <= 0.15 && one.members.len().is_multiple_of(4), "{:?}", one.power_w);
     assert!(
-        one.contact_rate_hz.mean > 1.0 && one.mean_contact_duration_s > 0.0 && one.max_impact_velocity_m_s >= one.mean_impact_velocity_m_s
+        one.reached && one.power_w.relative_width() <= 0.15 && one.members.len().is_multiple_of(4),
+        "{:?}",
+        one.power_w
     );
-    assert!(one.members.iter().all(|member| member.energy_residual_relative.abs() < 1e-6), "{:?}", one.members);
+    assert!(
+        one.contact_rate_hz.mean > 1.0
+            && one.mean_contact_duration_s > 0.0
+            && one.max_impact_velocity_m_s >= one.mean_impact_velocity_m_s
+    );
+    assert!(
+        one.members
+            .iter()
+            .all(|member| member.energy_residual_relative.abs() < 1e-6),
+        "{:?}",
+        one.members
+    );
 }
 
 #[test]
@@ -93,7 +147,10 @@ fn an_ensemble_needs_noise_and_orbits_refuse_it() {
     let mut quiet = spec("").spec;
     quiet.drive.clear();
     let refusal = run(&Model::new(quiet).unwrap(), 2, None).unwrap_err();
-    assert!(refusal.to_string().contains("signal = \"noise\""), "{refusal}");
+    assert!(
+        refusal.to_string().contains("signal = \"noise\""),
+        "{refusal}"
+    );
 }
 
 /// A stop too soft to be felt counts what Rice's formula says of the linear answer: rate, share of the time, and with `s_v` the rms of the
@@ -101,12 +158,20 @@ fn an_ensemble_needs_noise_and_orbits_refuse_it() {
 /// Allowed are three standard deviations; 24 members bring them to 2 %.
 #[test]
 fn a_stop_that_is_not_felt_is_struck_as_rice_says() {
-    let base = spec("[stop.wall]\nat = \"cell.mass\"\nlaw = \"spring\"\nstiffness = \"1e-6 N/m\"\ngap = \"120 um\"\n");
+    let base = spec(
+        "[stop.wall]\nat = \"cell.mass\"\nlaw = \"spring\"\nstiffness = \"1e-6 N/m\"\ngap = \"120 um\"\n",
+    );
     let exact = Random::new(&base.spec).unwrap().answer().unwrap();
     let answer = marched(&base, 24, None, true).unwrap();
     let (stop, rice) = (&answer.stops[0], &exact.stops[0]);
     let (rice_hz, rice_share) = rice.reached_hz.zip(rice.share_beyond).unwrap();
-    let speed = (PI / 2.0).sqrt() * exact.points.iter().find(|point| point.name == "cell.mass").unwrap().velocity_rms_m_s;
+    let speed = (PI / 2.0).sqrt()
+        * exact
+            .points
+            .iter()
+            .find(|point| point.name == "cell.mass")
+            .unwrap()
+            .velocity_rms_m_s;
     let rows = [
         ("rate", stop.contact_rate_hz, rice_hz),
         ("speed", stop.mean_impact_velocity_m_s, speed),
@@ -115,28 +180,51 @@ fn a_stop_that_is_not_felt_is_struck_as_rice_says() {
         ("power", answer.power_w, exact.mean_power_w),
     ];
     for (name, found, exact) in rows {
-        eprintln!("{name}: {:.4e} +- {:.1e}, exact {exact:.4e}", found.mean, found.half_width);
-        assert!((found.mean - exact).abs() < 3.0 * found.half_width / 2.07, "{name}: {found:?} {exact}");
+        eprintln!(
+            "{name}: {:.4e} +- {:.1e}, exact {exact:.4e}",
+            found.mean, found.half_width
+        );
+        assert!(
+            (found.mean - exact).abs() < 3.0 * found.half_width / 2.07,
+            "{name}: {found:?} {exact}"
+        );
         assert!(found.half_width < 0.2 * exact, "{name}");
     }
-    let (found, width) = (answer.spectra[0].bandwidth_hz, exact.loads[0].statistical_bandwidth_hz);
+    let (found, width) = (
+        answer.spectra[0].bandwidth_hz,
+        exact.loads[0].statistical_bandwidth_hz,
+    );
     let spectrum = &answer.spectra[0];
-    let sum = spectrum.density.iter().map(|bin| bin.mean).sum::<f64>() * (spectrum.frequency_hz[1] - spectrum.frequency_hz[0]);
-    eprintln!("bandwidth {:.3} +- {:.2} Hz, exact {width:.3} Hz; mean square {sum:.4e}", found.mean, found.half_width);
-    assert!((found.mean - width).abs() < 3.0 * found.half_width / 2.13 + 0.03 * width && found.half_width < 0.3 * width);
-    assert!((sum / (LOAD_OHM * answer.power_w.mean) - 1.0).abs() < 0.05, "{sum}");
+    let sum = spectrum.density.iter().map(|bin| bin.mean).sum::<f64>()
+        * (spectrum.frequency_hz[1] - spectrum.frequency_hz[0]);
+    eprintln!(
+        "bandwidth {:.3} +- {:.2} Hz, exact {width:.3} Hz; mean square {sum:.4e}",
+        found.mean, found.half_width
+    );
+    assert!(
+        (found.mean - width).abs() < 3.0 * found.half_width / 2.13 + 0.03 * width
+            && found.half_width < 0.3 * width
+    );
+    assert!(
+        (sum / (LOAD_OHM * answer.power_w.mean) - 1.0).abs() < 0.05,
+        "{sum}"
+    );
 }
 
 /// Longest dwell and largest speed are no smaller than their means, and the members' counts add up to those of the stops.
 #[test]
 fn counts_of_stops_add_up() {
-    let base = spec("[stop.wall]\nat = \"cell.mass\"\nlaw = \"hertz\"\nstiffness = \"1e6 N/m^1.5\"\ngap = \"20 um\"\n");
+    let base = spec(
+        "[stop.wall]\nat = \"cell.mass\"\nlaw = \"hertz\"\nstiffness = \"1e6 N/m^1.5\"\ngap = \"20 um\"\n",
+    );
     let answer = run(&base, 3, None).unwrap();
     let stop = &answer.stops[0];
     let contacts: u64 = answer.members.iter().map(|member| member.contacts).sum();
     assert_eq!(stop.contact_rate_hz.interval, IntervalOver::Batches);
     assert!((stop.contact_rate_hz.mean / (contacts as f64 / 6.0) - 1.0).abs() < 1e-12);
-    assert!((stop.mean_impact_velocity_m_s.mean / answer.mean_impact_velocity_m_s - 1.0).abs() < 1e-12);
+    assert!(
+        (stop.mean_impact_velocity_m_s.mean / answer.mean_impact_velocity_m_s - 1.0).abs() < 1e-12
+    );
     assert!(
         stop.max_impact_velocity_m_s >= stop.mean_impact_velocity_m_s.mean
             && stop.max_contact_duration_s >= stop.mean_contact_duration_s.mean

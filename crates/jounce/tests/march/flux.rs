@@ -17,10 +17,18 @@ const GAUSS: [(f64, f64); 5] = [
 ];
 
 /// Every number of the physical state by quadrature over panels no longer than `panel_s`, cut where steps end.
-fn by_quadrature(kernel: &Kernel, record: &Trajectory, [from_s, to_s]: [f64; 2], panel_s: f64) -> Vec<f64> {
+fn by_quadrature(
+    kernel: &Kernel,
+    record: &Trajectory,
+    [from_s, to_s]: [f64; 2],
+    panel_s: f64,
+) -> Vec<f64> {
     let (mut times, mut weights) = (Vec::new(), Vec::new());
     for segment in record.segments() {
-        let (start_s, end_s) = (segment.start_s.max(from_s), (segment.start_s + segment.length_s).min(to_s));
+        let (start_s, end_s) = (
+            segment.start_s.max(from_s),
+            (segment.start_s + segment.length_s).min(to_s),
+        );
         let panels = ((end_s - start_s) / panel_s).ceil().max(0.0);
         let length_s = (end_s - start_s) / panels;
         for panel in 0..panels as usize {
@@ -31,7 +39,9 @@ fn by_quadrature(kernel: &Kernel, record: &Trajectory, [from_s, to_s]: [f64; 2],
     let mut sum = vec![0.0; kernel.plant.len()];
     for (at, weight) in record.at(kernel, &times).iter().zip(weights) {
         let x = kernel.plant.to_physical(&at.state, at.time_s);
-        sum.iter_mut().zip(x).for_each(|(sum, x)| *sum += weight * x);
+        sum.iter_mut()
+            .zip(x)
+            .for_each(|(sum, x)| *sum += weight * x);
     }
     sum
 }
@@ -41,17 +51,36 @@ fn by_quadrature(kernel: &Kernel, record: &Trajectory, [from_s, to_s]: [f64; 2],
 /// first step of a contact: 2e-10.
 #[test]
 fn integrals_along_a_record_are_those_by_quadrature() {
-    let storage = Storage::Capacitor { capacitance_f: 5.0, load_ohm: 3.0 };
-    for (scheme, sampled) in [(Scheme::Standard, false), (Scheme::Standard, true), (Scheme::SeriesSshi { inversion: 0.6 }, false)] {
+    let storage = Storage::Capacitor {
+        capacitance_f: 5.0,
+        load_ohm: 3.0,
+    };
+    for (scheme, sampled) in [
+        (Scheme::Standard, false),
+        (Scheme::Standard, true),
+        (Scheme::SeriesSshi { inversion: 0.6 }, false),
+    ] {
         let mut system = lossy_beside_a_stop(scheme, storage);
         system.bridges[0].diode_ohm = 0.1;
         if sampled {
-            let sizes: Arc<[f64]> = (0..400).map(|k: i32| (0.7 * f64::from(k)).sin() + 0.3 * (0.11 * f64::from(k)).cos()).collect();
-            let wave = Wave::Sampled { start_s: 0.0, step_s: 0.25, sizes };
-            system.signals.push(Signal { name: "sampled".into(), shape: vec![0.5], wave, base: None });
+            let sizes: Arc<[f64]> = (0..400)
+                .map(|k: i32| (0.7 * f64::from(k)).sin() + 0.3 * (0.11 * f64::from(k)).cos())
+                .collect();
+            let wave = Wave::Sampled {
+                start_s: 0.0,
+                step_s: 0.25,
+                sizes,
+            };
+            system.signals.push(Signal {
+                name: "sampled".into(),
+                shape: vec![0.5],
+                wave,
+                base: None,
+            });
         }
         let kernel = kernel(system);
-        let mut integrator = Integrator::new(&kernel, &vec![0.0; kernel.plant.len()], 0.0, 1e-9).unwrap();
+        let mut integrator =
+            Integrator::new(&kernel, &vec![0.0; kernel.plant.len()], 0.0, 1e-9).unwrap();
         integrator.start_record();
         integrator.advance_to(60.0).unwrap();
         let (contacts, record) = (integrator.statistics().contacts, integrator.take_record());
@@ -59,7 +88,10 @@ fn integrals_along_a_record_are_those_by_quadrature() {
         let exact = by_quadrature(&kernel, &record, span_s, 0.02);
         for (place, exact) in exact.iter().enumerate() {
             let found = record.integral(&kernel, span_s[0], span_s[1], place);
-            eprintln!("{scheme:?}, sampled {sampled}, {contacts} contacts, number {place}: {found:e}, {:.1e} off", found - exact);
+            eprintln!(
+                "{scheme:?}, sampled {sampled}, {contacts} contacts, number {place}: {found:e}, {:.1e} off",
+                found - exact
+            );
             let allowed = if place == 1 { 1e-9 } else { 1e-12 };
             assert!((found - exact).abs() < allowed && contacts > 3);
         }

@@ -11,12 +11,15 @@ const FRICTION_N_S_M: f64 = 0.02;
 const RATE_PER_S: f64 = FRICTION_N_S_M / MASS_KG;
 const G_M_S2: f64 = 9.81;
 
-const MISSILE: &str = "[mass.missile]\non = \"nothing\"\nmass = \"4 g\"\nfriction = \"0.02 N s/m\"\n";
+const MISSILE: &str =
+    "[mass.missile]\non = \"nothing\"\nmass = \"4 g\"\nfriction = \"0.02 N s/m\"\n";
 const GRAVITY: &str = "[gravity]\nacceleration = \"9.81 m/s^2\"\n";
-const WALL: &str = "[stop.wall]\nat = \"missile\"\nlaw = \"rigid\"\ngap = \"25 mm\"\nrestitution = 0.7\n";
+const WALL: &str =
+    "[stop.wall]\nat = \"missile\"\nlaw = \"rigid\"\ngap = \"25 mm\"\nrestitution = 0.7\n";
 
 fn channel(more: &str) -> Kernel {
-    let spec = Spec::from_toml(&format!("{MISSILE}{more}")).unwrap_or_else(|faults| panic!("{faults}"));
+    let spec =
+        Spec::from_toml(&format!("{MISSILE}{more}")).unwrap_or_else(|faults| panic!("{faults}"));
     kernel(System::assemble(&spec, modes(&spec).unwrap()).unwrap())
 }
 
@@ -38,11 +41,22 @@ fn a_falling_mass_reaches_its_last_speed() {
     for time_s in [0.01, 0.3, 10.0] {
         let integrator = march(&kernel, &thrown(0.0), 0.0, time_s, 1e-10);
         let [x, v] = motion(&physical(&integrator, &kernel));
-        let (last_m_s, left) = (MASS_KG * G_M_S2 / FRICTION_N_S_M, (-RATE_PER_S * time_s).exp());
-        let (exact_m_s, exact_m) = (last_m_s * (1.0 - left), last_m_s * (time_s - (1.0 - left) / RATE_PER_S));
+        let (last_m_s, left) = (
+            MASS_KG * G_M_S2 / FRICTION_N_S_M,
+            (-RATE_PER_S * time_s).exp(),
+        );
+        let (exact_m_s, exact_m) = (
+            last_m_s * (1.0 - left),
+            last_m_s * (time_s - (1.0 - left) / RATE_PER_S),
+        );
         let energies = integrator.energies();
         let lost_j = MASS_KG * G_M_S2 * exact_m - 0.5 * MASS_KG * exact_m_s * exact_m_s;
-        let errors = [relative(v, exact_m_s), relative(x, exact_m), relative(energies.damping_j, lost_j), energies.residual_relative()];
+        let errors = [
+            relative(v, exact_m_s),
+            relative(x, exact_m),
+            relative(energies.damping_j, lost_j),
+            energies.residual_relative(),
+        ];
         eprintln!("{time_s} s: {v} of {last_m_s} m/s, errors {errors:?}");
         assert!(errors.iter().all(|error| error.abs() < 1e-11), "{errors:?}");
         assert!(time_s < 10.0 || relative(v, last_m_s) < 1e-12);
@@ -56,7 +70,13 @@ fn a_thrown_mass_strikes_with_what_friction_leaves() {
     let kernel = channel(WALL);
     let (gap_m, speed_m_s) = (0.025, 0.8);
     let meets_s = -(1.0 - RATE_PER_S * gap_m / speed_m_s).ln() / RATE_PER_S;
-    let before = march(&kernel, &thrown(speed_m_s), 0.0, meets_s * (1.0 - 1e-9), 1e-10);
+    let before = march(
+        &kernel,
+        &thrown(speed_m_s),
+        0.0,
+        meets_s * (1.0 - 1e-9),
+        1e-10,
+    );
     assert_eq!(before.statistics().contacts, 0);
     let after_s = 0.05;
     let after = march(&kernel, &thrown(speed_m_s), 0.0, meets_s + after_s, 1e-10);
@@ -70,10 +90,16 @@ fn a_thrown_mass_strikes_with_what_friction_leaves() {
         after.energies().residual_relative(),
     ];
     eprintln!("{errors:?}");
-    assert!(after.statistics().contacts == 1 && errors.iter().all(|error| error.abs() < 1e-11), "{errors:?}");
+    assert!(
+        after.statistics().contacts == 1 && errors.iter().all(|error| error.abs() < 1e-11),
+        "{errors:?}"
+    );
     let slow_m_s = RATE_PER_S * gap_m * (1.0 - 1e-9);
     let short = march(&kernel, &thrown(slow_m_s), 0.0, 100.0, 1e-10);
-    assert!(short.statistics().contacts == 0 && relative(motion(&physical(&short, &kernel))[0], slow_m_s / RATE_PER_S) < 1e-11);
+    assert!(
+        short.statistics().contacts == 0
+            && relative(motion(&physical(&short, &kernel))[0], slow_m_s / RATE_PER_S) < 1e-11
+    );
 }
 
 /// A frame that swings with amplitude `X`: relative to it the missile swings with `X w / sqrt(w^2 + a^2)`. Measured: 2e-15.
@@ -84,7 +110,12 @@ fn a_shaken_channel_drags_its_missile() {
     let w = std::f64::consts::TAU * 2.0;
     let amplitude_m = 0.01 * w / w.hypot(RATE_PER_S);
     // After 20 s nothing is left of the start but where it is: half of the difference between two ends of the swing tells the amplitude.
-    let at = |time_s: f64| motion(&physical(&march(&kernel, &thrown(0.0), 0.0, time_s, 1e-10), &kernel));
+    let at = |time_s: f64| {
+        motion(&physical(
+            &march(&kernel, &thrown(0.0), 0.0, time_s, 1e-10),
+            &kernel,
+        ))
+    };
     let [quarter, now] = [at(20.0 + 0.125), at(20.0)];
     let amplitude_m_s = now[1].hypot(quarter[1]);
     eprintln!("{:.1e}", relative(amplitude_m_s, w * amplitude_m));
@@ -94,15 +125,34 @@ fn a_shaken_channel_drags_its_missile() {
 #[test]
 fn friction_that_does_not_fit_is_told() {
     let sprung = "[mass.m]\nmass = \"1 kg\"\nfrequency = \"1 Hz\"\ndamping_ratio = 0.1\nfriction = \"1 N s/m\"\n";
-    let carrying = format!("{MISSILE}{GRAVITY}[mass.rider]\non = \"missile\"\nmass = \"1 g\"\nfrequency = \"9 Hz\"\ndamping_ratio = 0.1\n");
-    let fixed = format!("{MISSILE}{GRAVITY}[mass.rider]\non = \"missile\"\nmass = \"1 g\"\nfriction = \"1 N s/m\"\n");
+    let carrying = format!(
+        "{MISSILE}{GRAVITY}[mass.rider]\non = \"missile\"\nmass = \"1 g\"\nfrequency = \"9 Hz\"\ndamping_ratio = 0.1\n"
+    );
+    let fixed = format!(
+        "{MISSILE}{GRAVITY}[mass.rider]\non = \"missile\"\nmass = \"1 g\"\nfriction = \"1 N s/m\"\n"
+    );
     for (text, told) in [
-        (sprung.to_owned(), "mass.m.friction does not go with a mass on a spring: what it loses is told by its `damping_ratio`"),
-        (carrying, "mass.missile.friction does not go with a mass that carries what moves by itself, here mass.rider"),
-        (fixed, "mass.rider.friction is for a free mass that moves in a channel; give on = \"nothing\""),
-        (format!("{}{GRAVITY}", MISSILE.replace("0.02", "-1")), "mass.missile.friction is -1 N s/m; it must be at least 0"),
+        (
+            sprung.to_owned(),
+            "mass.m.friction does not go with a mass on a spring: what it loses is told by its `damping_ratio`",
+        ),
+        (
+            carrying,
+            "mass.missile.friction does not go with a mass that carries what moves by itself, here mass.rider",
+        ),
+        (
+            fixed,
+            "mass.rider.friction is for a free mass that moves in a channel; give on = \"nothing\"",
+        ),
+        (
+            format!("{}{GRAVITY}", MISSILE.replace("0.02", "-1")),
+            "mass.missile.friction is -1 N s/m; it must be at least 0",
+        ),
     ] {
         let found = Spec::from_toml(&text).unwrap_err().to_string();
-        assert!(found.contains(told) && found.lines().count() == 1, "{text}\n-> {found}");
+        assert!(
+            found.contains(told) && found.lines().count() == 1,
+            "{text}\n-> {found}"
+        );
     }
 }

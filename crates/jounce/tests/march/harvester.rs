@@ -3,7 +3,11 @@
 use crate::plants::{bench, from_rest, kernel, paper, relative};
 
 /// Amplitude N, frequency Hz, mean power W: DOP853 at relative tolerance 1e-13, agreed with a second solver.
-const CASES: [(f64, f64, f64); 3] = [(50.0, 11.0, 7.0237364131e-5), (50.0, 6.0, 1.8880658277e-5), (100.0, 11.0, 1.26104875313e-4)];
+const CASES: [(f64, f64, f64); 3] = [
+    (50.0, 11.0, 7.0237364131e-5),
+    (50.0, 6.0, 1.8880658277e-5),
+    (100.0, 11.0, 1.26104875313e-4),
+];
 
 #[test]
 fn power_of_the_harvester_meets_other_solvers() {
@@ -13,8 +17,13 @@ fn power_of_the_harvester_meets_other_solvers() {
             let answer = from_rest(&kernel, 20.0, tolerance);
             let error = relative(answer.mean_power_w, power_w);
             let residual = answer.energies.residual_relative();
-            eprintln!("{amplitude_n} N {frequency_hz} Hz at {tolerance:e}: error {error:.1e}, energy {residual:.1e}");
-            assert!(error <= allowed, "{amplitude_n} N {frequency_hz} Hz at {tolerance:e}: {error:e}");
+            eprintln!(
+                "{amplitude_n} N {frequency_hz} Hz at {tolerance:e}: error {error:.1e}, energy {residual:.1e}"
+            );
+            assert!(
+                error <= allowed,
+                "{amplitude_n} N {frequency_hz} Hz at {tolerance:e}: {error:e}"
+            );
             assert!(residual.abs() <= 10.0 * tolerance, "{residual:e}");
         }
     }
@@ -29,7 +38,10 @@ fn error_falls_with_the_tolerance() {
         .collect();
     eprintln!("errors at 1e-3, 1e-5, 1e-7, 1e-9: {errors:?}");
     // Errors of single runs scatter by chance: each must stay below its tolerance, and the tightest must be far below the loosest.
-    let below = errors.iter().zip([1e-3, 1e-5, 1e-7, 1e-9]).all(|(error, tolerance)| *error <= tolerance);
+    let below = errors
+        .iter()
+        .zip([1e-3, 1e-5, 1e-7, 1e-9])
+        .all(|(error, tolerance)| *error <= tolerance);
     assert!(below && errors[3] < 1e-3 * errors[0], "{errors:?}");
 }
 
@@ -45,8 +57,14 @@ fn paper_plant_agrees_with_itself_at_a_tighter_tolerance() {
         for (tolerance, allowed) in [(1e-7, 1e-5), (1e-10, 1e-8)] {
             let answer = from_rest(&kernel, 20.0, tolerance);
             let error = relative(answer.mean_power_w, tight.mean_power_w);
-            eprintln!("paper plant, {amplitude_n} N {frequency_hz} Hz at {tolerance:e}: {error:.1e} of {:.10e} W", tight.mean_power_w);
-            assert!(error <= allowed && answer.energies.residual_relative().abs() <= 10.0 * tolerance, "{error:e}");
+            eprintln!(
+                "paper plant, {amplitude_n} N {frequency_hz} Hz at {tolerance:e}: {error:.1e} of {:.10e} W",
+                tight.mean_power_w
+            );
+            assert!(
+                error <= allowed && answer.energies.residual_relative().abs() <= 10.0 * tolerance,
+                "{error:e}"
+            );
         }
     }
 }

@@ -29,26 +29,58 @@ fn cell(leaks: &[Option<f64>]) -> System {
         frequency_rad_s: vec![1.0],
         damping_ratio: vec![0.03],
         shape: BTreeMap::from([("mass".into(), vec![1.0])]),
-        patch: (0..leaks.len()).map(|k| (format!("p{k}"), patch(k))).collect(),
+        patch: (0..leaks.len())
+            .map(|k| (format!("p{k}"), patch(k)))
+            .collect(),
         participation_sqrt_kg: vec![1.0],
         base_sqrt_kg: BTreeMap::new(),
         discretisation_error: vec![0.0],
     };
-    let law = Law::Hertz(Hertz { stiffness: 20.0, exponent: 1.5 });
-    let stop = Stop { name: "stop".into(), shape: vec![1.0], gap_m: 0.5, law, bases: Vec::new() };
-    let drive = Drive { name: "force".into(), shape: vec![1.0], amplitude_n: 1.0, frequency_hz: 1.1 / TAU, phase_rad: 0.4, base: None };
-    System { modes: modes.into(), stops: vec![stop], drives: vec![drive], ..System::default() }
+    let law = Law::Hertz(Hertz {
+        stiffness: 20.0,
+        exponent: 1.5,
+    });
+    let stop = Stop {
+        name: "stop".into(),
+        shape: vec![1.0],
+        gap_m: 0.5,
+        law,
+        bases: Vec::new(),
+    };
+    let drive = Drive {
+        name: "force".into(),
+        shape: vec![1.0],
+        amplitude_n: 1.0,
+        frequency_hz: 1.1 / TAU,
+        phase_rad: 0.4,
+        base: None,
+    };
+    System {
+        modes: modes.into(),
+        stops: vec![stop],
+        drives: vec![drive],
+        ..System::default()
+    }
 }
 
 fn connections(count: usize) -> Vec<Connection> {
-    (0..count).map(|k| Connection { patch: format!("p{k}"), sign: 1.0 }).collect()
+    (0..count)
+        .map(|k| Connection {
+            patch: format!("p{k}"),
+            sign: 1.0,
+        })
+        .collect()
 }
 
 fn rectified(leaks: &[Option<f64>], storage: Storage) -> System {
     let bridge = Bridge {
         name: "circuit".into(),
         connections: connections(leaks.len()),
-        wiring: if leaks.len() > 1 { Wiring::Series } else { Wiring::Parallel },
+        wiring: if leaks.len() > 1 {
+            Wiring::Series
+        } else {
+            Wiring::Parallel
+        },
         scheme: Scheme::Standard,
         storage,
         drop_v: DROP_V,
@@ -56,7 +88,10 @@ fn rectified(leaks: &[Option<f64>], storage: Storage) -> System {
         leakage_ohm: None,
         state: BridgeState::default(),
     };
-    System { bridges: vec![bridge], ..cell(leaks) }
+    System {
+        bridges: vec![bridge],
+        ..cell(leaks)
+    }
 }
 
 /// A leak beside a resistor shares its power as their conductances do, and both are one resistor to the motion: also against a stop.
@@ -65,18 +100,27 @@ fn rectified(leaks: &[Option<f64>], storage: Storage) -> System {
 fn a_leak_is_a_resistor_beside_the_load() {
     let with = |resistance_ohm: f64, leak: Option<f64>| {
         let mut system = cell(&[leak]);
-        system.loads.push(Load::resistor("load", "p0", resistance_ohm));
+        system
+            .loads
+            .push(Load::resistor("load", "p0", resistance_ohm));
         kernel(system)
     };
     let (both, one) = (with(3.0, Some(5.0)), with(15.0 / 8.0, None));
     let [leaking, plain] = [&both, &one].map(|kernel| from_rest(kernel, 60.0, 1e-11));
     let errors = [
         relative(leaking.mean_power_w, plain.mean_power_w * 5.0 / 8.0),
-        relative(leaking.leaks[0].mean_power_w, plain.mean_power_w * 3.0 / 8.0),
+        relative(
+            leaking.leaks[0].mean_power_w,
+            plain.mean_power_w * 3.0 / 8.0,
+        ),
         leaking.energies.residual_relative().abs(),
     ];
     eprintln!("{errors:?}, {} contacts", leaking.contacts);
-    assert!(errors.iter().all(|error| *error < 1e-9) && leaking.contacts == plain.contacts && plain.leaks.is_empty());
+    assert!(
+        errors.iter().all(|error| *error < 1e-9)
+            && leaking.contacts == plain.contacts
+            && plain.leaks.is_empty()
+    );
 }
 
 /// Plain RK4 on the voltage of every patch, diodes as kinks of their current, at 2e4 steps a unit of time.
@@ -99,7 +143,8 @@ fn integrated(leaks: &[Option<f64>], battery: Option<f64>, end_s: f64) -> Vec<f6
     let h = end_s / f64::from(steps);
     for k in 0..steps {
         let t = f64::from(k) * h;
-        let add = |k: &[f64], f: f64| -> Vec<f64> { x.iter().zip(k).map(|(x, k)| x + f * k).collect() };
+        let add =
+            |k: &[f64], f: f64| -> Vec<f64> { x.iter().zip(k).map(|(x, k)| x + f * k).collect() };
         let a = rates(t, &x);
         let b = rates(t + 0.5 * h, &add(&a, 0.5 * h));
         let c = rates(t + 0.5 * h, &add(&b, 0.5 * h));
@@ -115,20 +160,33 @@ fn integrated(leaks: &[Option<f64>], battery: Option<f64>, end_s: f64) -> Vec<f6
 /// a load and into a battery. Energies close, and the charge of the diodes is what the storage has taken.
 #[test]
 fn leaking_patches_behind_a_bridge_meet_a_plain_integrator() {
-    for leaks in [&[Some(8.0)][..], &[Some(8.0), Some(20.0)], &[None, Some(6.0)]] {
+    for leaks in [
+        &[Some(8.0)][..],
+        &[Some(8.0), Some(20.0)],
+        &[None, Some(6.0)],
+    ] {
         for battery in [None, Some(0.3)] {
             let storage = match battery {
                 Some(voltage_v) => Storage::Battery { voltage_v },
-                None => Storage::Capacitor { capacitance_f: STORAGE_F, load_ohm: LOAD_OHM },
+                None => Storage::Capacitor {
+                    capacitance_f: STORAGE_F,
+                    load_ohm: LOAD_OHM,
+                },
             };
             let kernel = kernel(rectified(leaks, storage));
-            let start = kernel.plant.from_physical(&StartState::rest(&kernel.plant).physical(), 0.0);
+            let start = kernel
+                .plant
+                .from_physical(&StartState::rest(&kernel.plant).physical(), 0.0);
             let mut integrator = Integrator::new(&kernel, &start, 0.0, 1e-10).unwrap();
             integrator.advance_to(20.0).unwrap();
             let (x, theirs) = (integrator.physical(), integrated(leaks, battery, 20.0));
             let mut ours = x[..2].to_vec();
             ours.extend(kernel.plant.patch_voltages_v(&x));
-            let mut error = ours.iter().zip(&theirs).map(|(ours, theirs)| (ours - theirs).abs()).fold(0.0, f64::max);
+            let mut error = ours
+                .iter()
+                .zip(&theirs)
+                .map(|(ours, theirs)| (ours - theirs).abs())
+                .fold(0.0, f64::max);
             let (energies, rectified) = (integrator.energies(), integrator.energies().rectified[0]);
             if let Some(node) = kernel.plant.electrical.bridges[0].storage {
                 error = error.max((x[2 + node] - theirs[2 + leaks.len()]).abs());
@@ -137,10 +195,23 @@ fn leaking_patches_behind_a_bridge_meet_a_plain_integrator() {
                 Some(voltage) => (rectified.battery_j / voltage, 0.0),
                 None => (rectified.charge_c, rectified.load_j),
             };
-            eprintln!("{leaks:?} {battery:?}: state {error:.1e}, residual {:.1e}, {energies:?}", energies.residual_relative());
-            assert!(error < 1e-6 && energies.residual_relative().abs() < 1e-9, "{error:e}");
-            assert!(relative(charge, rectified.charge_c) < 1e-12 && lost >= 0.0 && rectified.charge_c > 0.5);
-            assert!(energies.leaks_j.len() == leaks.iter().flatten().count() && energies.leaks_j.iter().all(|leak| *leak > 1e-2));
+            eprintln!(
+                "{leaks:?} {battery:?}: state {error:.1e}, residual {:.1e}, {energies:?}",
+                energies.residual_relative()
+            );
+            assert!(
+                error < 1e-6 && energies.residual_relative().abs() < 1e-9,
+                "{error:e}"
+            );
+            assert!(
+                relative(charge, rectified.charge_c) < 1e-12
+                    && lost >= 0.0
+                    && rectified.charge_c > 0.5
+            );
+            assert!(
+                energies.leaks_j.len() == leaks.iter().flatten().count()
+                    && energies.leaks_j.iter().all(|leak| *leak > 1e-2)
+            );
         }
     }
 }

@@ -14,12 +14,17 @@ fn read(text: &str) -> System {
 
 /// `bench/plant.toml`: the paper's harvester by eight modes.
 pub fn bench(amplitude_n: f64, frequency_hz: f64) -> System {
-    driven(read(include_str!("../../../../bench/plant.toml")), amplitude_n, frequency_hz)
+    driven(
+        read(include_str!("../../../../bench/plant.toml")),
+        amplitude_n,
+        frequency_hz,
+    )
 }
 
 /// The plant of the paper that stands beside the repository, where it does.
 pub fn paper(amplitude_n: f64, frequency_hz: f64) -> Option<System> {
-    let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../../shared/plant/paper-plant.toml");
+    let path =
+        PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../../shared/plant/paper-plant.toml");
     let text = std::fs::read_to_string(path).ok()?;
     Some(driven(read(&text), amplitude_n, frequency_hz))
 }
@@ -38,7 +43,10 @@ pub fn kernel(system: System) -> Kernel {
 pub fn springs(frequencies_hz: &[f64], damping_ratio: f64) -> System {
     let count = frequencies_hz.len();
     let modes = jounce::structure::Modes {
-        frequency_rad_s: frequencies_hz.iter().map(|f| std::f64::consts::TAU * f).collect(),
+        frequency_rad_s: frequencies_hz
+            .iter()
+            .map(|f| std::f64::consts::TAU * f)
+            .collect(),
         damping_ratio: vec![damping_ratio; count],
         shape: std::collections::BTreeMap::new(),
         patch: std::collections::BTreeMap::new(),
@@ -46,17 +54,31 @@ pub fn springs(frequencies_hz: &[f64], damping_ratio: f64) -> System {
         base_sqrt_kg: std::collections::BTreeMap::new(),
         discretisation_error: vec![0.0; count],
     };
-    System { modes: modes.into(), ..System::default() }
+    System {
+        modes: modes.into(),
+        ..System::default()
+    }
 }
 
 /// A run from rest, averaged over its second half.
 pub fn from_rest(kernel: &Kernel, duration_s: f64, tolerance: f64) -> RunResult {
-    let plan = RunPlan { duration_s, average_over_s: 0.5 * duration_s, tolerance, record_s: 0.0 };
+    let plan = RunPlan {
+        duration_s,
+        average_over_s: 0.5 * duration_s,
+        tolerance,
+        record_s: 0.0,
+    };
     simulate(kernel, &StartState::rest(&kernel.plant), &plan).unwrap()
 }
 
 /// A march from a physical state `(q, q', V)`.
-pub fn march<'k>(kernel: &'k Kernel, start: &[f64], start_s: f64, end_s: f64, tolerance: f64) -> Integrator<'k> {
+pub fn march<'k>(
+    kernel: &'k Kernel,
+    start: &[f64],
+    start_s: f64,
+    end_s: f64,
+    tolerance: f64,
+) -> Integrator<'k> {
     let y = kernel.plant.from_physical(start, start_s);
     let mut integrator = Integrator::new(kernel, &y, start_s, tolerance).unwrap();
     integrator.advance_to(end_s).unwrap();
@@ -65,7 +87,9 @@ pub fn march<'k>(kernel: &'k Kernel, start: &[f64], start_s: f64, end_s: f64, to
 
 /// Physical state `(q, q', V)` where a march has come to.
 pub fn physical(integrator: &Integrator, kernel: &Kernel) -> Vec<f64> {
-    kernel.plant.to_physical(&integrator.state(), integrator.time_s())
+    kernel
+        .plant
+        .to_physical(&integrator.state(), integrator.time_s())
 }
 
 /// Distance of two states in the energy norm, relative to the second.
@@ -75,9 +99,20 @@ pub fn distance(kernel: &Kernel, one: &[f64], other: &[f64]) -> f64 {
     let weight = |i: usize| match i {
         i if i < n => modes.frequency_rad_s[i].max(f64::MIN_POSITIVE),
         i if i < 2 * n => 1.0,
-        _ => modes.patch.values().nth(i - 2 * n).unwrap().capacitance_f.sqrt(),
+        _ => modes
+            .patch
+            .values()
+            .nth(i - 2 * n)
+            .unwrap()
+            .capacitance_f
+            .sqrt(),
     };
-    let norm = |value: &dyn Fn(usize) -> f64| (0..one.len()).map(|i| (weight(i) * value(i)).powi(2)).sum::<f64>().sqrt();
+    let norm = |value: &dyn Fn(usize) -> f64| {
+        (0..one.len())
+            .map(|i| (weight(i) * value(i)).powi(2))
+            .sum::<f64>()
+            .sqrt()
+    };
     norm(&|i| one[i] - other[i]) / norm(&|i| other[i])
 }
 

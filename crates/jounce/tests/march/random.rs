@@ -11,19 +11,40 @@ use std::f64::consts::TAU;
 fn law() -> impl Strategy<Value = Law> {
     let exponent = prop_oneof![Just(1.0), Just(1.5), 1.0..2.5f64];
     prop_oneof![
-        (2.0..6.0f64, exponent.clone()).prop_map(|(decades, exponent)| Law::Hertz(Hertz { stiffness: 10f64.powf(decades), exponent })),
-        (2.0..5.0f64, -1.0..1.0f64)
-            .prop_map(|(k, c)| { Law::KelvinVoigt(KelvinVoigt { stiffness_n_m: 10f64.powf(k), damping_n_s_m: 10f64.powf(c) }) }),
-        (2.0..6.0f64, exponent, 0.01..1.0f64).prop_map(|(decades, exponent, damping_s_m)| {
-            Law::HuntCrossley(HuntCrossley { elastic: Hertz { stiffness: 10f64.powf(decades), exponent }, damping_s_m })
+        (2.0..6.0f64, exponent.clone()).prop_map(|(decades, exponent)| Law::Hertz(Hertz {
+            stiffness: 10f64.powf(decades),
+            exponent
+        })),
+        (2.0..5.0f64, -1.0..1.0f64).prop_map(|(k, c)| {
+            Law::KelvinVoigt(KelvinVoigt {
+                stiffness_n_m: 10f64.powf(k),
+                damping_n_s_m: 10f64.powf(c),
+            })
         }),
-        (-100.0..1e3f64, 4.0..8.0f64)
-            .prop_map(|(stiffness_n_m, k)| Law::Cubic(Cubic { stiffness_n_m, cubic_stiffness_n_m3: 10f64.powf(k) })),
+        (2.0..6.0f64, exponent, 0.01..1.0f64).prop_map(|(decades, exponent, damping_s_m)| {
+            Law::HuntCrossley(HuntCrossley {
+                elastic: Hertz {
+                    stiffness: 10f64.powf(decades),
+                    exponent,
+                },
+                damping_s_m,
+            })
+        }),
+        (-100.0..1e3f64, 4.0..8.0f64).prop_map(|(stiffness_n_m, k)| Law::Cubic(Cubic {
+            stiffness_n_m,
+            cubic_stiffness_n_m3: 10f64.powf(k)
+        })),
     ]
 }
 
 fn modes() -> impl Strategy<Value = Modes> {
-    let mode = (0.0..2.5f64, 0.001..0.2f64, -8.0..8.0f64, 0.1..1.0f64, -0.02..0.02f64);
+    let mode = (
+        0.0..2.5f64,
+        0.001..0.2f64,
+        -8.0..8.0f64,
+        0.1..1.0f64,
+        -0.02..0.02f64,
+    );
     (prop::collection::vec(mode, 1..5), -8.0..-6.0f64).prop_map(|(modes, capacitance)| Modes {
         frequency_rad_s: modes.iter().map(|mode| TAU * 10f64.powf(mode.0)).collect(),
         damping_ratio: modes.iter().map(|mode| mode.1).collect(),

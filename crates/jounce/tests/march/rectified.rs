@@ -12,8 +12,19 @@ use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
 
 /// Mass, stiffness and capacitance 1; force of amplitude 1.
-pub fn cell(coupling: f64, damping_ratio: f64, angular_frequency: f64, scheme: Scheme, storage: Storage) -> System {
-    let patch = PatchModes { coupling_n_per_v: vec![coupling], capacitance_f: 1.0, leakage_ohm: None, strain: Vec::new() };
+pub fn cell(
+    coupling: f64,
+    damping_ratio: f64,
+    angular_frequency: f64,
+    scheme: Scheme,
+    storage: Storage,
+) -> System {
+    let patch = PatchModes {
+        coupling_n_per_v: vec![coupling],
+        capacitance_f: 1.0,
+        leakage_ohm: None,
+        strain: Vec::new(),
+    };
     let modes = Modes {
         frequency_rad_s: vec![1.0],
         damping_ratio: vec![damping_ratio],
@@ -25,7 +36,10 @@ pub fn cell(coupling: f64, damping_ratio: f64, angular_frequency: f64, scheme: S
     };
     let bridge = Bridge {
         name: "circuit".into(),
-        connections: vec![Connection { patch: "patch".into(), sign: 1.0 }],
+        connections: vec![Connection {
+            patch: "patch".into(),
+            sign: 1.0,
+        }],
         wiring: Wiring::Parallel,
         scheme,
         storage,
@@ -35,14 +49,37 @@ pub fn cell(coupling: f64, damping_ratio: f64, angular_frequency: f64, scheme: S
         state: BridgeState::default(),
     };
     let frequency_hz = angular_frequency / TAU;
-    let drive = Drive { name: "force".into(), shape: vec![1.0], amplitude_n: 1.0, frequency_hz, phase_rad: 0.4, base: None };
-    System { modes: modes.into(), bridges: vec![bridge], drives: vec![drive], ..System::default() }
+    let drive = Drive {
+        name: "force".into(),
+        shape: vec![1.0],
+        amplitude_n: 1.0,
+        frequency_hz,
+        phase_rad: 0.4,
+        base: None,
+    };
+    System {
+        modes: modes.into(),
+        bridges: vec![bridge],
+        drives: vec![drive],
+        ..System::default()
+    }
 }
 
 /// Mean power into the battery or the load over the last of `cycles`, and the residual of the energy balance.
-fn settled_power(kernel: &Kernel, start: &StartState, cycles: f64, over: f64, tolerance: f64) -> (f64, f64) {
+fn settled_power(
+    kernel: &Kernel,
+    start: &StartState,
+    cycles: f64,
+    over: f64,
+    tolerance: f64,
+) -> (f64, f64) {
     let period_s = 1.0 / kernel.plant.system.drives[0].frequency_hz;
-    let plan = RunPlan { duration_s: cycles * period_s, average_over_s: over * period_s, tolerance, record_s: 0.0 };
+    let plan = RunPlan {
+        duration_s: cycles * period_s,
+        average_over_s: over * period_s,
+        tolerance,
+        record_s: 0.0,
+    };
     let answer = simulate(kernel, start, &plan).unwrap();
     (answer.mean_power_w, answer.energies.residual_relative())
 }
@@ -52,8 +89,15 @@ fn settled_power(kernel: &Kernel, start: &StartState, cycles: f64, over: f64, to
 #[test]
 fn a_bridge_on_a_strongly_coupled_oscillator_gives_the_power_of_direct_integration() {
     for (battery, power) in [(1.0, 2.37962), (2.0, 2.10016)] {
-        let kernel = kernel(cell(0.3_f64.sqrt(), 0.02, 1.05, Scheme::Standard, Storage::Battery { voltage_v: battery }));
-        let (found, residual) = settled_power(&kernel, &StartState::rest(&kernel.plant), 400.0, 10.0, 1e-9);
+        let kernel = kernel(cell(
+            0.3_f64.sqrt(),
+            0.02,
+            1.05,
+            Scheme::Standard,
+            Storage::Battery { voltage_v: battery },
+        ));
+        let (found, residual) =
+            settled_power(&kernel, &StartState::rest(&kernel.plant), 400.0, 10.0, 1e-9);
         eprintln!("battery {battery}: {found:.6} against {power}, residual {residual:.1e}");
         assert!((found / power - 1.0).abs() < 6e-5 && residual.abs() < 1e-8);
     }
@@ -70,16 +114,54 @@ fn weakly_coupled_interfaces_give_their_closed_forms() {
     let series = (1.0 + q) / (1.0 - q);
     for (scheme, battery, power) in [
         (Scheme::Standard, 0.5 * open, current * current / (TAU * w)),
-        (Scheme::Standard, 0.3 * open, 2.0 * w / PI * 0.3 * 0.7 * open * open),
-        (Scheme::ParallelSshi { inversion: q }, best, current * current / (PI * w * (1.0 - q))),
-        (Scheme::SeriesSshi { inversion: q }, 0.5 * open, series * current * current / (TAU * w)),
-        (Scheme::Extraction { efficiency: 1.0 }, open, 4.0 * current * current / (TAU * w)),
-        (Scheme::Extraction { efficiency: 0.8 }, open, 3.2 * current * current / (TAU * w)),
+        (
+            Scheme::Standard,
+            0.3 * open,
+            2.0 * w / PI * 0.3 * 0.7 * open * open,
+        ),
+        (
+            Scheme::ParallelSshi { inversion: q },
+            best,
+            current * current / (PI * w * (1.0 - q)),
+        ),
+        (
+            Scheme::SeriesSshi { inversion: q },
+            0.5 * open,
+            series * current * current / (TAU * w),
+        ),
+        (
+            Scheme::Extraction { efficiency: 1.0 },
+            open,
+            4.0 * current * current / (TAU * w),
+        ),
+        (
+            Scheme::Extraction { efficiency: 0.8 },
+            open,
+            3.2 * current * current / (TAU * w),
+        ),
     ] {
-        let kernel = kernel(cell(theta, 0.05, w, scheme, Storage::Battery { voltage_v: battery }));
-        let (found, residual) = settled_power(&kernel, &StartState::linear(&kernel.plant), 120.0, 20.0, 1e-9);
-        eprintln!("{scheme:?}: {:.2e} off, residual {residual:.1e}", found / power - 1.0);
-        assert!((found / power - 1.0).abs() < 1e-8 && residual.abs() < 1e-12, "{scheme:?}: {found:e} against {power:e}");
+        let kernel = kernel(cell(
+            theta,
+            0.05,
+            w,
+            scheme,
+            Storage::Battery { voltage_v: battery },
+        ));
+        let (found, residual) = settled_power(
+            &kernel,
+            &StartState::linear(&kernel.plant),
+            120.0,
+            20.0,
+            1e-9,
+        );
+        eprintln!(
+            "{scheme:?}: {:.2e} off, residual {residual:.1e}",
+            found / power - 1.0
+        );
+        assert!(
+            (found / power - 1.0).abs() < 1e-8 && residual.abs() < 1e-12,
+            "{scheme:?}: {found:e} against {power:e}"
+        );
     }
 }
 
@@ -87,7 +169,10 @@ fn weakly_coupled_interfaces_give_their_closed_forms() {
 /// which the storage takes, by Gauss quadrature of its currents along the record.
 #[test]
 fn charge_and_energy_are_balanced() {
-    let storage = Storage::Capacitor { capacitance_f: 5.0, load_ohm: 3.0 };
+    let storage = Storage::Capacitor {
+        capacitance_f: 5.0,
+        load_ohm: 3.0,
+    };
     for scheme in [
         Scheme::Standard,
         Scheme::ParallelSshi { inversion: 0.6 },
@@ -95,7 +180,9 @@ fn charge_and_energy_are_balanced() {
         Scheme::Extraction { efficiency: 0.9 },
     ] {
         let kernel = kernel(lossy_beside_a_stop(scheme, storage));
-        let start = kernel.plant.from_physical(&StartState::rest(&kernel.plant).physical(), 0.0);
+        let start = kernel
+            .plant
+            .from_physical(&StartState::rest(&kernel.plant).physical(), 0.0);
         let mut integrator = Integrator::new(&kernel, &start, 0.0, 1e-10).unwrap();
         integrator.start_record();
         integrator.advance_to(150.0).unwrap();
@@ -109,18 +196,35 @@ fn charge_and_energy_are_balanced() {
             let panels = (segment.length_s / 0.002).ceil();
             let panel_s = segment.length_s / panels;
             for panel in 0..panels as usize {
-                times.extend([0.5 - half, 0.5 + half].map(|part| segment.start_s + (panel as f64 + part) * panel_s));
+                times.extend(
+                    [0.5 - half, 0.5 + half]
+                        .map(|part| segment.start_s + (panel as f64 + part) * panel_s),
+                );
                 weights.extend([0.5 * panel_s; 2]);
             }
         }
-        let voltage = |at: &jounce::integrate::TrajectoryState| kernel.plant.to_physical(&at.state, at.time_s)[place];
-        let leaks: f64 = record.at(&kernel, &times).iter().zip(weights).map(|(at, weight)| weight * voltage(at)).sum();
+        let voltage = |at: &jounce::integrate::TrajectoryState| {
+            kernel.plant.to_physical(&at.state, at.time_s)[place]
+        };
+        let leaks: f64 = record
+            .at(&kernel, &times)
+            .iter()
+            .zip(weights)
+            .map(|(at, weight)| weight * voltage(at))
+            .sum();
         let taken = 5.0 * end[place] + leaks * (1.0 / 3.0 + 1.0 / 40.0);
         let rectified = energies.rectified[0];
-        eprintln!("{scheme:?}: {contacts} contacts, residual {:.1e}, {rectified:?}, charge {taken:e}", energies.residual_relative());
+        eprintln!(
+            "{scheme:?}: {contacts} contacts, residual {:.1e}, {rectified:?}, charge {taken:e}",
+            energies.residual_relative()
+        );
         assert!(contacts > 5 && energies.residual_relative().abs() < 1e-9);
         if !matches!(scheme, Scheme::Extraction { .. }) {
-            assert!((rectified.charge_c / taken - 1.0).abs() < 1e-9, "{:e} and {taken:e}", rectified.charge_c);
+            assert!(
+                (rectified.charge_c / taken - 1.0).abs() < 1e-9,
+                "{:e} and {taken:e}",
+                rectified.charge_c
+            );
         }
     }
 }
@@ -128,12 +232,19 @@ fn charge_and_energy_are_balanced() {
 /// A cell whose diodes drop, resist and feed a leaking storage, and whose mass strikes a stop.
 pub fn lossy_beside_a_stop(scheme: Scheme, storage: Storage) -> System {
     let mut system = cell(0.5, 0.02, 0.9, scheme, storage);
-    (system.bridges[0].drop_v, system.bridges[0].leakage_ohm, system.bridges[0].diode_ohm) = (0.2, Some(40.0), 0.02);
+    (
+        system.bridges[0].drop_v,
+        system.bridges[0].leakage_ohm,
+        system.bridges[0].diode_ohm,
+    ) = (0.2, Some(40.0), 0.02);
     system.stops.push(Stop {
         name: "stop".into(),
         shape: vec![1.0],
         gap_m: 0.8,
-        law: Law::Hertz(Hertz { stiffness: 50.0, exponent: 1.5 }),
+        law: Law::Hertz(Hertz {
+            stiffness: 50.0,
+            exponent: 1.5,
+        }),
         bases: Vec::new(),
     });
     system
@@ -143,18 +254,42 @@ pub fn lossy_beside_a_stop(scheme: Scheme, storage: Storage) -> System {
 /// load, leakage and storage get, by the integral of the voltage of the storage; what the storage gains is told. Measured: 3e-15 at most.
 #[test]
 fn a_run_tells_where_charge_and_energy_went() {
-    let storage = Storage::Capacitor { capacitance_f: 5.0, load_ohm: 3.0 };
-    for scheme in [Scheme::Standard, Scheme::ParallelSshi { inversion: 0.6 }, Scheme::SeriesSshi { inversion: 0.6 }] {
+    let storage = Storage::Capacitor {
+        capacitance_f: 5.0,
+        load_ohm: 3.0,
+    };
+    for scheme in [
+        Scheme::Standard,
+        Scheme::ParallelSshi { inversion: 0.6 },
+        Scheme::SeriesSshi { inversion: 0.6 },
+    ] {
         let kernel = kernel(lossy_beside_a_stop(scheme, storage));
-        let plan = RunPlan { duration_s: 100.0, average_over_s: 60.0, tolerance: 1e-9, record_s: 0.0 };
+        let plan = RunPlan {
+            duration_s: 100.0,
+            average_over_s: 60.0,
+            tolerance: 1e-9,
+            record_s: 0.0,
+        };
         let answer = simulate(&kernel, &StartState::rest(&kernel.plant), &plan).unwrap();
-        assert!(charges(&kernel, &answer, &plan).is_empty(), "there is no record to balance");
+        assert!(
+            charges(&kernel, &answer, &plan).is_empty(),
+            "there is no record to balance"
+        );
         let plan = plan.balancing(&kernel.plant);
         let answer = simulate(&kernel, &StartState::rest(&kernel.plant), &plan).unwrap();
-        let [charge] = &charges(&kernel, &answer, &plan)[..] else { panic!("one circuit") };
+        let [charge] = &charges(&kernel, &answer, &plan)[..] else {
+            panic!("one circuit")
+        };
         let own = &answer.rectified[0];
-        eprintln!("{scheme:?}: {charge:?}, {} contacts, storage {:e} of {:e} W", answer.contacts, own.storage_w, own.mean_power_w);
-        assert!(charge.residual_relative.abs() < 1e-9 && charge.storage_c.abs() > 0.01 * charge.passed_c && answer.contacts > 3);
+        eprintln!(
+            "{scheme:?}: {charge:?}, {} contacts, storage {:e} of {:e} W",
+            answer.contacts, own.storage_w, own.mean_power_w
+        );
+        assert!(
+            charge.residual_relative.abs() < 1e-9
+                && charge.storage_c.abs() > 0.01 * charge.passed_c
+                && answer.contacts > 3
+        );
         assert!((charge.leakage_c / charge.load_c / (3.0 / 40.0) - 1.0).abs() < 1e-14);
         // C (V1^2 - V0^2) / 2 of the charge that the storage kept and its last voltage.
         let node = kernel.plant.electrical.bridges[0].storage.unwrap();
@@ -168,7 +303,11 @@ fn a_run_tells_where_charge_and_energy_went() {
 #[test]
 fn the_charge_of_diodes_far_faster_than_a_step_is_balanced() {
     let starter = jounce::starter::Starter::of("bimorph-with-rectifier").unwrap();
-    for (storage, diode) in [("1 nF", "10 ohm"), ("10 nF", "10 ohm"), ("10 nF", "0.01 ohm")] {
+    for (storage, diode) in [
+        ("1 nF", "10 ohm"),
+        ("10 nF", "10 ohm"),
+        ("10 nF", "0.01 ohm"),
+    ] {
         let mut file = jounce::spec::SpecFile::from_text(starter.spec);
         for (key, value) in [
             ("circuit.store.storage", storage),
@@ -180,26 +319,47 @@ fn the_charge_of_diodes_far_faster_than_a_step_is_balanced() {
             file.set(key, value).unwrap();
         }
         let spec = file.spec().unwrap();
-        let kernel = kernel(System::assemble(&spec, jounce::structure::modes(&spec).unwrap()).unwrap());
-        let plan = RunPlan { duration_s: 0.6, average_over_s: 0.2, tolerance: 1e-9, record_s: 0.0 }.balancing(&kernel.plant);
+        let kernel =
+            kernel(System::assemble(&spec, jounce::structure::modes(&spec).unwrap()).unwrap());
+        let plan = RunPlan {
+            duration_s: 0.6,
+            average_over_s: 0.2,
+            tolerance: 1e-9,
+            record_s: 0.0,
+        }
+        .balancing(&kernel.plant);
         let answer = simulate(&kernel, &StartState::rest(&kernel.plant), &plan).unwrap();
-        let [charge] = &charges(&kernel, &answer, &plan)[..] else { panic!("one circuit") };
-        eprintln!("{storage}, {diode}: residual {:.1e}, {charge:?}", charge.residual_relative);
-        assert!(charge.residual_relative.abs() < 1e-11 && answer.energies.residual_relative().abs() < 1e-9);
+        let [charge] = &charges(&kernel, &answer, &plan)[..] else {
+            panic!("one circuit")
+        };
+        eprintln!(
+            "{storage}, {diode}: residual {:.1e}, {charge:?}",
+            charge.residual_relative
+        );
+        assert!(
+            charge.residual_relative.abs() < 1e-11
+                && answer.energies.residual_relative().abs() < 1e-9
+        );
     }
 }
 
 /// Plain RK4 on the same equations, diodes as kinks of their current, at 2e5 steps a unit of time.
 #[test]
 fn a_bridge_beside_a_stop_meets_a_plain_integrator() {
-    let storage = Storage::Capacitor { capacitance_f: 4.0, load_ohm: 2.0 };
+    let storage = Storage::Capacitor {
+        capacitance_f: 4.0,
+        load_ohm: 2.0,
+    };
     let mut system = cell(0.6, 0.03, 1.1, Scheme::Standard, storage);
     (system.bridges[0].drop_v, system.bridges[0].diode_ohm) = (0.1, 0.05);
     system.stops.push(Stop {
         name: "stop".into(),
         shape: vec![1.0],
         gap_m: 0.5,
-        law: Law::Hertz(Hertz { stiffness: 20.0, exponent: 1.5 }),
+        law: Law::Hertz(Hertz {
+            stiffness: 20.0,
+            exponent: 1.5,
+        }),
         bases: Vec::new(),
     });
     let kernel = kernel(system);
@@ -209,20 +369,33 @@ fn a_bridge_beside_a_stop_meets_a_plain_integrator() {
         let over = patch.abs() - store - 0.1;
         let current = (over / 0.05).max(0.0) * patch.signum();
         let contact = 20.0 * (q - 0.5).max(0.0).powf(1.5);
-        [v, (1.1 * t + 0.4).sin() - 0.06 * v - q + 0.6 * patch - contact, -0.6 * v - current, (current.abs() - store / 2.0) / 4.0]
+        [
+            v,
+            (1.1 * t + 0.4).sin() - 0.06 * v - q + 0.6 * patch - contact,
+            -0.6 * v - current,
+            (current.abs() - store / 2.0) / 4.0,
+        ]
     };
     let (mut x, steps) = ([0.0; 4], 400_000);
     let h = 20.0 / f64::from(steps);
     for k in 0..steps {
         let t = f64::from(k) * h;
-        let add = |x: [f64; 4], k: [f64; 4], f: f64| -> [f64; 4] { std::array::from_fn(|i| x[i] + f * k[i]) };
+        let add = |x: [f64; 4], k: [f64; 4], f: f64| -> [f64; 4] {
+            std::array::from_fn(|i| x[i] + f * k[i])
+        };
         let a = rates(t, x);
         let b = rates(t + 0.5 * h, add(x, a, 0.5 * h));
         let c = rates(t + 0.5 * h, add(x, b, 0.5 * h));
         let d = rates(t + h, add(x, c, h));
         x = std::array::from_fn(|i| x[i] + h / 6.0 * (a[i] + 2.0 * b[i] + 2.0 * c[i] + d[i]));
     }
-    let error = answer.end.physical().iter().zip(x).map(|(ours, theirs)| (ours - theirs).abs()).fold(0.0, f64::max);
+    let error = answer
+        .end
+        .physical()
+        .iter()
+        .zip(x)
+        .map(|(ours, theirs)| (ours - theirs).abs())
+        .fold(0.0, f64::max);
     eprintln!("{:?} against {x:?}: {error:.1e}", answer.end.physical());
     assert!(error < 1e-8 && answer.contacts > 1);
 }
@@ -230,8 +403,20 @@ fn a_bridge_beside_a_stop_meets_a_plain_integrator() {
 /// With nothing but diodes of no resistance and no storage to speak of, a battery above the open voltage takes nothing.
 #[test]
 fn a_battery_above_the_open_voltage_takes_nothing() {
-    let kernel = kernel(cell(1e-5, 0.05, 0.8, Scheme::Standard, Storage::Battery { voltage_v: 1.0 }));
-    let (power, residual) = settled_power(&kernel, &StartState::linear(&kernel.plant), 20.0, 10.0, 1e-9);
+    let kernel = kernel(cell(
+        1e-5,
+        0.05,
+        0.8,
+        Scheme::Standard,
+        Storage::Battery { voltage_v: 1.0 },
+    ));
+    let (power, residual) = settled_power(
+        &kernel,
+        &StartState::linear(&kernel.plant),
+        20.0,
+        10.0,
+        1e-9,
+    );
     assert!(power == 0.0 && residual.abs() < 1e-12);
 }
 
@@ -240,7 +425,10 @@ fn a_battery_above_the_open_voltage_takes_nothing() {
 /// some tolerances and not at others.
 #[test]
 fn diodes_far_faster_than_the_motion_change_during_a_contact() {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/impact-harvester-2019/harvester.toml");
+    let path = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../../examples/impact-harvester-2019/harvester.toml"
+    );
     let mut file = jounce::spec::SpecFile::read(path).unwrap();
     for (key, value) in [
         ("circuit.load.interface", "bridge"),
@@ -257,9 +445,18 @@ fn diodes_far_faster_than_the_motion_change_during_a_contact() {
     assert!(fine.contacts > 3);
     for tolerance in [1e-6, 1e-7, 1e-8, 1e-9] {
         let answer = from_rest(&kernel, 1.0, tolerance);
-        let (change, residual) = (answer.mean_power_w / fine.mean_power_w - 1.0, answer.energies.residual_relative());
-        eprintln!("{tolerance:e}: {} contacts, power {:e} W, {change:.1e}, residual {residual:.1e}", answer.contacts, answer.mean_power_w);
-        assert!(change.abs() < 1e-5 && residual.abs() < 1e-8, "{tolerance:e}: {change:e}, {residual:e}");
+        let (change, residual) = (
+            answer.mean_power_w / fine.mean_power_w - 1.0,
+            answer.energies.residual_relative(),
+        );
+        eprintln!(
+            "{tolerance:e}: {} contacts, power {:e} W, {change:.1e}, residual {residual:.1e}",
+            answer.contacts, answer.mean_power_w
+        );
+        assert!(
+            change.abs() < 1e-5 && residual.abs() < 1e-8,
+            "{tolerance:e}: {change:e}, {residual:e}"
+        );
     }
 }
 
@@ -293,17 +490,44 @@ average_over = "1 s"
             whole = whole.replace("capacitance =", "electrodes = \"open\"\ncapacitance =");
         }
         let file = SpecFile::from_text(whole);
-        let (spec, range) = (file.spec().unwrap(), file.range("drive.f.amplitude=1N:2N:2x").unwrap());
-        let sweep = Sweep { spec: &spec, range: &range, direction: SweepOrder::Independent, fixed_duration: true, folder: "".into() };
+        let (spec, range) = (
+            file.spec().unwrap(),
+            file.range("drive.f.amplitude=1N:2N:2x").unwrap(),
+        );
+        let sweep = Sweep {
+            spec: &spec,
+            range: &range,
+            direction: SweepOrder::Independent,
+            fixed_duration: true,
+            folder: "".into(),
+        };
         let points = sweep.run(None, &Control::default(), &|_| ()).unwrap();
         let prepared = Model::new(spec.clone()).unwrap();
         let start = prepared.start(std::path::Path::new("")).unwrap();
-        let run = simulate(&prepared.from_state(&start).unwrap(), &start, &RunPlan::of(&spec.run, 0.0)).unwrap();
+        let run = simulate(
+            &prepared.from_state(&start).unwrap(),
+            &start,
+            &RunPlan::of(&spec.run, 0.0),
+        )
+        .unwrap();
         let found = points[0].voltage_rms_v;
-        let back: SweepPoint = serde_json::from_str(&serde_json::to_string(&points[0]).unwrap()).unwrap();
+        let back: SweepPoint =
+            serde_json::from_str(&serde_json::to_string(&points[0]).unwrap()).unwrap();
         match run.rectified.first() {
-            Some(storage) => assert!(is_told && found == storage.voltage_rms_v && found > 0.0 && back.voltage_rms_v == found, "{found}"),
-            None => assert!(!is_told && run.voltage_rms_v().is_none() && found.is_nan() && back.voltage_rms_v.is_nan(), "{found}"),
+            Some(storage) => assert!(
+                is_told
+                    && found == storage.voltage_rms_v
+                    && found > 0.0
+                    && back.voltage_rms_v == found,
+                "{found}"
+            ),
+            None => assert!(
+                !is_told
+                    && run.voltage_rms_v().is_none()
+                    && found.is_nan()
+                    && back.voltage_rms_v.is_nan(),
+                "{found}"
+            ),
         }
     }
 }

@@ -14,12 +14,23 @@ const SCHEMES: [Scheme; 4] = [
     Scheme::Extraction { efficiency: 0.9 },
 ];
 
-const CAPACITOR: Storage = Storage::Capacitor { capacitance_f: 5.0, load_ohm: 3.0 };
+const CAPACITOR: Storage = Storage::Capacitor {
+    capacitance_f: 5.0,
+    load_ohm: 3.0,
+};
 
 /// Error of the derivative over a period, relative to its largest entry, with how many changes and contacts it passed; error of the rate.
 fn checked(kernel: &Kernel) -> (f64, f64, usize, u64) {
     let (y, period_s) = settled(kernel);
-    let found = FlowSensitivity::march(kernel, &y, 0.0, period_s, 1e-12, &ParameterSensitivity::default()).unwrap();
+    let found = FlowSensitivity::march(
+        kernel,
+        &y,
+        0.0,
+        period_s,
+        1e-12,
+        &ParameterSensitivity::default(),
+    )
+    .unwrap();
     let error = against_differences(kernel, &y, period_s, &found);
     let later = |by: f64| {
         let mut integrator = Integrator::new(kernel, &y, 0.0, 1e-13).unwrap();
@@ -30,7 +41,12 @@ fn checked(kernel: &Kernel) -> (f64, f64, usize, u64) {
     let size = found.rate.iter().fold(0.0_f64, |max, v| max.max(v.abs()));
     let off = |i: usize| ((late[i] - early[i]) / (2e-6 * period_s) - found.rate[i]).abs() / size;
     let rate = (0..y.len()).map(off).fold(0.0, f64::max);
-    (error, rate, found.trajectory.changes().len(), found.statistics.contacts)
+    (
+        error,
+        rate,
+        found.trajectory.changes().len(),
+        found.statistics.contacts,
+    )
 }
 
 fn without_stop(scheme: Scheme, storage: Storage) -> System {
@@ -45,7 +61,10 @@ fn diodes_and_switches() {
         for storage in [CAPACITOR, Storage::Battery { voltage_v: 0.4 }] {
             let (error, rate, changes, _) = checked(&kernel(without_stop(scheme, storage)));
             eprintln!("{scheme:?}, {storage:?}: {error:.1e}, rate {rate:.1e}, {changes} changes");
-            assert!(error < 1e-6 && rate < 1e-6 && changes >= 2, "{scheme:?}: {error:e} {rate:e}");
+            assert!(
+                error < 1e-6 && rate < 1e-6 && changes >= 2,
+                "{scheme:?}: {error:e} {rate:e}"
+            );
         }
     }
 }
@@ -58,16 +77,35 @@ fn diodes_that_conduct_at_once_after_a_switch() {
     let kernel = kernel(system);
     let (error, rate, changes, _) = checked(&kernel);
     let (y, period_s) = settled(&kernel);
-    let found = FlowSensitivity::march(&kernel, &y, 0.0, period_s, 1e-12, &ParameterSensitivity::default()).unwrap();
-    let at_once = found.trajectory.changes().windows(2).filter(|pair| pair[0].flipped.is_some() && pair[0].after == pair[1].after).count();
+    let found = FlowSensitivity::march(
+        &kernel,
+        &y,
+        0.0,
+        period_s,
+        1e-12,
+        &ParameterSensitivity::default(),
+    )
+    .unwrap();
+    let at_once = found
+        .trajectory
+        .changes()
+        .windows(2)
+        .filter(|pair| pair[0].flipped.is_some() && pair[0].after == pair[1].after)
+        .count();
     eprintln!("{error:.1e}, rate {rate:.1e}, {changes} changes, {at_once} at once");
-    assert!(error < 1e-6 && rate < 1e-6 && at_once > 0, "{error:e} {rate:e}");
+    assert!(
+        error < 1e-6 && rate < 1e-6 && at_once > 0,
+        "{error:e} {rate:e}"
+    );
 }
 
 /// Diodes that change and switches that close while the point is pressed into its stop, or while it flies.
 #[test]
 fn diodes_and_switches_beside_a_stop() {
-    let yielding = Law::KelvinVoigt(KelvinVoigt { stiffness_n_m: 40.0, damping_n_s_m: 0.8 });
+    let yielding = Law::KelvinVoigt(KelvinVoigt {
+        stiffness_n_m: 40.0,
+        damping_n_s_m: 0.8,
+    });
     for scheme in SCHEMES {
         let hertz = lossy_beside_a_stop(scheme, CAPACITOR);
         let mut yields = hertz.clone();
@@ -75,8 +113,13 @@ fn diodes_and_switches_beside_a_stop() {
         for system in [hertz, yields] {
             let law = system.stops[0].law;
             let (error, rate, changes, contacts) = checked(&kernel(system));
-            eprintln!("{scheme:?}, {law:?}: {error:.1e}, rate {rate:.1e}, {changes} changes, {contacts} contacts");
-            assert!(error < 1e-5 && rate < 1e-5 && changes >= 2 && contacts > 0, "{scheme:?}: {error:e} {rate:e}");
+            eprintln!(
+                "{scheme:?}, {law:?}: {error:.1e}, rate {rate:.1e}, {changes} changes, {contacts} contacts"
+            );
+            assert!(
+                error < 1e-5 && rate < 1e-5 && changes >= 2 && contacts > 0,
+                "{scheme:?}: {error:e} {rate:e}"
+            );
         }
     }
 }
@@ -88,8 +131,13 @@ fn a_switch_closed_by_an_impact() {
         let mut system = lossy_beside_a_stop(scheme, CAPACITOR);
         system.stops[0].law = Law::Rigid(Rigid { restitution: 0.7 });
         let (error, rate, changes, contacts) = checked(&kernel(system));
-        eprintln!("{scheme:?}: {error:.1e}, rate {rate:.1e}, {changes} changes, {contacts} contacts");
-        assert!(error < 1e-5 && rate < 1e-5 && changes >= 2 && contacts > 0, "{scheme:?}: {error:e} {rate:e}");
+        eprintln!(
+            "{scheme:?}: {error:.1e}, rate {rate:.1e}, {changes} changes, {contacts} contacts"
+        );
+        assert!(
+            error < 1e-5 && rate < 1e-5 && changes >= 2 && contacts > 0,
+            "{scheme:?}: {error:e} {rate:e}"
+        );
     }
 }
 
@@ -98,9 +146,23 @@ fn a_switch_closed_by_an_impact() {
 #[test]
 fn determinant_of_a_switch() {
     let (theta, inversion) = (0.4, 0.6);
-    let kernel = kernel(cell(theta, 0.0, 0.8, Scheme::ParallelSshi { inversion }, Storage::Battery { voltage_v: 1e3 }));
+    let kernel = kernel(cell(
+        theta,
+        0.0,
+        0.8,
+        Scheme::ParallelSshi { inversion },
+        Storage::Battery { voltage_v: 1e3 },
+    ));
     let y = kernel.plant.from_physical(&[0.3, 0.2, -0.1], 0.0);
-    let found = FlowSensitivity::march(&kernel, &y, 0.0, 12.0, 1e-12, &ParameterSensitivity::default()).unwrap();
+    let found = FlowSensitivity::march(
+        &kernel,
+        &y,
+        0.0,
+        12.0,
+        1e-12,
+        &ParameterSensitivity::default(),
+    )
+    .unwrap();
     let mut expected = 1.0;
     for change in found.trajectory.changes() {
         let (q, voltage) = (change.state[0], change.state[2]);
@@ -108,6 +170,9 @@ fn determinant_of_a_switch() {
         expected *= -inversion * acceleration(-inversion * voltage) / acceleration(voltage);
     }
     let error = found.jacobian.determinant() / expected - 1.0;
-    eprintln!("{} switches: {expected:.4} {error:.1e}", found.trajectory.changes().len());
+    eprintln!(
+        "{} switches: {expected:.4} {error:.1e}",
+        found.trajectory.changes().len()
+    );
     assert!(found.trajectory.changes().len() > 2 && error.abs() < 1e-9);
 }

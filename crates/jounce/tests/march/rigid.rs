@@ -8,7 +8,12 @@ use std::f64::consts::TAU;
 #[test]
 fn orbit_with_one_impact_per_cycle_repeats_itself() {
     for (frequency_ratio, damping_ratio, gap) in [(2.0, 0.0, 0.0), (0.8, 0.05, 0.5)] {
-        let problem = ImpactOscillator { frequency_ratio, damping_ratio, restitution: 0.8, gap };
+        let problem = ImpactOscillator {
+            frequency_ratio,
+            damping_ratio,
+            restitution: 0.8,
+            gap,
+        };
         let orbit = problem.orbits(1)[0];
         let system = problem.system(orbit.angle_rad);
         let kernel = kernel(system);
@@ -27,7 +32,11 @@ fn orbit_with_one_impact_per_cycle_repeats_itself() {
             integrator.energies().residual_relative()
         );
         assert_eq!(integrator.statistics().contacts, 50);
-        assert!(drift < ImpactOscillator::TOLERANCE && relative(loss_j, exact) < ImpactOscillator::TOLERANCE, "{drift:e}");
+        assert!(
+            drift < ImpactOscillator::TOLERANCE
+                && relative(loss_j, exact) < ImpactOscillator::TOLERANCE,
+            "{drift:e}"
+        );
         assert!(integrator.energies().residual_relative().abs() < 1e-10);
     }
 }
@@ -35,8 +44,18 @@ fn orbit_with_one_impact_per_cycle_repeats_itself() {
 /// A spring stretched by 1 m at the stop pulls with all but constant force over bounces of a micrometre: a ball under gravity.
 #[test]
 fn chatter_ends_when_the_bouncing_ball_rests() {
-    let ball = BouncingBall { height_m: 1e-6, gravity_m_s2: 1.0, restitution: 0.8 };
-    let mut system = ImpactOscillator { frequency_ratio: 1.0, damping_ratio: 0.0, restitution: 0.8, gap: -1.0 }.system(0.0);
+    let ball = BouncingBall {
+        height_m: 1e-6,
+        gravity_m_s2: 1.0,
+        restitution: 0.8,
+    };
+    let mut system = ImpactOscillator {
+        frequency_ratio: 1.0,
+        damping_ratio: 0.0,
+        restitution: 0.8,
+        gap: -1.0,
+    }
+    .system(0.0);
     system.drives.clear();
     let kernel = kernel(system);
     let end_s = 2.0 * ball.time_to_rest_s();
@@ -44,7 +63,10 @@ fn chatter_ends_when_the_bouncing_ball_rests() {
     let rest_s = end_s - integrator.statistics().sticking_s;
     let error = relative(rest_s, ball.time_to_rest_s());
     let lost = relative(integrator.energies().contact_loss_j, ball.height_m);
-    eprintln!("rest after {rest_s} s: {error:.1e}, loss {lost:.1e}, {} contacts", integrator.statistics().contacts);
+    eprintln!(
+        "rest after {rest_s} s: {error:.1e}, loss {lost:.1e}, {} contacts",
+        integrator.statistics().contacts
+    );
     // The pull grows by a millionth with height.
     assert!(error < 1e-5 && lost < 1e-5, "{rest_s} {error:e} {lost:e}");
     assert!((physical(&integrator, &kernel)[0] + 1.0).abs() < 1e-14);

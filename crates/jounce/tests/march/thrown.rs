@@ -9,12 +9,21 @@ use std::path::Path;
 fn marched(text: &str) -> (Model, jounce::run::RunResult) {
     let prepared = Model::new(Spec::from_toml(text).unwrap()).unwrap();
     let start = prepared.start(Path::new(".")).unwrap();
-    let answer = simulate(&prepared.kernel, &start, &RunPlan::of(&prepared.spec.run, 0.0)).unwrap();
+    let answer = simulate(
+        &prepared.kernel,
+        &start,
+        &RunPlan::of(&prepared.spec.run, 0.0),
+    )
+    .unwrap();
     (prepared, answer)
 }
 
 fn speed_m_s(prepared: &Model, answer: &jounce::run::RunResult, body: &str) -> f64 {
-    prepared.kernel.plant.system.modes.shape[body].iter().zip(&answer.end.velocity).map(|(shape, q)| shape * q).sum()
+    prepared.kernel.plant.system.modes.shape[body]
+        .iter()
+        .zip(&answer.end.velocity)
+        .map(|(shape, q)| shape * q)
+        .sum()
 }
 
 /// Newton's law of restitution: `v1' = v (m1 - e m2) / M`, `v2' = v (1 + e) m1 / M`. Measured: exact to the last digit, 1e-15.
@@ -25,9 +34,15 @@ fn a_thrown_mass_strikes_another() {
          [stop.s]\nat = \"a\"\nframe = \"b\"\nlaw = \"rigid\"\nrestitution = 0.6\ngap = \"1 mm\"\n\
          [run]\nduration = \"20 ms\"\naverage_over = \"20 ms\"\n",
     );
-    let (a, b) = (speed_m_s(&prepared, &answer, "a"), speed_m_s(&prepared, &answer, "b"));
+    let (a, b) = (
+        speed_m_s(&prepared, &answer, "a"),
+        speed_m_s(&prepared, &answer, "b"),
+    );
     assert_eq!(answer.contacts, 1);
-    assert!((a - 2.0 * (1.0 - 0.6 * 3.0) / 4.0).abs() < 1e-12 && (b - 2.0 * 1.6 / 4.0).abs() < 1e-12, "{a} {b}");
+    assert!(
+        (a - 2.0 * (1.0 - 0.6 * 3.0) / 4.0).abs() < 1e-12 && (b - 2.0 * 1.6 / 4.0).abs() < 1e-12,
+        "{a} {b}"
+    );
     assert!((answer.stops[0].max_impact_velocity_m_s - 2.0).abs() < 1e-12);
 }
 

@@ -19,14 +19,29 @@ fn rigid() -> System {
 fn two_stops() -> System {
     let mut system = bench(50.0, 11.0);
     let first = system.stops[0].clone();
-    system.stops.push(Stop { name: "other".into(), shape: first.shape.iter().map(|phi| -phi).collect(), ..first });
+    system.stops.push(Stop {
+        name: "other".into(),
+        shape: first.shape.iter().map(|phi| -phi).collect(),
+        ..first
+    });
     system
 }
 
 #[test]
 fn a_visitor_ends_a_march_of_any_kind() {
-    let rectified = lossy_beside_a_stop(Scheme::Standard, Storage::Capacitor { capacitance_f: 4.0, load_ohm: 2.0 });
-    for (name, system) in [("one stop", bench(50.0, 11.0)), ("rigid", rigid()), ("two stops", two_stops()), ("rectifier", rectified)] {
+    let rectified = lossy_beside_a_stop(
+        Scheme::Standard,
+        Storage::Capacitor {
+            capacitance_f: 4.0,
+            load_ohm: 2.0,
+        },
+    );
+    for (name, system) in [
+        ("one stop", bench(50.0, 11.0)),
+        ("rigid", rigid()),
+        ("two stops", two_stops()),
+        ("rectifier", rectified),
+    ] {
         let visits = AtomicU32::new(0);
         let control = Control::with_callback(move |control| {
             if visits.fetch_add(1, Ordering::Relaxed) == 2 {
@@ -35,7 +50,12 @@ fn a_visitor_ends_a_march_of_any_kind() {
         });
         let kernel = kernel(system).with_control(&control);
         let rest = vec![0.0; kernel.plant.len()];
-        let ended = Integrator::new(&kernel, &kernel.plant.from_physical(&rest, 0.0), 0.0, 1e-8).unwrap().advance_to(LONG_S);
-        assert!(matches!(ended, Err(IntegrationError::Stopped { time_s }) if time_s < LONG_S), "{name}: {ended:?}");
+        let ended = Integrator::new(&kernel, &kernel.plant.from_physical(&rest, 0.0), 0.0, 1e-8)
+            .unwrap()
+            .advance_to(LONG_S);
+        assert!(
+            matches!(ended, Err(IntegrationError::Stopped { time_s }) if time_s < LONG_S),
+            "{name}: {ended:?}"
+        );
     }
 }

@@ -12,7 +12,10 @@ use jounce::reference::BouncingTable;
 use jounce::spec::{NumericKey, Spec};
 use std::f64::consts::{PI, TAU};
 
-const CORRECTOR: Corrector = Corrector { goal: 1e-11, most: 20 };
+const CORRECTOR: Corrector = Corrector {
+    goal: 1e-11,
+    most: 20,
+};
 
 /// Stiffness of the spring that stands for gravity; twice as much gives the order of its error.
 const SOFTNESS: f64 = 1e-5;
@@ -22,15 +25,26 @@ fn trace_determinant(table: BouncingTable, cycles: u32, softness: f64) -> [f64; 
     let orbit = table.orbit(cycles).unwrap();
     // The drive starts a third of a cycle after the bounce.
     let angle_rad = orbit.angle_rad + TAU / 3.0;
-    let harvester = Systems(|ratio| BouncingTable { acceleration_ratio: ratio, ..table }.system(softness, angle_rad));
+    let harvester = Systems(|ratio| {
+        BouncingTable {
+            acceleration_ratio: ratio,
+            ..table
+        }
+        .system(softness, angle_rad)
+    });
     let kernel = harvester.at(table.acceleration_ratio).unwrap().kernel;
     let start_s = -TAU / 3.0;
-    let y = kernel.plant.from_physical(&table.start(softness, &orbit), start_s);
+    let y = kernel
+        .plant
+        .from_physical(&table.start(softness, &orbit), start_s);
     let mut integrator = Integrator::new(&kernel, &y, start_s, 1e-12).unwrap();
     integrator.advance_to(0.0).unwrap();
     let shooting = Shooting::new(&harvester, &kernel, cycles, 1e-12);
     let guess = shooting.unknown(&kernel.plant.to_physical(&integrator.state(), 0.0));
-    let position = Position { unknown: guess, parameter: table.acceleration_ratio };
+    let position = Position {
+        unknown: guess,
+        parameter: table.acceleration_ratio,
+    };
     let found = correct_at(&shooting, &CORRECTOR, &Metric::at(&position, 1.0), position).unwrap();
     let orbit = shooting.orbit(&found.local, found.error).unwrap();
     assert_eq!(orbit.contacts, 1);
@@ -45,16 +59,27 @@ fn without_spring(value: impl Fn(f64) -> f64) -> f64 {
 
 #[test]
 fn multipliers_are_those_of_the_exact_map() {
-    for (restitution, acceleration_ratio, cycles) in [(0.5, 1.3, 1), (0.5, 1.6, 1), (0.8, 0.9, 1), (0.8, 1.2, 2)] {
-        let table = BouncingTable { restitution, acceleration_ratio };
+    for (restitution, acceleration_ratio, cycles) in
+        [(0.5, 1.3, 1), (0.5, 1.6, 1), (0.8, 0.9, 1), (0.8, 1.2, 2)]
+    {
+        let table = BouncingTable {
+            restitution,
+            acceleration_ratio,
+        };
         let exact = table.orbit(cycles).unwrap().trace_determinant;
-        let found = [0, 1].map(|k| without_spring(|softness| trace_determinant(table, cycles, softness)[k]));
+        let found = [0, 1]
+            .map(|k| without_spring(|softness| trace_determinant(table, cycles, softness)[k]));
         let plain = trace_determinant(table, cycles, SOFTNESS)[0] - exact[0];
         let errors = [found[0] - exact[0], found[1] - exact[1]];
-        eprintln!("e {restitution}, G {acceleration_ratio}, {cycles} cycles: {errors:?}, with the spring {plain:.1e}");
+        eprintln!(
+            "e {restitution}, G {acceleration_ratio}, {cycles} cycles: {errors:?}, with the spring {plain:.1e}"
+        );
         // Measured: 4e-7 at two cycles, where the ball flies four times as high, 3e-8 at one.
         let height = f64::from(cycles * cycles);
-        assert!(errors.iter().all(|error| error.abs() < 1e-6) && plain.abs() < 50.0 * height * SOFTNESS, "{errors:?} {plain:e}");
+        assert!(
+            errors.iter().all(|error| error.abs() < 1e-6) && plain.abs() < 50.0 * height * SOFTNESS,
+            "{errors:?} {plain:e}"
+        );
     }
 }
 
@@ -63,7 +88,14 @@ fn doubling_is_where_the_closed_form_has_it() {
     for (restitution, exact) in [(0.5, 1.526823701), (0.8, 1.070836468)] {
         let doubling = |softness: f64| {
             let past = |acceleration_ratio: f64| {
-                let [trace, determinant] = trace_determinant(BouncingTable { restitution, acceleration_ratio }, 1, softness);
+                let [trace, determinant] = trace_determinant(
+                    BouncingTable {
+                        restitution,
+                        acceleration_ratio,
+                    },
+                    1,
+                    softness,
+                );
                 1.0 + trace + determinant
             };
             // Secants from both sides.
@@ -80,7 +112,10 @@ fn doubling_is_where_the_closed_form_has_it() {
             b
         };
         let found = without_spring(doubling);
-        eprintln!("e {restitution}: doubles at {found:.9}, off by {:.1e}", found - exact);
+        eprintln!(
+            "e {restitution}: doubles at {found:.9}, off by {:.1e}",
+            found - exact
+        );
         assert!((found - exact).abs() < 1e-6, "{found}");
     }
 }
@@ -107,12 +142,20 @@ fn under_gravity(table: BouncingTable, cycles: u32) -> [f64; 2] {
     let harvester = Parameter::new(&base, &key, 1.0);
     // A third of a cycle after the bounce, above the table; lengths in g / w^2, speeds in g / w.
     let (g, w) = (table.acceleration_ratio, TAU * TABLE_HZ);
-    let height = exact.speed * later - 0.5 * later * later - g * ((exact.angle_rad + later).sin() - exact.angle_rad.sin());
+    let height = exact.speed * later
+        - 0.5 * later * later
+        - g * ((exact.angle_rad + later).sin() - exact.angle_rad.sin());
     let speed = exact.speed - later - g * (exact.angle_rad + later).cos();
     let shape = base.kernel.plant.system.modes.shape["ball"][0];
-    let physical = [height * GRAVITY_M_S2 / (w * w) / shape, speed * GRAVITY_M_S2 / w / shape];
+    let physical = [
+        height * GRAVITY_M_S2 / (w * w) / shape,
+        speed * GRAVITY_M_S2 / w / shape,
+    ];
     let shooting = Shooting::new(&harvester, &base.kernel, cycles, 1e-12);
-    let position = Position { unknown: shooting.unknown(&physical), parameter: amplitude };
+    let position = Position {
+        unknown: shooting.unknown(&physical),
+        parameter: amplitude,
+    };
     let metric = Metric::at(&position, 1.0);
     let found = correct_at(&shooting, &CORRECTOR, &metric, position.clone()).unwrap();
     // The start is that of the closed form.
@@ -125,11 +168,21 @@ fn under_gravity(table: BouncingTable, cycles: u32) -> [f64; 2] {
 
 #[test]
 fn multipliers_under_gravity_are_those_of_the_exact_map() {
-    for (restitution, acceleration_ratio, cycles) in [(0.5, 1.3, 1), (0.5, 1.6, 1), (0.8, 0.9, 1), (0.8, 1.2, 2)] {
-        let table = BouncingTable { restitution, acceleration_ratio };
-        let (exact, found) = (table.orbit(cycles).unwrap().trace_determinant, under_gravity(table, cycles));
+    for (restitution, acceleration_ratio, cycles) in
+        [(0.5, 1.3, 1), (0.5, 1.6, 1), (0.8, 0.9, 1), (0.8, 1.2, 2)]
+    {
+        let table = BouncingTable {
+            restitution,
+            acceleration_ratio,
+        };
+        let (exact, found) = (
+            table.orbit(cycles).unwrap().trace_determinant,
+            under_gravity(table, cycles),
+        );
         let errors = [found[0] - exact[0], found[1] - exact[1]];
-        eprintln!("e {restitution}, G {acceleration_ratio}, {cycles} cycles under gravity: {errors:?}");
+        eprintln!(
+            "e {restitution}, G {acceleration_ratio}, {cycles} cycles under gravity: {errors:?}"
+        );
         assert!(errors.iter().all(|error| error.abs() < 1e-9), "{errors:?}");
     }
 }
@@ -138,7 +191,13 @@ fn multipliers_under_gravity_are_those_of_the_exact_map() {
 fn doubling_under_gravity_is_where_the_closed_form_has_it() {
     for (restitution, exact) in [(0.5, 1.526823701), (0.8, 1.070836468)] {
         let past = |acceleration_ratio: f64| {
-            let [trace, determinant] = under_gravity(BouncingTable { restitution, acceleration_ratio }, 1);
+            let [trace, determinant] = under_gravity(
+                BouncingTable {
+                    restitution,
+                    acceleration_ratio,
+                },
+                1,
+            );
             1.0 + trace + determinant
         };
         let (below, above) = (past(exact - 1e-8), past(exact + 1e-8));

@@ -21,8 +21,16 @@ impl Oracle {
     fn rate(&self, t: f64, w: f64, y: &[f64; 6]) -> [f64; 6] {
         let [x, v, a, b, c, d] = *y;
         let pull = self.square + 3.0 * self.b * x * x;
-        let force = self.force * (w * t).sin() - self.damping * v - self.square * x - self.b * x * x * x;
-        [v, force, c, d, -self.damping * c - pull * a, -self.damping * d - pull * b]
+        let force =
+            self.force * (w * t).sin() - self.damping * v - self.square * x - self.b * x * x * x;
+        [
+            v,
+            force,
+            c,
+            d,
+            -self.damping * c - pull * a,
+            -self.damping * d - pull * b,
+        ]
     }
 
     /// Classical Runge-Kutta of fourth order, 4000 steps: an error of 1e-13 of a motion of this kind.
@@ -31,7 +39,8 @@ impl Oracle {
         let h = TAU / w / f64::from(steps);
         for k in 0..steps {
             let t = h * f64::from(k);
-            let add = |by: f64, r: &[f64; 6]| -> [f64; 6] { std::array::from_fn(|i| y[i] + by * r[i]) };
+            let add =
+                |by: f64, r: &[f64; 6]| -> [f64; 6] { std::array::from_fn(|i| y[i] + by * r[i]) };
             let k1 = self.rate(t, w, &y);
             let k2 = self.rate(t + 0.5 * h, w, &add(0.5 * h, &k1));
             let k3 = self.rate(t + 0.5 * h, w, &add(0.5 * h, &k2));
@@ -44,7 +53,11 @@ impl Oracle {
     /// What vanishes at a fold: the orbit closes, and one of its multipliers is 1.
     fn fold(&self, [x, v, w]: [f64; 3]) -> [f64; 3] {
         let y = self.period(w, x, v);
-        [y[0] - x, y[1] - v, (y[2] - 1.0) * (y[5] - 1.0) - y[3] * y[4]]
+        [
+            y[0] - x,
+            y[1] - v,
+            (y[2] - 1.0) * (y[5] - 1.0) - y[3] * y[4],
+        ]
     }
 
     /// Newton with differences.
@@ -52,12 +65,17 @@ impl Oracle {
         for _ in 0..6 {
             let value = self.fold(at);
             let columns: [[f64; 3]; 3] = std::array::from_fn(|j| {
-                let moved = |by: f64| self.fold(std::array::from_fn(|i| at[i] + if i == j { by } else { 0.0 }));
+                let moved = |by: f64| {
+                    self.fold(std::array::from_fn(|i| {
+                        at[i] + if i == j { by } else { 0.0 }
+                    }))
+                };
                 let (up, down) = (moved(1e-6), moved(-1e-6));
                 std::array::from_fn(|i| (up[i] - down[i]) / 2e-6)
             });
             let det = |c: &[[f64; 3]; 3]| {
-                c[0][0] * (c[1][1] * c[2][2] - c[2][1] * c[1][2]) - c[1][0] * (c[0][1] * c[2][2] - c[2][1] * c[0][2])
+                c[0][0] * (c[1][1] * c[2][2] - c[2][1] * c[1][2])
+                    - c[1][0] * (c[0][1] * c[2][2] - c[2][1] * c[0][2])
                     + c[2][0] * (c[0][1] * c[1][2] - c[1][1] * c[0][2])
             };
             let all = det(&columns);
@@ -73,7 +91,12 @@ impl Oracle {
 
 /// What vanishes at a cusp of the folds at `(x, v, w, f)`: besides, the multiplier stays 1 along its eigenvector.
 fn cusp(square: f64, damping: f64, b: f64, [x, v, w, force]: [f64; 4]) -> [f64; 4] {
-    let oracle = Oracle { square, damping, b, force };
+    let oracle = Oracle {
+        square,
+        damping,
+        b,
+        force,
+    };
     let y = oracle.period(w, x, v);
     let length = y[4].hypot(y[2] - 1.0);
     let along = [-y[4] / length, (y[2] - 1.0) / length];
@@ -86,12 +109,21 @@ fn cusp(square: f64, damping: f64, b: f64, [x, v, w, force]: [f64; 4]) -> [f64; 
 fn nearest_cusp(square: f64, damping: f64, b: f64, mut at: [f64; 4]) -> [f64; 4] {
     for _ in 0..8 {
         let value = cusp(square, damping, b, at);
-        let moved = |j: usize, by: f64| cusp(square, damping, b, std::array::from_fn(|i| at[i] + if i == j { by } else { 0.0 }));
+        let moved = |j: usize, by: f64| {
+            cusp(
+                square,
+                damping,
+                b,
+                std::array::from_fn(|i| at[i] + if i == j { by } else { 0.0 }),
+            )
+        };
         let columns: [[f64; 4]; 4] = std::array::from_fn(|j| {
             let (up, down) = (moved(j, 1e-5), moved(j, -1e-5));
             std::array::from_fn(|i| (up[i] - down[i]) / 2e-5)
         });
-        let change = Mat::from_fn(4, 4, |i, j| columns[j][i]).partial_piv_lu().solve(Mat::from_fn(4, 1, |i, _| value[i]));
+        let change = Mat::from_fn(4, 4, |i, j| columns[j][i])
+            .partial_piv_lu()
+            .solve(Mat::from_fn(4, 1, |i, _| value[i]));
         at = std::array::from_fn(|j| at[j] - change[(j, 0)]);
     }
     at
@@ -99,9 +131,13 @@ fn nearest_cusp(square: f64, damping: f64, b: f64, mut at: [f64; 4]) -> [f64; 4]
 
 /// The spec of the gallery, and the same problem as plain numbers.
 fn example(cubic: f64, force: f64) -> (SpecFile, Duffing) {
-    let mut file = SpecFile::from_text(include_str!("../../../../examples/bouncing-and-impact-oscillators/duffing.toml"));
-    file.set("stop.spring.cubic_stiffness", &format!("\"{cubic} N/m^3\"")).unwrap();
-    file.set("drive.shaker.amplitude", &format!("\"{force} N\"")).unwrap();
+    let mut file = SpecFile::from_text(include_str!(
+        "../../../../examples/bouncing-and-impact-oscillators/duffing.toml"
+    ));
+    file.set("stop.spring.cubic_stiffness", &format!("\"{cubic} N/m^3\""))
+        .unwrap();
+    file.set("drive.shaker.amplitude", &format!("\"{force} N\""))
+        .unwrap();
     let spec = file.spec().unwrap();
     let modes = &spec.modal["oscillator"];
     let duffing = Duffing {
@@ -119,17 +155,35 @@ fn folds_are_those_of_an_independent_integration() {
     for (cubic, force, range) in [(20.0, 1.0, (0.95, 1.4)), (-10.0, 0.6, (0.75, 1.05))] {
         let (file, duffing) = example(cubic, force);
         let w0 = duffing.frequency_rad_s;
-        let oracle = Oracle { square: w0 * w0, damping: 2.0 * duffing.damping_ratio * w0, b: cubic, force };
-        for method in [OrbitMethodKind::Shooting, OrbitMethodKind::HarmonicBalance { harmonics: 16 }] {
+        let oracle = Oracle {
+            square: w0 * w0,
+            damping: 2.0 * duffing.damping_ratio * w0,
+            b: cubic,
+            force,
+        };
+        for method in [
+            OrbitMethodKind::Shooting,
+            OrbitMethodKind::HarmonicBalance { harmonics: 16 },
+        ] {
             let found = branches(&file, range, method, 0);
-            let folds: Vec<_> = found[0].bifurcations.iter().filter(|found| found.kind == BranchKind::Fold).collect();
-            assert_eq!((found.len(), folds.len(), found[0].bifurcations.len()), (1, 2, 2));
+            let folds: Vec<_> = found[0]
+                .bifurcations
+                .iter()
+                .filter(|found| found.kind == BranchKind::Fold)
+                .collect();
+            assert_eq!(
+                (found.len(), folds.len(), found[0].bifurcations.len()),
+                (1, 2, 2)
+            );
             for fold in folds {
                 let start = fold.at.orbit.start();
                 let exact = oracle.nearest_fold([start[0] / w0, start[1], TAU * fold.at.parameter]);
                 let error = fold.at.parameter / (exact[2] / TAU) - 1.0;
                 let swing = fold.at.orbit.max_penetration_m;
-                eprintln!("b {cubic}, {method:?}: fold at {:.9} Hz, swing {swing:.4} m, off by {error:.1e}", fold.at.parameter);
+                eprintln!(
+                    "b {cubic}, {method:?}: fold at {:.9} Hz, swing {swing:.4} m, off by {error:.1e}",
+                    fold.at.parameter
+                );
                 assert!(error.abs() < 1e-8, "{error:e}");
             }
         }
@@ -144,17 +198,33 @@ fn folds_of_the_first_harmonic_are_the_limit_of_small_bending() {
         // The same amplitudes: bending, force and damping shrink together.
         let (mut file, mut duffing) = example(20.0 * scale, scale);
         duffing.damping_ratio *= scale;
-        file.set("modal.oscillator.damping_ratio", &format!("[{}]", duffing.damping_ratio)).unwrap();
+        file.set(
+            "modal.oscillator.damping_ratio",
+            &format!("[{}]", duffing.damping_ratio),
+        )
+        .unwrap();
         let found = branches(&file, (0.98, 1.12), OrbitMethodKind::Shooting, 0);
-        let folds = found[0].bifurcations.iter().filter(|found| found.kind == BranchKind::Fold);
-        let exact = folds.map(|found| found.at.parameter).fold(f64::INFINITY, f64::min);
-        let first = duffing.first_harmonic_folds(scale).iter().map(|fold| fold.0 / TAU).fold(f64::INFINITY, f64::min);
+        let folds = found[0]
+            .bifurcations
+            .iter()
+            .filter(|found| found.kind == BranchKind::Fold);
+        let exact = folds
+            .map(|found| found.at.parameter)
+            .fold(f64::INFINITY, f64::min);
+        let first = duffing
+            .first_harmonic_folds(scale)
+            .iter()
+            .map(|fold| fold.0 / TAU)
+            .fold(f64::INFINITY, f64::min);
         eprintln!("scale {scale}: lower fold {exact:.9} Hz, by the first harmonic {first:.9} Hz");
         first / exact - 1.0
     });
     let order = (errors[0] / errors[1]).log2();
     eprintln!("off by {errors:?}, order {order:.3}");
-    assert!(errors[0].abs() < 3e-6 && (order - 2.0).abs() < 0.1, "{errors:?}, order {order}");
+    assert!(
+        errors[0].abs() < 3e-6 && (order - 2.0).abs() < 0.1,
+        "{errors:?}, order {order}"
+    );
 }
 
 /// Along the curve the product of the multipliers is what the damping leaves of an area in a period.
@@ -165,10 +235,16 @@ fn multipliers_multiply_to_the_decay_of_a_period() {
     let mut worst = 0.0_f64;
     for point in &found[0].points {
         let product = point.orbit.multipliers[0] * point.orbit.multipliers[1];
-        let exact = (-2.0 * duffing.damping_ratio * duffing.frequency_rad_s / point.parameter).exp();
-        worst = worst.max((product.re / exact - 1.0).abs()).max(product.im.abs());
+        let exact =
+            (-2.0 * duffing.damping_ratio * duffing.frequency_rad_s / point.parameter).exp();
+        worst = worst
+            .max((product.re / exact - 1.0).abs())
+            .max(product.im.abs());
     }
-    eprintln!("{} points, product off by {worst:.1e}", found[0].points.len());
+    eprintln!(
+        "{} points, product off by {worst:.1e}",
+        found[0].points.len()
+    );
     assert!(worst < 1e-8);
 }
 
@@ -185,17 +261,30 @@ fn a_curve_of_folds_goes_through_its_cusp() {
     let force = (4.0 / 3.0 * c * c * square).sqrt();
     // x = a sin(wt + phase): (w0^2 - w^2 + 3 b a^2 / 4) a = f cos phase, c a = -f sin phase.
     let phase = (-c).atan2(-3.0_f64.sqrt() * c / 3.0);
-    let first = [square.sqrt() * phase.sin(), square.sqrt() * w * phase.cos(), w, force];
+    let first = [
+        square.sqrt() * phase.sin(),
+        square.sqrt() * w * phase.cos(),
+        w,
+        force,
+    ];
     let exact = nearest_cusp(w0 * w0, 2.0 * zeta * w0, 20.0, first);
     let (hz, force) = (exact[2] / TAU, exact[3]);
-    eprintln!("cusp at {hz:.9} Hz, {force:.9} N; by the first harmonic {:.9} Hz, {:.9} N", w / TAU, first[3]);
+    eprintln!(
+        "cusp at {hz:.9} Hz, {force:.9} N; by the first harmonic {:.9} Hz, {:.9} N",
+        w / TAU,
+        first[3]
+    );
     assert!((w / exact[2] - 1.0).abs() < 1e-3 && (first[3] / force - 1.0).abs() < 1e-3);
 
     // The walk stops before the cusp in the one plane, behind it in the other.
-    for (own, ranges) in [(0.2308, [(1.0172, 1.0178), (0.2303, 0.2313)]), (1.0, [(1.016, 1.0185), (0.229, 0.233)])] {
+    for (own, ranges) in [
+        (0.2308, [(1.0172, 1.0178), (0.2303, 0.2313)]),
+        (1.0, [(1.016, 1.0185), (0.229, 0.233)]),
+    ] {
         let (file, _) = example(20.0, own);
         let base = Model::new(file.spec().unwrap()).unwrap();
-        let keys = ["drive.shaker.frequency", "drive.shaker.amplitude"].map(|key| file.numeric_key(key).unwrap());
+        let keys = ["drive.shaker.frequency", "drive.shaker.amplitude"]
+            .map(|key| file.numeric_key(key).unwrap());
         let search = BifurcationSearch {
             base: &base,
             keys: [&keys[0], &keys[1]],
@@ -209,18 +298,39 @@ fn a_curve_of_folds_goes_through_its_cusp() {
         assert_eq!(curves.len(), 1);
         let (curve, points) = (&curves[0], &curves[0].points);
         let ends = [points[0].parameter_2, points[points.len() - 1].parameter_2];
-        eprintln!("{:?}: {} points, ends {ends:?}, {:?}", curve.kind, points.len(), curve.failures);
-        assert_eq!((curve.kind, ends), (CurveKind::Bifurcation(BranchKind::Fold), [ranges[1].1; 2]));
+        eprintln!(
+            "{:?}: {} points, ends {ends:?}, {:?}",
+            curve.kind,
+            points.len(),
+            curve.failures
+        );
+        assert_eq!(
+            (curve.kind, ends),
+            (CurveKind::Bifurcation(BranchKind::Fold), [ranges[1].1; 2])
+        );
         assert!(curve.failures.is_empty() && points.len() < 150);
-        let turn = points.iter().min_by(|a, b| a.parameter_2.total_cmp(&b.parameter_2)).unwrap();
+        let turn = points
+            .iter()
+            .min_by(|a, b| a.parameter_2.total_cmp(&b.parameter_2))
+            .unwrap();
         let off = [turn.parameter / hz - 1.0, turn.parameter_2 / force - 1.0];
         let apart = |away: f64| {
-            let arms: Vec<f64> = curve.crossings(force + away).iter().map(|(hz, _)| *hz).collect();
+            let arms: Vec<f64> = curve
+                .crossings(force + away)
+                .iter()
+                .map(|(hz, _)| *hz)
+                .collect();
             assert_eq!(arms.len(), 2);
             (arms[1] - arms[0]).abs()
         };
         let ratio = apart(8e-4) / apart(2e-4);
-        eprintln!("turns off by {off:?}; arms part by {:e} Hz at 0.2 mN, {ratio} times that at 0.8 mN", apart(2e-4));
-        assert!(off.iter().all(|off| off.abs() < 1e-8) && (ratio / 8.0 - 1.0).abs() < 0.05, "{off:?} {ratio}");
+        eprintln!(
+            "turns off by {off:?}; arms part by {:e} Hz at 0.2 mN, {ratio} times that at 0.8 mN",
+            apart(2e-4)
+        );
+        assert!(
+            off.iter().all(|off| off.abs() < 1e-8) && (ratio / 8.0 - 1.0).abs() < 0.05,
+            "{off:?} {ratio}"
+        );
     }
 }

@@ -2,32 +2,58 @@
 //! marches.
 
 use crate::harvesters::bench;
-use jounce::analysis::{Branch, BranchKind, BranchOptions, BranchSearch, Model, OrbitMethodKind, Parameter, QuantityLevel};
+use jounce::analysis::{
+    Branch, BranchKind, BranchOptions, BranchSearch, Model, OrbitMethodKind, Parameter,
+    QuantityLevel,
+};
 use jounce::integrate::Integrator;
 use jounce::orbit::{ParametricModel, Shooting};
 use jounce::spec::SpecFile;
 
-const METHODS: [OrbitMethodKind; 2] = [OrbitMethodKind::Shooting, OrbitMethodKind::HarmonicBalance { harmonics: 64 }];
+const METHODS: [OrbitMethodKind; 2] = [
+    OrbitMethodKind::Shooting,
+    OrbitMethodKind::HarmonicBalance { harmonics: 64 },
+];
 
 fn with(changes: &[(&str, &str)]) -> SpecFile {
     let mut file = bench();
-    changes.iter().for_each(|(key, value)| file.set(key, value).unwrap());
+    changes
+        .iter()
+        .for_each(|(key, value)| file.set(key, value).unwrap());
     file
 }
 
 /// Branches of one drive cycle over the frequency, with options and a tolerance.
-fn found(file: &SpecFile, range: (f64, f64), (method, tolerance): (OrbitMethodKind, f64), options: &BranchOptions) -> Vec<Branch> {
+fn found(
+    file: &SpecFile,
+    range: (f64, f64),
+    (method, tolerance): (OrbitMethodKind, f64),
+    options: &BranchOptions,
+) -> Vec<Branch> {
     let base = Model::new(file.spec().unwrap()).unwrap();
     let key = file.numeric_key("drive.shaker.frequency").unwrap();
     let parameter = Parameter::new(&base, &key, range.1 - range.0);
-    let search = BranchSearch { base: &base, parameter: &parameter, range, method, tolerance, seeds: 0, longest_period: 1 };
+    let search = BranchSearch {
+        base: &base,
+        parameter: &parameter,
+        range,
+        method,
+        tolerance,
+        seeds: 0,
+        longest_period: 1,
+    };
     search.run_with(options).unwrap()
 }
 
 /// Labels but grazings in the order of the key, those at the edges of a range left out.
 fn labels(branches: &[Branch]) -> Vec<(BranchKind, f64)> {
-    let all = branches.iter().flat_map(|branch| &branch.bifurcations).map(|found| (found.kind, found.at.parameter));
-    let mut all: Vec<(BranchKind, f64)> = all.filter(|(kind, _)| *kind != BranchKind::Grazing).collect();
+    let all = branches
+        .iter()
+        .flat_map(|branch| &branch.bifurcations)
+        .map(|found| (found.kind, found.at.parameter));
+    let mut all: Vec<(BranchKind, f64)> = all
+        .filter(|(kind, _)| *kind != BranchKind::Grazing)
+        .collect();
     all.sort_by(|a, b| a.1.total_cmp(&b.1));
     all.dedup_by(|a, b| a.0 == b.0 && (a.1 - b.1).abs() < 1e-4);
     all
@@ -38,21 +64,50 @@ fn finds_the_pair_of_tori(file: &SpecFile, pair: [f64; 2]) {
     let mut known: Option<Vec<(BranchKind, f64)>> = None;
     for tolerance in [1e-7, 5e-10, 1e-10] {
         for largest_step in [0.4, 0.2] {
-            for ranges in [&[(6.5, 20.0)][..], &[(6.5, 10.0), (10.0, 11.4), (11.4, 20.0)]] {
-                let options = BranchOptions { largest_step, ..BranchOptions::default() };
-                let branches: Vec<Branch> =
-                    ranges.iter().flat_map(|range| found(file, *range, (OrbitMethodKind::Shooting, tolerance), &options)).collect();
+            for ranges in [
+                &[(6.5, 20.0)][..],
+                &[(6.5, 10.0), (10.0, 11.4), (11.4, 20.0)],
+            ] {
+                let options = BranchOptions {
+                    largest_step,
+                    ..BranchOptions::default()
+                };
+                let branches: Vec<Branch> = ranges
+                    .iter()
+                    .flat_map(|range| {
+                        found(
+                            file,
+                            *range,
+                            (OrbitMethodKind::Shooting, tolerance),
+                            &options,
+                        )
+                    })
+                    .collect();
                 let own = labels(&branches);
-                let tori = own.iter().filter(|(kind, at)| *kind == BranchKind::NeimarkSacker && (10.4..10.6).contains(at));
+                let tori = own.iter().filter(|(kind, at)| {
+                    *kind == BranchKind::NeimarkSacker && (10.4..10.6).contains(at)
+                });
                 let tori: Vec<f64> = tori.map(|(_, at)| *at).collect();
                 eprintln!("{tolerance:e} {largest_step} {}: {tori:?}", ranges.len());
-                assert!(tori.len() == 2 && tori.iter().zip(pair).all(|(a, b)| (a - b).abs() < 1e-4), "{tori:?}");
+                assert!(
+                    tori.len() == 2 && tori.iter().zip(pair).all(|(a, b)| (a - b).abs() < 1e-4),
+                    "{tori:?}"
+                );
                 // The coarsest marches leave more in a turning point near the surface than a step decides.
-                let open = branches.iter().flat_map(|branch| &branch.not_proved).filter(|part| part.event != BranchKind::Grazing);
+                let open = branches
+                    .iter()
+                    .flat_map(|branch| &branch.not_proved)
+                    .filter(|part| part.event != BranchKind::Grazing);
                 assert_eq!(open.count(), 0);
-                assert!(tolerance == 1e-7 || branches.iter().all(|branch| branch.not_proved.is_empty()));
+                assert!(
+                    tolerance == 1e-7 || branches.iter().all(|branch| branch.not_proved.is_empty())
+                );
                 let known = known.get_or_insert_with(|| own.clone());
-                let alike = own.len() == known.len() && own.iter().zip(&*known).all(|(a, b)| a.0 == b.0 && (a.1 - b.1).abs() < 1e-4);
+                let alike = own.len() == known.len()
+                    && own
+                        .iter()
+                        .zip(&*known)
+                        .all(|(a, b)| a.0 == b.0 && (a.1 - b.1).abs() < 1e-4);
                 assert!(alike, "{own:?} {known:?}");
             }
         }
@@ -62,15 +117,21 @@ fn finds_the_pair_of_tori(file: &SpecFile, pair: [f64; 2]) {
 /// Against an independent Runge-Kutta integration with its own shooting: 10.47358 and 10.52108 Hz.
 #[test]
 fn a_pair_of_tori_inside_one_step_is_found() {
-    let changes =
-        [("drive.shaker.amplitude", "\"80 N\""), ("circuit.load.resistance", "\"100 kohm\""), ("stop.tip.frame", "\"harvester.table\"")];
+    let changes = [
+        ("drive.shaker.amplitude", "\"80 N\""),
+        ("circuit.load.resistance", "\"100 kohm\""),
+        ("stop.tip.frame", "\"harvester.table\""),
+    ];
     finds_the_pair_of_tori(&with(&changes), [10.47358, 10.52108]);
 }
 
 /// Against the same: 10.46710 and 10.52154 Hz.
 #[test]
 fn a_pair_of_tori_does_not_depend_on_the_tolerance() {
-    let changes = [("drive.shaker.amplitude", "\"100 N\""), ("modal.harvester.damping_ratio.1", "0.3")];
+    let changes = [
+        ("drive.shaker.amplitude", "\"100 N\""),
+        ("modal.harvester.damping_ratio.1", "0.3"),
+    ];
     finds_the_pair_of_tori(&with(&changes), [10.46710, 10.52154]);
 }
 
@@ -81,16 +142,33 @@ fn a_level_of_power_is_labelled_where_the_branch_passes_it() {
     let plant = Model::new(file.spec().unwrap()).unwrap().kernel.plant;
     let level = QuantityLevel::parse("mean_power=50 uW", &plant).unwrap();
     let force = QuantityLevel::parse("contact_force.tip=0.05 N", &plant).unwrap();
-    let options = BranchOptions { levels: vec![level, force], ..BranchOptions::default() };
+    let options = BranchOptions {
+        levels: vec![level, force],
+        ..BranchOptions::default()
+    };
     let [shooting, balance] = METHODS.map(|method| {
         let branches = found(&file, (10.5, 14.0), (method, 1e-10), &options);
         for branch in &branches {
-            let mut crossings =
-                branch.points.windows(2).map(|two| two.iter().map(|point| point.orbit.mean_power_w > 50e-6).collect::<Vec<_>>());
+            let mut crossings = branch.points.windows(2).map(|two| {
+                two.iter()
+                    .map(|point| point.orbit.mean_power_w > 50e-6)
+                    .collect::<Vec<_>>()
+            });
             let crossings = crossings.by_ref().filter(|two| two[0] != two[1]).count();
-            let own: Vec<_> = branch.bifurcations.iter().filter(|found| found.level.as_deref() == Some("mean_power=50 uW")).collect();
-            assert!(own.len() == crossings && crossings > 0, "{} {crossings}", own.len());
-            assert!(own.iter().all(|found| (found.at.orbit.mean_power_w / 50e-6 - 1.0).abs() < 1e-6));
+            let own: Vec<_> = branch
+                .bifurcations
+                .iter()
+                .filter(|found| found.level.as_deref() == Some("mean_power=50 uW"))
+                .collect();
+            assert!(
+                own.len() == crossings && crossings > 0,
+                "{} {crossings}",
+                own.len()
+            );
+            assert!(
+                own.iter()
+                    .all(|found| (found.at.orbit.mean_power_w / 50e-6 - 1.0).abs() < 1e-6)
+            );
         }
         branches
             .iter()
@@ -100,8 +178,20 @@ fn a_level_of_power_is_labelled_where_the_branch_passes_it() {
             .collect::<Vec<_>>()
     });
     eprintln!("{shooting:?} {balance:?}");
-    assert!(shooting.len() == balance.len() && shooting.iter().zip(&balance).all(|(a, b)| (a - b).abs() < 1e-5));
-    for wrong in ["mean_power=50 V", "force=2 N", "contact_force.wall=2 N", "mean_power=-1 W", "mean_power"] {
+    assert!(
+        shooting.len() == balance.len()
+            && shooting
+                .iter()
+                .zip(&balance)
+                .all(|(a, b)| (a - b).abs() < 1e-5)
+    );
+    for wrong in [
+        "mean_power=50 V",
+        "force=2 N",
+        "contact_force.wall=2 N",
+        "mean_power=-1 W",
+        "mean_power",
+    ] {
         let why = QuantityLevel::parse(wrong, &plant).unwrap_err();
         assert!(why.contains(wrong), "{why}");
     }
@@ -118,7 +208,10 @@ fn stability_agrees_with_marches_from_a_kick() {
             ("circuit.load.resistance", "\"100 kohm\""),
             ("stop.tip.frame", "\"harvester.table\""),
         ]),
-        with(&[("drive.shaker.amplitude", "\"100 N\""), ("modal.harvester.damping_ratio.1", "0.3")]),
+        with(&[
+            ("drive.shaker.amplitude", "\"100 N\""),
+            ("modal.harvester.damping_ratio.1", "0.3"),
+        ]),
         with(&[("stop.tip.gap", "\"0 mm\"")]),
     ];
     let (mut checked, mut unstable) = (0, 0);
@@ -127,10 +220,15 @@ fn stability_agrees_with_marches_from_a_kick() {
         let base = Model::new(file.spec().unwrap()).unwrap();
         let key = file.numeric_key("drive.shaker.frequency").unwrap();
         let parameter = Parameter::new(&base, &key, range.1 - range.0);
-        let points: Vec<_> = found(file, range, (OrbitMethodKind::Shooting, 1e-10), &BranchOptions::default())
-            .into_iter()
-            .flat_map(|branch| branch.points)
-            .collect();
+        let points: Vec<_> = found(
+            file,
+            range,
+            (OrbitMethodKind::Shooting, 1e-10),
+            &BranchOptions::default(),
+        )
+        .into_iter()
+        .flat_map(|branch| branch.points)
+        .collect();
         for k in 0..50 {
             let share = (f64::from(k * 4 + which as i32) * 0.618_033_988_749_895).fract();
             let point = &points[(share * points.len() as f64) as usize];
@@ -141,7 +239,12 @@ fn stability_agrees_with_marches_from_a_kick() {
             let kernel = parameter.at(point.parameter).unwrap().kernel;
             let shooting = Shooting::new(&parameter, &kernel, 1, 1e-10);
             let grown = growth(&kernel, &shooting, point.orbit.start());
-            assert_eq!(grown < 1.0, largest < 1.0, "{which}: {} Hz, {largest}, {grown}", point.parameter);
+            assert_eq!(
+                grown < 1.0,
+                largest < 1.0,
+                "{which}: {} Hz, {largest}, {grown}",
+                point.parameter
+            );
             (checked, unstable) = (checked + 1, unstable + usize::from(largest > 1.0));
         }
     }
@@ -152,13 +255,28 @@ fn stability_agrees_with_marches_from_a_kick() {
 /// Factor per cycle by which a kick grows over the last two thirds of 300 cycles, or until it is a thousand times itself or a thousandth: by the
 /// line of least squares through the logarithms, for the size of a pair that turns goes up and down. Where the kick has changed by less than a factor
 /// of ten, the integration goes on, for up to 9600 cycles.
-fn growth<H: ParametricModel>(kernel: &jounce::integrate::Kernel, shooting: &Shooting<'_, H>, start: &[f64]) -> f64 {
+fn growth<H: ParametricModel>(
+    kernel: &jounce::integrate::Kernel,
+    shooting: &Shooting<'_, H>,
+    start: &[f64],
+) -> f64 {
     let size = |u: &[f64]| u.iter().map(|u| u * u).sum::<f64>().sqrt();
     let kick = 1e-6 * size(start);
-    let kicked: Vec<f64> = start.iter().enumerate().map(|(i, u)| u + kick * (1.0 + i as f64).sin()).collect();
+    let kicked: Vec<f64> = start
+        .iter()
+        .enumerate()
+        .map(|(i, u)| u + kick * (1.0 + i as f64).sin())
+        .collect();
     let cycle_s = kernel.plant.period_s().unwrap();
-    let mut integrators = [start, &kicked]
-        .map(|from| Integrator::new(kernel, &kernel.plant.from_physical(&shooting.physical(from), 0.0), 0.0, 1e-11).unwrap());
+    let mut integrators = [start, &kicked].map(|from| {
+        Integrator::new(
+            kernel,
+            &kernel.plant.from_physical(&shooting.physical(from), 0.0),
+            0.0,
+            1e-11,
+        )
+        .unwrap()
+    });
     let mut apart = Vec::new();
     loop {
         let time_s = (apart.len() + 1) as f64 * cycle_s;
@@ -166,7 +284,13 @@ fn growth<H: ParametricModel>(kernel: &jounce::integrate::Kernel, shooting: &Sho
             integrator.advance_to(time_s).unwrap();
             shooting.unknown(&kernel.plant.to_physical(&integrator.state(), time_s))
         });
-        let off = size(&from.iter().zip(&plain).map(|(a, b)| a - b).collect::<Vec<_>>());
+        let off = size(
+            &from
+                .iter()
+                .zip(&plain)
+                .map(|(a, b)| a - b)
+                .collect::<Vec<_>>(),
+        );
         apart.push(off);
         let (count, change) = (apart.len(), (off / apart[apart.len() / 3]).ln().abs());
         let is_decided = count.is_multiple_of(300) && change > 10_f64.ln() || count == 9600;
@@ -181,5 +305,9 @@ fn growth<H: ParametricModel>(kernel: &jounce::integrate::Kernel, shooting: &Sho
         let away = k as f64 - middle;
         (up, along) = (up + away * off.ln(), along + away * away);
     }
-    if along == 0.0 { part[0] / kick } else { (up / along).exp() }
+    if along == 0.0 {
+        part[0] / kick
+    } else {
+        (up / along).exp()
+    }
 }

@@ -1,32 +1,67 @@
 //! What a branch tells about itself: the same by both methods, for every tolerance, and each thing once.
 
 use crate::harvesters::{bench, branches, branches_of, paper};
-use jounce::analysis::{BandLimit, BandwidthSearch, BranchKind, BranchSearch, Model, OrbitMethodKind, Parameter, Termination};
+use jounce::analysis::{
+    BandLimit, BandwidthSearch, BranchKind, BranchSearch, Model, OrbitMethodKind, Parameter,
+    Termination,
+};
 use jounce::spec::SpecFile;
 
-const METHODS: [OrbitMethodKind; 2] = [OrbitMethodKind::Shooting, OrbitMethodKind::HarmonicBalance { harmonics: 64 }];
+const METHODS: [OrbitMethodKind; 2] = [
+    OrbitMethodKind::Shooting,
+    OrbitMethodKind::HarmonicBalance { harmonics: 64 },
+];
 
 /// A range that ends 1.8 mHz, 0.3 mHz and 20 uHz below a fold: the branch comes to its edge on the side from which it came, and the other
 /// method finds the same power there.
 #[test]
 fn a_branch_that_leaves_the_range_below_a_fold_ends_on_the_edge() {
     let whole = branches(&bench(), (10.5, 12.6), OrbitMethodKind::Shooting, 0);
-    let folds = whole.iter().flat_map(|branch| &branch.bifurcations).filter(|found| found.kind == BranchKind::Fold);
-    let fold = folds.map(|found| &found.at).max_by(|a, b| a.parameter.total_cmp(&b.parameter)).unwrap();
+    let folds = whole
+        .iter()
+        .flat_map(|branch| &branch.bifurcations)
+        .filter(|found| found.kind == BranchKind::Fold);
+    let fold = folds
+        .map(|found| &found.at)
+        .max_by(|a, b| a.parameter.total_cmp(&b.parameter))
+        .unwrap();
     for below in [1.8e-3, 3e-4, 2e-5] {
         let edge = fold.parameter - below;
         let powers_w = METHODS.map(|method| {
             let found = branches(&bench(), (10.5, edge), method, 0);
-            assert!(found.iter().all(|branch| branch.endings.iter().all(|ending| *ending == Termination::Range)), "{method:?} {edge}");
-            let ends = found.iter().flat_map(|branch| [branch.points.first(), branch.points.last()]).flatten();
+            assert!(
+                found.iter().all(|branch| branch
+                    .endings
+                    .iter()
+                    .all(|ending| *ending == Termination::Range)),
+                "{method:?} {edge}"
+            );
+            let ends = found
+                .iter()
+                .flat_map(|branch| [branch.points.first(), branch.points.last()])
+                .flatten();
             let ends: Vec<_> = ends.collect();
-            assert!(ends.iter().all(|end| end.parameter == 10.5 || end.parameter == edge), "{method:?} {edge}");
+            assert!(
+                ends.iter()
+                    .all(|end| end.parameter == 10.5 || end.parameter == edge),
+                "{method:?} {edge}"
+            );
             // Of the two sides of the fold the stable one has more power.
-            let at_edge = ends.iter().filter(|end| end.parameter == edge && end.orbit.is_stable());
-            at_edge.map(|end| end.orbit.mean_power_w).fold(0.0, f64::max)
+            let at_edge = ends
+                .iter()
+                .filter(|end| end.parameter == edge && end.orbit.is_stable());
+            at_edge
+                .map(|end| end.orbit.mean_power_w)
+                .fold(0.0, f64::max)
         });
-        eprintln!("{below} Hz below: {:.9e} W, fold {:.9e} W", powers_w[0], fold.orbit.mean_power_w);
-        assert!(powers_w[0] > fold.orbit.mean_power_w && (powers_w[0] / powers_w[1] - 1.0).abs() < 1e-5, "{powers_w:?}");
+        eprintln!(
+            "{below} Hz below: {:.9e} W, fold {:.9e} W",
+            powers_w[0], fold.orbit.mean_power_w
+        );
+        assert!(
+            powers_w[0] > fold.orbit.mean_power_w && (powers_w[0] / powers_w[1] - 1.0).abs() < 1e-5,
+            "{powers_w:?}"
+        );
     }
 }
 
@@ -35,19 +70,38 @@ fn a_branch_that_leaves_the_range_below_a_fold_ends_on_the_edge() {
 #[test]
 fn a_branch_goes_on_where_a_contact_begins_with_the_period() {
     let damped = include_str!("../../../../bench/plant.toml")
-        .replace("law = \"hertz\"", "law = \"kelvin-voigt\"\ndamping = \"0.3 N s/m\"")
+        .replace(
+            "law = \"hertz\"",
+            "law = \"kelvin-voigt\"\ndamping = \"0.3 N s/m\"",
+        )
         .replace("stiffness = \"1000 N/m^1.5\"", "stiffness = \"100 N/m\"");
     let [shooting, balance] = METHODS.map(|method| {
         let found = branches(&SpecFile::from_text(damped.clone()), (4.0, 20.0), method, 0);
-        let [whole] = &found[..] else { panic!("{method:?}: {} branches", found.len()) };
+        let [whole] = &found[..] else {
+            panic!("{method:?}: {} branches", found.len())
+        };
         assert_eq!(whole.endings, [Termination::Range], "{method:?}");
-        let mut labels: Vec<(BranchKind, f64)> = whole.bifurcations.iter().map(|found| (found.kind, found.at.parameter)).collect();
+        let mut labels: Vec<(BranchKind, f64)> = whole
+            .bifurcations
+            .iter()
+            .map(|found| (found.kind, found.at.parameter))
+            .collect();
         labels.sort_by(|a, b| a.1.total_cmp(&b.1));
         labels
     });
-    let apart = shooting.iter().zip(&balance).map(|(a, b)| (a.1 - b.1).abs()).fold(0.0, f64::max);
+    let apart = shooting
+        .iter()
+        .zip(&balance)
+        .map(|(a, b)| (a.1 - b.1).abs())
+        .fold(0.0, f64::max);
     eprintln!("{apart:e} Hz apart: {shooting:?}");
-    assert!(shooting.iter().map(|label| label.0).eq(balance.iter().map(|label| label.0)), "{shooting:?} {balance:?}");
+    assert!(
+        shooting
+            .iter()
+            .map(|label| label.0)
+            .eq(balance.iter().map(|label| label.0)),
+        "{shooting:?} {balance:?}"
+    );
     assert!(shooting.len() == 10 && apart < 1e-4, "{apart}");
 }
 
@@ -61,11 +115,21 @@ fn a_doubled_branch_has_no_label_where_it_ends() {
             .filter(|found| found.kind == BranchKind::PeriodDoubling)
             .map(|found| found.at.parameter)
             .collect();
-        let doubled = found.iter().find(|branch| branch.period_cycles == 2).unwrap();
-        let kinds: Vec<BranchKind> = doubled.bifurcations.iter().map(|found| found.kind).collect();
+        let doubled = found
+            .iter()
+            .find(|branch| branch.period_cycles == 2)
+            .unwrap();
+        let kinds: Vec<BranchKind> = doubled
+            .bifurcations
+            .iter()
+            .map(|found| found.kind)
+            .collect();
         eprintln!("{doublings:?} {kinds:?} {:?}", doubled.endings);
         assert!(doublings.len() == 2 && doubled.endings.contains(&Termination::Merged));
-        assert_eq!(kinds, [BranchKind::Fold, BranchKind::Grazing, BranchKind::Fold]);
+        assert_eq!(
+            kinds,
+            [BranchKind::Fold, BranchKind::Grazing, BranchKind::Fold]
+        );
     }
 }
 
@@ -80,14 +144,53 @@ fn a_bandwidth_ends_with_stability_at_a_fold() {
     let parameter = Parameter::new(&base, &key, range.1 - range.0);
     let tolerance = 1e-9;
     for method in METHODS {
-        let search = BranchSearch { base: &base, parameter: &parameter, range, method, tolerance, seeds: 0, longest_period: 4 };
+        let search = BranchSearch {
+            base: &base,
+            parameter: &parameter,
+            range,
+            method,
+            tolerance,
+            seeds: 0,
+            longest_period: 4,
+        };
         let found = search.run().unwrap();
-        let widths = BandwidthSearch { base: &base, parameter: &parameter, range, tolerance }.run(&found);
-        let (branch, width) = found.iter().zip(&widths.branches).find(|(branch, _)| branch.period_cycles == 4).unwrap();
-        let fold = branch.bifurcations.iter().find(|found| found.kind == BranchKind::Fold).unwrap().at.parameter;
-        let edges: Vec<_> = width.iter().flat_map(|width| &width.intervals).flat_map(|one| [one.from, one.to]).collect();
-        let edge = edges.iter().min_by(|a, b| (a.parameter - fold).abs().total_cmp(&(b.parameter - fold).abs())).unwrap();
+        let widths = BandwidthSearch {
+            base: &base,
+            parameter: &parameter,
+            range,
+            tolerance,
+        }
+        .run(&found);
+        let (branch, width) = found
+            .iter()
+            .zip(&widths.branches)
+            .find(|(branch, _)| branch.period_cycles == 4)
+            .unwrap();
+        let fold = branch
+            .bifurcations
+            .iter()
+            .find(|found| found.kind == BranchKind::Fold)
+            .unwrap()
+            .at
+            .parameter;
+        let edges: Vec<_> = width
+            .iter()
+            .flat_map(|width| &width.intervals)
+            .flat_map(|one| [one.from, one.to])
+            .collect();
+        let edge = edges
+            .iter()
+            .min_by(|a, b| {
+                (a.parameter - fold)
+                    .abs()
+                    .total_cmp(&(b.parameter - fold).abs())
+            })
+            .unwrap();
         eprintln!("{method:?}: fold {fold:.9}, {edge:?}");
-        assert!(edge.at == BandLimit::Stability && (edge.parameter - fold).abs() <= edge.parameter_error + 1e-8, "{edge:?}");
+        assert!(
+            edge.at == BandLimit::Stability
+                && (edge.parameter - fold).abs() <= edge.parameter_error + 1e-8,
+            "{edge:?}"
+        );
     }
 }

@@ -57,19 +57,35 @@ fn a_branch_is_that_of_a_patch_that_was_never_charged() {
     let (n, node) = (plant.system.modes.len(), &plant.electrical.nodes[0]);
     let shooting = Shooting::new(&parameter, &base.kernel, 1, 1e-9);
     let branches = search.run().unwrap();
-    let [branch] = &branches[..] else { panic!("{} branches", branches.len()) };
+    let [branch] = &branches[..] else {
+        panic!("{} branches", branches.len())
+    };
     let mut points: Vec<_> = branch.points.iter().collect();
     points.sort_by(|a, b| a.parameter.total_cmp(&b.parameter));
     for point in &points {
         let state = shooting.physical(point.orbit.start());
-        let displaced_c: f64 = node.coupling_n_per_v.iter().zip(&state).map(|(theta, q)| theta * q).sum();
+        let displaced_c: f64 = node
+            .coupling_n_per_v
+            .iter()
+            .zip(&state)
+            .map(|(theta, q)| theta * q)
+            .sum();
         let charge_c = node.capacitance_f * state[2 * n] + displaced_c;
-        assert!(charge_c.abs() < 1e-9 * displaced_c.abs(), "{} Hz: {charge_c:e} C of {displaced_c:e}", point.parameter);
+        assert!(
+            charge_c.abs() < 1e-9 * displaced_c.abs(),
+            "{} Hz: {charge_c:e} C of {displaced_c:e}",
+            point.parameter
+        );
         assert!(point.orbit.is_stable() && point.orbit.mean_power_w.to_bits() == 0);
     }
     for point in [points[0], points[points.len() - 1]] {
         let kernel = parameter.at(point.parameter).unwrap().kernel;
-        let plan = RunPlan { duration_s: 6.0, average_over_s: 0.2, tolerance: 1e-9, record_s: 0.0 };
+        let plan = RunPlan {
+            duration_s: 6.0,
+            average_over_s: 0.2,
+            tolerance: 1e-9,
+            record_s: 0.0,
+        };
         let marched = simulate(&kernel, &StartState::rest(&kernel.plant), &plan).unwrap();
         let error = point.orbit.max_penetration_m / marched.max_penetration_m - 1.0;
         eprintln!("{} Hz: {error:.1e}", point.parameter);

@@ -1,7 +1,8 @@
 //! A ball on a table that shakes: rest on a rigid stop is an attractor, as long as the table does not throw it.
 
 use jounce::analysis::{
-    Basins, BasinsResult, BranchKind, BranchSearch, Cloud, InitialStates, Model, OrbitMethodKind, Parameter, Recognition,
+    Basins, BasinsResult, BranchKind, BranchSearch, Cloud, InitialStates, Model, OrbitMethodKind,
+    Parameter, Recognition,
 };
 use jounce::linear::{FrfInput, FrfResponse, frf};
 use jounce::orbit::ParametricModel;
@@ -67,8 +68,20 @@ fn basins(text: &str, amplitude: &str, starts: usize) -> BasinsResult {
     let key = file.numeric_key("drive.base.amplitude").unwrap();
     let value = key.get(&base.spec).unwrap();
     let parameter = Parameter::new(&base, &key, 1.0);
-    let starts = InitialStates::Cloud(Cloud { starts, seed: 1, spread: 10.0 });
-    Basins { base: &base, parameter: &parameter, value, starts, recognition: Recognition::at(1e-8) }.run(&|| {}).unwrap()
+    let starts = InitialStates::Cloud(Cloud {
+        starts,
+        seed: 1,
+        spread: 10.0,
+    });
+    Basins {
+        base: &base,
+        parameter: &parameter,
+        value,
+        starts,
+        recognition: Recognition::at(1e-8),
+    }
+    .run(&|| {})
+    .unwrap()
 }
 
 /// The ball leaves the table where this falls faster than the ball does, `a sin(w t) > g`, and so nowhere below 1 g.
@@ -76,15 +89,35 @@ fn basins(text: &str, amplitude: &str, starts: usize) -> BasinsResult {
 fn below_one_g_every_start_comes_to_rest_and_above_none_stays_there() {
     for amplitude in ["0.1 g", "0.5 g", "0.99 g"] {
         let found = basins(TABLE, amplitude, 6);
-        let [rest] = &found.attractors[..] else { panic!("{amplitude}: {found:?}") };
-        assert!(found.lost.is_empty() && rest.starts.len() == 6, "{amplitude}: {found:?}");
-        assert_eq!((rest.id.as_str(), rest.period_cycles, rest.contacts_per_period, rest.mean_power_w), ("1a", 1, 0, 0.0));
+        let [rest] = &found.attractors[..] else {
+            panic!("{amplitude}: {found:?}")
+        };
+        assert!(
+            found.lost.is_empty() && rest.starts.len() == 6,
+            "{amplitude}: {found:?}"
+        );
+        assert_eq!(
+            (
+                rest.id.as_str(),
+                rest.period_cycles,
+                rest.contacts_per_period,
+                rest.mean_power_w
+            ),
+            ("1a", 1, 0, 0.0)
+        );
         let orbit = rest.orbit.as_ref().unwrap();
         eprintln!("{amplitude}: closes to {:e}", orbit.error_estimate);
         assert!(orbit.is_stable() && orbit.multipliers.is_empty() && orbit.error_estimate < 1e-8);
     }
     let found = basins(TABLE, "1.01 g", 6);
-    assert!(found.lost.is_empty() && found.attractors.iter().all(|own| own.period_cycles > 0 && own.contacts_per_period > 0), "{found:?}");
+    assert!(
+        found.lost.is_empty()
+            && found
+                .attractors
+                .iter()
+                .all(|own| own.period_cycles > 0 && own.contacts_per_period > 0),
+        "{found:?}"
+    );
 }
 
 /// A ball at rest on a disc is one body with it, of one mode again: its power is that of the frequency response of a disc that is
@@ -92,8 +125,13 @@ fn below_one_g_every_start_comes_to_rest_and_above_none_stays_there() {
 #[test]
 fn a_ball_at_rest_loads_its_disc_by_its_mass() {
     let found = basins(DISC, "0.3 g", 4);
-    let [rest] = &found.attractors[..] else { panic!("{found:?}") };
-    assert!(found.lost.is_empty() && rest.period_cycles == 1 && rest.contacts_per_period == 0, "{found:?}");
+    let [rest] = &found.attractors[..] else {
+        panic!("{found:?}")
+    };
+    assert!(
+        found.lost.is_empty() && rest.period_cycles == 1 && rest.contacts_per_period == 0,
+        "{found:?}"
+    );
     // (M + m) x'' + 2 zeta w M x' + M w^2 x = -(participation / shape + m) a
     let (shape, participation, ball_kg) = (50_f64.sqrt(), 0.12, 0.01);
     let disc_kg = 1.0 / (shape * shape);
@@ -107,34 +145,69 @@ fn a_ball_at_rest_loads_its_disc_by_its_mass() {
     disc.patch.get_mut("p").unwrap().coupling_n_per_v[0] /= heavier.sqrt();
     (spec.mass, spec.stop, spec.drive) = Default::default();
     let plant = Plant::new(System::assemble(&spec, modes(&spec).unwrap()).unwrap()).unwrap();
-    let voltage = frf(&plant, &FrfInput::BaseAcceleration, &[FrfResponse::LoadVoltage("load".into())], &[60.0]).unwrap()[0].value[0].norm();
+    let voltage = frf(
+        &plant,
+        &FrfInput::BaseAcceleration,
+        &[FrfResponse::LoadVoltage("load".into())],
+        &[60.0],
+    )
+    .unwrap()[0]
+        .value[0]
+        .norm();
     let exact_w = 0.5 * (voltage * 0.3 * 9.80665).powi(2) / 5e4;
     let error = rest.mean_power_w / exact_w - 1.0;
-    eprintln!("{:e} W, {exact_w:e} W exactly: {error:e}", rest.mean_power_w);
+    eprintln!(
+        "{:e} W, {exact_w:e} W exactly: {error:e}",
+        rest.mean_power_w
+    );
     assert!(error.abs() < 1e-9);
 }
 
 /// A branch on which impacts become a sequence without end: runs on its two sides rest on the wall in every cycle, and never.
 #[test]
 fn a_branch_ends_where_a_point_begins_to_stick() {
-    let mut file = SpecFile::from_text(include_str!("../../../../examples/bouncing-and-impact-oscillators/impact.toml"));
+    let mut file = SpecFile::from_text(include_str!(
+        "../../../../examples/bouncing-and-impact-oscillators/impact.toml"
+    ));
     // 0.6 rad/s.
-    file.set("drive.force.frequency", "\"0.09549296585513721 Hz\"").unwrap();
+    file.set("drive.force.frequency", "\"0.09549296585513721 Hz\"")
+        .unwrap();
     file.set("stop.wall.restitution", "0.02").unwrap();
     let base = Model::new(file.spec().unwrap()).unwrap();
     let key = file.numeric_key("stop.wall.gap").unwrap();
     let (range, method, tolerance) = ((0.84, 0.86), OrbitMethodKind::Shooting, 1e-10);
     let parameter = Parameter::new(&base, &key, range.1 - range.0);
-    let search = BranchSearch { base: &base, parameter: &parameter, range, method, tolerance, seeds: 6, longest_period: 1 };
+    let search = BranchSearch {
+        base: &base,
+        parameter: &parameter,
+        range,
+        method,
+        tolerance,
+        seeds: 6,
+        longest_period: 1,
+    };
     let found = search.run().unwrap();
-    let labels = found.iter().flat_map(|branch| &branch.bifurcations).filter(|label| label.kind == BranchKind::Sticking);
-    let [label] = labels.collect::<Vec<_>>()[..] else { panic!("{found:?}") };
+    let labels = found
+        .iter()
+        .flat_map(|branch| &branch.bifurcations)
+        .filter(|label| label.kind == BranchKind::Sticking);
+    let [label] = labels.collect::<Vec<_>>()[..] else {
+        panic!("{found:?}")
+    };
     assert_eq!(label.stop.as_deref(), Some("wall"));
     eprintln!("{} m", label.at.parameter);
     let duty = |gap_m: f64| {
         let kernel = parameter.at(gap_m).unwrap().kernel;
-        let plan = RunPlan { duration_s: 2000.0, average_over_s: 1000.0, tolerance, record_s: 0.0 };
-        simulate(&kernel, &StartState::rest(&kernel.plant), &plan).unwrap().stops[0].contact_duty
+        let plan = RunPlan {
+            duration_s: 2000.0,
+            average_over_s: 1000.0,
+            tolerance,
+            record_s: 0.0,
+        };
+        simulate(&kernel, &StartState::rest(&kernel.plant), &plan)
+            .unwrap()
+            .stops[0]
+            .contact_duty
     };
     assert_eq!(duty(label.at.parameter + 1e-4), 0.0);
     assert!(duty(label.at.parameter - 1e-4) > 1e-4);

@@ -6,25 +6,36 @@ use jounce::continuation::{Corrector, Linearization, Metric, Position, Problem, 
 use jounce::orbit::{HarmonicBalance, Orbit, OrbitError, OrbitMethod, Shooting};
 use jounce::spec::SpecFile;
 
-const CORRECTOR: Corrector = Corrector { goal: 1e-10, most: 20 };
+const CORRECTOR: Corrector = Corrector {
+    goal: 1e-10,
+    most: 20,
+};
 
 const FREQUENCY: &str = "drive.shaker.frequency";
 
 /// The plant of the bench with more stops.
 fn bench_with(stops: &str) -> SpecFile {
-    SpecFile::from_text(format!("{}\n{stops}", include_str!("../../../../bench/plant.toml")))
+    SpecFile::from_text(format!(
+        "{}\n{stops}",
+        include_str!("../../../../bench/plant.toml")
+    ))
 }
 
 /// A stop of the bench's own law at its tip.
 fn tip_stop(name: &str, side: &str, gap: &str, stiffness: &str) -> String {
     let place = format!("at = \"harvester.tip\"\nframe = \"ground\"\nside = \"{side}\"");
-    format!("[stop.{name}]\n{place}\nlaw = \"hertz\"\ngap = \"{gap}\"\nstiffness = \"{stiffness} N/m^1.5\"\n")
+    format!(
+        "[stop.{name}]\n{place}\nlaw = \"hertz\"\ngap = \"{gap}\"\nstiffness = \"{stiffness} N/m^1.5\"\n"
+    )
 }
 
 /// The beam of the paper with a second stop of another law, half-way along.
 fn two_places() -> SpecFile {
     let text = include_str!("../../../../examples/impact-harvester-2019/harvester.toml");
-    let beam = text.replace("hammer = \"15 mm\"", "hammer = \"15 mm\"\nmiddle = \"190 mm\"");
+    let beam = text.replace(
+        "hammer = \"15 mm\"",
+        "hammer = \"15 mm\"\nmiddle = \"190 mm\"",
+    );
     let stop = "\n[stop.middle]\nat = \"beam.middle\"\nframe = \"ground\"\nside = \"negative\"\nlaw = \"hunt-crossley\"\ngap = \"0.3 mm\"\n\
         stiffness = \"3000 N/m^1.5\"\ndamping = \"0.2 s/m\"\n";
     let mut file = SpecFile::from_text(format!("{beam}{stop}"));
@@ -41,11 +52,23 @@ fn balanced(file: &SpecFile, start: &[f64], frequency_hz: f64) -> Orbit {
     let base = Model::new(file.spec().unwrap()).unwrap();
     let key = file.numeric_key(FREQUENCY).unwrap();
     let parameter = Parameter::new(&base, &key, 1.0);
-    let mut method = HarmonicBalance::new(Shooting::new(&parameter, &base.kernel, 1, 1e-10), &base.kernel, 64, 3e-8).unwrap();
+    let mut method = HarmonicBalance::new(
+        Shooting::new(&parameter, &base.kernel, 1, 1e-10),
+        &base.kernel,
+        64,
+        3e-8,
+    )
+    .unwrap();
     loop {
-        let position = Position { unknown: method.unknown_of(start, frequency_hz).unwrap(), parameter: frequency_hz };
+        let position = Position {
+            unknown: method.unknown_of(start, frequency_hz).unwrap(),
+            parameter: frequency_hz,
+        };
         let found = correct_at(&method, &CORRECTOR, &Metric::at(&position, 1.0), position).unwrap();
-        match method.finer().filter(|_| method.error_ratio(&found.local, 0.8).unwrap() > 1.0) {
+        match method
+            .finer()
+            .filter(|_| method.error_ratio(&found.local, 0.8).unwrap() > 1.0)
+        {
             Some(finer) => method = finer,
             None => break method.orbit(&found.local, found.error).unwrap(),
         }
@@ -57,7 +80,14 @@ fn settled(file: &SpecFile, frequency_hz: f64) -> Orbit {
     let base = Model::new(file.spec().unwrap()).unwrap();
     let key = file.numeric_key(FREQUENCY).unwrap();
     let parameter = Parameter::new(&base, &key, 1.0);
-    settled_orbit(&parameter, frequency_hz, &vec![0.0; base.kernel.plant.len()], 1e-10, 1e-10).unwrap()
+    settled_orbit(
+        &parameter,
+        frequency_hz,
+        &vec![0.0; base.kernel.plant.len()],
+        1e-10,
+        1e-10,
+    )
+    .unwrap()
 }
 
 /// Along the branch that shooting follows, stable or not, states and mean powers lie within the sum of both estimates; the most contacts.
@@ -67,11 +97,22 @@ fn agrees_along(file: &SpecFile, range: (f64, f64), every: usize) -> u64 {
     for point in curve.points.iter().step_by(every) {
         let orbit = balanced(file, point.orbit.start(), point.parameter);
         let apart = (orbit.mean_power_w / point.orbit.mean_power_w - 1.0).abs();
-        let state = norm(&mut orbit.start().iter().zip(point.orbit.start()).map(|(a, b)| a - b)) / orbit.size();
+        let state = norm(
+            &mut orbit
+                .start()
+                .iter()
+                .zip(point.orbit.start())
+                .map(|(a, b)| a - b),
+        ) / orbit.size();
         let allowed = orbit.error_estimate + point.orbit.error_estimate;
         let (at, contacts) = (point.parameter, orbit.contacts);
-        eprintln!("{at:.6} Hz, {contacts} contacts: power apart by {apart:.1e}, state by {state:.1e}, estimates {allowed:.1e}");
-        assert!(state < allowed && apart < allowed && allowed < 3e-6, "{at} Hz: {state:e}, {apart:e} > {allowed:e}");
+        eprintln!(
+            "{at:.6} Hz, {contacts} contacts: power apart by {apart:.1e}, state by {state:.1e}, estimates {allowed:.1e}"
+        );
+        assert!(
+            state < allowed && apart < allowed && allowed < 3e-6,
+            "{at} Hz: {state:e}, {apart:e} > {allowed:e}"
+        );
         assert_eq!(contacts, point.orbit.contacts);
         most = most.max(contacts);
         unstable += usize::from(!orbit.is_stable());
@@ -97,14 +138,24 @@ fn a_mirror_image_has_the_same_power() {
     let mirrored = |gap: &str, stiffness: &str, behind: &str, other: &str| {
         let mut file = bench_with(&tip_stop("behind", "negative", behind, other));
         file.set("stop.tip.gap", &format!("\"{gap}\"")).unwrap();
-        file.set("stop.tip.stiffness", &format!("\"{stiffness} N/m^1.5\"")).unwrap();
+        file.set("stop.tip.stiffness", &format!("\"{stiffness} N/m^1.5\""))
+            .unwrap();
         let orbit = settled(&file, 11.3);
         balanced(&file, orbit.start(), 11.3)
     };
-    let (one, two) = (mirrored("1 mm", "1000", "1.5 mm", "2000"), mirrored("1.5 mm", "2000", "1 mm", "1000"));
-    let (power, state) = ((one.mean_power_w / two.mean_power_w - 1.0).abs(), one.size());
+    let (one, two) = (
+        mirrored("1 mm", "1000", "1.5 mm", "2000"),
+        mirrored("1.5 mm", "2000", "1 mm", "1000"),
+    );
+    let (power, state) = (
+        (one.mean_power_w / two.mean_power_w - 1.0).abs(),
+        one.size(),
+    );
     let turned = norm(&mut one.start().iter().zip(two.start()).map(|(a, b)| a - b)) / state;
-    eprintln!("power apart by {power:.1e}, states at the same time by {turned:.1e}, {} contacts", one.contacts);
+    eprintln!(
+        "power apart by {power:.1e}, states at the same time by {turned:.1e}, {} contacts",
+        one.contacts
+    );
     assert!(power < 1e-7 && one.contacts == two.contacts && one.contacts >= 2 && turned > 1e-3);
 }
 
@@ -125,34 +176,65 @@ fn two_halves_of_a_stop_are_the_whole() {
 /// Newton's system undoes a difference of the residual, and its column is the difference along the parameter.
 #[test]
 fn the_derivative_over_two_stops_is_that_of_differences() {
-    for mut file in [bench_with(&tip_stop("behind", "negative", "1.5 mm", "2000")), two_places()] {
+    for mut file in [
+        bench_with(&tip_stop("behind", "negative", "1.5 mm", "2000")),
+        two_places(),
+    ] {
         file.set(FREQUENCY, "\"11.3 Hz\"").unwrap();
         let start = settled(&file, 11.3);
         let base = Model::new(file.spec().unwrap()).unwrap();
         for (name, value) in [(FREQUENCY, 11.3), ("drive.shaker.amplitude", 50.0)] {
             let key = file.numeric_key(name).unwrap();
             let parameter = Parameter::new(&base, &key, value);
-            let method = HarmonicBalance::new(Shooting::new(&parameter, &base.kernel, 1, 1e-10), &base.kernel, 64, 1e-8).unwrap();
+            let method = HarmonicBalance::new(
+                Shooting::new(&parameter, &base.kernel, 1, 1e-10),
+                &base.kernel,
+                64,
+                1e-8,
+            )
+            .unwrap();
             let unknown = method.unknown_of(start.start(), value).unwrap();
             let (none, size) = (vec![0.0; unknown.len()], norm(&mut unknown.iter().copied()));
-            let way: Vec<f64> = (0..unknown.len()).map(|i| (1.7 * i as f64).sin() / (1.0 + i as f64 % 129.0).powi(2)).collect();
+            let way: Vec<f64> = (0..unknown.len())
+                .map(|i| (1.7 * i as f64).sin() / (1.0 + i as f64 % 129.0).powi(2))
+                .collect();
             let step = 1e-6 * size / norm(&mut way.iter().copied());
             let residual = |side: f64| {
-                let moved: Vec<f64> = unknown.iter().zip(&way).map(|(u, d)| u + side * step * d).collect();
+                let moved: Vec<f64> = unknown
+                    .iter()
+                    .zip(&way)
+                    .map(|(u, d)| u + side * step * d)
+                    .collect();
                 method.at(&moved, value).unwrap().residual().to_vec()
             };
-            let change: Vec<f64> = residual(1.0).iter().zip(&residual(-1.0)).map(|(a, b)| (a - b) / (2.0 * step)).collect();
+            let change: Vec<f64> = residual(1.0)
+                .iter()
+                .zip(&residual(-1.0))
+                .map(|(a, b)| (a - b) / (2.0 * step))
+                .collect();
             let local = method.at(&unknown, value).unwrap();
             let (found, _) = local.bordered(&none, 1.0, &change, 0.0).unwrap();
-            let apart = norm(&mut found.iter().zip(&way).map(|(a, b)| a - b)) / norm(&mut way.iter().copied());
+            let apart = norm(&mut found.iter().zip(&way).map(|(a, b)| a - b))
+                / norm(&mut way.iter().copied());
             let (along, _) = local.bordered(&none, 1.0, &none, 1.0).unwrap();
             let length = 1e-6 * value;
             let at = |parameter: f64| method.at(&unknown, parameter).unwrap().residual().to_vec();
-            let by: Vec<f64> = at(value + length).iter().zip(&at(value - length)).map(|(a, b)| (b - a) / (2.0 * length)).collect();
+            let by: Vec<f64> = at(value + length)
+                .iter()
+                .zip(&at(value - length))
+                .map(|(a, b)| (b - a) / (2.0 * length))
+                .collect();
             let (by_difference, _) = local.bordered(&none, 1.0, &by, 0.0).unwrap();
-            let column = norm(&mut along.iter().zip(&by_difference).map(|(a, b)| a - b)) / norm(&mut along.iter().copied());
-            eprintln!("{name}, {} nodes: direction off by {apart:.1e}, parameter by {column:.1e}", local.nodes());
-            assert!(local.nodes() > 60 && apart < 1e-5 && column < 1e-5, "{name}: {apart:e} {column:e}");
+            let column = norm(&mut along.iter().zip(&by_difference).map(|(a, b)| a - b))
+                / norm(&mut along.iter().copied());
+            eprintln!(
+                "{name}, {} nodes: direction off by {apart:.1e}, parameter by {column:.1e}",
+                local.nodes()
+            );
+            assert!(
+                local.nodes() > 60 && apart < 1e-5 && column < 1e-5,
+                "{name}: {apart:e} {column:e}"
+            );
         }
     }
 }
@@ -184,8 +266,14 @@ fn gravity_moves_the_stops_by_the_sag() {
     // Energy coordinates: `w q` and `q'` of a mode of mass one.
     let sag = 1e4_f64.sqrt() * 0.1_f64.sqrt() * 0.5e-3;
     let (one_at, two_at, size) = (one.start(), two.start(), one.size());
-    let apart = [(two_at[0] - (one_at[0] - sag)).abs() / size, (two_at[1] - one_at[1]).abs() / size];
-    eprintln!("place and speed apart by {apart:?}, {} contacts", one.contacts);
+    let apart = [
+        (two_at[0] - (one_at[0] - sag)).abs() / size,
+        (two_at[1] - one_at[1]).abs() / size,
+    ];
+    eprintln!(
+        "place and speed apart by {apart:?}, {} contacts",
+        one.contacts
+    );
     assert!(apart[0] < 1e-8 && apart[1] < 1e-8 && one.contacts == 2 && two.contacts == 2);
 }
 
@@ -194,13 +282,20 @@ fn gravity_moves_the_stops_by_the_sag() {
 fn an_open_patch_agrees_with_shooting() {
     let mut spec = bench();
     let text = spec.text().to_owned();
-    let (before, after) = (text.find("[circuit.load]").unwrap(), text.find("[drive.shaker]").unwrap());
+    let (before, after) = (
+        text.find("[circuit.load]").unwrap(),
+        text.find("[drive.shaker]").unwrap(),
+    );
     let open = text[..before].replace("capacitance =", "electrodes = \"open\"\ncapacitance =");
     spec = SpecFile::from_text(format!("{open}{}", &text[after..]));
     let exact = settled(&spec, 11.0);
     let found = balanced(&spec, exact.start(), 11.0);
-    let state = norm(&mut found.start().iter().zip(exact.start()).map(|(a, b)| a - b)) / found.size();
-    eprintln!("state apart by {state:.1e}, estimates {:.1e}", found.error_estimate + exact.error_estimate);
+    let state =
+        norm(&mut found.start().iter().zip(exact.start()).map(|(a, b)| a - b)) / found.size();
+    eprintln!(
+        "state apart by {state:.1e}, estimates {:.1e}",
+        found.error_estimate + exact.error_estimate
+    );
     assert!(state < found.error_estimate + exact.error_estimate && found.contacts == 1);
 }
 
@@ -214,7 +309,16 @@ fn a_free_body_is_refused_with_the_other_method_named() {
     let base = Model::new(file.spec().unwrap()).unwrap();
     let key = file.numeric_key(FREQUENCY).unwrap();
     let parameter = Parameter::new(&base, &key, 1.0);
-    let refused: OrbitError<AnalysisError> =
-        HarmonicBalance::new(Shooting::new(&parameter, &base.kernel, 1, 1e-9), &base.kernel, 64, 1e-7).err().unwrap();
-    assert!(matches!(refused, OrbitError::Free) && refused.to_string().contains("shooting"), "{refused}");
+    let refused: OrbitError<AnalysisError> = HarmonicBalance::new(
+        Shooting::new(&parameter, &base.kernel, 1, 1e-9),
+        &base.kernel,
+        64,
+        1e-7,
+    )
+    .err()
+    .unwrap();
+    assert!(
+        matches!(refused, OrbitError::Free) && refused.to_string().contains("shooting"),
+        "{refused}"
+    );
 }

@@ -14,10 +14,18 @@ use jounce::plant::Plant;
 use jounce::reference::ImpactOscillator;
 use std::f64::consts::{PI, TAU};
 
-const CORRECTOR: Corrector = Corrector { goal: 1e-12, most: 20 };
+const CORRECTOR: Corrector = Corrector {
+    goal: 1e-12,
+    most: 20,
+};
 
 fn oscillator(gap: f64) -> ImpactOscillator {
-    ImpactOscillator { frequency_ratio: 0.8, damping_ratio: 0.05, restitution: 0.8, gap }
+    ImpactOscillator {
+        frequency_ratio: 0.8,
+        damping_ratio: 0.05,
+        restitution: 0.8,
+        gap,
+    }
 }
 
 /// `X`, 2.711631, and the angle of the drive's cosine at which the steady motion turns there.
@@ -30,10 +38,22 @@ fn steady() -> (f64, f64) {
 fn power_law(points: &[(f64, f64)]) -> (f64, f64) {
     let n = points.len() as f64;
     let logs: Vec<(f64, f64)> = points.iter().map(|(x, y)| (x.ln(), y.ln())).collect();
-    let mean = logs.iter().fold((0.0, 0.0), |sum, p| (sum.0 + p.0 / n, sum.1 + p.1 / n));
-    let (top, bottom) = logs.iter().fold((0.0, 0.0), |sum, p| (sum.0 + (p.0 - mean.0) * (p.1 - mean.1), sum.1 + (p.0 - mean.0).powi(2)));
+    let mean = logs
+        .iter()
+        .fold((0.0, 0.0), |sum, p| (sum.0 + p.0 / n, sum.1 + p.1 / n));
+    let (top, bottom) = logs.iter().fold((0.0, 0.0), |sum, p| {
+        (
+            sum.0 + (p.0 - mean.0) * (p.1 - mean.1),
+            sum.1 + (p.0 - mean.0).powi(2),
+        )
+    });
     let slope = top / bottom;
-    (slope, logs.iter().map(|p| (p.1 - mean.1 - slope * (p.0 - mean.0)).abs()).fold(0.0, f64::max))
+    (
+        slope,
+        logs.iter()
+            .map(|p| (p.1 - mean.1 - slope * (p.0 - mean.0)).abs())
+            .fold(0.0, f64::max),
+    )
 }
 
 /// The harvester with the gap `m` below the amplitude; its drive starts half a cycle before the steady motion meets the stop.
@@ -58,14 +78,34 @@ fn one_cycle_from_the_steady_motion_leaves_it_by_the_square_root() {
         let error = (lost / (0.5 * (1.0 - 0.64) * speed * speed)).sqrt() - 1.0;
         assert_eq!(integrator.statistics().contacts, 1);
         // `X^2 - d^2` keeps the roundoff of both, and the march that of the place where it strikes.
-        assert!(error.abs() < 1e-9 + 4e-15 / below, "strikes {error:e} off at {below:e}");
-        distances.push((below, integrator.state().iter().map(|y| y * y).sum::<f64>().sqrt()));
-        let flow = FlowSensitivity::march(&kernel, &still, 0.0, TAU / 0.8, 1e-12, &ParameterSensitivity::default()).unwrap();
+        assert!(
+            error.abs() < 1e-9 + 4e-15 / below,
+            "strikes {error:e} off at {below:e}"
+        );
+        distances.push((
+            below,
+            integrator.state().iter().map(|y| y * y).sum::<f64>().sqrt(),
+        ));
+        let flow = FlowSensitivity::march(
+            &kernel,
+            &still,
+            0.0,
+            TAU / 0.8,
+            1e-12,
+            &ParameterSensitivity::default(),
+        )
+        .unwrap();
         derivatives.push((below, flow.jacobian.norm_l2()));
     }
-    let ((distance, off), (derivative, wide)) = (power_law(&distances[2..]), power_law(&derivatives[2..]));
-    eprintln!("distance: exponent {distance:.5} (off the line by {off:.1e}); derivative: {derivative:.5} ({wide:.1e})");
-    assert!((distance - 0.5).abs() < 1e-3 && (derivative + 0.5).abs() < 1e-3, "{distance} {derivative}");
+    let ((distance, off), (derivative, wide)) =
+        (power_law(&distances[2..]), power_law(&derivatives[2..]));
+    eprintln!(
+        "distance: exponent {distance:.5} (off the line by {off:.1e}); derivative: {derivative:.5} ({wide:.1e})"
+    );
+    assert!(
+        (distance - 0.5).abs() < 1e-3 && (derivative + 0.5).abs() < 1e-3,
+        "{distance} {derivative}"
+    );
 }
 
 /// Orbits with one impact in a cycle, down to a gap 1e-5 below the amplitude: speed and trace of the closed form.
@@ -82,27 +122,45 @@ fn multiplier_of_the_impacting_orbit_diverges_towards_its_grazing() {
         let shooting = Shooting::new(&harvester, &kernel, 1, 1e-13);
         // From the impact to the next start of the drive.
         let start_s = (exact.angle_rad - angle_rad + PI).rem_euclid(TAU) / 0.8;
-        let y = kernel.plant.from_physical(&reference.start(&exact), start_s);
+        let y = kernel
+            .plant
+            .from_physical(&reference.start(&exact), start_s);
         let mut integrator = Integrator::new(&kernel, &y, start_s, 1e-13).unwrap();
         integrator.advance_to(TAU / 0.8).unwrap();
         let guess = shooting.unknown(&kernel.plant.to_physical(&integrator.state(), 0.0));
-        let position = Position { unknown: guess, parameter: gap };
-        let found = correct_at(&shooting, &CORRECTOR, &Metric::at(&position, 1.0), position).unwrap();
+        let position = Position {
+            unknown: guess,
+            parameter: gap,
+        };
+        let found =
+            correct_at(&shooting, &CORRECTOR, &Metric::at(&position, 1.0), position).unwrap();
         let orbit = shooting.orbit(&found.local, found.error).unwrap();
         let trace = (orbit.multipliers[0] + orbit.multipliers[1]).re;
         let error = trace / exact.trace_determinant[0] - 1.0;
-        eprintln!("1e-{decade}: impact speed {:.3e}, trace {trace:.6e}, off by {error:.1e}", exact.speed);
+        eprintln!(
+            "1e-{decade}: impact speed {:.3e}, trace {trace:.6e}, off by {error:.1e}",
+            exact.speed
+        );
         // A place off by `d` is a speed off by `a d / v`. Measured: d = 2.4e-15, the roundoff of the two steady amplitudes.
         let roundoff = 4e-15 * 0.64 * amplitude / exact.speed.powi(2);
-        assert!(orbit.contacts == 1 && error.abs() < 1e-12 + roundoff && !orbit.is_stable(), "{error:e}");
+        assert!(
+            orbit.contacts == 1 && error.abs() < 1e-12 + roundoff && !orbit.is_stable(),
+            "{error:e}"
+        );
         speeds.push((amplitude - gap, exact.speed));
         multipliers.push((amplitude - gap, orbit.floquet_max_abs()));
     }
     let ((speed, _), (multiplier, off)) = (power_law(&speeds[4..]), power_law(&multipliers[4..]));
-    eprintln!("impact speed: exponent {speed:.4}; largest multiplier: {multiplier:.4} (off the line by {off:.1e})");
+    eprintln!(
+        "impact speed: exponent {speed:.4}; largest multiplier: {multiplier:.4} (off the line by {off:.1e})"
+    );
     assert!((speed - 1.0).abs() < 1e-2 && (multiplier + 1.0).abs() < 1e-2);
     // Over the depth that the stop cuts off, `v^2 / 2 X w^2`, it is the square root again.
-    let depths: Vec<_> = speeds.iter().zip(&multipliers).map(|((_, v), (_, m))| (v * v / (2.0 * amplitude * 0.64), *m)).collect();
+    let depths: Vec<_> = speeds
+        .iter()
+        .zip(&multipliers)
+        .map(|((_, v), (_, m))| (v * v / (2.0 * amplitude * 0.64), *m))
+        .collect();
     let (exponent, _) = power_law(&depths[4..]);
     assert!((exponent + 0.5).abs() < 5e-3, "{exponent}");
 }

@@ -22,8 +22,12 @@ fn integrated(mut x: [f64; 2], time_s: f64) -> [f64; 2] {
     let (w, steps) = (TAU * 6.0, 400_000);
     let h = time_s / f64::from(steps);
     let rate = |t: f64, [q, v]: [f64; 2]| {
-        let force = 1.5 * (TAU * 5.0 * t).sin() + 2.0 * (TAU * 7.5 * t + 40.0_f64.to_radians()).sin();
-        [v, force - w * w * q - 2.0 * 0.05 * w * v - 1e5 * (q - GAP_M).max(0.0).powf(1.5)]
+        let force =
+            1.5 * (TAU * 5.0 * t).sin() + 2.0 * (TAU * 7.5 * t + 40.0_f64.to_radians()).sin();
+        [
+            v,
+            force - w * w * q - 2.0 * 0.05 * w * v - 1e5 * (q - GAP_M).max(0.0).powf(1.5),
+        ]
     };
     let add = |a: [f64; 2], b: [f64; 2], f: f64| [a[0] + f * b[0], a[1] + f * b[1]];
     for k in 0..steps {
@@ -46,16 +50,32 @@ fn two_frequencies_with_a_common_period_have_orbits() {
     let key = file.numeric_key("stop.wall.gap").unwrap();
     let parameter = Parameter::new(&base, &key, GAP_M);
     let kernel: &Kernel = &base.kernel;
-    let orbit = settled_orbit(&parameter, GAP_M, &vec![0.0; kernel.plant.len()], 1e-11, 1e-11).unwrap();
-    let start = Shooting::new(&parameter, kernel, orbit.period_cycles, 1e-11).physical(orbit.start());
+    let orbit = settled_orbit(
+        &parameter,
+        GAP_M,
+        &vec![0.0; kernel.plant.len()],
+        1e-11,
+        1e-11,
+    )
+    .unwrap();
+    let start =
+        Shooting::new(&parameter, kernel, orbit.period_cycles, 1e-11).physical(orbit.start());
     let period_s = 0.4 * f64::from(orbit.period_cycles);
     let end = integrated([start[0], start[1]], period_s);
     let apart = [0, 1].map(|i| (end[i] - start[i]).abs() / start[1].abs());
     let product: f64 = orbit.multipliers.iter().map(|m| m.norm()).product();
     let exact = (-2.0 * 0.05 * TAU * 6.0 * period_s).exp();
-    eprintln!("{} cycles, {} contacts, apart by {apart:?}, product {product:e} and {exact:e}", orbit.period_cycles, orbit.contacts);
-    assert!(orbit.contacts > 0 && apart.iter().all(|apart| *apart < 1e-9) && (product / exact - 1.0).abs() < 1e-7);
-    let mut integrator = Integrator::new(kernel, &kernel.plant.from_physical(&start, 0.0), 0.0, 1e-10).unwrap();
+    eprintln!(
+        "{} cycles, {} contacts, apart by {apart:?}, product {product:e} and {exact:e}",
+        orbit.period_cycles, orbit.contacts
+    );
+    assert!(
+        orbit.contacts > 0
+            && apart.iter().all(|apart| *apart < 1e-9)
+            && (product / exact - 1.0).abs() < 1e-7
+    );
+    let mut integrator =
+        Integrator::new(kernel, &kernel.plant.from_physical(&start, 0.0), 0.0, 1e-10).unwrap();
     integrator.advance_to(period_s).unwrap();
     assert_eq!(integrator.statistics().contacts, orbit.contacts);
     let search = BranchSearch {
@@ -70,7 +90,9 @@ fn two_frequencies_with_a_common_period_have_orbits() {
     let branches = search.run().unwrap();
     let spans = |branch: &jounce::analysis::Branch| {
         let gaps = branch.points.iter().map(|point| point.parameter);
-        branch.period_cycles == orbit.period_cycles && gaps.clone().any(|gap| gap < GAP_M) && gaps.clone().any(|gap| gap > GAP_M)
+        branch.period_cycles == orbit.period_cycles
+            && gaps.clone().any(|gap| gap < GAP_M)
+            && gaps.clone().any(|gap| gap > GAP_M)
     };
     assert!(branches.iter().any(spans), "{} branches", branches.len());
 }
@@ -92,12 +114,20 @@ fn what_cannot_be_had_of_several_frequencies_is_told() {
         longest_period: 1,
     };
     let refused = search.run().unwrap_err();
-    assert!(matches!(refused, OrbitError::Frequencies { frequencies: 2 }) && refused.to_string().contains("100 cycles"), "{refused}");
+    assert!(
+        matches!(refused, OrbitError::Frequencies { frequencies: 2 })
+            && refused.to_string().contains("100 cycles"),
+        "{refused}"
+    );
     let even = file(7.5);
     let base = Model::new(even.spec().unwrap()).unwrap();
     let parameter = Parameter::new(&base, &key, GAP_M);
     let shooting = Shooting::new(&parameter, &base.kernel, 1, 1e-9);
     let method = HarmonicBalance::new(shooting, &base.kernel, 64, 1e-7).unwrap();
     let refused = jounce::continuation::Problem::at(&method, &vec![0.0; 129], GAP_M).unwrap_err();
-    assert!(matches!(refused, OrbitError::Summed { frequencies: 2 }) && refused.to_string().contains("shooting"), "{refused}");
+    assert!(
+        matches!(refused, OrbitError::Summed { frequencies: 2 })
+            && refused.to_string().contains("shooting"),
+        "{refused}"
+    );
 }

@@ -1,7 +1,10 @@
 //! Peaks and half-power bandwidths against closed forms, and against plain marches where the harvester strikes its stop.
 
 use crate::harvesters::bench;
-use jounce::analysis::{BandLimit, BandwidthSearch, Bandwidths, BranchSearch, Model, OrbitMethodKind, Parameter, settled_orbit};
+use jounce::analysis::{
+    BandLimit, BandwidthSearch, Bandwidths, BranchSearch, Model, OrbitMethodKind, Parameter,
+    settled_orbit,
+};
 use jounce::linear::steady_power_w;
 use jounce::spec::SpecFile;
 
@@ -49,7 +52,13 @@ fn widths(file: &SpecFile, range: (f64, f64), tolerance: f64) -> Bandwidths {
         longest_period: 1,
     };
     let branches = search.run().unwrap();
-    BandwidthSearch { base: &base, parameter: &parameter, range, tolerance }.run(&branches)
+    BandwidthSearch {
+        base: &base,
+        parameter: &parameter,
+        range,
+        tolerance,
+    }
+    .run(&branches)
 }
 
 /// Power of a load that is all resistance follows the speed: `P ~ w^2 / ((w0^2 - w^2)^2 + (2 zeta w0 w)^2)`, largest at `w0` and half at
@@ -64,12 +73,19 @@ fn the_bandwidth_of_one_mode_is_that_of_the_closed_form() {
     eprintln!("{width:?}");
     assert!((width.peak.parameter - own_hz).abs() < 1e-7 && width.peak.at == BandLimit::Maximum);
     assert!((width.peak.parameter - own_hz).abs() < width.peak.parameter_error);
-    let [interval] = width.intervals[..] else { panic!("{:?}", width.intervals) };
+    let [interval] = width.intervals[..] else {
+        panic!("{:?}", width.intervals)
+    };
     for (edge, sign) in [(interval.from, -1.0), (interval.to, 1.0)] {
         let exact = own_hz * ((1.0 + zeta * zeta).sqrt() + sign * zeta);
         let off = (edge.parameter - exact).abs();
-        eprintln!("edge {:.12} Hz, closed form {exact:.12}, off {off:.1e}, stated {:.1e}", edge.parameter, edge.parameter_error);
-        assert!(off < 1e-7 && off < edge.parameter_error.max(2e-8) && edge.at == BandLimit::HalfPower);
+        eprintln!(
+            "edge {:.12} Hz, closed form {exact:.12}, off {off:.1e}, stated {:.1e}",
+            edge.parameter, edge.parameter_error
+        );
+        assert!(
+            off < 1e-7 && off < edge.parameter_error.max(2e-8) && edge.at == BandLimit::HalfPower
+        );
     }
     assert!((width.width - 2.0 * zeta * own_hz).abs() < 1e-7);
     assert_eq!(found.together.as_ref(), Some(width));
@@ -80,8 +96,16 @@ fn the_bandwidth_of_one_mode_is_that_of_the_closed_form() {
 fn a_range_that_cuts_the_peak_says_so() {
     let found = widths(&SpecFile::from_text(OSCILLATOR), (9.0, 9.9), 1e-9);
     let width = found.together.unwrap();
-    assert!(width.peak.parameter == 9.9 && width.peak.at == BandLimit::End, "{:?}", width.peak);
-    assert!(width.intervals.len() == 1 && width.intervals[0].to.at == BandLimit::End && width.intervals[0].from.at == BandLimit::HalfPower);
+    assert!(
+        width.peak.parameter == 9.9 && width.peak.at == BandLimit::End,
+        "{:?}",
+        width.peak
+    );
+    assert!(
+        width.intervals.len() == 1
+            && width.intervals[0].to.at == BandLimit::End
+            && width.intervals[0].from.at == BandLimit::HalfPower
+    );
 }
 
 /// The paper's harvester with its stop out of reach: peak and edges of the steady power of all its modes.
@@ -103,12 +127,18 @@ fn the_bandwidth_without_contact_is_that_of_the_steady_power() {
     let (step, at) = (1e-4, width.peak.parameter);
     let (below, above) = (power_w(at - step), power_w(at + step));
     let off = (above - below) / (above + below - 2.0 * power_w(at)) * 0.5 * step;
-    eprintln!("peak {at:.10} Hz, off {off:.1e}, stated {:.1e}", width.peak.parameter_error);
+    eprintln!(
+        "peak {at:.10} Hz, off {off:.1e}, stated {:.1e}",
+        width.peak.parameter_error
+    );
     assert!(off.abs() < 1e-7);
     for edge in [width.intervals[0].from, width.intervals[0].to] {
         let slope = (power_w(edge.parameter + 1e-6) - power_w(edge.parameter - 1e-6)) / 2e-6;
         let off = (power_w(edge.parameter) - 0.5 * width.peak.mean_power_w) / slope;
-        eprintln!("edge {:.10} Hz, off {off:.1e}, stated {:.1e}", edge.parameter, edge.parameter_error);
+        eprintln!(
+            "edge {:.10} Hz, off {off:.1e}, stated {:.1e}",
+            edge.parameter, edge.parameter_error
+        );
         assert!(off.abs() < 1e-7);
     }
 }
@@ -121,7 +151,10 @@ fn the_bandwidth_of_the_impact_branch_ends_where_it_stops_being_stable() {
     let width = found.together.unwrap();
     eprintln!("{width:?}");
     let last = width.intervals.last().unwrap();
-    assert!(last.to.at == BandLimit::Stability && (last.to.parameter - 12.3218).abs() < 1e-3, "{last:?}");
+    assert!(
+        last.to.at == BandLimit::Stability && (last.to.parameter - 12.3218).abs() < 1e-3,
+        "{last:?}"
+    );
     let base = Model::new(file.spec().unwrap()).unwrap();
     let key = file.numeric_key("drive.shaker.frequency").unwrap();
     let parameter = Parameter::new(&base, &key, 3.0);
@@ -130,6 +163,9 @@ fn the_bandwidth_of_the_impact_branch_ends_where_it_stops_being_stable() {
     let rest = vec![0.0; base.kernel.plant.len()];
     let orbit = settled_orbit(&parameter, first.parameter, &rest, 1e-9, 1e-9).unwrap();
     let off = orbit.mean_power_w / (0.5 * width.peak.mean_power_w) - 1.0;
-    eprintln!("half power at {:.9} Hz, march off by {off:.1e}", first.parameter);
+    eprintln!(
+        "half power at {:.9} Hz, march off by {off:.1e}",
+        first.parameter
+    );
     assert!(off.abs() < 1e-6);
 }

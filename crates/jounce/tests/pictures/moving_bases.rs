@@ -10,9 +10,21 @@ fn shown(name: &str, text: &str, words: &[&str]) -> Vec<(f64, f64)> {
     drawing.write(&folder.join(format!("{name}.png"))).unwrap();
     let svg = drawing.to_svg();
     let place = |words: &&str| {
-        let end = svg.find(&format!(">{words}")).unwrap_or_else(|| panic!("{name}: {words} is not drawn"));
+        let end = svg
+            .find(&format!(">{words}"))
+            .unwrap_or_else(|| panic!("{name}: {words} is not drawn"));
         let label = &svg[svg[..end].rfind("<text").unwrap()..end];
-        let number = |key: &str| label.split(&format!(" {key}=\"")).nth(1).unwrap().split('"').next().unwrap().parse::<f64>().unwrap();
+        let number = |key: &str| {
+            label
+                .split(&format!(" {key}=\""))
+                .nth(1)
+                .unwrap()
+                .split('"')
+                .next()
+                .unwrap()
+                .parse::<f64>()
+                .unwrap()
+        };
         (number("x"), number("y"))
     };
     words.iter().map(place).collect()
@@ -91,8 +103,26 @@ frequency = "40 Hz"
 #[test]
 fn every_moving_base_has_its_arrow() {
     shown("shaken-modes", MODAL, &["blow: "]);
-    let [drive, stop] = shown("moving-stop", BEAM, &["d of ram: 1 mm peak", "stop hammer on ram"])[..] else { panic!() };
-    assert!((drive.0 - stop.0).abs() < 150.0, "{drive:?} stands away from its stop {stop:?}");
-    let [arm, other, head, ground] = shown("two-bases", TWO_BEAMS, &["arm, steel", "on head", "x of head: ", "y: "])[..] else { panic!() };
-    assert!((head.0 - ground.0).abs() > 100.0, "{head:?} and {ground:?} are one arrow, beside {arm:?} and {other:?}");
+    let [drive, stop] = shown(
+        "moving-stop",
+        BEAM,
+        &["d of ram: 1 mm peak", "stop hammer on ram"],
+    )[..] else {
+        panic!()
+    };
+    assert!(
+        (drive.0 - stop.0).abs() < 150.0,
+        "{drive:?} stands away from its stop {stop:?}"
+    );
+    let [arm, other, head, ground] = shown(
+        "two-bases",
+        TWO_BEAMS,
+        &["arm, steel", "on head", "x of head: ", "y: "],
+    )[..] else {
+        panic!()
+    };
+    assert!(
+        (head.0 - ground.0).abs() > 100.0,
+        "{head:?} and {ground:?} are one arrow, beside {arm:?} and {other:?}"
+    );
 }

@@ -21,7 +21,11 @@ pub fn physical_matrix(system: &System) -> (Mat<f64>, Vec<f64>) {
     for (k, (name, patch)) in modes.patch.iter().enumerate() {
         let row = 2 * n + k;
         scale[row] = patch.capacitance_f.sqrt();
-        for load in system.loads.iter().filter(|load| load.connections[0].patch == *name) {
+        for load in system
+            .loads
+            .iter()
+            .filter(|load| load.connections[0].patch == *name)
+        {
             a[(row, row)] = -1.0 / (load.resistance_ohm * patch.capacitance_f);
         }
         for i in 0..n {
@@ -39,12 +43,21 @@ fn blocks_are_the_plant_in_other_coordinates() {
         let (a, scale) = physical_matrix(&system);
         let (t, inverse) = (&plant.diagonal.to_physical, &plant.diagonal.from_physical);
         let n = plant.len();
-        let unit = |j: usize| (0..n).map(|i| f64::from(u8::from(i == j))).collect::<Vec<_>>();
-        let columns: Vec<Vec<f64>> = (0..n).map(|j| plant.diagonal.block.apply(&unit(j))).collect();
+        let unit = |j: usize| {
+            (0..n)
+                .map(|i| f64::from(u8::from(i == j)))
+                .collect::<Vec<_>>()
+        };
+        let columns: Vec<Vec<f64>> = (0..n)
+            .map(|j| plant.diagonal.block.apply(&unit(j)))
+            .collect();
         let blocks = Mat::from_fn(n, n, |i, j| columns[j][i]);
         let residual = &a * t - t * &blocks;
         let size = Mat::from_fn(n, n, |i, j| scale[i] * a[(i, j)] / scale[j]).norm_max();
-        let worst = (0..n * n).map(|k| (scale[k / n] * residual[(k / n, k % n)]).abs()).fold(0.0, f64::max) / size;
+        let worst = (0..n * n)
+            .map(|k| (scale[k / n] * residual[(k / n, k % n)]).abs())
+            .fold(0.0, f64::max)
+            / size;
         let identity = (t * inverse - Mat::<f64>::identity(n, n)).norm_max();
         eprintln!("{name}: A T - T J {worst:.1e}, T T^-1 - I {identity:.1e}");
         assert!(worst < 1e-13, "{name}: {worst:e}");
@@ -78,8 +91,22 @@ fn eigenvalues_solve_the_secular_equation() {
 #[test]
 fn free_critical_and_overdamped_modes_flow_exactly() {
     let w: f64 = 25.0;
-    for (frequency_rad_s, zeta) in [(0.0, 0.0), (w, 0.0), (w, 0.3), (w, 1.0), (w, 1.0 + 1e-9), (w, 1.7), (w, 80.0)] {
-        let problem = Harmonic { mass_kg: 1.0, frequency_rad_s, damping_ratio: zeta, amplitude_n: 0.0, drive_hz: 1.0 };
+    for (frequency_rad_s, zeta) in [
+        (0.0, 0.0),
+        (w, 0.0),
+        (w, 0.3),
+        (w, 1.0),
+        (w, 1.0 + 1e-9),
+        (w, 1.7),
+        (w, 80.0),
+    ] {
+        let problem = Harmonic {
+            mass_kg: 1.0,
+            frequency_rad_s,
+            damping_ratio: zeta,
+            amplitude_n: 0.0,
+            drive_hz: 1.0,
+        };
         let mut system = problem.system();
         system.drives.clear();
         let plant = Plant::new(system).unwrap();
@@ -89,8 +116,15 @@ fn free_critical_and_overdamped_modes_flow_exactly() {
             let exact = decay(frequency_rad_s, zeta, [0.3, -2.0], time_s);
             let error = (x[0] - exact[0]).abs().max((x[1] - exact[1]).abs() / w) / 0.3;
             // Next to critical damping the two eigenvectors all but coincide, and figures are lost in their difference.
-            let allowed = if zeta > 1.0 && zeta < 1.1 { 1e-10 } else { 1e-12 };
-            assert!(error < allowed, "w {frequency_rad_s}, zeta {zeta}, t {time_s}: {error:e}");
+            let allowed = if zeta > 1.0 && zeta < 1.1 {
+                1e-10
+            } else {
+                1e-12
+            };
+            assert!(
+                error < allowed,
+                "w {frequency_rad_s}, zeta {zeta}, t {time_s}: {error:e}"
+            );
         }
     }
 }
@@ -103,14 +137,20 @@ fn decay(w: f64, zeta: f64, [x, v]: [f64; 2], t: f64) -> [f64; 2] {
     let (c, s) = match zeta {
         z if z < 1.0 => {
             let d = w * (1.0 - z * z).sqrt();
-            ((d * t).cos() * (-z * w * t).exp(), (d * t).sin() / d * (-z * w * t).exp())
+            (
+                (d * t).cos() * (-z * w * t).exp(),
+                (d * t).sin() / d * (-z * w * t).exp(),
+            )
         }
         1.0 => ((-w * t).exp(), t * (-w * t).exp()),
         z => {
             let d = w * ((z - 1.0) * (z + 1.0)).sqrt();
             let slow = -w * w / (z * w + d);
             match d * t < 1.0 {
-                true => ((d * t).cosh() * (-z * w * t).exp(), (d * t).sinh() / d * (-z * w * t).exp()),
+                true => (
+                    (d * t).cosh() * (-z * w * t).exp(),
+                    (d * t).sinh() / d * (-z * w * t).exp(),
+                ),
                 false => {
                     let (a, b) = ((slow * t).exp(), ((-z * w - d) * t).exp());
                     (0.5 * (a + b), (a - b) / (2.0 * d))

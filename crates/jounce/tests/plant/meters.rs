@@ -12,14 +12,22 @@ use std::sync::Arc;
 /// An efficiency by the meter alone: the energy in the resistor after a blow, from the two ends of the flow.
 #[test]
 fn meter_of_a_blow_is_the_closed_form() {
-    let blow = Impulse { alpha: 0.8, coupling_squared: 0.1, damping_ratio: 0.01 };
+    let blow = Impulse {
+        alpha: 0.8,
+        coupling_squared: 0.1,
+        damping_ratio: 0.01,
+    };
     let mut system = blow.oscillator().system(0.0, 1.0);
     system.drives.clear();
     let plant = Plant::new(system).unwrap();
     let meters = Meters::new(&plant).unwrap();
     let y = plant.from_physical(&[0.0, 1.0, 0.0], 0.0);
-    let delivered = meters.loads[0].boundary_j(&[0.0; 3], 0.0) - meters.loads[0].boundary_j(&y, 0.0);
-    assert!((delivered / 0.5 / blow.efficiency() - 1.0).abs() < 1e-13, "{delivered}");
+    let delivered =
+        meters.loads[0].boundary_j(&[0.0; 3], 0.0) - meters.loads[0].boundary_j(&y, 0.0);
+    assert!(
+        (delivered / 0.5 / blow.efficiency() - 1.0).abs() < 1e-13,
+        "{delivered}"
+    );
 }
 
 /// Seven Gauss points: exact to degree 13.
@@ -52,42 +60,95 @@ fn quadrature(marks: &[f64], longest_s: f64) -> (Vec<f64>, Vec<f64>) {
 fn assert_meters(name: &str, system: System, start: &[f64], duration_s: f64, allowed: f64) {
     let kernel = Kernel::new(Plant::new(system).unwrap()).unwrap();
     let plant = &kernel.plant;
-    let mut integrator = Integrator::new(&kernel, &plant.from_physical(start, 0.0), 0.0, 1e-11).unwrap();
+    let mut integrator =
+        Integrator::new(&kernel, &plant.from_physical(start, 0.0), 0.0, 1e-11).unwrap();
     integrator.start_record();
     integrator.advance_to(duration_s).unwrap();
     let energies = integrator.energies();
     let contacts = integrator.statistics().contacts;
     let record = integrator.take_record();
-    let marks: Vec<f64> = record.segments().iter().map(|segment| segment.start_s).chain([duration_s]).collect();
+    let marks: Vec<f64> = record
+        .segments()
+        .iter()
+        .map(|segment| segment.start_s)
+        .chain([duration_s])
+        .collect();
     let (times, weights) = quadrature(&marks, (0.5 / plant.fastest_rad_s()).min(0.02));
     let (system, modes, n) = (&plant.system, &plant.system.modes, plant.system.modes.len());
     let (mut loads, mut damping, mut input) = (vec![0.0; system.loads.len()], 0.0, 0.0);
     for (at, weight) in record.at(&kernel, &times).iter().zip(&weights) {
         let x = plant.to_physical(&at.state, at.time_s);
         for (sum, load) in loads.iter_mut().zip(&system.loads) {
-            let patch = modes.patch.keys().position(|name| *name == load.connections[0].patch).unwrap();
+            let patch = modes
+                .patch
+                .keys()
+                .position(|name| *name == load.connections[0].patch)
+                .unwrap();
             *sum += weight * x[2 * n + patch].powi(2) / load.resistance_ohm;
         }
-        damping += weight * (0..n).map(|i| 2.0 * modes.damping_ratio[i] * modes.frequency_rad_s[i] * x[n + i].powi(2)).sum::<f64>();
+        damping += weight
+            * (0..n)
+                .map(|i| 2.0 * modes.damping_ratio[i] * modes.frequency_rad_s[i] * x[n + i].powi(2))
+                .sum::<f64>();
         for drive in &system.drives {
-            let force_n = drive.amplitude_n * (TAU * drive.frequency_hz * at.time_s + drive.phase_rad).sin();
-            input += weight * force_n * drive.shape.iter().zip(&x[n..]).map(|(s, v)| s * v).sum::<f64>();
+            let force_n =
+                drive.amplitude_n * (TAU * drive.frequency_hz * at.time_s + drive.phase_rad).sin();
+            input += weight
+                * force_n
+                * drive
+                    .shape
+                    .iter()
+                    .zip(&x[n..])
+                    .map(|(s, v)| s * v)
+                    .sum::<f64>();
         }
         for signal in &system.signals {
-            let size = signal.wave.piece(signal.wave.index_at(at.time_s)).size_at(at.time_s);
-            input += weight * size * signal.shape.iter().zip(&x[n..]).map(|(s, v)| s * v).sum::<f64>();
+            let size = signal
+                .wave
+                .piece(signal.wave.index_at(at.time_s))
+                .size_at(at.time_s);
+            input += weight
+                * size
+                * signal
+                    .shape
+                    .iter()
+                    .zip(&x[n..])
+                    .map(|(s, v)| s * v)
+                    .sum::<f64>();
         }
     }
-    let found: Vec<f64> = energies.loads_j.iter().copied().chain([energies.damping_j, energies.input_j]).collect();
+    let found: Vec<f64> = energies
+        .loads_j
+        .iter()
+        .copied()
+        .chain([energies.damping_j, energies.input_j])
+        .collect();
     let exact: Vec<f64> = loads.into_iter().chain([damping, input]).collect();
-    let errors: Vec<f64> = found.iter().zip(&exact).map(|(a, b)| (a - b).abs() / b.abs().max(1e-6 * energies.scale_j)).collect();
+    let errors: Vec<f64> = found
+        .iter()
+        .zip(&exact)
+        .map(|(a, b)| (a - b).abs() / b.abs().max(1e-6 * energies.scale_j))
+        .collect();
     eprintln!("{name}: {contacts} contacts, loads, damping, input {errors:?}");
-    assert!(errors.iter().all(|e| *e < allowed), "{name}: {found:?} {exact:?} {errors:?}");
-    assert!(contacts > 0 || system.stops.is_empty(), "{name}: no contact");
+    assert!(
+        errors.iter().all(|e| *e < allowed),
+        "{name}: {found:?} {exact:?} {errors:?}"
+    );
+    assert!(
+        contacts > 0 || system.stops.is_empty(),
+        "{name}: no contact"
+    );
 }
 
 fn drive(shape: &[f64], amplitude_n: f64, frequency_hz: f64, phase_rad: f64) -> Drive {
-    Drive { name: format!("drive-{frequency_hz}"), shape: shape.to_vec(), amplitude_n, frequency_hz, phase_rad, base: None }
+    Drive {
+        name: format!("drive-{frequency_hz}"),
+        shape: shape.to_vec(),
+        amplitude_n,
+        frequency_hz,
+        phase_rad,
+        base: None,
+    }
 }
 
 #[test]
@@ -95,8 +156,14 @@ fn meters_agree_with_quadrature_along_the_flow() {
     let mut system = menagerie();
     // A drive on a free mode makes it drift with a steady speed: its energies grow, and so does their roundoff.
     let shape = [0.0, 0.5, -0.7, 0.3, 1.1, 2.0];
-    system.drives = vec![drive(&shape, 3.0, 1.3, 0.4), drive(&shape, 2.0, 7.0, 0.0), drive(&shape, 1.0, 1.3, -1.0)];
-    let start = [0.1, 0.2, -0.3, 0.1, 0.0, 0.01, 0.5, -1.0, 0.0, 2.0, 1.0, 0.0, 10.0, -5.0];
+    system.drives = vec![
+        drive(&shape, 3.0, 1.3, 0.4),
+        drive(&shape, 2.0, 7.0, 0.0),
+        drive(&shape, 1.0, 1.3, -1.0),
+    ];
+    let start = [
+        0.1, 0.2, -0.3, 0.1, 0.0, 0.01, 0.5, -1.0, 0.0, 2.0, 1.0, 0.0, 10.0, -5.0,
+    ];
     assert_meters("menagerie", system, &start, 3.0, 1e-10);
     let mut free = bench();
     free.stops.clear();
@@ -107,8 +174,14 @@ fn meters_agree_with_quadrature_along_the_flow() {
 fn meters_agree_with_quadrature_through_contacts() {
     assert_meters("bench", bench(), &[0.0; 17], 1.0, 1e-9);
     let mut lossy = bench();
-    let elastic = Hertz { stiffness: 1e5, exponent: 1.5 };
-    lossy.stops[0].law = Law::HuntCrossley(HuntCrossley { elastic, damping_s_m: 0.3 });
+    let elastic = Hertz {
+        stiffness: 1e5,
+        exponent: 1.5,
+    };
+    lossy.stops[0].law = Law::HuntCrossley(HuntCrossley {
+        elastic,
+        damping_s_m: 0.3,
+    });
     assert_meters("bench, lossy stop", lossy, &[0.0; 17], 1.0, 1e-9);
     let mut system = menagerie();
     let shape = [1.0, 0.5, -0.7, 0.3, 1.1, 2.0];
@@ -116,21 +189,45 @@ fn meters_agree_with_quadrature_through_contacts() {
         name: "stop".into(),
         shape: shape.to_vec(),
         gap_m: 0.05,
-        law: Law::Hertz(Hertz { stiffness: 1e3, exponent: 1.5 }),
+        law: Law::Hertz(Hertz {
+            stiffness: 1e3,
+            exponent: 1.5,
+        }),
         bases: Vec::new(),
     }];
-    system.drives = vec![drive(&[0.0, 0.5, -0.7, 0.3, 1.1, 2.0], 3.0, 1.3, 0.4), drive(&shape, 5.0, 7.0, 0.0)];
-    let start = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.5, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+    system.drives = vec![
+        drive(&[0.0, 0.5, -0.7, 0.3, 1.1, 2.0], 3.0, 1.3, 0.4),
+        drive(&shape, 5.0, 7.0, 0.0),
+    ];
+    let start = [
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.5, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    ];
     assert_meters("menagerie with stop", system, &start, 3.0, 1e-9);
 }
 
 /// Gravity, a rough recording that starts late and ends early with a jump, and two tones, on every kind of mode.
 fn signals(shape: &[f64], rough: f64) -> Vec<Signal> {
-    let sizes: Vec<f64> = (0..40).map(|k: i32| rough * (1.7 * f64::from(k * k)).sin() + 0.3).collect();
-    let wave = Wave::Sampled { start_s: 0.113, step_s: 0.0217, sizes: sizes.into() };
+    let sizes: Vec<f64> = (0..40)
+        .map(|k: i32| rough * (1.7 * f64::from(k * k)).sin() + 0.3)
+        .collect();
+    let wave = Wave::Sampled {
+        start_s: 0.113,
+        step_s: 0.0217,
+        sizes: sizes.into(),
+    };
     vec![
-        Signal { name: "gravity".into(), shape: shape.iter().map(|s| 0.5 * s + 0.1).collect(), wave: Wave::Constant(-0.7), base: None },
-        Signal { name: "rough".into(), shape: shape.to_vec(), wave, base: None },
+        Signal {
+            name: "gravity".into(),
+            shape: shape.iter().map(|s| 0.5 * s + 0.1).collect(),
+            wave: Wave::Constant(-0.7),
+            base: None,
+        },
+        Signal {
+            name: "rough".into(),
+            shape: shape.to_vec(),
+            wave,
+            base: None,
+        },
     ]
 }
 
@@ -146,17 +243,31 @@ fn meters_agree_with_quadrature_under_signals_for_each_kind_of_mode() {
         modes.shape.clear();
         for count in [1, 2] {
             system.signals = signals(&[0.7], 2.0)[..count].to_vec();
-            assert_meters(&format!("mode {mode}, {count} signals"), system.clone(), &[0.0, 0.5], 1.5, 1e-10);
+            assert_meters(
+                &format!("mode {mode}, {count} signals"),
+                system.clone(),
+                &[0.0, 0.5],
+                1.5,
+                1e-10,
+            );
         }
         system.drives = vec![drive(&[0.7], 3.0, 1.3, 0.4)];
-        assert_meters(&format!("mode {mode}, signals and a tone"), system, &[0.0, 0.5], 1.5, 1e-10);
+        assert_meters(
+            &format!("mode {mode}, signals and a tone"),
+            system,
+            &[0.0, 0.5],
+            1.5,
+            1e-10,
+        );
     }
 }
 
 #[test]
 fn meters_agree_with_quadrature_under_signals_and_tones() {
     let shape = [0.4, 0.5, -0.7, 0.3, 1.1, 2.0];
-    let start = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.5, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+    let start = [
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.5, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    ];
     for with_tones in [false, true] {
         let mut system = menagerie();
         system.signals = signals(&shape, 2.0);
@@ -169,7 +280,10 @@ fn meters_agree_with_quadrature_under_signals_and_tones() {
             name: "stop".into(),
             shape,
             gap_m: 0.05,
-            law: Law::Hertz(Hertz { stiffness: 1e3, exponent: 1.5 }),
+            law: Law::Hertz(Hertz {
+                stiffness: 1e3,
+                exponent: 1.5,
+            }),
             bases: Vec::new(),
         }];
         assert_meters("menagerie with stop", system, &start, 1.5, 1e-9);

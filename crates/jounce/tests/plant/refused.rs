@@ -16,13 +16,34 @@ fn coinciding_eigenvectors_are_refused() {
         resistance_ohm: 1.0 / 3.0,
     };
     let error = Plant::new(problem.system(1.0, 1.0)).unwrap_err();
-    assert!(matches!(error, PlantError::Defective { condition, .. } if condition > 1e7), "{error}");
+    assert!(
+        matches!(error, PlantError::Defective { condition, .. } if condition > 1e7),
+        "{error}"
+    );
 }
 
 #[test]
 fn drive_on_an_undamped_mode_is_refused() {
-    let problem = Harmonic { mass_kg: 1.0, frequency_rad_s: TAU * 10.0, damping_ratio: 0.0, amplitude_n: 1.0, drive_hz: 10.0 };
+    let problem = Harmonic {
+        mass_kg: 1.0,
+        frequency_rad_s: TAU * 10.0,
+        damping_ratio: 0.0,
+        amplitude_n: 1.0,
+        drive_hz: 10.0,
+    };
     let error = Plant::new(problem.system()).unwrap_err();
-    assert!(matches!(error, PlantError::UndampedResonance { .. }), "{error}");
-    assert!(Plant::new(Harmonic { drive_hz: 10.001, ..problem }.system()).is_ok());
+    assert!(
+        matches!(error, PlantError::UndampedResonance { .. }),
+        "{error}"
+    );
+    assert!(
+        Plant::new(
+            Harmonic {
+                drive_hz: 10.001,
+                ..problem
+            }
+            .system()
+        )
+        .is_ok()
+    );
 }

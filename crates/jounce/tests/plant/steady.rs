@@ -16,12 +16,22 @@ fn steady_state_solves_the_physical_equations() {
     let (a, scale) = physical_matrix(&system);
     let (tone, n) = (&plant.tones[0], plant.len());
     let t = &plant.diagonal.to_physical;
-    let x: Vec<c64> = (0..n).map(|i| (0..n).map(|j| tone.steady[j] * t[(i, j)]).sum()).collect();
+    let x: Vec<c64> = (0..n)
+        .map(|i| (0..n).map(|j| tone.steady[j] * t[(i, j)]).sum())
+        .collect();
     let modes = system.modes.len();
-    let norm = |i: usize| (0..n).map(|j| (x[j] * a[(i, j)]).norm()).fold(0.0, f64::max);
+    let norm = |i: usize| {
+        (0..n)
+            .map(|j| (x[j] * a[(i, j)]).norm())
+            .fold(0.0, f64::max)
+    };
     let size = (0..n).map(|i| scale[i] * norm(i)).fold(0.0, f64::max);
     for i in 0..n {
-        let force = if i >= modes && i < 2 * modes { tone.force[i - modes] } else { c64::new(0.0, 0.0) };
+        let force = if i >= modes && i < 2 * modes {
+            tone.force[i - modes]
+        } else {
+            c64::new(0.0, 0.0)
+        };
         let inertia = c64::new(0.0, tone.angular_frequency_rad_s) * x[i];
         let flow: c64 = (0..n).map(|j| x[j] * a[(i, j)]).sum();
         let residual = scale[i] * (inertia - flow - force).norm() / size;
@@ -32,10 +42,20 @@ fn steady_state_solves_the_physical_equations() {
 
 #[test]
 fn steady_state_of_one_mode_is_the_closed_form() {
-    for (frequency_rad_s, damping_ratio, drive_hz) in
-        [(60.0, 0.02, 7.0), (60.0, 0.3, 60.0 / TAU), (60.0, 1.0, 3.0), (60.0, 4.0, 30.0), (0.0, 0.0, 5.0)]
-    {
-        let problem = Harmonic { mass_kg: 0.2, frequency_rad_s, damping_ratio, amplitude_n: 3.0, drive_hz };
+    for (frequency_rad_s, damping_ratio, drive_hz) in [
+        (60.0, 0.02, 7.0),
+        (60.0, 0.3, 60.0 / TAU),
+        (60.0, 1.0, 3.0),
+        (60.0, 4.0, 30.0),
+        (0.0, 0.0, 5.0),
+    ] {
+        let problem = Harmonic {
+            mass_kg: 0.2,
+            frequency_rad_s,
+            damping_ratio,
+            amplitude_n: 3.0,
+            drive_hz,
+        };
         let system = problem.system();
         let plant = Plant::new(system.clone()).unwrap();
         let response = plant.steady_output(&plant.displacement_row(&system.modes.shape[MASS]))[0];
@@ -60,9 +80,14 @@ fn voltage_and_power_of_one_mode_are_the_closed_form() {
         let plant = Plant::new(problem.system(2.0, drive_hz)).unwrap();
         let voltage = plant.steady_output(&plant.voltage_row(0))[0];
         let exact = problem.voltage_per_newton(drive_hz) * c64::new(0.0, -2.0);
-        assert!((voltage - exact).norm() / exact.norm() < PiezoResistor::TOLERANCE, "{voltage:?} {exact:?}");
+        assert!(
+            (voltage - exact).norm() / exact.norm() < PiezoResistor::TOLERANCE,
+            "{voltage:?} {exact:?}"
+        );
         let power = jounce::linear::steady_power_w(&plant);
-        assert!((power / problem.mean_power_w(2.0, drive_hz) - 1.0).abs() < PiezoResistor::TOLERANCE);
+        assert!(
+            (power / problem.mean_power_w(2.0, drive_hz) - 1.0).abs() < PiezoResistor::TOLERANCE
+        );
         let resonant = Plant::new(problem.system(2.0, problem.frequency_rad_s / TAU)).unwrap();
         let best = jounce::linear::optimal_resistance(&resonant, 0).unwrap();
         let error = (best.resistance_ohm / problem.best_resistance_short_circuit_ohm() - 1.0).abs();
@@ -76,7 +101,13 @@ fn drives_have_their_least_common_period() {
     let period_s = |frequencies_hz: &[f64]| {
         let mut system = bench();
         let drive = system.drives[0].clone();
-        system.drives = frequencies_hz.iter().map(|f| jounce::plant::Drive { frequency_hz: *f, ..drive.clone() }).collect();
+        system.drives = frequencies_hz
+            .iter()
+            .map(|f| jounce::plant::Drive {
+                frequency_hz: *f,
+                ..drive.clone()
+            })
+            .collect();
         Plant::new(system).unwrap().period_s()
     };
     let cases: [(&[f64], Option<f64>); 7] = [
@@ -90,7 +121,12 @@ fn drives_have_their_least_common_period() {
     ];
     for (frequencies_hz, expected_s) in cases {
         let found_s = period_s(frequencies_hz);
-        let error = found_s.zip(expected_s).map_or(0.0, |(found, expected)| (found / expected - 1.0).abs());
-        assert!(found_s.is_some() == expected_s.is_some() && error < 1e-12, "{frequencies_hz:?}: {found_s:?}, not {expected_s:?}");
+        let error = found_s
+            .zip(expected_s)
+            .map_or(0.0, |(found, expected)| (found / expected - 1.0).abs());
+        assert!(
+            found_s.is_some() == expected_s.is_some() && error < 1e-12,
+            "{frequencies_hz:?}: {found_s:?}, not {expected_s:?}"
+        );
     }
 }

@@ -27,8 +27,14 @@ pub fn menagerie() -> System {
             damping_ratio: vec![0.0, 1.0, 0.02, 0.05, 2.5, 0.01],
             shape: BTreeMap::from([("tip".into(), vec![1.0, 0.5, -0.7, 0.3, 1.1, 2.0])]),
             patch: BTreeMap::from([
-                ("first".into(), patch([0.0, 0.0, 2e-3, -1e-3, 0.0, 5e-3], 1e-7)),
-                ("second".into(), patch([0.0, 0.0, 0.0, 4e-4, 0.0, -3e-3], 3e-8)),
+                (
+                    "first".into(),
+                    patch([0.0, 0.0, 2e-3, -1e-3, 0.0, 5e-3], 1e-7),
+                ),
+                (
+                    "second".into(),
+                    patch([0.0, 0.0, 0.0, 4e-4, 0.0, -3e-3], 3e-8),
+                ),
             ]),
             participation_sqrt_kg: vec![0.0; n],
             base_sqrt_kg: BTreeMap::new(),

@@ -6,13 +6,18 @@ use jounce::spec::{DriveKind, DriveSignal, Spec};
 pub const BODY: &str = "[mass.m]\nmass = \"2 kg\"\nstiffness = \"7 kN/m\"\ndamping_ratio = 0.04\n";
 
 fn faults(text: &str) -> String {
-    Spec::from_toml(&format!("{BODY}{text}")).unwrap_err().to_string()
+    Spec::from_toml(&format!("{BODY}{text}"))
+        .unwrap_err()
+        .to_string()
 }
 
 #[test]
 fn each_fault_of_a_drive_is_told_once() {
     for (text, message) in [
-        ("[drive.d]\namplitude = \"1 N\"\nfrequency = \"7 Hz\"", "`at` is missing; the name of a point or mass is due"),
+        (
+            "[drive.d]\namplitude = \"1 N\"\nfrequency = \"7 Hz\"",
+            "`at` is missing; the name of a point or mass is due",
+        ),
         (
             "[drive.d]\nkind = \"base-acceleration\"\namplitude = \"1 N\"\nfrequency = \"7 Hz\"",
             "\"1 N\" is a force; an acceleration is due, in m/s^2, g",
@@ -25,13 +30,22 @@ fn each_fault_of_a_drive_is_told_once() {
             "[drive.d]\nkind = \"base-displacement\"\nsignal = \"velocity-step\"\nvelocity = \"1 m/s\"",
             "a velocity step is no course of displacement",
         ),
-        ("[drive.d]\nkind = \"base-displacement\"\nsignal = \"noise\"\npsd = \"1 m^2/Hz\"\nhigh = \"7 Hz\"", "give the acceleration"),
+        (
+            "[drive.d]\nkind = \"base-displacement\"\nsignal = \"noise\"\npsd = \"1 m^2/Hz\"\nhigh = \"7 Hz\"",
+            "give the acceleration",
+        ),
         (
             "[drive.d]\nkind = \"base-displacement\"\nsignal = \"chirp\"\namplitude = \"1 mm\"\nfrom = \"7 Hz\"\nto = \"9 Hz\"\nduration = \"1 s\"\nphase = \"1 rad\"",
             "leave `phase` out",
         ),
-        ("[drive.d]\nat = \"m\"\nsignal = \"velocity-step\"\nvelocity = \"1 m/s\"", "a velocity step is one of the base"),
-        ("[drive.d]\nat = \"m\"\nsignal = \"noise\"\npsd = \"-1 N^2/Hz\"\nhigh = \"7 Hz\"", "must be at least 0"),
+        (
+            "[drive.d]\nat = \"m\"\nsignal = \"velocity-step\"\nvelocity = \"1 m/s\"",
+            "a velocity step is one of the base",
+        ),
+        (
+            "[drive.d]\nat = \"m\"\nsignal = \"noise\"\npsd = \"-1 N^2/Hz\"\nhigh = \"7 Hz\"",
+            "must be at least 0",
+        ),
         (
             "[drive.d]\nat = \"m\"\nsignal = \"noise\"\npsd = \"1 N^2/Hz\"\nlow = \"9 Hz\"\nhigh = \"7 Hz\"",
             "is 9 Hz, not below high = 7 Hz",
@@ -40,17 +54,32 @@ fn each_fault_of_a_drive_is_told_once() {
             "[drive.d]\nat = \"m\"\nsignal = \"noise\"\npsd = \"1 N^2/Hz\"\nhigh = \"7 Hz\"\nsample_rate = \"20 Hz\"",
             "at least four times high = 7 Hz",
         ),
-        ("[drive.d]\nat = \"m\"\nsignal = \"noise\"\npsd = \"1 N^2/Hz\"\nhigh = \"1 MHz\"", "would take 2.0e8 samples"),
-        ("[drive.d]\nat = \"m\"\nsignal = \"recording\"\nfile = \"not-there.csv\"", "drive.d.file: not-there.csv: "),
-        ("[drive.d]\nat = \"m\"\nsignal = \"recordng\"", "did you mean `recording`?"),
-        ("[mass.ball]\nmass = \"1 g\"\non = \"nothing\"", "the mass would drift for ever"),
+        (
+            "[drive.d]\nat = \"m\"\nsignal = \"noise\"\npsd = \"1 N^2/Hz\"\nhigh = \"1 MHz\"",
+            "would take 2.0e8 samples",
+        ),
+        (
+            "[drive.d]\nat = \"m\"\nsignal = \"recording\"\nfile = \"not-there.csv\"",
+            "drive.d.file: not-there.csv: ",
+        ),
+        (
+            "[drive.d]\nat = \"m\"\nsignal = \"recordng\"",
+            "did you mean `recording`?",
+        ),
+        (
+            "[mass.ball]\nmass = \"1 g\"\non = \"nothing\"",
+            "the mass would drift for ever",
+        ),
         (
             "[modal.x]\nfrequency_hz = [1]\ndamping_ratio = [0.1]\n[gravity]\nacceleration = \"9.81 m/s^2\"",
             "gravity acts on the mass of each mode: give modal.x.participation_sqrt_kg",
         ),
     ] {
         let found = faults(text);
-        assert!(found.contains(message) && found.lines().count() == 1, "{text}\n-> {found}");
+        assert!(
+            found.contains(message) && found.lines().count() == 1,
+            "{text}\n-> {found}"
+        );
     }
 }
 
@@ -65,7 +94,17 @@ fn drives_of_every_kind_come_back_from_their_print() {
     );
     let spec = Spec::from_toml(&text).unwrap();
     assert_eq!(spec.gravity.acceleration_m_s2, Some(9.80665));
-    assert_eq!((spec.drive["a"].kind, spec.drive["b"].kind), (DriveKind::BaseAcceleration, DriveKind::BaseDisplacement));
-    assert!(matches!(spec.drive["d"].signal, DriveSignal::Noise { seed: 12, sample_rate_hz: Some(1000.0), .. }));
+    assert_eq!(
+        (spec.drive["a"].kind, spec.drive["b"].kind),
+        (DriveKind::BaseAcceleration, DriveKind::BaseDisplacement)
+    );
+    assert!(matches!(
+        spec.drive["d"].signal,
+        DriveSignal::Noise {
+            seed: 12,
+            sample_rate_hz: Some(1000.0),
+            ..
+        }
+    ));
     assert_eq!(Spec::from_toml(&spec.to_toml()).unwrap(), spec);
 }

@@ -62,8 +62,17 @@ const WORDS: &[&str] = &[
 ];
 
 fn mutated() -> impl Strategy<Value = Vec<u8>> {
-    let base = prop_oneof![Just(paper()), Just(MODAL.to_owned()), random::spec().prop_map(|spec| spec.to_toml())];
-    let edit = (any::<prop::sample::Index>(), any::<prop::sample::Index>(), 0..5u8, prop::sample::select(WORDS));
+    let base = prop_oneof![
+        Just(paper()),
+        Just(MODAL.to_owned()),
+        random::spec().prop_map(|spec| spec.to_toml())
+    ];
+    let edit = (
+        any::<prop::sample::Index>(),
+        any::<prop::sample::Index>(),
+        0..5u8,
+        prop::sample::select(WORDS),
+    );
     (base, prop::collection::vec(edit, 1..12)).prop_map(|(base, edits)| {
         let mut bytes = base.into_bytes();
         for (first, second, kind, word) in edits {
@@ -86,7 +95,10 @@ fn mutate(bytes: &mut Vec<u8>, from: usize, to: usize, kind: u8, word: &str) {
         }
         // Whole lines trade places, which keeps much of the grammar.
         _ => {
-            let mut lines: Vec<Vec<u8>> = bytes.split(|byte| *byte == b'\n').map(<[u8]>::to_vec).collect();
+            let mut lines: Vec<Vec<u8>> = bytes
+                .split(|byte| *byte == b'\n')
+                .map(<[u8]>::to_vec)
+                .collect();
             let count = lines.len();
             lines.swap(from % count, to % count);
             *bytes = lines.join(&b'\n');
@@ -97,18 +109,22 @@ fn mutate(bytes: &mut Vec<u8>, from: usize, to: usize, kind: u8, word: &str) {
 fn garbage() -> impl Strategy<Value = Vec<u8>> {
     prop_oneof![
         prop::collection::vec(any::<u8>(), 0..400),
-        prop::collection::vec(prop::sample::select(WORDS), 0..60).prop_map(|words| words.concat().into_bytes()),
+        prop::collection::vec(prop::sample::select(WORDS), 0..60)
+            .prop_map(|words| words.concat().into_bytes()),
     ]
 }
 
 /// What must hold for any bytes; the message says what does not.
 fn check(bytes: &[u8]) -> Result<(), String> {
-    let Ok(text) = std::str::from_utf8(bytes) else { return Ok(()) };
+    let Ok(text) = std::str::from_utf8(bytes) else {
+        return Ok(());
+    };
     let start = Instant::now();
     let mut file = SpecFile::from_text(text);
     match file.spec() {
         Ok(spec) => {
-            let again = Spec::from_toml(&spec.to_toml()).map_err(|faults| format!("printed spec has faults: {faults}"))?;
+            let again = Spec::from_toml(&spec.to_toml())
+                .map_err(|faults| format!("printed spec has faults: {faults}"))?;
             if again != spec {
                 return Err("printed spec differs".to_owned());
             }
@@ -119,7 +135,11 @@ fn check(bytes: &[u8]) -> Result<(), String> {
                 return Err("refused without a fault".to_owned());
             }
             for fault in faults.as_slice() {
-                let held = fault.line.checked_sub(1).and_then(|line| lines.get(line)).map(|line| line.chars().count() + 1);
+                let held = fault
+                    .line
+                    .checked_sub(1)
+                    .and_then(|line| lines.get(line))
+                    .map(|line| line.chars().count() + 1);
                 if held.is_none_or(|most| fault.column == 0 || fault.column > most) {
                     return Err(format!("no such place: {fault}"));
                 }
@@ -131,13 +151,23 @@ fn check(bytes: &[u8]) -> Result<(), String> {
     }
     let took = start.elapsed();
     // Measured: 0.3 to 1 s per megabyte on an idle core, whatever stands in it.
-    if took > Duration::from_secs_f64(2.0 + 5e-6 * text.len() as f64) { Err(format!("took {took:?}")) } else { Ok(()) }
+    if took > Duration::from_secs_f64(2.0 + 5e-6 * text.len() as f64) {
+        Err(format!("took {took:?}"))
+    } else {
+        Ok(())
+    }
 }
 
 #[test]
 fn fuzz_the_reader() {
-    let seconds = std::env::var("JOUNCE_FUZZ_SECONDS").ok().and_then(|text| text.parse().ok()).unwrap_or(2u64);
-    let config = Config { failure_persistence: None, ..Config::default() };
+    let seconds = std::env::var("JOUNCE_FUZZ_SECONDS")
+        .ok()
+        .and_then(|text| text.parse().ok())
+        .unwrap_or(2u64);
+    let config = Config {
+        failure_persistence: None,
+        ..Config::default()
+    };
     // The short run is the same every time; the long one is not.
     let mut runner = if seconds > 2 {
         TestRunner::new(config)
@@ -149,10 +179,14 @@ fn fuzz_the_reader() {
     let mut cases = 0u64;
     while start.elapsed().as_secs() < seconds && (seconds > 2 || cases < 500) {
         let bytes = strategy.new_tree(&mut runner).unwrap().current();
-        let outcome = catch_unwind(AssertUnwindSafe(|| check(&bytes))).unwrap_or_else(|_| Err("panicked".to_owned()));
+        let outcome = catch_unwind(AssertUnwindSafe(|| check(&bytes)))
+            .unwrap_or_else(|_| Err("panicked".to_owned()));
         if let Err(why) = outcome {
             let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/corpus/spec");
-            let path = folder.join(format!("found-{:08x}.toml", cases ^ u64::from(std::process::id()) << 16));
+            let path = folder.join(format!(
+                "found-{:08x}.toml",
+                cases ^ u64::from(std::process::id()) << 16
+            ));
             std::fs::write(&path, &bytes).unwrap();
             panic!("{why}; after {cases} cases; kept as {}", path.display());
         }
@@ -163,10 +197,15 @@ fn fuzz_the_reader() {
 
 #[test]
 fn large_files_are_read_in_bounded_time() {
-    let many = |count: usize, line: &dyn Fn(usize) -> String| (0..count).map(line).collect::<String>();
+    let many =
+        |count: usize, line: &dyn Fn(usize) -> String| (0..count).map(line).collect::<String>();
     for text in [
         many(20_000, &|i| format!("[beam.b{i}]\nroot = \"b{i}\"\n")),
-        many(20_000, &|i| format!("[mass.m{i}]\nmass = \"1 kg\"\nfrequency = \"1 Hz\"\ndamping_ratio = 0.1\n[stop.s{i}]\nat = \"n{i}\"\n")),
+        many(20_000, &|i| {
+            format!(
+                "[mass.m{i}]\nmass = \"1 kg\"\nfrequency = \"1 Hz\"\ndamping_ratio = 0.1\n[stop.s{i}]\nat = \"n{i}\"\n"
+            )
+        }),
         many(100_000, &|i| format!("key{i} = {i}\n")),
         format!("x = [{}]", "1,".repeat(300_000)),
         format!("x = {}", "[".repeat(100_000)),
@@ -182,6 +221,11 @@ fn large_files_are_read_in_bounded_time() {
     ] {
         let start = Instant::now();
         check(text.as_bytes()).unwrap_or_else(|why| panic!("{}: {why}", &text[..40]));
-        eprintln!("{:?} for {} bytes of {:?}", start.elapsed(), text.len(), &text[..30.min(text.len())]);
+        eprintln!(
+            "{:?} for {} bytes of {:?}",
+            start.elapsed(),
+            text.len(),
+            &text[..30.min(text.len())]
+        );
     }
 }

@@ -6,18 +6,31 @@ use crate::{MODAL, paper, root};
 
 fn to_json(item: &toml_edit::Item) -> Value {
     if let Some(table) = item.as_table_like() {
-        return table.iter().map(|(key, item)| (key.to_owned(), to_json(item))).collect();
+        return table
+            .iter()
+            .map(|(key, item)| (key.to_owned(), to_json(item)))
+            .collect();
     }
     let value = item.as_value().unwrap();
     if let Some(list) = value.as_array() {
-        return list.iter().map(|value| to_json(&toml_edit::Item::Value(value.clone()))).collect();
+        return list
+            .iter()
+            .map(|value| to_json(&toml_edit::Item::Value(value.clone())))
+            .collect();
     }
-    value.as_str().map(Value::from).or(value.as_integer().map(Value::from)).or(value.as_float().map(Value::from)).unwrap_or(json!(true))
+    value
+        .as_str()
+        .map(Value::from)
+        .or(value.as_integer().map(Value::from))
+        .or(value.as_float().map(Value::from))
+        .unwrap_or(json!(true))
 }
 
 fn valid(text: &str) -> bool {
     let validator = jsonschema::draft7::new(&jounce::spec::schema()).unwrap();
-    validator.is_valid(&to_json(text.parse::<toml_edit::DocumentMut>().unwrap().as_item()))
+    validator.is_valid(&to_json(
+        text.parse::<toml_edit::DocumentMut>().unwrap().as_item(),
+    ))
 }
 
 #[test]
@@ -25,7 +38,9 @@ fn the_schema_is_draft_07_and_holds_for_the_examples() {
     assert!(jsonschema::draft7::meta::is_valid(&jounce::spec::schema()));
     assert!(valid(&paper()));
     assert!(valid(MODAL));
-    assert!(valid(&jounce::spec::Spec::from_toml(&paper()).unwrap().to_toml()));
+    assert!(valid(
+        &jounce::spec::Spec::from_toml(&paper()).unwrap().to_toml()
+    ));
     let plant = root().join("../shared/plant/paper-plant.toml");
     match std::fs::read_to_string(&plant) {
         Ok(text) => assert!(valid(&text)),
@@ -49,7 +64,10 @@ fn the_schema_refuses_what_the_reader_refuses() {
         ("gap = \"1 mm\"", "gapp = \"1 mm\""),
         ("gap = \"1 mm\"", "gap = true"),
         ("damping_ratio = 0.3", "damping_ratio = -0.3"),
-        ("damping_ratio = 0.3", "damping_ratio = 0.3\nstiffness = \"1 N/m\""),
+        (
+            "damping_ratio = 0.3",
+            "damping_ratio = 0.3\nstiffness = \"1 N/m\"",
+        ),
         ("frequency = \"1 Hz\"", "frequency = 1"),
         ("modes = 8", "modes = 8.5"),
         ("modes = 8", "modes = 201"),
@@ -59,7 +77,10 @@ fn the_schema_refuses_what_the_reader_refuses() {
         let broken = paper().replace(from, to);
         assert_ne!(broken, paper(), "{from}");
         assert!(!valid(&broken), "{from} -> {to}");
-        assert!(jounce::spec::Spec::from_toml(&broken).is_err(), "{from} -> {to}");
+        assert!(
+            jounce::spec::Spec::from_toml(&broken).is_err(),
+            "{from} -> {to}"
+        );
     }
     assert!(!valid("[run]\nduration = \"1 s\""));
 }
@@ -78,6 +99,9 @@ fn a_patch_of_the_default_section_needs_its_density() {
 
 #[test]
 fn the_schema_and_the_key_reference_are_as_they_were() {
-    insta::assert_snapshot!("schema", serde_json::to_string_pretty(&jounce::spec::schema()).unwrap());
+    insta::assert_snapshot!(
+        "schema",
+        serde_json::to_string_pretty(&jounce::spec::schema()).unwrap()
+    );
     insta::assert_snapshot!("key_reference", jounce::spec::reference_markdown());
 }

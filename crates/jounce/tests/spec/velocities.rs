@@ -17,17 +17,25 @@ fn a_velocity_that_makes_no_sense_is_refused() {
     let damping = "[damping]\nbeyond = 0.01\n";
     for (text, message) in [
         (
-            format!("{beam}{damping}[mass.m]\non = \"b.end\"\nmass = \"1 g\"\nvelocity = \"1 m/s\"\n"),
+            format!(
+                "{beam}{damping}[mass.m]\non = \"b.end\"\nmass = \"1 g\"\nvelocity = \"1 m/s\"\n"
+            ),
             "mass.m.velocity does not go with a mass that is fixed to what it stands on",
         ),
         (
             format!("{beam}root = \"ball\"\n{damping}{BALL}"),
             "mass.ball.velocity is that of the mass alone, which would tear the root of beam \"b\" off the rest of it",
         ),
-        (format!("{BALL}[run]\nstart = \"state.json\"\n"), "mass.ball.velocity has no effect: the file of run.start has the velocities"),
+        (
+            format!("{BALL}[run]\nstart = \"state.json\"\n"),
+            "mass.ball.velocity has no effect: the file of run.start has the velocities",
+        ),
         (BALL.replace("-2 m/s", "-2 m"), "a speed is due"),
     ] {
         let fault = Spec::from_toml(&text).unwrap_err().to_string();
-        assert!(fault.contains(message) && fault.lines().count() == 1, "{text}\n-> {fault}");
+        assert!(
+            fault.contains(message) && fault.lines().count() == 1,
+            "{text}\n-> {fault}"
+        );
     }
 }

@@ -16,8 +16,15 @@ pub const ON_TABLE_HZ: [f64; 8] = [
     681.9405521799193,
     960.5178221634098,
 ];
-pub const CLAMPED_HZ: [f64; 7] =
-    [8.663433852811874, 50.25778210080092, 140.9098042609002, 278.9133338189189, 457.6372560265866, 681.9308235339752, 960.508546783906];
+pub const CLAMPED_HZ: [f64; 7] = [
+    8.663433852811874,
+    50.25778210080092,
+    140.9098042609002,
+    278.9133338189189,
+    457.6372560265866,
+    681.9308235339752,
+    960.508546783906,
+];
 
 pub fn paper_beam(root: &str) -> Beam {
     Beam {
@@ -92,7 +99,12 @@ pub fn paper(section: Section) -> Spec {
         beam: BTreeMap::from([("beam".into(), paper_beam("table"))]),
         patch: BTreeMap::from([("mfc".into(), paper_patch(section))]),
         mass: BTreeMap::from([("table".into(), paper_table())]),
-        damping: Damping { ratios: vec![0.00194, 0.00925, 0.00864, 0.00359, 0.00126, 0.00274, 0.00160], beyond: None },
+        damping: Damping {
+            ratios: vec![
+                0.00194, 0.00925, 0.00864, 0.00359, 0.00126, 0.00274, 0.00160,
+            ],
+            beyond: None,
+        },
         ..Spec::default()
     }
 }
@@ -100,8 +112,14 @@ pub fn paper(section: Section) -> Spec {
 pub fn bare_cantilever(kept: usize) -> Spec {
     Spec {
         beam: BTreeMap::from([("beam".into(), paper_beam("ground"))]),
-        damping: Damping { ratios: Vec::new(), beyond: Some(0.01) },
-        reduction: Reduction { modes: kept, mesh_tolerance: 1e-9 },
+        damping: Damping {
+            ratios: Vec::new(),
+            beyond: Some(0.01),
+        },
+        reduction: Reduction {
+            modes: kept,
+            mesh_tolerance: 1e-9,
+        },
         ..Spec::default()
     }
 }
@@ -111,10 +129,18 @@ pub fn table() -> [String; 1] {
 }
 
 pub fn frequency_hz(modes: &Modes) -> Vec<f64> {
-    modes.frequency_rad_s.iter().map(|frequency| frequency / TAU).collect()
+    modes
+        .frequency_rad_s
+        .iter()
+        .map(|frequency| frequency / TAU)
+        .collect()
 }
 
 pub fn greatest_relative_difference(found: &[f64], expected: &[f64]) -> f64 {
     assert_eq!(found.len(), expected.len());
-    found.iter().zip(expected).map(|(one, other)| ((one - other) / other).abs()).fold(0.0, f64::max)
+    found
+        .iter()
+        .zip(expected)
+        .map(|(one, other)| ((one - other) / other).abs())
+        .fold(0.0, f64::max)
 }

@@ -11,7 +11,11 @@ const MASS_PER_LENGTH_KG_M: f64 = 2750.0 * 0.03 * 0.98e-3;
 #[test]
 fn cantilever_has_its_closed_form() {
     let found = modes(&bare_cantilever(40)).unwrap();
-    let exact = Cantilever { bending_stiffness_n_m2: 1.0, mass_per_length_kg_m: MASS_PER_LENGTH_KG_M, length_m: 0.315 };
+    let exact = Cantilever {
+        bending_stiffness_n_m2: 1.0,
+        mass_per_length_kg_m: MASS_PER_LENGTH_KG_M,
+        length_m: 0.315,
+    };
     let root_mass = (MASS_PER_LENGTH_KG_M * 0.315).sqrt();
     assert!((found.participation_sqrt_kg[0] / root_mass - 0.7830).abs() < 5e-5);
     for (mode, value) in found.participation_sqrt_kg.iter().enumerate() {
@@ -23,10 +27,20 @@ fn cantilever_has_its_closed_form() {
 /// The squares sum to the mass that moves; of a clamped beam the modes after the last leave `4 / l^2` each.
 #[test]
 fn squares_sum_to_the_moving_mass() {
-    let exact = Cantilever { bending_stiffness_n_m2: 1.0, mass_per_length_kg_m: MASS_PER_LENGTH_KG_M, length_m: 0.315 };
+    let exact = Cantilever {
+        bending_stiffness_n_m2: 1.0,
+        mass_per_length_kg_m: MASS_PER_LENGTH_KG_M,
+        length_m: 0.315,
+    };
     let found = modes(&bare_cantilever(40)).unwrap();
-    let kept: f64 = found.participation_sqrt_kg.iter().map(|value| value * value).sum();
-    let left: f64 = (40..200_000).map(|mode| exact.participation_sqrt_kg(mode).powi(2)).sum();
+    let kept: f64 = found
+        .participation_sqrt_kg
+        .iter()
+        .map(|value| value * value)
+        .sum();
+    let left: f64 = (40..200_000)
+        .map(|mode| exact.participation_sqrt_kg(mode).powi(2))
+        .sum();
     // The sum after mode 200000 is 4 / (pi^2 200000) of the mass.
     assert!(((kept + left) / (MASS_PER_LENGTH_KG_M * 0.315) - 1.0).abs() < 3e-6);
 }
@@ -35,11 +49,23 @@ fn squares_sum_to_the_moving_mass() {
 #[test]
 fn a_free_body_participates_in_its_rigid_motion_alone() {
     let mut spec = paper(Section::Laminate);
-    spec.mass.insert("table".into(), fixed("nothing", 12.0, 0.0));
+    spec.mass
+        .insert("table".into(), fixed("nothing", 12.0, 0.0));
     let total_kg: f64 = 12.0 + MASS_PER_LENGTH_KG_M * 0.315 + 5440.0 * 0.03 * 0.3e-3 * 0.085;
     let free = modes(&spec).unwrap().participation_sqrt_kg;
     assert!((free[0] / total_kg.sqrt() - 1.0).abs() < 1e-14);
-    assert!(free[1..].iter().all(|value| value.abs() < 1e-10), "{free:?}");
-    let held: f64 = modes_holding(&spec, &table()).unwrap().participation_sqrt_kg.iter().map(|value| value * value).sum();
-    assert!(held < total_kg - 12.0 && held > 0.9 * (total_kg - 12.0), "{held}");
+    assert!(
+        free[1..].iter().all(|value| value.abs() < 1e-10),
+        "{free:?}"
+    );
+    let held: f64 = modes_holding(&spec, &table())
+        .unwrap()
+        .participation_sqrt_kg
+        .iter()
+        .map(|value| value * value)
+        .sum();
+    assert!(
+        held < total_kg - 12.0 && held > 0.9 * (total_kg - 12.0),
+        "{held}"
+    );
 }

@@ -9,11 +9,15 @@ pub fn read(texts: &[String], stops: usize) -> Result<Option<Grid>, Failure> {
     if texts.is_empty() {
         return Ok(None);
     }
-    Grid::read(texts, stops).map(Some).map_err(|error| match error {
-        GridError::NoStop => Failure::Input(format!("--grid: {error}")),
-        GridError::TooMany => Failure::usage(format!("--grid: {error}")),
-        GridError::Side { .. } | GridError::Twice { .. } => Failure::usage(format!("--grid {error}")),
-    })
+    Grid::read(texts, stops)
+        .map(Some)
+        .map_err(|error| match error {
+            GridError::NoStop => Failure::Input(format!("--grid: {error}")),
+            GridError::TooMany => Failure::usage(format!("--grid: {error}")),
+            GridError::Side { .. } | GridError::Twice { .. } => {
+                Failure::usage(format!("--grid {error}"))
+            }
+        })
 }
 
 /// The axis in the picture.

@@ -11,7 +11,8 @@ use crate::spec_arguments::{OutputArguments, SpecArguments, check_drive, check_t
 use crate::threads::ThreadsArgument;
 use clap::Args;
 use jounce::analysis::{
-    Attractor, Basins as Study, BasinsResult, Cloud, GridAxis, InitialStates, Model, Parameter, Recognition, SectionPoint,
+    Attractor, Basins as Study, BasinsResult, Cloud, GridAxis, InitialStates, Model, Parameter,
+    Recognition, SectionPoint,
 };
 use jounce::picture::{Colour, Figure, Marker, Panel, Series};
 use jounce::plant::Plant;
@@ -56,53 +57,116 @@ impl Basins {
     pub fn run(&self) -> Result<(), Failure> {
         check_tolerance(self.tolerance)?;
         if self.starts == 0 || !(self.spread > 0.0 && self.spread.is_finite()) {
-            return Err(Failure::usage(format!("--starts {} and --spread {}: give numbers greater than 0", self.starts, self.spread)));
+            return Err(Failure::usage(format!(
+                "--starts {} and --spread {}: give numbers greater than 0",
+                self.starts, self.spread
+            )));
         }
         let file = self.spec.file()?;
         let base = Model::new(self.spec.read(&file)?)?;
         let Some((name, drive)) = base.spec.drive.iter().next() else {
-            return Err(Failure::Input("a basin needs a drive: add [drive.NAME] to the spec".to_owned()));
+            return Err(Failure::Input(
+                "a basin needs a drive: add [drive.NAME] to the spec".to_owned(),
+            ));
         };
         let Some(value) = drive.frequency_hz() else {
-            return Err(jounce::analysis::AnalysisError::Aperiodic { drive: name.clone() }.into());
+            return Err(jounce::analysis::AnalysisError::Aperiodic {
+                drive: name.clone(),
+            }
+            .into());
         };
         check_drive(&self.spec, &base.kernel.plant, "a basin")?;
-        let key = self.spec.checked(file.numeric_key(&format!("drive.{name}.frequency")))?;
+        let key = self
+            .spec
+            .checked(file.numeric_key(&format!("drive.{name}.frequency")))?;
         let parameter = Parameter::new(&base, &key, value);
         let starts = match grid::read(&self.grid, base.spec.stop.len())? {
             Some(grid) => InitialStates::Grid(grid),
-            None => InitialStates::Cloud(Cloud { starts: self.starts, seed: self.seed, spread: self.spread }),
+            None => InitialStates::Cloud(Cloud {
+                starts: self.starts,
+                seed: self.seed,
+                spread: self.spread,
+            }),
         };
         let of = starts.len();
         let (longest_period, max_cycles) = (self.longest_period, self.max_cycles);
-        let recognition = Recognition { longest_period, max_cycles, ..Recognition::at(self.tolerance) };
-        let study = Study { base: &base, parameter: &parameter, value, starts, recognition };
+        let recognition = Recognition {
+            longest_period,
+            max_cycles,
+            ..Recognition::at(self.tolerance)
+        };
+        let study = Study {
+            base: &base,
+            parameter: &parameter,
+            value,
+            starts,
+            recognition,
+        };
         interruption::install(&base.kernel.control);
         let bar = progress::counted(of, "starts");
         let answer = self.threads.run(|| study.run(&|| bar.inc(1)))??;
         bar.finish_and_clear();
-        let finished = answer.lost.len() + answer.attractors.iter().map(|a| a.starts.len()).sum::<usize>();
+        let finished = answer.lost.len()
+            + answer
+                .attractors
+                .iter()
+                .map(|a| a.starts.len())
+                .sum::<usize>();
         if finished == 0 {
-            return Err(Failure::Interrupted("stopped before the first start was finished".to_owned()));
+            return Err(Failure::Interrupted(
+                "stopped before the first start was finished".to_owned(),
+            ));
         }
         if answer.lost.len() == finished {
-            return Err(Failure::NotConverged(format!("every march failed; the first: {}", answer.lost[0].1)));
+            return Err(Failure::NotConverged(format!(
+                "every march failed; the first: {}",
+                answer.lost[0].1
+            )));
         }
         if let Some((index, why)) = answer.lost.first() {
-            eprintln!("{} of {finished} marches failed; start {index}: {why}", answer.lost.len());
+            eprintln!(
+                "{} of {finished} marches failed; start {index}: {why}",
+                answer.lost.len()
+            );
         }
         self.tell(&base, &study.starts, &answer)?;
-        interruption::end(&base.kernel.control, || format!("the {finished} of {of} starts that were finished"))
+        interruption::end(&base.kernel.control, || {
+            format!("the {finished} of {of} starts that were finished")
+        })
     }
 
-    fn tell(&self, base: &Model, starts: &InitialStates, answer: &BasinsResult) -> Result<(), Failure> {
-        let passed: Vec<&[ExceededLimit]> = answer.attractors.iter().map(|a| a.exceeded.as_slice()).collect();
-        limit_warnings::warn(&passed, "attractors", |place| format!("attractor {}", answer.attractors[place].id));
+    fn tell(
+        &self,
+        base: &Model,
+        starts: &InitialStates,
+        answer: &BasinsResult,
+    ) -> Result<(), Failure> {
+        let passed: Vec<&[ExceededLimit]> = answer
+            .attractors
+            .iter()
+            .map(|a| a.exceeded.as_slice())
+            .collect();
+        limit_warnings::warn(&passed, "attractors", |place| {
+            format!("attractor {}", answer.attractors[place].id)
+        });
         if let Some(folder) = &self.output.out {
-            let manifest = self.spec.manifest(&base.spec, "basins").with("seed", self.seed).with("spread", self.spread);
+            let manifest = self
+                .spec
+                .manifest(&base.spec, "basins")
+                .with("seed", self.seed)
+                .with("spread", self.spread);
             output::table(folder, "attractors", &table(answer)?, &manifest)?;
-            output::figure(folder, "basins", &figure(&base.kernel.plant, starts, answer))?;
-            output::table(folder, "starts", &starts_table(&base.kernel.plant, starts, answer)?, &manifest)?;
+            output::figure(
+                folder,
+                "basins",
+                &figure(&base.kernel.plant, starts, answer),
+            )?;
+            output::table(
+                folder,
+                "starts",
+                &starts_table(&base.kernel.plant, starts, answer)?,
+                &manifest,
+            )?;
         }
         if self.output.json {
             print(&serde_json::json!({
@@ -119,10 +183,19 @@ impl Basins {
         line("attractor      period  contacts    mean_power_w  share (95 %)");
         for a in &answer.attractors {
             let share = &a.share;
-            let mirror = a.mirror_of.as_ref().map_or_else(String::new, |id| format!("  mirror image of {id}"));
+            let mirror = a
+                .mirror_of
+                .as_ref()
+                .map_or_else(String::new, |id| format!("  mirror image of {id}"));
             line(format!(
                 "{:<13} {:>7} {:>9}    {:.6e}  {:.3} ({:.3} to {:.3}){mirror}",
-                a.id, a.period_cycles, a.contacts_per_period, a.mean_power_w, share.fraction, share.low, share.high
+                a.id,
+                a.period_cycles,
+                a.contacts_per_period,
+                a.mean_power_w,
+                share.fraction,
+                share.low,
+                share.high
             ));
         }
         line(format!(
@@ -153,27 +226,56 @@ fn to_json(a: &Attractor) -> serde_json::Value {
 fn table(answer: &BasinsResult) -> Result<Table, Failure> {
     let all = &answer.attractors;
     let number = |name: &str, unit: &str, about: &str, value: fn(&Attractor) -> f64| {
-        Column::new(name, unit, about, all.iter().map(value).collect::<Vec<f64>>())
+        Column::new(
+            name,
+            unit,
+            about,
+            all.iter().map(value).collect::<Vec<f64>>(),
+        )
     };
     Ok(Table::new(vec![
-        Column::new("id", "", "period in drive cycles and a letter by falling power", all.iter().map(|a| a.id.clone()).collect::<Vec<_>>()),
+        Column::new(
+            "id",
+            "",
+            "period in drive cycles and a letter by falling power",
+            all.iter().map(|a| a.id.clone()).collect::<Vec<_>>(),
+        ),
         Column::new(
             "period_cycles",
             "",
             "period in drive cycles, 0 for none",
-            all.iter().map(|a| u64::from(a.period_cycles)).collect::<Vec<_>>(),
+            all.iter()
+                .map(|a| u64::from(a.period_cycles))
+                .collect::<Vec<_>>(),
         ),
-        Column::new("chaotic", "", "neighbouring motions part", all.iter().map(|a| a.is_chaotic()).collect::<Vec<bool>>()),
-        number("mean_power_w", "W", "mean power of all loads", |a| a.mean_power_w),
+        Column::new(
+            "chaotic",
+            "",
+            "neighbouring motions part",
+            all.iter().map(|a| a.is_chaotic()).collect::<Vec<bool>>(),
+        ),
+        number("mean_power_w", "W", "mean power of all loads", |a| {
+            a.mean_power_w
+        }),
         number("fraction", "", "share of the starts", |a| a.share.fraction),
-        number("fraction_low", "", "lower end of its 95 % interval", |a| a.share.low),
-        number("fraction_high", "", "upper end of its 95 % interval", |a| a.share.high),
+        number("fraction_low", "", "lower end of its 95 % interval", |a| {
+            a.share.low
+        }),
+        number("fraction_high", "", "upper end of its 95 % interval", |a| {
+            a.share.high
+        }),
     ])?)
 }
 
 /// One row for each start, in order.
-fn starts_table(plant: &Plant, starts: &InitialStates, answer: &BasinsResult) -> Result<Table, Failure> {
-    let all: Vec<SectionPoint> = (0..starts.len()).map(|index| SectionPoint::of(&plant.system, &starts.start(plant, index))).collect();
+fn starts_table(
+    plant: &Plant,
+    starts: &InitialStates,
+    answer: &BasinsResult,
+) -> Result<Table, Failure> {
+    let all: Vec<SectionPoint> = (0..starts.len())
+        .map(|index| SectionPoint::of(&plant.system, &starts.start(plant, index)))
+        .collect();
     let is_lost = |index: usize| answer.lost.iter().any(|(lost, _)| *lost == index);
     let home = |index: usize| match answer.attractors.iter().find(|a| a.starts.contains(&index)) {
         Some(attractor) => attractor.id.clone(),
@@ -181,14 +283,38 @@ fn starts_table(plant: &Plant, starts: &InitialStates, answer: &BasinsResult) ->
         None => "not marched".to_owned(),
     };
     let number = |name: &str, unit: &str, about: &str, value: fn(&SectionPoint) -> f64| {
-        Column::new(name, unit, about, all.iter().map(value).collect::<Vec<f64>>())
+        Column::new(
+            name,
+            unit,
+            about,
+            all.iter().map(value).collect::<Vec<f64>>(),
+        )
     };
     Ok(Table::new(vec![
-        Column::new("start", "", "number of the start, from 0", (0..all.len() as u64).collect::<Vec<_>>()),
-        number("displacement_m", "m", "displacement towards the stop", |point| point.displacement_m),
-        number("velocity_m_per_s", "m/s", "its velocity", |point| point.velocity_m_per_s),
-        number("voltage_v", "V", "voltage of the first patch", |point| point.voltage_v),
-        Column::new("attractor", "", "id of the attractor", (0..all.len()).map(home).collect::<Vec<_>>()),
+        Column::new(
+            "start",
+            "",
+            "number of the start, from 0",
+            (0..all.len() as u64).collect::<Vec<_>>(),
+        ),
+        number(
+            "displacement_m",
+            "m",
+            "displacement towards the stop",
+            |point| point.displacement_m,
+        ),
+        number("velocity_m_per_s", "m/s", "its velocity", |point| {
+            point.velocity_m_per_s
+        }),
+        number("voltage_v", "V", "voltage of the first patch", |point| {
+            point.voltage_v
+        }),
+        Column::new(
+            "attractor",
+            "",
+            "id of the attractor",
+            (0..all.len()).map(home).collect::<Vec<_>>(),
+        ),
     ])?)
 }
 
@@ -204,7 +330,11 @@ fn figure(plant: &Plant, starts: &InitialStates, answer: &BasinsResult) -> Figur
         _ => [GridAxis::Displacement, GridAxis::Velocity],
     };
     let [x, y] = plane.map(grid::axis);
-    let marker = if sides.is_empty() { Marker::Circle } else { Marker::Square };
+    let marker = if sides.is_empty() {
+        Marker::Circle
+    } else {
+        Marker::Square
+    };
     let mut panel = Panel::new(x, y).high(380.0);
     for (k, attractor) in answer.attractors.iter().enumerate() {
         let at = |index: &usize| {
@@ -213,7 +343,11 @@ fn figure(plant: &Plant, starts: &InitialStates, answer: &BasinsResult) -> Figur
             (x, y)
         };
         let (x, y) = attractor.starts.iter().map(at).unzip();
-        panel = panel.with(Series::points(x, y, marker).colour(Colour::nth(k)).label(&attractor.id));
+        panel = panel.with(
+            Series::points(x, y, marker)
+                .colour(Colour::nth(k))
+                .label(&attractor.id),
+        );
     }
     Figure::new("Where starts end").with(panel)
 }

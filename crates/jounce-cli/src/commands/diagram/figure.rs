@@ -2,34 +2,81 @@
 
 use super::DiagramResult;
 use crate::failure::Failure;
-use jounce::analysis::{AnalysisError, Branch, DiagramPoint, Model, Parameter, SectionPoint, SweepDirection};
+use jounce::analysis::{
+    AnalysisError, Branch, DiagramPoint, Model, Parameter, SectionPoint, SweepDirection,
+};
 use jounce::picture::{self, Axis, BranchLine, DiagramDots, DiagramView, Figure};
 use jounce::spec::NumericKey;
 
 /// Both panels.
-pub fn figure((base, parameter): (&Model, &Parameter), key: &NumericKey, answer: &DiagramResult) -> Result<Figure, Failure> {
+pub fn figure(
+    (base, parameter): (&Model, &Parameter),
+    key: &NumericKey,
+    answer: &DiagramResult,
+) -> Result<Figure, Failure> {
     let mut displacements = Vec::new();
     for branch in &answer.branches {
         displacements.extend(sections((base, parameter), branch)?);
     }
-    let powers = answer.branches.iter().map(|branch| line(branch, branch.points.iter().map(|point| point.orbit.mean_power_w).collect()));
+    let powers = answer.branches.iter().map(|branch| {
+        line(
+            branch,
+            branch
+                .points
+                .iter()
+                .map(|point| point.orbit.mean_power_w)
+                .collect(),
+        )
+    });
     let views = [
         DiagramView {
             value: Axis::linear("Displacement once a cycle", "m"),
             lines: displacements,
-            dots: dots(answer, |visit| visit.section.iter().map(|point| point.displacement_m).collect()),
+            dots: dots(answer, |visit| {
+                visit
+                    .section
+                    .iter()
+                    .map(|point| point.displacement_m)
+                    .collect()
+            }),
         },
-        DiagramView { value: Axis::log("Mean power", "W"), lines: powers.collect(), dots: dots(answer, |visit| vec![visit.mean_power_w]) },
+        DiagramView {
+            value: Axis::log("Mean power", "W"),
+            lines: powers.collect(),
+            dots: dots(answer, |visit| vec![visit.mean_power_w]),
+        },
     ];
-    Ok(picture::diagram(&format!("Answers over {}", key.path()), &Axis::linear(key.path(), &key.unit()), &views))
+    Ok(picture::diagram(
+        &format!("Answers over {}", key.path()),
+        &Axis::linear(key.path(), &key.unit()),
+        &views,
+    ))
 }
 
 /// A line for each drive cycle of a branch.
-fn sections((base, parameter): (&Model, &Parameter), branch: &Branch) -> Result<Vec<BranchLine>, AnalysisError> {
-    let along = |point: &jounce::analysis::BranchPoint| SectionPoint::of_orbit(base, parameter, point.parameter, &point.orbit);
-    let all = branch.points.iter().map(along).collect::<Result<Vec<_>, _>>()?;
+fn sections(
+    (base, parameter): (&Model, &Parameter),
+    branch: &Branch,
+) -> Result<Vec<BranchLine>, AnalysisError> {
+    let along = |point: &jounce::analysis::BranchPoint| {
+        SectionPoint::of_orbit(base, parameter, point.parameter, &point.orbit)
+    };
+    let all = branch
+        .points
+        .iter()
+        .map(along)
+        .collect::<Result<Vec<_>, _>>()?;
     let cycles = branch.period_cycles as usize;
-    Ok((0..cycles).map(|cycle| line(branch, all.iter().map(|section| section[cycle].displacement_m).collect())).collect())
+    Ok((0..cycles)
+        .map(|cycle| {
+            line(
+                branch,
+                all.iter()
+                    .map(|section| section[cycle].displacement_m)
+                    .collect(),
+            )
+        })
+        .collect())
 }
 
 fn line(branch: &Branch, value: Vec<f64>) -> BranchLine {
@@ -37,28 +84,47 @@ fn line(branch: &Branch, value: Vec<f64>) -> BranchLine {
         label: format!("branch of period {}", branch.period_cycles),
         parameter: branch.points.iter().map(|point| point.parameter).collect(),
         value,
-        stable: branch.points.iter().map(|point| point.orbit.is_stable()).collect(),
+        stable: branch
+            .points
+            .iter()
+            .map(|point| point.orbit.is_stable())
+            .collect(),
     }
 }
 
 /// Points by direction, or by attractor where that is known.
 fn dots(answer: &DiagramResult, values: impl Fn(&DiagramPoint) -> Vec<f64>) -> Vec<DiagramDots> {
     let own = |label: &str, belongs: &dyn Fn(usize, &DiagramPoint) -> bool| {
-        let mut dots = DiagramDots { label: label.to_owned(), parameter: Vec::new(), value: Vec::new() };
-        for (_, visit) in answer.visits.iter().enumerate().filter(|(k, visit)| belongs(*k, visit)) {
+        let mut dots = DiagramDots {
+            label: label.to_owned(),
+            parameter: Vec::new(),
+            value: Vec::new(),
+        };
+        for (_, visit) in answer
+            .visits
+            .iter()
+            .enumerate()
+            .filter(|(k, visit)| belongs(*k, visit))
+        {
             let values = values(visit);
-            dots.parameter.extend(std::iter::repeat_n(visit.parameter, values.len()));
+            dots.parameter
+                .extend(std::iter::repeat_n(visit.parameter, values.len()));
             dots.value.extend(values);
         }
         (!dots.value.is_empty()).then_some(dots)
     };
     match &answer.history {
         Some(history) => (history.attractors.iter().enumerate())
-            .filter_map(|(home, attractor)| own(&attractor.id, &|k, _| history.homes[k] == Some(home)))
+            .filter_map(|(home, attractor)| {
+                own(&attractor.id, &|k, _| history.homes[k] == Some(home))
+            })
             .collect(),
-        None => [(SweepDirection::Up, "stepped up"), (SweepDirection::Down, "stepped down")]
-            .into_iter()
-            .filter_map(|(way, label)| own(label, &|_, visit| visit.direction == way))
-            .collect(),
+        None => [
+            (SweepDirection::Up, "stepped up"),
+            (SweepDirection::Down, "stepped down"),
+        ]
+        .into_iter()
+        .filter_map(|(way, label)| own(label, &|_, visit| visit.direction == way))
+        .collect(),
     }
 }

@@ -13,7 +13,8 @@ use crate::threads::ThreadsArgument;
 use clap::{Args, ValueEnum};
 use jounce::analysis::DiagramPoint;
 use jounce::analysis::{
-    AttractorKind, AttractorTracks, Branch, BranchSearch, Cloud, Diagram as Study, DiagramOrder, Journal, Model, OrbitMethodKind, Parameter,
+    AttractorKind, AttractorTracks, Branch, BranchSearch, Cloud, Diagram as Study, DiagramOrder,
+    Journal, Model, OrbitMethodKind, Parameter,
 };
 use jounce::spec::{KeyRange, Spec};
 
@@ -94,18 +95,34 @@ impl Diagram {
         let range = self.spec.checked(file.range(&self.over))?;
         let values = range.values();
         if values.windows(2).any(|pair| pair[0] >= pair[1]) {
-            return Err(Failure::usage(format!("{}: the values of a diagram must rise", self.over)));
+            return Err(Failure::usage(format!(
+                "{}: the values of a diagram must rise",
+                self.over
+            )));
         }
         let (low, high) = (values[0], values[values.len() - 1]);
         let base = Model::new(spec.clone())?;
         check_drive(&self.spec, &base.kernel.plant, "a diagram")?;
-        let width = if high > low { high - low } else { high.abs().max(1e-12) };
+        let width = if high > low {
+            high - low
+        } else {
+            high.abs().max(1e-12)
+        };
         let parameter = Parameter::new(&base, range.key(), width);
-        let study = Study { base: &base, parameter: &parameter, values, order, cycles: self.cycles, tolerance: self.tolerance };
+        let study = Study {
+            base: &base,
+            parameter: &parameter,
+            values,
+            order,
+            cycles: self.cycles,
+            tolerance: self.tolerance,
+        };
         let visits = self.marched(&study, &spec)?;
         let history = match order {
             DiagramOrder::Starts(_) => {
-                Some(progress::with_progress(&base.kernel.control, || self.threads.run(|| study.history(&visits)))??)
+                Some(progress::with_progress(&base.kernel.control, || {
+                    self.threads.run(|| study.history(&visits))
+                })??)
             }
             DiagramOrder::Up | DiagramOrder::Down | DiagramOrder::Both => None,
         };
@@ -119,19 +136,46 @@ impl Diagram {
             longest_period: self.longest_period,
         };
         let wanted = !self.no_branches && high > low;
-        let branches =
-            if wanted { progress::with_progress(&base.kernel.control, || self.threads.run(|| search.run()))?? } else { Vec::new() };
-        self.tell(&spec, (&base, &parameter, &range), &DiagramResult { visits, history, branches })?;
-        interruption::end(&base.kernel.control, || "all marches, with the histories and branches that were finished".to_owned())
+        let branches = if wanted {
+            progress::with_progress(&base.kernel.control, || self.threads.run(|| search.run()))??
+        } else {
+            Vec::new()
+        };
+        self.tell(
+            &spec,
+            (&base, &parameter, &range),
+            &DiagramResult {
+                visits,
+                history,
+                branches,
+            },
+        )?;
+        interruption::end(&base.kernel.control, || {
+            "all marches, with the histories and branches that were finished".to_owned()
+        })
     }
 
     fn order(&self) -> Result<DiagramOrder, Failure> {
-        if let Some(spread) = self.spread.filter(|spread| !(*spread > 0.0 && spread.is_finite())) {
-            return Err(Failure::usage(format!("--spread {spread}: give a number greater than 0")));
+        if let Some(spread) = self
+            .spread
+            .filter(|spread| !(*spread > 0.0 && spread.is_finite()))
+        {
+            return Err(Failure::usage(format!(
+                "--spread {spread}: give a number greater than 0"
+            )));
         }
-        let given = [("--starts", self.starts.is_some()), ("--seed", self.seed.is_some()), ("--spread", self.spread.is_some())];
-        if let Some((option, _)) = given.into_iter().find(|(_, is_given)| *is_given && self.direction != Direction::Starts) {
-            return Err(Failure::usage(format!("{option} belongs to a cloud of starts: add --direction starts or leave {option} out")));
+        let given = [
+            ("--starts", self.starts.is_some()),
+            ("--seed", self.seed.is_some()),
+            ("--spread", self.spread.is_some()),
+        ];
+        if let Some((option, _)) = given
+            .into_iter()
+            .find(|(_, is_given)| *is_given && self.direction != Direction::Starts)
+        {
+            return Err(Failure::usage(format!(
+                "{option} belongs to a cloud of starts: add --direction starts or leave {option} out"
+            )));
         }
         Ok(match self.direction {
             Direction::Up => DiagramOrder::Up,
@@ -147,39 +191,82 @@ impl Diagram {
 
     /// The marches, going on where an interrupted call of the same command stopped.
     fn marched(&self, study: &Study, spec: &Spec) -> Result<Vec<DiagramPoint>, Failure> {
-        let options = format!("diagram {} {:?} {} {}", self.over, study.order, self.cycles, self.tolerance);
-        let journal = Journal::<DiagramPoint>::open(&cache::folder(), &cache::key(&spec.hash_hex(), &options))?;
+        let options = format!(
+            "diagram {} {:?} {} {}",
+            self.over, study.order, self.cycles, self.tolerance
+        );
+        let journal = Journal::<DiagramPoint>::open(
+            &cache::folder(),
+            &cache::key(&spec.hash_hex(), &options),
+        )?;
         let bar = progress::counted(study.len(), "marches");
         bar.set_position(journal.found().len() as u64);
         if !journal.found().is_empty() {
             eprintln!("going on after {} finished marches", journal.found().len());
         }
         interruption::install(&study.base.kernel.control);
-        let visits = self.threads.run(|| study.run(Some(&journal), &|_| bar.inc(1)))??;
+        let visits = self
+            .threads
+            .run(|| study.run(Some(&journal), &|_| bar.inc(1)))??;
         bar.finish_and_clear();
         if visits.len() < study.len() {
-            let text = format!("stopped after {} of {} marches; the same command goes on from there", visits.len(), study.len());
+            let text = format!(
+                "stopped after {} of {} marches; the same command goes on from there",
+                visits.len(),
+                study.len()
+            );
             return Err(Failure::Interrupted(text));
         }
         journal.finish()?;
-        let lost = visits.iter().filter(|visit| visit.motion == AttractorKind::Lost).count();
+        let lost = visits
+            .iter()
+            .filter(|visit| visit.motion == AttractorKind::Lost)
+            .count();
         if lost == visits.len() {
-            return Err(Failure::NotConverged("every march failed; a larger --tolerance or another range may help".to_owned()));
+            return Err(Failure::NotConverged(
+                "every march failed; a larger --tolerance or another range may help".to_owned(),
+            ));
         }
         if lost > 0 {
-            eprintln!("{lost} of {} marches failed; their motion is `lost`", visits.len());
+            eprintln!(
+                "{lost} of {} marches failed; their motion is `lost`",
+                visits.len()
+            );
         }
         Ok(visits)
     }
 
-    fn tell(&self, spec: &Spec, (base, parameter, range): (&Model, &Parameter, &KeyRange), answer: &DiagramResult) -> Result<(), Failure> {
+    fn tell(
+        &self,
+        spec: &Spec,
+        (base, parameter, range): (&Model, &Parameter, &KeyRange),
+        answer: &DiagramResult,
+    ) -> Result<(), Failure> {
         if let Some(folder) = &self.output.out {
-            let manifest = self.spec.manifest(spec, "diagram").with("over", &self.over).with("seed", self.seed.unwrap_or(DEFAULT_SEED));
-            output::table(folder, "diagram", &report::points(range.key(), answer)?, &manifest)?;
+            let manifest = self
+                .spec
+                .manifest(spec, "diagram")
+                .with("over", &self.over)
+                .with("seed", self.seed.unwrap_or(DEFAULT_SEED));
+            output::table(
+                folder,
+                "diagram",
+                &report::points(range.key(), answer)?,
+                &manifest,
+            )?;
             if let Some(history) = &answer.history {
-                output::table(folder, "attractors", &report::attractors(range.key(), history)?, &manifest)?;
+                output::table(
+                    folder,
+                    "attractors",
+                    &report::attractors(range.key(), history)?,
+                    &manifest,
+                )?;
             }
-            output::figure(folder, "diagram", &figure::figure((base, parameter), range.key(), answer)?)?;
+            output::figure(
+                folder,
+                "diagram",
+                &figure::figure((base, parameter), range.key(), answer)?,
+            )?;
         }
         if self.output.json {
             report::json(range.key(), answer);

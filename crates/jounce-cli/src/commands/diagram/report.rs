@@ -3,7 +3,9 @@
 use super::DiagramResult;
 use crate::failure::Failure;
 use crate::output::{line, print};
-use jounce::analysis::{AttractorTrack, AttractorTracks, DiagramPoint, SectionPoint, TrackPoint, Transition};
+use jounce::analysis::{
+    AttractorTrack, AttractorTracks, DiagramPoint, SectionPoint, TrackPoint, Transition,
+};
 use jounce::spec::NumericKey;
 use jounce::table::{Column, Table};
 
@@ -13,7 +15,9 @@ fn ids(answer: &DiagramResult) -> Vec<&str> {
         let history = answer.history.as_ref()?;
         Some(history.attractors[history.homes[k]?].id.as_str())
     };
-    (0..answer.visits.len()).map(|k| of(k).unwrap_or_default()).collect()
+    (0..answer.visits.len())
+        .map(|k| of(k).unwrap_or_default())
+        .collect()
 }
 
 /// As one JSON object on stdout.
@@ -35,16 +39,24 @@ pub fn json(key: &NumericKey, answer: &DiagramResult) {
         })
         .collect();
     let attractors = answer.history.as_ref().map(|history| &history.attractors);
-    print(&serde_json::json!({ "over": key.path(), "unit": key.unit(), "points": points, "attractors": attractors }));
+    print(
+        &serde_json::json!({ "over": key.path(), "unit": key.unit(), "points": points, "attractors": attractors }),
+    );
 }
 
 /// As lines of text.
 pub fn text(key: &NumericKey, answer: &DiagramResult) {
     if let Some(history) = &answer.history {
-        history.attractors.iter().for_each(|attractor| life(key, attractor));
+        history
+            .attractors
+            .iter()
+            .for_each(|attractor| life(key, attractor));
         return;
     }
-    line(format!("{:>14}  direction    motion     period  contacts    mean_power_w", format!("parameter [{}]", key.unit())));
+    line(format!(
+        "{:>14}  direction    motion     period  contacts    mean_power_w",
+        format!("parameter [{}]", key.unit())
+    ));
     for visit in &answer.visits {
         line(format!(
             "{:>14.6}  {:<11}  {:<9}  {:>6}  {:>8}    {:.6e}",
@@ -60,11 +72,19 @@ pub fn text(key: &NumericKey, answer: &DiagramResult) {
 
 /// One attractor: where it is, how it came about and how it ended.
 fn life(key: &NumericKey, attractor: &AttractorTrack) {
-    let (Some(first), Some(last)) = (attractor.seen.first(), attractor.seen.last()) else { return };
+    let (Some(first), Some(last)) = (attractor.seen.first(), attractor.seen.last()) else {
+        return;
+    };
     let unit = key.unit();
     let turn = |turn: &Option<Transition>, verb: &str, way: &str| {
-        let other = |turn: &Transition| turn.other.as_ref().map_or_else(String::new, |other| format!(" {way} {other}"));
-        turn.as_ref().map_or_else(String::new, |turn| format!(", {verb} at {} {unit}{}", turn.parameter, other(turn)))
+        let other = |turn: &Transition| {
+            turn.other
+                .as_ref()
+                .map_or_else(String::new, |other| format!(" {way} {other}"))
+        };
+        turn.as_ref().map_or_else(String::new, |turn| {
+            format!(", {verb} at {} {unit}{}", turn.parameter, other(turn))
+        })
     };
     line(format!(
         "{:<12} {:<9} from {} to {} {unit}, {:.3e} to {:.3e} W{}{}",
@@ -82,45 +102,134 @@ fn life(key: &NumericKey, attractor: &AttractorTrack) {
 /// One row for each point of the section.
 pub fn points(key: &NumericKey, answer: &DiagramResult) -> Result<Table, Failure> {
     let ids = ids(answer);
-    let all: Vec<(&DiagramPoint, &str, &SectionPoint)> =
-        (answer.visits.iter().zip(&ids)).flat_map(|(visit, id)| visit.section.iter().map(move |point| (visit, *id, point))).collect();
-    let number = |name: &str, unit: &str, about: &str, value: fn(&DiagramPoint, &SectionPoint) -> f64| {
-        Column::new(name, unit, about, all.iter().map(|(visit, _, point)| value(visit, point)).collect::<Vec<f64>>())
-    };
+    let all: Vec<(&DiagramPoint, &str, &SectionPoint)> = (answer.visits.iter().zip(&ids))
+        .flat_map(|(visit, id)| visit.section.iter().map(move |point| (visit, *id, point)))
+        .collect();
+    let number =
+        |name: &str, unit: &str, about: &str, value: fn(&DiagramPoint, &SectionPoint) -> f64| {
+            Column::new(
+                name,
+                unit,
+                about,
+                all.iter()
+                    .map(|(visit, _, point)| value(visit, point))
+                    .collect::<Vec<f64>>(),
+            )
+        };
     let count = |name: &str, about: &str, value: fn(&DiagramPoint) -> u64| {
-        Column::new(name, "", about, all.iter().map(|(visit, ..)| value(visit)).collect::<Vec<u64>>())
+        Column::new(
+            name,
+            "",
+            about,
+            all.iter()
+                .map(|(visit, ..)| value(visit))
+                .collect::<Vec<u64>>(),
+        )
     };
     let text = |name: &str, about: &str, value: &dyn Fn(&DiagramPoint, &str) -> String| {
-        Column::new(name, "", about, all.iter().map(|(visit, id, _)| value(visit, id)).collect::<Vec<String>>())
+        Column::new(
+            name,
+            "",
+            about,
+            all.iter()
+                .map(|(visit, id, _)| value(visit, id))
+                .collect::<Vec<String>>(),
+        )
     };
     Ok(Table::new(vec![
-        number("parameter", &key.unit(), key.path(), |visit, _| visit.parameter),
-        text("direction", "how the value was reached", &|visit, _| visit.direction.name().to_owned()),
-        count("start", "number of the start in its cloud", |visit| visit.start as u64),
-        text("attractor", "id of the attractor, from starts only", &|_, id| id.to_owned()),
-        text("motion", "orbit, chaos, torus or undecided", &|visit, _| visit.motion.name().to_owned()),
-        count("period_cycles", "period in drive cycles, 0 for none", |visit| u64::from(visit.period_cycles)),
-        count("contacts_per_period", "contacts per period, 0 for none", |visit| visit.contacts_per_period),
-        number("mean_power_w", "W", "mean power of all loads", |visit, _| visit.mean_power_w),
-        number("displacement_m", "m", "displacement towards the stop at the start of a drive cycle", |_, point| point.displacement_m),
-        number("velocity_m_per_s", "m/s", "its velocity", |_, point| point.velocity_m_per_s),
-        number("voltage_v", "V", "voltage of the first patch", |_, point| point.voltage_v),
+        number("parameter", &key.unit(), key.path(), |visit, _| {
+            visit.parameter
+        }),
+        text("direction", "how the value was reached", &|visit, _| {
+            visit.direction.name().to_owned()
+        }),
+        count("start", "number of the start in its cloud", |visit| {
+            visit.start as u64
+        }),
+        text(
+            "attractor",
+            "id of the attractor, from starts only",
+            &|_, id| id.to_owned(),
+        ),
+        text("motion", "orbit, chaos, torus or undecided", &|visit, _| {
+            visit.motion.name().to_owned()
+        }),
+        count(
+            "period_cycles",
+            "period in drive cycles, 0 for none",
+            |visit| u64::from(visit.period_cycles),
+        ),
+        count(
+            "contacts_per_period",
+            "contacts per period, 0 for none",
+            |visit| visit.contacts_per_period,
+        ),
+        number(
+            "mean_power_w",
+            "W",
+            "mean power of all loads",
+            |visit, _| visit.mean_power_w,
+        ),
+        number(
+            "displacement_m",
+            "m",
+            "displacement towards the stop at the start of a drive cycle",
+            |_, point| point.displacement_m,
+        ),
+        number("velocity_m_per_s", "m/s", "its velocity", |_, point| {
+            point.velocity_m_per_s
+        }),
+        number(
+            "voltage_v",
+            "V",
+            "voltage of the first patch",
+            |_, point| point.voltage_v,
+        ),
     ])?)
 }
 
 /// One row for each attractor at each value.
 pub fn attractors(key: &NumericKey, history: &AttractorTracks) -> Result<Table, Failure> {
-    let all: Vec<(&AttractorTrack, &TrackPoint)> =
-        history.attractors.iter().flat_map(|attractor| attractor.seen.iter().map(move |seen| (attractor, seen))).collect();
+    let all: Vec<(&AttractorTrack, &TrackPoint)> = history
+        .attractors
+        .iter()
+        .flat_map(|attractor| attractor.seen.iter().map(move |seen| (attractor, seen)))
+        .collect();
     let number = |name: &str, unit: &str, about: &str, value: fn(&TrackPoint) -> f64| {
-        Column::new(name, unit, about, all.iter().map(|(_, seen)| value(seen)).collect::<Vec<f64>>())
+        Column::new(
+            name,
+            unit,
+            about,
+            all.iter()
+                .map(|(_, seen)| value(seen))
+                .collect::<Vec<f64>>(),
+        )
     };
     Ok(Table::new(vec![
-        Column::new("id", "", "id of the attractor", all.iter().map(|(attractor, _)| attractor.id.clone()).collect::<Vec<_>>()),
+        Column::new(
+            "id",
+            "",
+            "id of the attractor",
+            all.iter()
+                .map(|(attractor, _)| attractor.id.clone())
+                .collect::<Vec<_>>(),
+        ),
         number("parameter", &key.unit(), key.path(), |seen| seen.parameter),
-        number("mean_power_w", "W", "mean power of all loads", |seen| seen.mean_power_w),
+        number("mean_power_w", "W", "mean power of all loads", |seen| {
+            seen.mean_power_w
+        }),
         number("fraction", "", "share of the starts", |seen| seen.fraction),
-        number("fraction_low", "", "lower end of its 95 % interval", |seen| seen.fraction_low),
-        number("fraction_high", "", "upper end of its 95 % interval", |seen| seen.fraction_high),
+        number(
+            "fraction_low",
+            "",
+            "lower end of its 95 % interval",
+            |seen| seen.fraction_low,
+        ),
+        number(
+            "fraction_high",
+            "",
+            "upper end of its 95 % interval",
+            |seen| seen.fraction_high,
+        ),
     ])?)
 }

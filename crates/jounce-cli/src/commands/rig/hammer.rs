@@ -38,14 +38,32 @@ impl HammerTestArguments {
     }
 
     /// The recording of the test.
-    pub fn struck(&self, mut spec: Spec, point: &str, held: &[String], sensing: &SensingArguments) -> Result<Recording, Failure> {
+    pub fn struck(
+        &self,
+        mut spec: Spec,
+        point: &str,
+        held: &[String],
+        sensing: &SensingArguments,
+    ) -> Result<Recording, Failure> {
         spec.take_drives_away();
         spec.stop.clear();
         spec.gravity = Gravity::default();
         let modes = structure::modes_holding(&spec, held)?;
-        let points: Vec<String> = if sensing.at.is_empty() { modes.shape.keys().cloned().collect() } else { sensing.at.clone() };
-        let patches = modes.patch.keys().filter(|_| sensing.at.is_empty()).map(|patch| FrfResponse::Voltage(patch.clone()));
-        let responses = points.into_iter().map(FrfResponse::Acceleration).chain(patches).collect();
+        let points: Vec<String> = if sensing.at.is_empty() {
+            modes.shape.keys().cloned().collect()
+        } else {
+            sensing.at.clone()
+        };
+        let patches = modes
+            .patch
+            .keys()
+            .filter(|_| sensing.at.is_empty())
+            .map(|patch| FrfResponse::Voltage(patch.clone()));
+        let responses = points
+            .into_iter()
+            .map(FrfResponse::Acceleration)
+            .chain(patches)
+            .collect();
         let test = HammerTest {
             point: point.to_owned(),
             responses,

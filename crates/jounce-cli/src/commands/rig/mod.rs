@@ -78,7 +78,10 @@ impl SensingArguments {
 
     /// The sensors.
     pub fn sensor(&self) -> Sensor {
-        Sensor { noise_ratio: self.noise, bits: self.bits }
+        Sensor {
+            noise_ratio: self.noise,
+            bits: self.bits,
+        }
     }
 
     /// Names of the bodies to hold.
@@ -89,9 +92,20 @@ impl SensingArguments {
     /// Cables and accelerometers are part of what is measured.
     fn fit(&self, spec: &mut Spec) -> Result<(), Failure> {
         if self.cable.is_some() || self.cable_leakage.is_some() {
-            let capacitance_f = self.cable.as_ref().map_or(Ok(0.0), |text| positive("--cable", text, Unit::Capacitance))?;
-            let leakage_ohm = self.cable_leakage.as_ref().map(|text| positive("--cable-leakage", text, Unit::Resistance)).transpose()?;
-            Cable { capacitance_f, leakage_ohm }.wire(spec)?;
+            let capacitance_f = self
+                .cable
+                .as_ref()
+                .map_or(Ok(0.0), |text| positive("--cable", text, Unit::Capacitance))?;
+            let leakage_ohm = self
+                .cable_leakage
+                .as_ref()
+                .map(|text| positive("--cable-leakage", text, Unit::Resistance))
+                .transpose()?;
+            Cable {
+                capacitance_f,
+                leakage_ohm,
+            }
+            .wire(spec)?;
         }
         if let Some(text) = &self.sensor_mass {
             carry(spec, &self.at, positive("--sensor-mass", text, Unit::Mass)?)?;
@@ -109,12 +123,21 @@ impl Rig {
         self.sensing.fit(&mut spec)?;
         let recording = match self.hammer.point() {
             Some(point) => self.hammer.struck(spec, point, &held, &self.sensing)?,
-            None => self.shaker.shaken(spec, &held, &self.sensing, &self.spec.folder())?,
+            None => self
+                .shaker
+                .shaken(spec, &held, &self.sensing, &self.spec.folder())?,
         };
         write(&recording, &self.to)?;
-        let names: Vec<&str> = recording.channels.iter().map(|channel| channel.name.as_str()).collect();
+        let names: Vec<&str> = recording
+            .channels
+            .iter()
+            .map(|channel| channel.name.as_str())
+            .collect();
         let (samples, rate_hz, seed) = (recording.grid.len(), recording.rate(), self.sensing.seed);
-        recording.findings.iter().for_each(|finding| eprintln!("{finding}"));
+        recording
+            .findings
+            .iter()
+            .for_each(|finding| eprintln!("{finding}"));
         if self.json {
             print(&serde_json::json!({
                 "file": self.to,
@@ -125,7 +148,11 @@ impl Rig {
                 "findings": recording.findings,
             }));
         } else {
-            line(format!("{}: {samples} samples at {rate_hz} Hz of {} (simulated)", self.to.display(), names.join(", ")));
+            line(format!(
+                "{}: {samples} samples at {rate_hz} Hz of {} (simulated)",
+                self.to.display(),
+                names.join(", ")
+            ));
         }
         Ok(())
     }

@@ -27,19 +27,41 @@ pub struct ShakerArguments {
     #[arg(long, default_value_t = 1, requires = "solution")]
     starts_seed: u64,
     /// Standard deviation of the drive's amplitude over itself.
-    #[arg(long, value_name = "RATIO", default_value_t = 0.0, conflicts_with = "hammer")]
+    #[arg(
+        long,
+        value_name = "RATIO",
+        default_value_t = 0.0,
+        conflicts_with = "hammer"
+    )]
     amplitude_wander: f64,
     /// Standard deviation of the drive's frequency over itself.
-    #[arg(long, value_name = "RATIO", default_value_t = 0.0, conflicts_with = "hammer")]
+    #[arg(
+        long,
+        value_name = "RATIO",
+        default_value_t = 0.0,
+        conflicts_with = "hammer"
+    )]
     frequency_wander: f64,
     /// Time in which both wander.
     #[arg(long, value_name = "TIME", default_value = "5s")]
     wander_time: String,
     /// Change of the drive's amplitude from begin to end, over itself.
-    #[arg(long, value_name = "RATIO", default_value_t = 0.0, allow_hyphen_values = true, conflicts_with = "hammer")]
+    #[arg(
+        long,
+        value_name = "RATIO",
+        default_value_t = 0.0,
+        allow_hyphen_values = true,
+        conflicts_with = "hammer"
+    )]
     amplitude_drift: f64,
     /// Change of the drive's frequency from begin to end, over itself.
-    #[arg(long, value_name = "RATIO", default_value_t = 0.0, allow_hyphen_values = true, conflicts_with = "hammer")]
+    #[arg(
+        long,
+        value_name = "RATIO",
+        default_value_t = 0.0,
+        allow_hyphen_values = true,
+        conflicts_with = "hammer"
+    )]
     frequency_drift: f64,
     /// Moves the base as this recording says, for as long as it lasts, instead of the drives of the spec.
     #[arg(long, value_name = "FILE", conflicts_with = "hammer")]
@@ -54,7 +76,13 @@ pub struct ShakerArguments {
 
 impl ShakerArguments {
     /// The recording of the test.
-    pub fn shaken(&self, mut spec: Spec, held: &[String], sensing: &SensingArguments, folder: &Path) -> Result<Recording, Failure> {
+    pub fn shaken(
+        &self,
+        mut spec: Spec,
+        held: &[String],
+        sensing: &SensingArguments,
+        folder: &Path,
+    ) -> Result<Recording, Failure> {
         if let Some(file) = &self.base {
             self.move_base(&mut spec, file)?;
         }
@@ -71,11 +99,18 @@ impl ShakerArguments {
             amplitude_drift: self.amplitude_drift,
             frequency_drift: self.frequency_drift,
         };
-        let still = Disturbance { memory_s: wander.memory_s, ..Disturbance::NONE } == wander;
+        let still = Disturbance {
+            memory_s: wander.memory_s,
+            ..Disturbance::NONE
+        } == wander;
         let test = ShakerTest {
             rate_hz: sensing.rate_hz()?,
             duration_s: average_over_s,
-            before_s: if self.solution.is_empty() { duration_s - average_over_s } else { 0.0 },
+            before_s: if self.solution.is_empty() {
+                duration_s - average_over_s
+            } else {
+                0.0
+            },
             starts,
             wander: if still { Disturbance::NONE } else { wander },
             accelerometers: sensing.at.clone(),
@@ -88,7 +123,11 @@ impl ShakerArguments {
     fn move_base(&self, spec: &mut Spec, file: &Path) -> Result<(), Failure> {
         let mut survey = summary(file)?;
         let heads = survey.heads();
-        let found = driving_channel((&survey.name, &heads, &survey.findings), self.base_channel.as_deref(), Quantity::Acceleration);
+        let found = driving_channel(
+            (&survey.name, &heads, &survey.findings),
+            self.base_channel.as_deref(),
+            Quantity::Acceleration,
+        );
         let number = found.map_err(|error| Failure::usage(format!("--base-channel: {error}")))?;
         let assumed = heads[number].assumed(Quantity::Acceleration);
         survey.findings.extend(assumed);
@@ -96,7 +135,10 @@ impl ShakerArguments {
         let name = &recording.channels[0].name;
         let mean = on_recorded_base(spec, &recording, name, self.keep_mean)?;
         let words = if self.keep_mean { "kept" } else { "taken away" };
-        eprintln!("the base moves as {name} of {}; its mean of {mean:.5} m/s^2 is {words}", recording.name);
+        eprintln!(
+            "the base moves as {name} of {}; its mean of {mean:.5} m/s^2 is {words}",
+            recording.name
+        );
         Ok(())
     }
 
@@ -104,18 +146,29 @@ impl ShakerArguments {
     fn solutions(&self, spec: &Spec, wanted: &[String]) -> Result<Vec<(f64, StartState)>, Failure> {
         let found = solutions(
             spec,
-            &SolutionSearch { starts: self.starts, seed: self.starts_seed, ..SolutionSearch::default() },
+            &SolutionSearch {
+                starts: self.starts,
+                seed: self.starts_seed,
+                ..SolutionSearch::default()
+            },
             &Control::default(),
         )?;
         let one = |(number, text): (usize, &String)| {
-            let (id, at) = text.split_once('@').map_or((text.as_str(), None), |(id, at)| (id, Some(at)));
+            let (id, at) = text
+                .split_once('@')
+                .map_or((text.as_str(), None), |(id, at)| (id, Some(at)));
             let at_s = match at {
                 Some(at) => positive("--solution", at, Unit::Time)?,
                 None if number == 0 => 0.0,
-                None => return Err(Failure::usage(format!("--solution {text}: give the time from which on it is shown, as in {id}@42s"))),
+                None => {
+                    return Err(Failure::usage(format!(
+                        "--solution {text}: give the time from which on it is shown, as in {id}@42s"
+                    )));
+                }
             };
             let at_s = if number == 0 { 0.0 } else { at_s };
-            let start = start_of(&found, id).map_err(|error| Failure::usage(format!("--solution {text}: {error}")))?;
+            let start = start_of(&found, id)
+                .map_err(|error| Failure::usage(format!("--solution {text}: {error}")))?;
             Ok((at_s, start))
         };
         wanted.iter().enumerate().map(one).collect()

@@ -40,10 +40,19 @@ struct RecordingSet {
 /// The recordings in a file of arrays.
 pub(in super::super) fn into_found(mut tree: Tree) -> Result<FormatContents, Damage> {
     let arrays = std::mem::take(&mut tree.arrays);
-    let (singles, arrays): (Vec<Array>, Vec<Array>) = arrays.into_iter().filter(|array| array.length() > 0).partition(is_single);
+    let (singles, arrays): (Vec<Array>, Vec<Array>) = arrays
+        .into_iter()
+        .filter(|array| array.length() > 0)
+        .partition(is_single);
     if arrays.is_empty() {
-        let told = if tree.findings.is_empty() { String::new() } else { format!(" ({})", tree.findings[0].about) };
-        return Err(Damage::new(format!("it holds no numeric array that could be a record{told}; was the file cut?")));
+        let told = if tree.findings.is_empty() {
+            String::new()
+        } else {
+            format!(" ({})", tree.findings[0].about)
+        };
+        return Err(Damage::new(format!(
+            "it holds no numeric array that could be a record{told}; was the file cut?"
+        )));
     }
     let spacings = spacings(&singles, &mut tree)?;
     let lonely = lonely(&arrays)?;
@@ -52,7 +61,10 @@ pub(in super::super) fn into_found(mut tree: Tree) -> Result<FormatContents, Dam
     if sets.iter().any(|set| !set.columns.is_empty()) {
         for set in sets.iter().filter(|set| set.columns.is_empty()) {
             if let SampleAxis::Array(axis, _) = &set.axis {
-                tree.skip(format!("{} has {} places, and no channel is as long", axis.name, set.length));
+                tree.skip(format!(
+                    "{} has {} places, and no channel is as long",
+                    axis.name, set.length
+                ));
             }
         }
         sets.retain(|set| !set.columns.is_empty());
@@ -64,14 +76,27 @@ pub(in super::super) fn into_found(mut tree: Tree) -> Result<FormatContents, Dam
     tell_left(&mut tree, &left, &sets);
     let sets = merged(sets)?;
     let several = sets.len() > 1;
-    let (findings, mut of_set) = if several { (tree.findings, Vec::new()) } else { (Vec::new(), tree.findings) };
+    let (findings, mut of_set) = if several {
+        (tree.findings, Vec::new())
+    } else {
+        (Vec::new(), tree.findings)
+    };
     let mut rates = NearestByName::default();
-    spacings.iter().enumerate().for_each(|(k, spacing)| rates.insert(spacing.over, &spacing.scope, k));
+    spacings
+        .iter()
+        .enumerate()
+        .for_each(|(k, spacing)| rates.insert(spacing.over, &spacing.scope, k));
     let raws = sets.into_iter().map(|set| {
-        let rate = rates.nearest(&[Over::Time], &set.scope).map(|k| spacings[k].rate.clone());
+        let rate = rates
+            .nearest(&[Over::Time], &set.scope)
+            .map(|k| spacings[k].rate.clone());
         raw(set, rate, std::mem::take(&mut of_set))
     });
-    Ok(FormatContents { sets: raws.collect(), shapes: Vec::new(), findings })
+    Ok(FormatContents {
+        sets: raws.collect(),
+        shapes: Vec::new(),
+        findings,
+    })
 }
 
 fn is_single(array: &Array) -> bool {
@@ -85,14 +110,26 @@ fn lonely(arrays: &[Array]) -> io::Result<HashMap<Path, bool>> {
     for array in arrays.iter().filter(|array| !is_axis(array)) {
         *in_scope.entry(array.path.scope()).or_default() += 1;
     }
-    Ok(arrays.iter().map(|array| (array.path.clone(), !is_axis(array) && in_scope.get(array.path.scope()) == Some(&1))).collect())
+    Ok(arrays
+        .iter()
+        .map(|array| {
+            (
+                array.path.clone(),
+                !is_axis(array) && in_scope.get(array.path.scope()) == Some(&1),
+            )
+        })
+        .collect())
 }
 
 /// What the name of a real series says that it holds.
 fn over_by_name(array: &Array) -> Option<Over> {
     let one = array.series.len() == 1 && array.imaginary.is_none();
     let (name, _) = split(array.path.name());
-    let over = if is_time(&name) || is_time(array.path.name()) { Over::Time } else { Over::Frequency };
+    let over = if is_time(&name) || is_time(array.path.name()) {
+        Over::Time
+    } else {
+        Over::Frequency
+    };
     let named = over == Over::Time || is_frequency(&name) || is_frequency(array.path.name());
     (one && named).then_some(over)
 }
@@ -143,28 +180,56 @@ fn assigned(
         let (length, scope) = (array.length(), array.path.scope().to_vec());
         by_axis.insert((length, over), &scope, sets.len());
         timed.insert((), &scope, sets.len());
-        let axis = columns_of(array).pop().map_or(SampleAxis::Unknown, |axis| SampleAxis::Array(Box::new(axis), over));
-        sets.push(RecordingSet { axis, length, scope, columns: Vec::new() });
+        let axis = columns_of(array).pop().map_or(SampleAxis::Unknown, |axis| {
+            SampleAxis::Array(Box::new(axis), over)
+        });
+        sets.push(RecordingSet {
+            axis,
+            length,
+            scope,
+            columns: Vec::new(),
+        });
     }
     let times = sets.len();
     // A number beside a time of its own tells the rate of that time, and of nothing else.
     let mut free = NearestByName::default();
-    for (k, spacing) in spacings.iter().enumerate().filter(|(_, spacing)| timed.inside((), &spacing.scope).is_none()) {
+    for (k, spacing) in spacings
+        .iter()
+        .enumerate()
+        .filter(|(_, spacing)| timed.inside((), &spacing.scope).is_none())
+    {
         free.insert((), &spacing.scope, k);
     }
     let mut even = HashMap::<(Option<usize>, usize), usize>::new();
     for array in arrays.channels {
-        let (length, scope, path) = (array.length(), array.path.scope().to_vec(), array.path.0.clone());
-        let order = if array.imaginary.is_some() { [Over::Frequency, Over::Time] } else { [Over::Time, Over::Frequency] };
-        let at = by_axis.nearest(&order.map(|over| (length, over)), &scope).unwrap_or_else(|| {
-            // A number may stand inside the array, as an attribute.
-            let spacing = free.nearest(&[()], &path);
-            *even.entry((spacing, length)).or_insert_with(|| {
-                let axis = spacing.map_or(SampleAxis::Unknown, |k| SampleAxis::Even(spacings[k].clone()));
-                sets.push(RecordingSet { axis, length, scope, columns: Vec::new() });
-                sets.len() - 1
-            })
-        });
+        let (length, scope, path) = (
+            array.length(),
+            array.path.scope().to_vec(),
+            array.path.0.clone(),
+        );
+        let order = if array.imaginary.is_some() {
+            [Over::Frequency, Over::Time]
+        } else {
+            [Over::Time, Over::Frequency]
+        };
+        let at = by_axis
+            .nearest(&order.map(|over| (length, over)), &scope)
+            .unwrap_or_else(|| {
+                // A number may stand inside the array, as an attribute.
+                let spacing = free.nearest(&[()], &path);
+                *even.entry((spacing, length)).or_insert_with(|| {
+                    let axis = spacing.map_or(SampleAxis::Unknown, |k| {
+                        SampleAxis::Even(spacings[k].clone())
+                    });
+                    sets.push(RecordingSet {
+                        axis,
+                        length,
+                        scope,
+                        columns: Vec::new(),
+                    });
+                    sets.len() - 1
+                })
+            });
         sets[at].columns.extend(columns_of(array));
     }
     let left = longest_only(&mut sets, times);
@@ -173,21 +238,33 @@ fn assigned(
 
 /// Of the arrays whose times one number tells, and of those without any, the longest are the record; gives the others.
 fn longest_only(sets: &mut Vec<RecordingSet>, times: usize) -> Vec<(String, usize)> {
-    let key = |set: &RecordingSet| if let SampleAxis::Even(spacing) = &set.axis { Some(spacing.scope.clone()) } else { None };
+    let key = |set: &RecordingSet| {
+        if let SampleAxis::Even(spacing) = &set.axis {
+            Some(spacing.scope.clone())
+        } else {
+            None
+        }
+    };
     let mut longest: HashMap<Option<Vec<String>>, usize> = HashMap::new();
     for set in &sets[times..] {
         let length = longest.entry(key(set)).or_default();
         *length = set.length.max(*length);
     }
-    let known = sets[..times].iter().any(|set| !set.columns.is_empty()) || longest.keys().any(Option::is_some);
+    let known = sets[..times].iter().any(|set| !set.columns.is_empty())
+        || longest.keys().any(Option::is_some);
     let mut left = Vec::new();
     let mut number = 0;
     sets.retain(|set| {
         number += 1;
         let of = key(set);
-        let is_kept = number <= times || (of.is_some() || !known && times == 0) && longest.get(&of) == Some(&set.length);
+        let is_kept = number <= times
+            || (of.is_some() || !known && times == 0) && longest.get(&of) == Some(&set.length);
         if !is_kept {
-            left.extend(set.columns.iter().map(|column| (column.name.clone(), set.length)));
+            left.extend(
+                set.columns
+                    .iter()
+                    .map(|column| (column.name.clone(), set.length)),
+            );
         }
         is_kept
     });
@@ -207,7 +284,9 @@ impl<K: Copy + Eq + Hash> NearestByName<K> {
     /// The first one inside each list of outermost names is kept.
     fn insert(&mut self, kind: K, scope: &[String], number: usize) {
         for depth in 0..=scope.len() {
-            self.0.entry((kind, scope[..depth].to_vec())).or_insert(number);
+            self.0
+                .entry((kind, scope[..depth].to_vec()))
+                .or_insert(number);
         }
     }
 
@@ -218,7 +297,11 @@ impl<K: Copy + Eq + Hash> NearestByName<K> {
 
     /// The nearest one; of kinds that are equally near the first.
     fn nearest(&self, kinds: &[K], scope: &[String]) -> Option<usize> {
-        (0..=scope.len()).rev().find_map(|depth| kinds.iter().find_map(|kind| self.inside(*kind, &scope[..depth])))
+        (0..=scope.len()).rev().find_map(|depth| {
+            kinds
+                .iter()
+                .find_map(|kind| self.inside(*kind, &scope[..depth]))
+        })
     }
 }
 
@@ -244,7 +327,11 @@ fn merged(sets: Vec<RecordingSet>) -> io::Result<Vec<RecordingSet>> {
             }
             SampleAxis::Even(spacing) => {
                 let start = spacing.start.map_or(u64::MAX, f64::to_bits);
-                (spacing.over, set.length, [start, spacing.rate.rate_hz.to_bits(), 1])
+                (
+                    spacing.over,
+                    set.length,
+                    [start, spacing.rate.rate_hz.to_bits(), 1],
+                )
             }
             SampleAxis::Unknown => (Over::Time, set.length, [0, 0, 2]),
         };
@@ -268,33 +355,62 @@ fn merged(sets: Vec<RecordingSet>) -> io::Result<Vec<RecordingSet>> {
 
 fn same(a: &SampleAxis, b: &SampleAxis) -> io::Result<bool> {
     match (a, b) {
-        (SampleAxis::Array(a, _), SampleAxis::Array(b, _)) => Ok(a.unit == b.unit && a.values.same(&b.values)?),
+        (SampleAxis::Array(a, _), SampleAxis::Array(b, _)) => {
+            Ok(a.unit == b.unit && a.values.same(&b.values)?)
+        }
         _ => Ok(true),
     }
 }
 
 fn raw(set: RecordingSet, rate: Option<Rate>, findings: Vec<Issue>) -> Raw {
-    let RecordingSet { axis, scope, mut columns, .. } = set;
+    let RecordingSet {
+        axis,
+        scope,
+        mut columns,
+        ..
+    } = set;
     unlike(&mut columns);
     let title = Path(scope).to_string();
     let (over, stamps) = match axis {
         SampleAxis::Array(axis, over) => {
             columns.insert(0, *axis);
-            (over, TimeStamps::Of { column: 0, rate: rate.filter(|_| over == Over::Time) })
+            (
+                over,
+                TimeStamps::Of {
+                    column: 0,
+                    rate: rate.filter(|_| over == Over::Time),
+                },
+            )
         }
-        SampleAxis::Even(Spacing { rate, start, over, .. }) => match (start, over) {
+        SampleAxis::Even(Spacing {
+            rate, start, over, ..
+        }) => match (start, over) {
             (None, Over::Time) => (over, TimeStamps::Rate(rate)),
-            _ => (over, TimeStamps::Even { start: start.unwrap_or_default(), step: 1.0 / rate.rate_hz }),
+            _ => (
+                over,
+                TimeStamps::Even {
+                    start: start.unwrap_or_default(),
+                    step: 1.0 / rate.rate_hz,
+                },
+            ),
         },
         SampleAxis::Unknown => (Over::Time, TimeStamps::Column),
     };
-    Raw { title, over, stamps, columns, findings }
+    Raw {
+        title,
+        over,
+        stamps,
+        columns,
+        findings,
+    }
 }
 
 /// Names that texts of the file give to several columns get a number.
 fn unlike(columns: &mut [RawColumn]) {
     let mut times: HashMap<String, (usize, usize)> = HashMap::new();
-    columns.iter().for_each(|column| times.entry(column.name.clone()).or_default().0 += 1);
+    columns
+        .iter()
+        .for_each(|column| times.entry(column.name.clone()).or_default().0 += 1);
     for column in columns {
         if let Some((2.., number)) = times.get_mut(&column.name) {
             *number += 1;
@@ -314,6 +430,7 @@ fn tell_left(tree: &mut Tree, left: &[(String, usize)], sets: &[RecordingSet]) {
     }
     if let Some(more) = left.len().checked_sub(MAX_NAMED).filter(|more| *more > 0) {
         let about = "arrays of other lengths than the record were left out".to_owned();
-        tree.findings.push(Issue::new(IssueKind::Skipped, more, None, about));
+        tree.findings
+            .push(Issue::new(IssueKind::Skipped, more, None, about));
     }
 }

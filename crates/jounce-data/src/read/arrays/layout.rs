@@ -26,14 +26,32 @@ impl ArrayLayout {
     /// The layout of an array whose first dimension is the fastest (MATLAB), or whose last one is (`turned`: C); `None` where it holds more series
     /// than could be channels, or more numbers than can be counted.
     pub fn new(dimensions: &[u64], turned: bool) -> Option<Self> {
-        let fastest_first: Vec<u64> = if turned { dimensions.iter().rev().copied().collect() } else { dimensions.to_vec() };
+        let fastest_first: Vec<u64> = if turned {
+            dimensions.iter().rev().copied().collect()
+        } else {
+            dimensions.to_vec()
+        };
         let longest = fastest_first.iter().copied().max().unwrap_or(1);
-        let along = fastest_first.iter().position(|size| *size == longest).unwrap_or(0);
-        let product = |sizes: &[u64]| sizes.iter().try_fold(1_u64, |product, size| product.checked_mul(*size));
+        let along = fastest_first
+            .iter()
+            .position(|size| *size == longest)
+            .unwrap_or(0);
+        let product = |sizes: &[u64]| {
+            sizes
+                .iter()
+                .try_fold(1_u64, |product, size| product.checked_mul(*size))
+        };
         let total = product(&fastest_first)?;
         let count = total.checked_div(longest).unwrap_or(0);
         let stride = product(fastest_first.get(..along).unwrap_or_default())?.max(1);
-        (count <= MAX_SERIES).then_some(Self { dimensions: fastest_first, turned, along, stride, length: longest, count })
+        (count <= MAX_SERIES).then_some(Self {
+            dimensions: fastest_first,
+            turned,
+            along,
+            stride,
+            length: longest,
+            count,
+        })
     }
 
     /// All numbers.
@@ -47,14 +65,25 @@ impl ArrayLayout {
     /// There is not room for so many numbers.
     pub fn series(&self, store: &SampleStore) -> Result<Vec<ColumnNumbers>, Damage> {
         let mut series: Vec<ColumnNumbers> = (0..self.count).map(|_| store.column()).collect();
-        let room = series.iter_mut().all(|numbers| usize::try_from(self.length).is_ok_and(|length| numbers.expect(length)));
-        if room { Ok(series) } else { Err(Damage::new(format!("{} numbers do not fit into memory", self.total()))) }
+        let room = series
+            .iter_mut()
+            .all(|numbers| usize::try_from(self.length).is_ok_and(|length| numbers.expect(length)));
+        if room {
+            Ok(series)
+        } else {
+            Err(Damage::new(format!(
+                "{} numbers do not fit into memory",
+                self.total()
+            )))
+        }
     }
 
     /// Puts a number, counted from 0 in the order of the file, behind the others of its series.
     pub fn push(&self, series: &mut [ColumnNumbers], number: u64, x: f64) -> std::io::Result<()> {
         let of = number % self.stride + number / (self.stride * self.length) * self.stride;
-        series.get_mut(of as usize).map_or(Ok(()), |numbers| numbers.push(x))
+        series
+            .get_mut(of as usize)
+            .map_or(Ok(()), |numbers| numbers.push(x))
     }
 
     /// Places of the series in the array, from 1: `(2)`, `(2,1)`; none for a single series.
@@ -62,8 +91,13 @@ impl ArrayLayout {
         if self.count < 2 {
             return Vec::new();
         }
-        let others: Vec<u64> =
-            self.dimensions.iter().enumerate().filter(|(k, size)| *k != self.along && **size > 1).map(|(_, size)| *size).collect();
+        let others: Vec<u64> = self
+            .dimensions
+            .iter()
+            .enumerate()
+            .filter(|(k, size)| *k != self.along && **size > 1)
+            .map(|(_, size)| *size)
+            .collect();
         let label = |series: u64| {
             let mut left = series;
             let mut places: Vec<String> = Vec::new();
@@ -93,13 +127,23 @@ mod tests {
             for turned in [false, true] {
                 let layout = ArrayLayout::new(&dimensions, turned).unwrap();
                 let mut series = layout.series(&SampleStore::Memory).unwrap();
-                let sizes: Vec<u64> = if turned { dimensions.iter().rev().copied().collect() } else { dimensions.to_vec() };
+                let sizes: Vec<u64> = if turned {
+                    dimensions.iter().rev().copied().collect()
+                } else {
+                    dimensions.to_vec()
+                };
                 for n in 0..layout.total() {
-                    let mut at = [n % sizes[0], n / sizes[0] % sizes[1], n / sizes[0] / sizes[1]];
+                    let mut at = [
+                        n % sizes[0],
+                        n / sizes[0] % sizes[1],
+                        n / sizes[0] / sizes[1],
+                    ];
                     if turned {
                         at.reverse();
                     }
-                    layout.push(&mut series, n, (100 * at[0] + 10 * at[1] + at[2]) as f64).unwrap();
+                    layout
+                        .push(&mut series, n, (100 * at[0] + 10 * at[1] + at[2]) as f64)
+                        .unwrap();
                 }
                 let along = dimensions.iter().position(|size| *size == 5).unwrap();
                 let step = [100.0, 10.0, 1.0][along];
@@ -111,8 +155,16 @@ mod tests {
                         .filter(|(k, _)| *k != along && dimensions[*k] > 1)
                         .map(|(_, step)| ((values[0] / step).floor() % 10.0 + 1.0).to_string())
                         .collect();
-                    assert_eq!(label, format!("({})", rest.join(",")), "{dimensions:?} {turned}");
-                    assert!(values.windows(2).all(|pair| pair[1] - pair[0] == step) && values.len() == 5, "{dimensions:?} {values:?}");
+                    assert_eq!(
+                        label,
+                        format!("({})", rest.join(",")),
+                        "{dimensions:?} {turned}"
+                    );
+                    assert!(
+                        values.windows(2).all(|pair| pair[1] - pair[0] == step)
+                            && values.len() == 5,
+                        "{dimensions:?} {values:?}"
+                    );
                 }
             }
         }

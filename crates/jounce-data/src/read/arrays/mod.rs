@@ -41,7 +41,11 @@ impl Path {
 impl fmt::Display for Path {
     fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (k, name) in self.0.iter().enumerate() {
-            let point = if k == 0 || name.starts_with('{') { "" } else { "." };
+            let point = if k == 0 || name.starts_with('{') {
+                ""
+            } else {
+                "."
+            };
             write!(to, "{point}{name}")?;
         }
         Ok(())
@@ -81,14 +85,21 @@ pub(super) struct Tree {
 impl Tree {
     /// Records a skipped item.
     pub fn skip(&mut self, about: impl Into<String>) {
-        self.findings.push(Issue::new(IssueKind::Skipped, 1, None, about.into()));
+        self.findings
+            .push(Issue::new(IssueKind::Skipped, 1, None, about.into()));
     }
 
     /// Stores trimmed texts unless all are empty.
     pub fn text(&mut self, path: &Path, texts: Vec<String>) {
-        let texts: Vec<String> = texts.into_iter().map(|text| text.trim_matches(['\0', ' ']).to_owned()).collect();
+        let texts: Vec<String> = texts
+            .into_iter()
+            .map(|text| text.trim_matches(['\0', ' ']).to_owned())
+            .collect();
         if texts.iter().any(|text| !text.is_empty()) {
-            self.texts.entry(path.scope().to_vec()).or_default().insert(path.name().to_owned(), texts);
+            self.texts
+                .entry(path.scope().to_vec())
+                .or_default()
+                .insert(path.name().to_owned(), texts);
         }
     }
 

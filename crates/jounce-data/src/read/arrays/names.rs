@@ -6,21 +6,49 @@ use super::{Array, Path, Tree};
 
 /// Names of texts that hold a unit or a channel name, in small letters and without underlines.
 const UNITS: [&str; 4] = ["unit", "units", "unitlabel", "yunit"];
-const NAMES: [&str; 7] = ["name", "names", "label", "labels", "channelname", "channelnames", "channels"];
+const NAMES: [&str; 7] = [
+    "name",
+    "names",
+    "label",
+    "labels",
+    "channelname",
+    "channelnames",
+    "channels",
+];
 
 /// Name and unit of each series of an array. Texts of the struct apply only if the array is `alone`, the only data array in it.
 pub(super) fn heads(tree: &Tree, array: &Array, alone: bool) -> Vec<(String, String)> {
     let count = array.series.len();
-    let beside = |names: &[&str]| if alone { beside(tree, array, names, count) } else { None };
+    let beside = |names: &[&str]| {
+        if alone {
+            beside(tree, array, names, count)
+        } else {
+            None
+        }
+    };
     let quantity = Path(array.path.scope().to_vec()).to("quantity");
-    let of_quantity = || tree.text_at(&quantity.0, "label").filter(|_| alone).cloned();
-    let units = own_unit(tree, array).or_else(|| beside(&UNITS)).or_else(of_quantity);
+    let of_quantity = || {
+        tree.text_at(&quantity.0, "label")
+            .filter(|_| alone)
+            .cloned()
+    };
+    let units = own_unit(tree, array)
+        .or_else(|| beside(&UNITS))
+        .or_else(of_quantity);
     let names = beside(&NAMES);
     let head = |k: usize| {
         let label = array.labels.get(k).map_or("", String::as_str);
         let by_name = || name::split(array.path.name()).1;
-        let unit = units.as_ref().and_then(|units| units.get(k).or(units.first())).cloned().unwrap_or_else(by_name);
-        match names.as_ref().and_then(|names| names.get(k)).filter(|name| !name.is_empty()) {
+        let unit = units
+            .as_ref()
+            .and_then(|units| units.get(k).or(units.first()))
+            .cloned()
+            .unwrap_or_else(by_name);
+        match names
+            .as_ref()
+            .and_then(|names| names.get(k))
+            .filter(|name| !name.is_empty())
+        {
             Some(name) => (name.clone(), unit),
             None => (format!("{}{label}", array.path), unit),
         }
@@ -34,12 +62,18 @@ fn own_unit(tree: &Tree, array: &Array) -> Option<Vec<String>> {
         return Some(vec![array.unit.clone()]);
     }
     let name = array.path.name();
-    let told = ["_unit", "_units", "Unit", "Units"].iter().find_map(|ending| tree.text_at(array.path.scope(), &format!("{name}{ending}")));
-    told.filter(|units| units.len() == 1 || units.len() == array.series.len()).cloned()
+    let told = ["_unit", "_units", "Unit", "Units"]
+        .iter()
+        .find_map(|ending| tree.text_at(array.path.scope(), &format!("{name}{ending}")));
+    told.filter(|units| units.len() == 1 || units.len() == array.series.len())
+        .cloned()
 }
 
 /// As many texts as series, by one of these names in the same struct.
 fn beside(tree: &Tree, array: &Array, names: &[&str], count: usize) -> Option<Vec<String>> {
     let texts = tree.texts.get(array.path.scope())?;
-    texts.iter().find(|(name, texts)| names.contains(&plain(name).as_str()) && texts.len() == count).map(|(_, texts)| texts.clone())
+    texts
+        .iter()
+        .find(|(name, texts)| names.contains(&plain(name).as_str()) && texts.len() == count)
+        .map(|(_, texts)| texts.clone())
 }

@@ -21,7 +21,10 @@ pub(super) enum Class {
 
 impl Class {
     pub fn of(attributes: &HashMap<String, AttrValue>) -> Self {
-        let class = attributes.get("MATLAB_class").and_then(text).unwrap_or_default();
+        let class = attributes
+            .get("MATLAB_class")
+            .and_then(text)
+            .unwrap_or_default();
         match class.as_str() {
             _ if attributes.contains_key("MATLAB_empty") => Self::Empty,
             _ if attributes.contains_key("MATLAB_object_decode") => Self::Object,
@@ -35,10 +38,13 @@ impl Class {
 /// The text of an attribute.
 pub(super) fn text(value: &AttrValue) -> Option<String> {
     match value {
-        AttrValue::String(text) | AttrValue::AsciiString(text) | AttrValue::VarLenString(text) | AttrValue::VarLenAsciiString(text) => {
-            Some(text.trim_matches(['\0', ' ']).to_owned())
-        }
-        AttrValue::StringArray(texts) | AttrValue::AsciiStringArray(texts) | AttrValue::VarLenStringArray(texts) => match &texts[..] {
+        AttrValue::String(text)
+        | AttrValue::AsciiString(text)
+        | AttrValue::VarLenString(text)
+        | AttrValue::VarLenAsciiString(text) => Some(text.trim_matches(['\0', ' ']).to_owned()),
+        AttrValue::StringArray(texts)
+        | AttrValue::AsciiStringArray(texts)
+        | AttrValue::VarLenStringArray(texts) => match &texts[..] {
             [text] => Some(text.trim_matches(['\0', ' ']).to_owned()),
             _ => None,
         },

@@ -20,13 +20,21 @@ const BEGIN: &[u8] = b"\x89HDF\r\n\x1a\n";
 
 /// True where a file begins like HDF5, perhaps behind a block of 512, 1024 or 2048 bytes that another program uses, as MATLAB does.
 pub(super) fn begins(head: &[u8]) -> bool {
-    [0, 512, 1024, 2048].iter().any(|from| head.get(*from..).is_some_and(|head| head.starts_with(BEGIN)))
+    [0, 512, 1024, 2048].iter().any(|from| {
+        head.get(*from..)
+            .is_some_and(|head| head.starts_with(BEGIN))
+    })
 }
 
 pub(super) fn read(path: &FilePath, store: &SampleStore) -> Result<FormatContents, Damage> {
     let size = std::fs::metadata(path).map_err(Damage::cut)?.len();
     let file = File::open_streaming(path).map_err(|fault| wrong(&fault))?;
-    let mut walk = Walk { store, size, tree: Tree::default(), visited: 0 };
+    let mut walk = Walk {
+        store,
+        size,
+        tree: Tree::default(),
+        visited: 0,
+    };
     walk.group(&file.root(), &Path::default())?;
     into_found(walk.tree)
 }

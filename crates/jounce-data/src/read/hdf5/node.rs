@@ -40,20 +40,27 @@ struct Stored {
 impl Walk<'_> {
     pub fn group(&mut self, group: &Group, path: &Path) -> Result<(), Damage> {
         if path.0.len() > MAX_DEPTH {
-            return Err(Damage::new(format!("{path} lies inside more than {MAX_DEPTH} groups")));
+            return Err(Damage::new(format!(
+                "{path} lies inside more than {MAX_DEPTH} groups"
+            )));
         }
         self.visit()?;
         self.attributes(&group.attrs().unwrap_or_default(), path)?;
         for name in group.datasets().map_err(|fault| wrong(&fault))? {
             match group.dataset(&name) {
                 Ok(dataset) => self.dataset(&dataset, &path.to(&name))?,
-                Err(fault) => self.tree.skip(format!("{} was left out: {fault}", path.to(&name))),
+                Err(fault) => self
+                    .tree
+                    .skip(format!("{} was left out: {fault}", path.to(&name))),
             }
         }
         for name in group.groups().map_err(|fault| wrong(&fault))? {
             // What cells refer to, and the objects of MATLAB.
             if !(path.0.is_empty() && name.starts_with('#')) {
-                self.group(&group.group(&name).map_err(|fault| wrong(&fault))?, &path.to(&name))?;
+                self.group(
+                    &group.group(&name).map_err(|fault| wrong(&fault))?,
+                    &path.to(&name),
+                )?;
             }
         }
         Ok(())
@@ -61,12 +68,25 @@ impl Walk<'_> {
 
     fn visit(&mut self) -> Result<(), Damage> {
         self.visited += 1;
-        if self.visited > MAX_ARRAYS { Err(Damage::new(format!("it holds more than {MAX_ARRAYS} groups and arrays"))) } else { Ok(()) }
+        if self.visited > MAX_ARRAYS {
+            Err(Damage::new(format!(
+                "it holds more than {MAX_ARRAYS} groups and arrays"
+            )))
+        } else {
+            Ok(())
+        }
     }
 
     /// Single numbers and texts that stand as attributes.
-    fn attributes(&mut self, attributes: &HashMap<String, AttrValue>, path: &Path) -> Result<(), Damage> {
-        let mut names: Vec<&String> = attributes.keys().filter(|name| !name.starts_with("MATLAB_") && *name != "H5PATH").collect();
+    fn attributes(
+        &mut self,
+        attributes: &HashMap<String, AttrValue>,
+        path: &Path,
+    ) -> Result<(), Damage> {
+        let mut names: Vec<&String> = attributes
+            .keys()
+            .filter(|name| !name.starts_with("MATLAB_") && *name != "H5PATH")
+            .collect();
         names.sort();
         for name in names {
             let value = &attributes[name];
@@ -75,7 +95,13 @@ impl Walk<'_> {
             } else if let Some(number) = matlab::number(value) {
                 let mut numbers = self.store.column();
                 numbers.push(number)?;
-                self.push(&path.to(name), String::new(), vec![numbers], None, Vec::new());
+                self.push(
+                    &path.to(name),
+                    String::new(),
+                    vec![numbers],
+                    None,
+                    Vec::new(),
+                );
             }
         }
         Ok(())
@@ -89,13 +115,21 @@ impl Walk<'_> {
         imaginary: Option<Vec<super::super::numbers::ColumnNumbers>>,
         labels: Vec<String>,
     ) {
-        self.tree.arrays.push(Array { path: path.clone(), unit, series, imaginary, labels });
+        self.tree.arrays.push(Array {
+            path: path.clone(),
+            unit,
+            series,
+            imaginary,
+            labels,
+        });
     }
 
     fn dataset(&mut self, dataset: &Dataset, path: &Path) -> Result<(), Damage> {
         self.visit()?;
         if path.0.len() > MAX_DEPTH {
-            return Err(Damage::new(format!("{path} lies inside more than {MAX_DEPTH} cells")));
+            return Err(Damage::new(format!(
+                "{path} lies inside more than {MAX_DEPTH} cells"
+            )));
         }
         let attributes = dataset.attrs().unwrap_or_default();
         let class = Class::of(&attributes);
@@ -118,13 +152,22 @@ impl Walk<'_> {
             }
         };
         match &datatype {
-            Datatype::Reference { ref_type: ReferenceType::Object, .. } => self.references(dataset, path, class),
-            Datatype::String { .. } | Datatype::VariableLength { is_string: true, .. } => self.texts(dataset, path, &shape),
+            Datatype::Reference {
+                ref_type: ReferenceType::Object,
+                ..
+            } => self.references(dataset, path, class),
+            Datatype::String { .. }
+            | Datatype::VariableLength {
+                is_string: true, ..
+            } => self.texts(dataset, path, &shape),
             _ => match stored(&datatype) {
-                Some(stored) if class == Class::Text => self.characters(dataset, path, &shape, &stored),
+                Some(stored) if class == Class::Text => {
+                    self.characters(dataset, path, &shape, &stored)
+                }
                 Some(stored) => self.numbers(dataset, path, &shape, &stored, &attributes),
                 None => {
-                    self.tree.skip(format!("{path} holds no numbers and was left out"));
+                    self.tree
+                        .skip(format!("{path} holds no numbers and was left out"));
                     Ok(())
                 }
             },
@@ -146,7 +189,12 @@ impl Walk<'_> {
                 (Class::Cell, _) | (_, None) => path.to(format!("{{{}}}", k + 1)),
                 (_, Some((field, around))) if several && !around.is_empty() => {
                     let mut around = Path(around.to_vec());
-                    around.0.iter_mut().next_back().into_iter().for_each(|last| last.push_str(&format!("({})", k + 1)));
+                    around
+                        .0
+                        .iter_mut()
+                        .next_back()
+                        .into_iter()
+                        .for_each(|last| last.push_str(&format!("({})", k + 1)));
                     around.to(field)
                 }
                 _ if several => path.to(format!("{{{}}}", k + 1)),
@@ -155,15 +203,22 @@ impl Walk<'_> {
             match object {
                 Object::Group(group) => self.group(&group, &place)?,
                 Object::Dataset(dataset) => self.dataset(&dataset, &place)?,
-                _ => self.tree.skip(format!("{place} is no array and was left out")),
+                _ => self
+                    .tree
+                    .skip(format!("{place} is no array and was left out")),
             }
         }
         Ok(())
     }
 
     fn texts(&mut self, dataset: &Dataset, path: &Path, shape: &[u64]) -> Result<(), Damage> {
-        let few = shape.iter().try_fold(1_u64, |product, side| product.checked_mul(*side)).is_some_and(|count| count <= 4096);
-        let short = dataset.element_size().is_ok_and(|size| size <= MAX_CHARACTERS);
+        let few = shape
+            .iter()
+            .try_fold(1_u64, |product, side| product.checked_mul(*side))
+            .is_some_and(|count| count <= 4096);
+        let short = dataset
+            .element_size()
+            .is_ok_and(|size| size <= MAX_CHARACTERS);
         if let Some(texts) = (few && short).then(|| dataset.read_string().ok()).flatten() {
             self.tree.text(path, texts);
         }
@@ -171,13 +226,24 @@ impl Walk<'_> {
     }
 
     /// Text of MATLAB, two bytes for each character.
-    fn characters(&mut self, dataset: &Dataset, path: &Path, shape: &[u64], stored: &Stored) -> Result<(), Damage> {
-        let count = shape.iter().try_fold(1_u64, |product, side| product.checked_mul(*side));
+    fn characters(
+        &mut self,
+        dataset: &Dataset,
+        path: &Path,
+        shape: &[u64],
+        stored: &Stored,
+    ) -> Result<(), Damage> {
+        let count = shape
+            .iter()
+            .try_fold(1_u64, |product, side| product.checked_mul(*side));
         if count.is_none_or(|count| count > MAX_CHARACTERS) {
             return Ok(());
         }
         let bytes = dataset.read_raw().map_err(|fault| wrong(&fault))?;
-        let units: Vec<u16> = bytes.chunks_exact(stored.width).map(|unit| stored.scalar.number(unit) as u16).collect();
+        let units: Vec<u16> = bytes
+            .chunks_exact(stored.width)
+            .map(|unit| stored.scalar.number(unit) as u16)
+            .collect();
         self.tree.text(path, vec![String::from_utf16_lossy(&units)]);
         Ok(())
     }
@@ -192,12 +258,17 @@ impl Walk<'_> {
     ) -> Result<(), Damage> {
         let Some(layout) = ArrayLayout::new(shape, true).filter(|layout| layout.total() > 0) else {
             if !shape.contains(&0) {
-                self.tree.skip(format!("the array {path} of size {shape:?} is no series of numbers"));
+                self.tree.skip(format!(
+                    "the array {path} of size {shape:?} is no series of numbers"
+                ));
             }
             return Ok(());
         };
         let mut series = layout.series(self.store)?;
-        let mut imaginary = stored.imaginary.map(|_| layout.series(self.store)).transpose()?;
+        let mut imaginary = stored
+            .imaginary
+            .map(|_| layout.series(self.store))
+            .transpose()?;
         let rows = shape.first().copied().unwrap_or(1);
         let row_bytes = layout.total() / rows * stored.width as u64;
         let at_once = (BYTES_AT_ONCE / row_bytes.max(1)).max(1);
@@ -211,7 +282,11 @@ impl Walk<'_> {
                 }
             };
             for element in bytes.chunks_exact(stored.width) {
-                let part = |from: usize| stored.scalar.number(element.get(from..).unwrap_or_default());
+                let part = |from: usize| {
+                    stored
+                        .scalar
+                        .number(element.get(from..).unwrap_or_default())
+                };
                 layout.push(&mut series, number, part(stored.real))?;
                 if let Some((from, series)) = stored.imaginary.zip(imaginary.as_mut()) {
                     layout.push(series, number, part(from))?;
@@ -221,9 +296,15 @@ impl Walk<'_> {
             row += at_once;
         }
         if number != layout.total() {
-            return Err(Damage::new(format!("{path} has {} numbers by its size, {number} are there: was the file cut?", layout.total())));
+            return Err(Damage::new(format!(
+                "{path} has {} numbers by its size, {number} are there: was the file cut?",
+                layout.total()
+            )));
         }
-        let unit = ["units", "unit", "Units", "Unit"].iter().find_map(|name| matlab::text(attributes.get(*name)?)).unwrap_or_default();
+        let unit = ["units", "unit", "Units", "Unit"]
+            .iter()
+            .find_map(|name| matlab::text(attributes.get(*name)?))
+            .unwrap_or_default();
         self.attributes(attributes, path)?;
         self.push(path, unit, series, imaginary, layout.labels());
         Ok(())
@@ -239,31 +320,67 @@ fn stored(datatype: &Datatype) -> Option<Stored> {
             DatatypeByteOrder::Vax => None,
         };
         match datatype {
-            Datatype::FixedPoint { size, byte_order, layout } => {
+            Datatype::FixedPoint {
+                size,
+                byte_order,
+                layout,
+            } => {
                 let whole = layout.bit_offset == 0 && u32::from(layout.bit_precision) == 8 * size;
-                let kind = if layout.signed { Kind::Signed } else { Kind::Unsigned };
+                let kind = if layout.signed {
+                    Kind::Signed
+                } else {
+                    Kind::Unsigned
+                };
                 Scalar::new(kind, *size as usize, order(byte_order)?).filter(|_| whole)
             }
-            Datatype::FloatingPoint { size, byte_order, layout } => {
+            Datatype::FloatingPoint {
+                size,
+                byte_order,
+                layout,
+            } => {
                 // The exponents of IEEE 754 of 2, 4 and 8 bytes.
-                let ieee = [(2, 5, 10), (4, 8, 23), (8, 11, 52)].contains(&(*size, layout.exponent_size, layout.mantissa_size));
+                let ieee = [(2, 5, 10), (4, 8, 23), (8, 11, 52)].contains(&(
+                    *size,
+                    layout.exponent_size,
+                    layout.mantissa_size,
+                ));
                 Scalar::new(Kind::Float, *size as usize, order(byte_order)?).filter(|_| ieee)
             }
             _ => None,
         }
     };
     match datatype {
-        Datatype::Enumeration { base_type, .. } => {
-            plain(base_type).map(|scalar| Stored { scalar, width: scalar.size, real: 0, imaginary: None })
-        }
+        Datatype::Enumeration { base_type, .. } => plain(base_type).map(|scalar| Stored {
+            scalar,
+            width: scalar.size,
+            real: 0,
+            imaginary: None,
+        }),
         Datatype::Compound { size, members } => {
             let [a, b] = &members[..] else { return None };
             let scalar = plain(&a.datatype).filter(|scalar| plain(&b.datatype) == Some(*scalar))?;
-            let (width, real, imaginary) = (*size as usize, a.byte_offset as usize, b.byte_offset as usize);
+            let (width, real, imaginary) = (
+                *size as usize,
+                a.byte_offset as usize,
+                b.byte_offset as usize,
+            );
             let named = ["r", "re", "real"].contains(&a.name.to_lowercase().as_str());
-            let inside = real.max(imaginary).checked_add(scalar.size).is_some_and(|end| end <= width);
-            (named && inside).then_some(Stored { scalar, width, real, imaginary: Some(imaginary) })
+            let inside = real
+                .max(imaginary)
+                .checked_add(scalar.size)
+                .is_some_and(|end| end <= width);
+            (named && inside).then_some(Stored {
+                scalar,
+                width,
+                real,
+                imaginary: Some(imaginary),
+            })
         }
-        _ => plain(datatype).map(|scalar| Stored { scalar, width: scalar.size, real: 0, imaginary: None }),
+        _ => plain(datatype).map(|scalar| Stored {
+            scalar,
+            width: scalar.size,
+            real: 0,
+            imaginary: None,
+        }),
     }
 }

@@ -32,7 +32,11 @@ impl Tag {
             source.read_exact(word).map_err(Damage::cut)?;
         }
         let [kind, length] = words.map(|word| whole(word, little_endian));
-        Ok(Self { kind, length: u64::from(length), small: None })
+        Ok(Self {
+            kind,
+            length: u64::from(length),
+            small: None,
+        })
     }
 
     /// How its numbers are stored; `None` where they are no numbers.
@@ -55,7 +59,11 @@ impl Tag {
 }
 
 fn whole(bytes: [u8; 4], little_endian: bool) -> u32 {
-    if little_endian { u32::from_le_bytes(bytes) } else { u32::from_be_bytes(bytes) }
+    if little_endian {
+        u32::from_le_bytes(bytes)
+    } else {
+        u32::from_be_bytes(bytes)
+    }
 }
 
 /// The elements inside a matrix, one after the other.
@@ -68,7 +76,11 @@ pub(super) struct Elements<'a> {
 
 impl<'a> Elements<'a> {
     pub fn new(source: &'a mut dyn Read, length: u64, little_endian: bool) -> Self {
-        Self { source, left: length, little_endian }
+        Self {
+            source,
+            left: length,
+            little_endian,
+        }
     }
 
     /// The next tag; its data must lie inside the matrix.
@@ -80,13 +92,25 @@ impl<'a> Elements<'a> {
         // A length in the upper half marks a small element.
         if first >> 16 != 0 {
             let (kind, length) = (first & 0xffff, u64::from(first >> 16));
-            return if length <= 4 { Ok(Tag { kind, length, small: Some(word) }) } else { Err(outside(length, 4)) };
+            return if length <= 4 {
+                Ok(Tag {
+                    kind,
+                    length,
+                    small: Some(word),
+                })
+            } else {
+                Err(outside(length, 4))
+            };
         }
         let length = u64::from(whole(word, self.little_endian));
         if length > self.left {
             return Err(outside(length, self.left));
         }
-        Ok(Tag { kind: first, length, small: None })
+        Ok(Tag {
+            kind: first,
+            length,
+            small: None,
+        })
     }
 
     /// Data of names and texts.
@@ -95,7 +119,10 @@ impl<'a> Elements<'a> {
             return Ok(small[..tag.length.min(4) as usize].to_vec());
         }
         if tag.length > MAX_TEXT_BYTES {
-            return Err(Damage::new(format!("a name or text of {} bytes; at most 1 MiB is due", tag.length)));
+            return Err(Damage::new(format!(
+                "a name or text of {} bytes; at most 1 MiB is due",
+                tag.length
+            )));
         }
         let mut bytes = vec![0; tag.length as usize];
         self.exact(&mut bytes)?;
@@ -104,12 +131,20 @@ impl<'a> Elements<'a> {
     }
 
     /// Hands each number to `take`; there must be as many as are due.
-    pub fn numbers(&mut self, tag: &Tag, due: u64, mut take: impl FnMut(u64, f64) -> io::Result<()>) -> Result<(), Damage> {
-        let scalar =
-            tag.scalar(self.little_endian).ok_or_else(|| Damage::new(format!("numbers are due, not data of type {}", tag.kind)))?;
+    pub fn numbers(
+        &mut self,
+        tag: &Tag,
+        due: u64,
+        mut take: impl FnMut(u64, f64) -> io::Result<()>,
+    ) -> Result<(), Damage> {
+        let scalar = tag.scalar(self.little_endian).ok_or_else(|| {
+            Damage::new(format!("numbers are due, not data of type {}", tag.kind))
+        })?;
         let there = tag.length / scalar.size as u64;
         if there != due {
-            return Err(Damage::new(format!("{due} numbers are due, {there} follow: was the file cut?")));
+            return Err(Damage::new(format!(
+                "{due} numbers are due, {there} follow: was the file cut?"
+            )));
         }
         let mut number = 0;
         let mut counted = |x| {
@@ -146,18 +181,29 @@ impl<'a> Elements<'a> {
 
     /// True where so many elements may follow, each of eight bytes or more.
     pub fn may_hold(&self, elements: u64) -> bool {
-        elements.checked_mul(8).is_some_and(|bytes| bytes <= self.left)
+        elements
+            .checked_mul(8)
+            .is_some_and(|bytes| bytes <= self.left)
     }
 
     fn pad(&mut self, tag: &Tag) -> Result<(), Damage> {
-        let padding = if tag.small.is_some() { 0 } else { tag.length.next_multiple_of(8) - tag.length };
+        let padding = if tag.small.is_some() {
+            0
+        } else {
+            tag.length.next_multiple_of(8) - tag.length
+        };
         self.skip(padding.min(self.left))
     }
 
     fn skip(&mut self, bytes: u64) -> Result<(), Damage> {
-        let skipped = io::copy(&mut self.source.take(bytes), &mut io::sink()).map_err(Damage::cut)?;
+        let skipped =
+            io::copy(&mut self.source.take(bytes), &mut io::sink()).map_err(Damage::cut)?;
         self.left = self.left.saturating_sub(bytes);
-        if skipped < bytes { Err(Damage::cut(io::ErrorKind::UnexpectedEof.into())) } else { Ok(()) }
+        if skipped < bytes {
+            Err(Damage::cut(io::ErrorKind::UnexpectedEof.into()))
+        } else {
+            Ok(())
+        }
     }
 
     fn exact(&mut self, bytes: &mut [u8]) -> Result<(), Damage> {
@@ -172,5 +218,7 @@ impl<'a> Elements<'a> {
 }
 
 fn outside(due: u64, left: u64) -> Damage {
-    Damage::new(format!("{due} bytes are due inside an array that ends after {left}: was the file cut?"))
+    Damage::new(format!(
+        "{due} bytes are due inside an array that ends after {left}: was the file cut?"
+    ))
 }

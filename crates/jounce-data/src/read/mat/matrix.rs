@@ -28,21 +28,36 @@ pub(super) fn read(
     tree: &mut Tree,
 ) -> Result<Option<String>, Damage> {
     if depth > MAX_DEPTH {
-        return Err(Damage::new(format!("{path} lies inside more than {MAX_DEPTH} structs and cells")));
+        return Err(Damage::new(format!(
+            "{path} lies inside more than {MAX_DEPTH} structs and cells"
+        )));
     }
     if tree.arrays.len() >= MAX_ARRAYS {
-        return Err(Damage::new(format!("it holds more than {MAX_ARRAYS} arrays")));
+        return Err(Damage::new(format!(
+            "it holds more than {MAX_ARRAYS} arrays"
+        )));
     }
-    let Some((class, complex)) = class(elements)? else { return Ok(None) };
+    let Some((class, complex)) = class(elements)? else {
+        return Ok(None);
+    };
     let is_known = matches!(class, CELL | STRUCT | OBJECT | TEXT) || NUMBERS.contains(&class);
-    let dimensions = if is_known { dimensions(elements)? } else { Vec::new() };
+    let dimensions = if is_known {
+        dimensions(elements)?
+    } else {
+        Vec::new()
+    };
     let own = name(elements)?;
     // Only variables have a name of their own; the one without holds objects in a form that is not public.
     if depth == 0 && own.is_empty() && is_known {
         return Ok(None);
     }
     let path = if depth == 0 { &path.to(own) } else { path };
-    let inside = Inside { path, depth, dimensions, store };
+    let inside = Inside {
+        path,
+        depth,
+        dimensions,
+        store,
+    };
     match class {
         CELL => inside.cell(elements, tree)?,
         STRUCT => inside.fields(elements, tree)?,
@@ -68,8 +83,14 @@ fn class(elements: &mut Elements<'_>) -> Result<Option<(u8, bool)>, Damage> {
     let tag = elements.tag()?;
     let little_endian = elements.little_endian;
     let flags = elements.bytes(&tag)?;
-    let Some([a, b, c, d]) = flags.first_chunk::<4>().copied() else { return Err(Damage::new("the flags of an array are missing")) };
-    let word = if little_endian { u32::from_le_bytes([a, b, c, d]) } else { u32::from_be_bytes([a, b, c, d]) };
+    let Some([a, b, c, d]) = flags.first_chunk::<4>().copied() else {
+        return Err(Damage::new("the flags of an array are missing"));
+    };
+    let word = if little_endian {
+        u32::from_le_bytes([a, b, c, d])
+    } else {
+        u32::from_be_bytes([a, b, c, d])
+    };
     Ok(Some((word as u8, word & 0x800 != 0)))
 }
 
@@ -78,7 +99,9 @@ fn dimensions(elements: &mut Elements<'_>) -> Result<Vec<u64>, Damage> {
     let mut found = Vec::new();
     let count = tag.length / 4;
     if count > 32 {
-        return Err(Damage::new(format!("an array of {count} dimensions; at most 32 are due")));
+        return Err(Damage::new(format!(
+            "an array of {count} dimensions; at most 32 are due"
+        )));
     }
     elements.numbers(&tag, count, |_, size| {
         found.push(size);
@@ -86,7 +109,9 @@ fn dimensions(elements: &mut Elements<'_>) -> Result<Vec<u64>, Damage> {
     })?;
     let wrong = |size: &&f64| !(**size >= 0.0 && size.fract() == 0.0);
     match found.iter().find(wrong) {
-        Some(size) => Err(Damage::new(format!("a side of {size} numbers; it must be a whole number, 0 or more"))),
+        Some(size) => Err(Damage::new(format!(
+            "a side of {size} numbers; it must be a whole number, 0 or more"
+        ))),
         None => Ok(found.iter().map(|size| *size as u64).collect()),
     }
 }
@@ -98,7 +123,10 @@ fn name(elements: &mut Elements<'_>) -> Result<String, Damage> {
 
 fn latin(bytes: &[u8]) -> String {
     let text = bytes.split(|b| *b == 0).next().unwrap_or_default();
-    std::str::from_utf8(text).map_or_else(|_| text.iter().map(|b| char::from(*b)).collect(), str::to_owned)
+    std::str::from_utf8(text).map_or_else(
+        |_| text.iter().map(|b| char::from(*b)).collect(),
+        str::to_owned,
+    )
 }
 
 /// What lies behind the header of an array.
@@ -112,18 +140,32 @@ struct Inside<'a> {
 impl Inside<'_> {
     /// Elements of the array.
     fn count(&self, elements: &Elements<'_>, each: u64) -> Result<u64, Damage> {
-        let count = self.dimensions.iter().try_fold(each, |product, size| product.checked_mul(*size));
+        let count = self
+            .dimensions
+            .iter()
+            .try_fold(each, |product, size| product.checked_mul(*size));
         let fits = count.filter(|count| elements.may_hold(*count));
         let path = self.path;
         fits.ok_or_else(|| {
-            Damage::new(format!("{path} has the size {:?}, and so many elements do not follow: was the file cut?", self.dimensions))
+            Damage::new(format!(
+                "{path} has the size {:?}, and so many elements do not follow: was the file cut?",
+                self.dimensions
+            ))
         })
     }
 
-    fn child(&self, elements: &mut Elements<'_>, path: &Path, tree: &mut Tree) -> Result<Option<String>, Damage> {
+    fn child(
+        &self,
+        elements: &mut Elements<'_>,
+        path: &Path,
+        tree: &mut Tree,
+    ) -> Result<Option<String>, Damage> {
         let tag = elements.tag()?;
         if tag.kind != MATRIX {
-            return Err(Damage::new(format!("{path}: an array is due, not data of type {}", tag.kind)));
+            return Err(Damage::new(format!(
+                "{path}: an array is due, not data of type {}",
+                tag.kind
+            )));
         }
         let outside = elements.enter(&tag);
         let text = read(elements, path, self.depth + 1, self.store, tree)?;
@@ -149,14 +191,33 @@ impl Inside<'_> {
         let tag = elements.tag()?;
         let little_endian = elements.little_endian;
         let length = elements.bytes(&tag)?;
-        let width = length.first_chunk::<4>().map(|b| if little_endian { u32::from_le_bytes(*b) } else { u32::from_be_bytes(*b) });
-        let Some(width @ 1..) = width else { return Err(Damage::new(format!("{}: the length of its field names is missing", self.path))) };
+        let width = length.first_chunk::<4>().map(|b| {
+            if little_endian {
+                u32::from_le_bytes(*b)
+            } else {
+                u32::from_be_bytes(*b)
+            }
+        });
+        let Some(width @ 1..) = width else {
+            return Err(Damage::new(format!(
+                "{}: the length of its field names is missing",
+                self.path
+            )));
+        };
         let tag = elements.tag()?;
-        let names: Vec<String> = elements.bytes(&tag)?.chunks(width as usize).map(latin).collect();
+        let names: Vec<String> = elements
+            .bytes(&tag)?
+            .chunks(width as usize)
+            .map(latin)
+            .collect();
         let several = self.dimensions.iter().any(|size| *size > 1);
         self.count(elements, names.len() as u64)?;
         for k in 1..=self.count(elements, 1)? {
-            let around = if several { self.numbered(k) } else { self.path.clone() };
+            let around = if several {
+                self.numbered(k)
+            } else {
+                self.path.clone()
+            };
             for name in &names {
                 self.child(elements, &around.to(name), tree)?;
             }
@@ -176,22 +237,56 @@ impl Inside<'_> {
     fn text(&self, elements: &mut Elements<'_>, tree: &mut Tree) -> Result<Option<String>, Damage> {
         let tag = elements.tag()?;
         let rows = self.dimensions.first().copied().unwrap_or(0);
-        let Some(scalar) = tag.scalar(elements.little_endian).filter(|_| tag.length <= MAX_CHARACTERS && rows > 0) else { return Ok(None) };
+        let Some(scalar) = tag
+            .scalar(elements.little_endian)
+            .filter(|_| tag.length <= MAX_CHARACTERS && rows > 0)
+        else {
+            return Ok(None);
+        };
         let bytes = elements.bytes(&tag)?;
         // Characters of UTF-8 may be longer than one byte: then there is one row.
-        let utf8 = std::str::from_utf8(&bytes).ok().filter(|_| scalar.size == 1 && rows == 1);
-        let units: Vec<u16> = bytes.chunks_exact(scalar.size).map(|unit| scalar.number(unit) as u16).collect();
-        let row = |row: usize| String::from_utf16_lossy(&units.iter().skip(row).step_by(rows as usize).copied().collect::<Vec<u16>>());
+        let utf8 = std::str::from_utf8(&bytes)
+            .ok()
+            .filter(|_| scalar.size == 1 && rows == 1);
+        let units: Vec<u16> = bytes
+            .chunks_exact(scalar.size)
+            .map(|unit| scalar.number(unit) as u16)
+            .collect();
+        let row = |row: usize| {
+            String::from_utf16_lossy(
+                &units
+                    .iter()
+                    .skip(row)
+                    .step_by(rows as usize)
+                    .copied()
+                    .collect::<Vec<u16>>(),
+            )
+        };
         let rows = usize::try_from(rows).unwrap_or(0).min(units.len());
-        let texts: Vec<String> = utf8.map_or_else(|| (0..rows).map(row).collect(), |text| vec![text.to_owned()]);
-        let one = if let [text] = &texts[..] { Some(text.clone()) } else { None };
+        let texts: Vec<String> = utf8.map_or_else(
+            || (0..rows).map(row).collect(),
+            |text| vec![text.to_owned()],
+        );
+        let one = if let [text] = &texts[..] {
+            Some(text.clone())
+        } else {
+            None
+        };
         tree.text(self.path, texts);
         Ok(one)
     }
 
-    fn numbers(&self, elements: &mut Elements<'_>, complex: bool, tree: &mut Tree) -> Result<(), Damage> {
+    fn numbers(
+        &self,
+        elements: &mut Elements<'_>,
+        complex: bool,
+        tree: &mut Tree,
+    ) -> Result<(), Damage> {
         let Some(layout) = ArrayLayout::new(&self.dimensions, false) else {
-            tree.skip(format!("the array {} of size {:?} is no series of numbers", self.path, self.dimensions));
+            tree.skip(format!(
+                "the array {} of size {:?} is no series of numbers",
+                self.path, self.dimensions
+            ));
             return Ok(());
         };
         if layout.total() == 0 {
@@ -199,19 +294,31 @@ impl Inside<'_> {
         }
         let part = |elements: &mut Elements<'_>| {
             let tag: Tag = elements.tag()?;
-            let size = tag.scalar(elements.little_endian).map_or(1, |scalar| scalar.size as u64);
+            let size = tag
+                .scalar(elements.little_endian)
+                .map_or(1, |scalar| scalar.size as u64);
             if tag.length / size != layout.total() {
                 let (path, due, there) = (self.path, layout.total(), tag.length / size);
-                return Err(Damage::new(format!("{path} has {due} numbers by its size, {there} follow: was the file cut?")));
+                return Err(Damage::new(format!(
+                    "{path} has {due} numbers by its size, {there} follow: was the file cut?"
+                )));
             }
             let mut series = layout.series(self.store)?;
-            elements.numbers(&tag, layout.total(), |number, x| layout.push(&mut series, number, x))?;
+            elements.numbers(&tag, layout.total(), |number, x| {
+                layout.push(&mut series, number, x)
+            })?;
             Ok(series)
         };
         let series = part(elements)?;
         let imaginary = if complex { Some(part(elements)?) } else { None };
         let path = self.path.clone();
-        tree.arrays.push(Array { path, unit: String::new(), series, imaginary, labels: layout.labels() });
+        tree.arrays.push(Array {
+            path,
+            unit: String::new(),
+            series,
+            imaginary,
+            labels: layout.labels(),
+        });
         Ok(())
     }
 }

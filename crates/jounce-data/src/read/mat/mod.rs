@@ -31,24 +31,37 @@ pub(super) fn read(path: &FilePath, store: &SampleStore) -> Result<FormatContent
     let mut tree = Tree::default();
     let mut at = HEADER as u64;
     while at < size {
-        at += element(&mut source, size - at, little_endian, store, &mut tree).map_err(|damage| damage.at_byte(at))?;
+        at += element(&mut source, size - at, little_endian, store, &mut tree)
+            .map_err(|damage| damage.at_byte(at))?;
     }
     into_found(tree)
 }
 
 /// Reads one element of the file, compressed or not, and gives its bytes.
-fn element(source: &mut impl Read, left: u64, little_endian: bool, store: &SampleStore, tree: &mut Tree) -> Result<u64, Damage> {
+fn element(
+    source: &mut impl Read,
+    left: u64,
+    little_endian: bool,
+    store: &SampleStore,
+    tree: &mut Tree,
+) -> Result<u64, Damage> {
     let tag = Tag::read(source, little_endian)?;
     let left = left.saturating_sub(8);
     if tag.length > left {
-        return Err(Damage::new(format!("the element that begins here is {} bytes long, {left} follow: was the file cut?", tag.length)));
+        return Err(Damage::new(format!(
+            "the element that begins here is {} bytes long, {left} follow: was the file cut?",
+            tag.length
+        )));
     }
     let mut content = source.by_ref().take(tag.length);
     if tag.kind == COMPRESSED {
         let mut inflated = ZlibDecoder::new(&mut content);
         let inner = Tag::read(&mut inflated, little_endian)?;
         if inner.length / MAX_RATIO > tag.length {
-            let why = format!("{} bytes cannot be {} compressed ones: was the file cut?", inner.length, tag.length);
+            let why = format!(
+                "{} bytes cannot be {} compressed ones: was the file cut?",
+                inner.length, tag.length
+            );
             return Err(Damage::new(why));
         }
         root(&mut inflated, inner, little_endian, store, tree)?;
@@ -59,16 +72,29 @@ fn element(source: &mut impl Read, left: u64, little_endian: bool, store: &Sampl
     }
     io::copy(&mut content, &mut io::sink()).map_err(Damage::cut)?;
     // What is not compressed is filled up to eight bytes.
-    let whole = if tag.kind == COMPRESSED { tag.length } else { tag.length.next_multiple_of(8) };
+    let whole = if tag.kind == COMPRESSED {
+        tag.length
+    } else {
+        tag.length.next_multiple_of(8)
+    };
     let padding = whole.min(left) - tag.length;
     io::copy(&mut source.by_ref().take(padding), &mut io::sink()).map_err(Damage::cut)?;
     Ok(8 + tag.length + padding)
 }
 
 /// Reads a variable of the file.
-fn root(source: &mut dyn Read, tag: Tag, little_endian: bool, store: &SampleStore, tree: &mut Tree) -> Result<(), Damage> {
+fn root(
+    source: &mut dyn Read,
+    tag: Tag,
+    little_endian: bool,
+    store: &SampleStore,
+    tree: &mut Tree,
+) -> Result<(), Damage> {
     if tag.kind != MATRIX {
-        tree.skip(format!("an element of type {} is no variable and was left out", tag.kind));
+        tree.skip(format!(
+            "an element of type {} is no variable and was left out",
+            tag.kind
+        ));
         return Ok(());
     }
     let mut elements = Elements::new(source, tag.length, little_endian);

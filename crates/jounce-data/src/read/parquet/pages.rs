@@ -19,30 +19,53 @@ impl CheckedPages {
     /// Pages of a column whose definition levels go up to `max_level`.
     pub fn new(pages: Box<dyn PageReader>, max_level: i16) -> Self {
         let level_bits = (i16::BITS - max_level.max(0).leading_zeros()) as usize;
-        Self { pages, level_bits, has_dictionary: false }
+        Self {
+            pages,
+            level_bits,
+            has_dictionary: false,
+        }
     }
 
     fn check(&mut self, page: &Page) -> Result<()> {
         let buffer = page.buffer();
         let (levels, values) = match page {
-            Page::DictionaryPage { encoding, num_values, .. } => {
+            Page::DictionaryPage {
+                encoding,
+                num_values,
+                ..
+            } => {
                 self.has_dictionary = true;
                 // The smallest numbers have four bytes.
                 if *num_values as usize > buffer.len() / 4 {
-                    return Err(damaged(&format!("a dictionary of {num_values} numbers has {} bytes", buffer.len())));
+                    return Err(damaged(&format!(
+                        "a dictionary of {num_values} numbers has {} bytes",
+                        buffer.len()
+                    )));
                 }
                 return check_encoding(*encoding);
             }
             Page::DataPage { .. } if self.level_bits == 0 => (&buffer[..0], &buffer[..]),
-            Page::DataPage { def_level_encoding: Encoding::RLE, .. } => {
-                let (length, rest) = buffer.split_first_chunk::<4>().ok_or_else(|| damaged("its levels are cut"))?;
-                rest.split_at_checked(u32::from_le_bytes(*length) as usize).ok_or_else(|| damaged("its levels are cut"))?
+            Page::DataPage {
+                def_level_encoding: Encoding::RLE,
+                ..
+            } => {
+                let (length, rest) = buffer
+                    .split_first_chunk::<4>()
+                    .ok_or_else(|| damaged("its levels are cut"))?;
+                rest.split_at_checked(u32::from_le_bytes(*length) as usize)
+                    .ok_or_else(|| damaged("its levels are cut"))?
             }
             Page::DataPage { .. } => return Err(damaged("its levels are of an old encoding")),
-            Page::DataPageV2 { def_levels_byte_len, rep_levels_byte_len: 0, .. } => {
-                buffer.split_at_checked(*def_levels_byte_len as usize).ok_or_else(|| damaged("its levels are cut"))?
+            Page::DataPageV2 {
+                def_levels_byte_len,
+                rep_levels_byte_len: 0,
+                ..
+            } => buffer
+                .split_at_checked(*def_levels_byte_len as usize)
+                .ok_or_else(|| damaged("its levels are cut"))?,
+            Page::DataPageV2 { .. } => {
+                return Err(damaged("it has lists where the column has none"));
             }
-            Page::DataPageV2 { .. } => return Err(damaged("it has lists where the column has none")),
         };
         check_encoding(page.encoding())?;
         check_runs(levels, self.level_bits, page.num_values() as usize)?;
@@ -53,8 +76,12 @@ impl CheckedPages {
             return Err(damaged("it refers to a dictionary that is not there"));
         }
         match values.split_first() {
-            Some((bits, runs)) if *bits <= 32 => check_runs(runs, usize::from(*bits), page.num_values() as usize),
-            Some((bits, _)) => Err(damaged(&format!("its places in the dictionary have {bits} bits"))),
+            Some((bits, runs)) if *bits <= 32 => {
+                check_runs(runs, usize::from(*bits), page.num_values() as usize)
+            }
+            Some((bits, _)) => Err(damaged(&format!(
+                "its places in the dictionary have {bits} bits"
+            ))),
             None => Ok(()),
         }
     }
@@ -74,12 +101,25 @@ fn check_encoding(encoding: Encoding) -> Result<()> {
 fn check_runs(mut runs: &[u8], bits: usize, count: usize) -> Result<()> {
     let mut numbers = 0_usize;
     while numbers < count && !runs.is_empty() {
-        let bytes = runs.iter().position(|byte| *byte < 0x80).filter(|last| *last < MAX_LENGTH_BYTES);
+        let bytes = runs
+            .iter()
+            .position(|byte| *byte < 0x80)
+            .filter(|last| *last < MAX_LENGTH_BYTES);
         let last = bytes.ok_or_else(|| damaged("the length of a run is too long"))?;
-        let length = runs[..=last].iter().rev().fold(0_u64, |length, byte| length << 7 | u64::from(byte & 0x7f)) as usize;
-        let (inside, held) = if length % 2 == 1 { ((length >> 1) * bits, (length >> 1) * 8) } else { (bits.div_ceil(8), length >> 1) };
+        let length = runs[..=last]
+            .iter()
+            .rev()
+            .fold(0_u64, |length, byte| length << 7 | u64::from(byte & 0x7f))
+            as usize;
+        let (inside, held) = if length % 2 == 1 {
+            ((length >> 1) * bits, (length >> 1) * 8)
+        } else {
+            (bits.div_ceil(8), length >> 1)
+        };
         numbers = numbers.saturating_add(held);
-        runs = runs.get((last + 1).saturating_add(inside)..).unwrap_or_default();
+        runs = runs
+            .get((last + 1).saturating_add(inside)..)
+            .unwrap_or_default();
     }
     Ok(())
 }

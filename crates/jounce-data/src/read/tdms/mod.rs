@@ -45,7 +45,14 @@ pub(super) fn read(path: &FilePath, store: &SampleStore) -> Result<FormatContent
     let file = File::open(path).map_err(Damage::cut)?;
     let size = file.metadata().map_err(Damage::cut)?.len();
     let source = BufReader::with_capacity(1 << 16, file);
-    let mut reader = Reader { source, size, metadata: Metadata::default(), channels: HashMap::new(), store, findings: Vec::new() };
+    let mut reader = Reader {
+        source,
+        size,
+        metadata: Metadata::default(),
+        channels: HashMap::new(),
+        store,
+        findings: Vec::new(),
+    };
     let mut at = 0;
     while at < size {
         at = reader.segment(at).map_err(|damage| damage.at_byte(at))?;
@@ -78,14 +85,22 @@ impl Reader<'_> {
         if marks & HAS_METADATA != 0 {
             let bytes = data.min(length);
             let mut source = (&mut self.source).take(bytes);
-            self.metadata.read(&mut source, little_endian, marks & IS_NEW_LIST != 0)?;
+            self.metadata
+                .read(&mut source, little_endian, marks & IS_NEW_LIST != 0)?;
         }
         if next == OPEN {
             let about = "the last segment was not closed: the program that wrote it ended early; what is there is read".to_owned();
-            self.findings.push(Issue::new(IssueKind::HeaderDisagrees, 1, Some(IssuePlace::Byte(at as usize)), about));
+            self.findings.push(Issue::new(
+                IssueKind::HeaderDisagrees,
+                1,
+                Some(IssuePlace::Byte(at as usize)),
+                about,
+            ));
         }
         if marks & HAS_DATA != 0 && data < length {
-            self.source.seek(SeekFrom::Start(at + LEAD_IN + data)).map_err(Damage::cut)?;
+            self.source
+                .seek(SeekFrom::Start(at + LEAD_IN + data))
+                .map_err(Damage::cut)?;
             self.data(length - data, marks & IS_INTERLEAVED != 0, little_endian)?;
         }
         Ok(at + LEAD_IN + length)
@@ -94,8 +109,12 @@ impl Reader<'_> {
     /// Chunks of so many numbers of each channel, one after the other.
     fn data(&mut self, bytes: u64, interleaved: bool, little_endian: bool) -> Result<(), Damage> {
         let active = self.metadata.active.clone();
-        let chunk: Option<u64> = active.iter().try_fold(0_u64, |sum, (_, stored)| sum.checked_add(stored.bytes()?));
-        let Some(chunk) = chunk.filter(|chunk| *chunk > 0) else { return Ok(()) };
+        let chunk: Option<u64> = active
+            .iter()
+            .try_fold(0_u64, |sum, (_, stored)| sum.checked_add(stored.bytes()?));
+        let Some(chunk) = chunk.filter(|chunk| *chunk > 0) else {
+            return Ok(());
+        };
         if interleaved {
             return self.interleaved(&active, bytes, little_endian);
         }
@@ -115,14 +134,24 @@ impl Reader<'_> {
     }
 
     /// Numbers of a channel in so many bytes.
-    fn numbers(&mut self, channel: usize, stored: Stored, bytes: u64, little_endian: bool) -> Result<(), Damage> {
+    fn numbers(
+        &mut self,
+        channel: usize,
+        stored: Stored,
+        bytes: u64,
+        little_endian: bool,
+    ) -> Result<(), Damage> {
         let Some((scalar, parts)) = stored.scalar(little_endian) else {
-            std::io::copy(&mut (&mut self.source).take(bytes), &mut std::io::sink()).map_err(Damage::cut)?;
+            std::io::copy(&mut (&mut self.source).take(bytes), &mut std::io::sink())
+                .map_err(Damage::cut)?;
             return Ok(());
         };
         let width = scalar.size as u64 * parts as u64;
         let store = self.store;
-        let numbers = self.channels.entry(channel).or_insert_with(|| [store.column(), store.column()]);
+        let numbers = self
+            .channels
+            .entry(channel)
+            .or_insert_with(|| [store.column(), store.column()]);
         // Times put the seconds first where the highest byte stands first.
         let mut part = usize::from(stored.is_time() && !little_endian);
         scalar.each(&mut self.source, bytes / width * parts as u64, |x| {
@@ -130,20 +159,40 @@ impl Reader<'_> {
             part = (part + 1) % parts;
             pushed
         })?;
-        std::io::copy(&mut (&mut self.source).take(bytes % width), &mut std::io::sink()).map_err(Damage::cut)?;
+        std::io::copy(
+            &mut (&mut self.source).take(bytes % width),
+            &mut std::io::sink(),
+        )
+        .map_err(Damage::cut)?;
         Ok(())
     }
 
     /// One number of each channel by turns.
-    fn interleaved(&mut self, active: &[(usize, Stored)], bytes: u64, little_endian: bool) -> Result<(), Damage> {
-        let scalars: Vec<Option<(Scalar, usize)>> = active.iter().map(|(_, stored)| stored.scalar(little_endian)).collect();
-        let row: u64 = scalars.iter().flatten().map(|(scalar, parts)| (scalar.size * parts) as u64).sum();
+    fn interleaved(
+        &mut self,
+        active: &[(usize, Stored)],
+        bytes: u64,
+        little_endian: bool,
+    ) -> Result<(), Damage> {
+        let scalars: Vec<Option<(Scalar, usize)>> = active
+            .iter()
+            .map(|(_, stored)| stored.scalar(little_endian))
+            .collect();
+        let row: u64 = scalars
+            .iter()
+            .flatten()
+            .map(|(scalar, parts)| (scalar.size * parts) as u64)
+            .sum();
         if row == 0 || scalars.contains(&None) {
-            return Err(Damage::new("channels of numbers by turns with others than numbers; save it again in DIAdem or LabVIEW"));
+            return Err(Damage::new(
+                "channels of numbers by turns with others than numbers; save it again in DIAdem or LabVIEW",
+            ));
         }
         for _ in 0..bytes / row {
             for (channel, stored) in active {
-                let width = stored.scalar(little_endian).map_or(0, |(scalar, parts)| (scalar.size * parts) as u64);
+                let width = stored
+                    .scalar(little_endian)
+                    .map_or(0, |(scalar, parts)| (scalar.size * parts) as u64);
                 self.numbers(*channel, *stored, width, little_endian)?;
             }
         }
@@ -154,11 +203,19 @@ impl Reader<'_> {
     fn into_tree(mut self) -> Result<Tree, Damage> {
         let mut tree = Tree::default();
         tree.findings.append(&mut self.findings);
-        let groups: std::collections::BTreeSet<&str> =
-            self.metadata.objects.iter().filter_map(|object| object.names.first().map(String::as_str)).collect();
+        let groups: std::collections::BTreeSet<&str> = self
+            .metadata
+            .objects
+            .iter()
+            .filter_map(|object| object.names.first().map(String::as_str))
+            .collect();
         let one_group = groups.len() < 2;
         for (number, object) in self.metadata.objects.iter().enumerate() {
-            let names = if one_group { object.names.get(1..).unwrap_or_default() } else { &object.names };
+            let names = if one_group {
+                object.names.get(1..).unwrap_or_default()
+            } else {
+                &object.names
+            };
             let path = Path(names.to_vec());
             properties(object, &path, self.store, &mut tree)?;
             let Some([real, imaginary]) = self.channels.remove(&number) else {
@@ -167,22 +224,43 @@ impl Reader<'_> {
                 }
                 continue;
             };
-            let unit = object.texts.iter().find(|(name, _)| name == "unit_string").map_or_else(String::new, |(_, unit)| unit.clone());
+            let unit = object
+                .texts
+                .iter()
+                .find(|(name, _)| name == "unit_string")
+                .map_or_else(String::new, |(_, unit)| unit.clone());
             let (real, unit, imaginary) = if object.is_time {
-                (since_the_first(&real, &imaginary, self.store)?, "s".to_owned(), None)
+                (
+                    since_the_first(&real, &imaginary, self.store)?,
+                    "s".to_owned(),
+                    None,
+                )
             } else {
                 (real, unit, (imaginary.count() > 0).then(|| vec![imaginary]))
             };
-            tree.arrays.push(Array { path, unit, series: vec![real], imaginary, labels: Vec::new() });
+            tree.arrays.push(Array {
+                path,
+                unit,
+                series: vec![real],
+                imaginary,
+                labels: Vec::new(),
+            });
         }
         Ok(tree)
     }
 }
 
 /// Times of a day, in parts of a second of 2^-64 s and seconds, as seconds since the first one.
-fn since_the_first(parts: &ColumnNumbers, seconds: &ColumnNumbers, store: &SampleStore) -> std::io::Result<ColumnNumbers> {
+fn since_the_first(
+    parts: &ColumnNumbers,
+    seconds: &ColumnNumbers,
+    store: &SampleStore,
+) -> std::io::Result<ColumnNumbers> {
     let mut since = store.column();
-    let first = (parts.ends()?.map_or(0.0, |(first, _)| first), seconds.ends()?.map_or(0.0, |(first, _)| first));
+    let first = (
+        parts.ends()?.map_or(0.0, |(first, _)| first),
+        seconds.ends()?.map_or(0.0, |(first, _)| first),
+    );
     for index in 0..seconds.count().div_ceil(PIECE) {
         let (parts, seconds) = (parts.piece(index)?, seconds.piece(index)?);
         for (part, second) in parts.iter().zip(seconds.iter()) {
@@ -193,11 +271,22 @@ fn since_the_first(parts: &ColumnNumbers, seconds: &ColumnNumbers, store: &Sampl
 }
 
 /// Numbers and texts that stand as properties of an object.
-fn properties(object: &Object, path: &Path, store: &SampleStore, tree: &mut Tree) -> Result<(), Damage> {
+fn properties(
+    object: &Object,
+    path: &Path,
+    store: &SampleStore,
+    tree: &mut Tree,
+) -> Result<(), Damage> {
     for (name, number) in &object.numbers {
         let mut numbers = store.column();
         numbers.push(*number)?;
-        tree.arrays.push(Array { path: path.to(name), unit: String::new(), series: vec![numbers], imaginary: None, labels: Vec::new() });
+        tree.arrays.push(Array {
+            path: path.to(name),
+            unit: String::new(),
+            series: vec![numbers],
+            imaginary: None,
+            labels: Vec::new(),
+        });
     }
     for (name, text) in &object.texts {
         tree.text(&path.to(name), vec![text.clone()]);

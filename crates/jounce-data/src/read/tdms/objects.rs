@@ -74,18 +74,34 @@ impl Stored {
 
 impl Metadata {
     /// Reads the metadata of a segment.
-    pub fn read(&mut self, source: &mut dyn Read, little_endian: bool, is_new_list: bool) -> Result<(), Damage> {
-        let mut values = Values { source, little_endian };
+    pub fn read(
+        &mut self,
+        source: &mut dyn Read,
+        little_endian: bool,
+        is_new_list: bool,
+    ) -> Result<(), Damage> {
+        let mut values = Values {
+            source,
+            little_endian,
+        };
         if is_new_list {
             self.active.clear();
         }
-        let mut place: HashMap<usize, usize> = self.active.iter().enumerate().map(|(place, (number, _))| (*number, place)).collect();
+        let mut place: HashMap<usize, usize> = self
+            .active
+            .iter()
+            .enumerate()
+            .map(|(place, (number, _))| (*number, place))
+            .collect();
         for _ in 0..values.word()? {
             let path = values.text()?;
             let next = self.objects.len();
             let number = *self.numbers.entry(path.clone()).or_insert(next);
             if number == next {
-                self.objects.push(Object { names: names(&path), ..Object::default() });
+                self.objects.push(Object {
+                    names: names(&path),
+                    ..Object::default()
+                });
             }
             if let Some(stored) = self.stored(&mut values, number)? {
                 self.last.insert(number, stored);
@@ -108,7 +124,12 @@ impl Metadata {
             NONE => return Ok(None),
             AS_BEFORE => {
                 let before = self.last.get(&number).copied();
-                before.ok_or_else(|| Damage::new(format!("{} is as before, but nothing stands before", object.names.join("/"))))?
+                before.ok_or_else(|| {
+                    Damage::new(format!(
+                        "{} is as before, but nothing stands before",
+                        object.names.join("/")
+                    ))
+                })?
             }
             _ if DAQMX.contains(&told) => {
                 return Err(Damage::new(
@@ -120,7 +141,10 @@ impl Metadata {
                 let (kind, dimension, count) = (values.word()?, values.word()?, values.long()?);
                 let texts = if kind == TEXT { values.long()? } else { 0 };
                 if dimension != 1 {
-                    return Err(Damage::new(format!("{} has {dimension} dimensions; 1 is due", object.names.join("/"))));
+                    return Err(Damage::new(format!(
+                        "{} has {dimension} dimensions; 1 is due",
+                        object.names.join("/")
+                    )));
                 }
                 Stored { kind, count, texts }
             }
@@ -154,9 +178,16 @@ impl Metadata {
                 }
                 TIME => values.skip(16)?,
                 kind => {
-                    let stored = Stored { kind, count: 1, texts: 0 };
-                    let size =
-                        stored.bytes().ok_or_else(|| Damage::new(format!("the property {name} is of type {kind}, which is not known")))?;
+                    let stored = Stored {
+                        kind,
+                        count: 1,
+                        texts: 0,
+                    };
+                    let size = stored.bytes().ok_or_else(|| {
+                        Damage::new(format!(
+                            "the property {name} is of type {kind}, which is not known"
+                        ))
+                    })?;
                     let mut bytes = vec![0; size as usize];
                     values.exact(&mut bytes)?;
                     if let Some((scalar, 1)) = stored.scalar(values.little_endian) {
@@ -172,8 +203,18 @@ impl Metadata {
 
 /// Names of a path `/'group'/'channel'`, in which a quote is doubled.
 fn names(path: &str) -> Vec<String> {
-    let inside = path.trim_start_matches('/').trim_start_matches('\'').trim_end_matches('\'');
-    if inside.is_empty() { Vec::new() } else { inside.split("'/'").map(|name| name.replace("''", "'")).collect() }
+    let inside = path
+        .trim_start_matches('/')
+        .trim_start_matches('\'')
+        .trim_end_matches('\'');
+    if inside.is_empty() {
+        Vec::new()
+    } else {
+        inside
+            .split("'/'")
+            .map(|name| name.replace("''", "'"))
+            .collect()
+    }
 }
 
 /// Values of the metadata, one after the other.
@@ -190,19 +231,29 @@ impl Values<'_> {
     fn word(&mut self) -> Result<u32, Damage> {
         let mut bytes = [0; 4];
         self.exact(&mut bytes)?;
-        Ok(if self.little_endian { u32::from_le_bytes(bytes) } else { u32::from_be_bytes(bytes) })
+        Ok(if self.little_endian {
+            u32::from_le_bytes(bytes)
+        } else {
+            u32::from_be_bytes(bytes)
+        })
     }
 
     fn long(&mut self) -> Result<u64, Damage> {
         let mut bytes = [0; 8];
         self.exact(&mut bytes)?;
-        Ok(if self.little_endian { u64::from_le_bytes(bytes) } else { u64::from_be_bytes(bytes) })
+        Ok(if self.little_endian {
+            u64::from_le_bytes(bytes)
+        } else {
+            u64::from_be_bytes(bytes)
+        })
     }
 
     fn text(&mut self) -> Result<String, Damage> {
         let length = self.word()?;
         if length > MAX_TEXT_BYTES {
-            return Err(Damage::new(format!("a name or text of {length} bytes; at most 1 MiB is due: was the file cut?")));
+            return Err(Damage::new(format!(
+                "a name or text of {length} bytes; at most 1 MiB is due: was the file cut?"
+            )));
         }
         let mut bytes = vec![0; length as usize];
         self.exact(&mut bytes)?;

@@ -7,11 +7,13 @@ use crate::recording::Issue;
 
 /// Words in a line of units that are no units that are known here, in small letters.
 const UNIT_WORDS: [&str; 22] = [
-    "", "-", "none", "unknown", "sequence", "number", "ts", "rn", "a", "ma", "amp", "amps", "ampere", "amperes", "w", "watt", "ohm",
-    "\u{b0}c", "degc", "celsius", "value", "logic",
+    "", "-", "none", "unknown", "sequence", "number", "ts", "rn", "a", "ma", "amp", "amps",
+    "ampere", "amperes", "w", "watt", "ohm", "\u{b0}c", "degc", "celsius", "value", "logic",
 ];
 /// Those that say that there is no unit.
-const NO_UNITS: [&str; 9] = ["-", "none", "unknown", "sequence", "number", "ts", "rn", "value", "logic"];
+const NO_UNITS: [&str; 9] = [
+    "-", "none", "unknown", "sequence", "number", "ts", "rn", "value", "logic",
+];
 /// How loggers say what a column is of many samples, in small letters.
 const REDUCTIONS: [&str; 8] = ["", "avg", "smp", "max", "min", "tot", "std", "med"];
 
@@ -30,95 +32,193 @@ pub(in crate::read) struct ColumnHead {
 
 impl ColumnHead {
     fn numbered(k: usize) -> Self {
-        Self { name: format!("column {}", k + 1), unnamed: true, ..Self::default() }
+        Self {
+            name: format!("column {}", k + 1),
+            unnamed: true,
+            ..Self::default()
+        }
     }
 }
 
 /// Names and units from the last line above the numbers that has a field for each of the columns, `used` at least and `count` at most, and from a line of
 /// units below it; and what is doubtful about them.
-pub(super) fn heads(above: &[&str], used: usize, count: usize, delimiter: Delimiter) -> (Vec<ColumnHead>, Vec<Issue>) {
+pub(super) fn heads(
+    above: &[&str],
+    used: usize,
+    count: usize,
+    delimiter: Delimiter,
+) -> (Vec<ColumnHead>, Vec<Issue>) {
     // A word alone in a line is a title.
-    let is_alone = |fields: &[String]| fields.len() > 1 && fields[1..].iter().all(|field| field.trim().is_empty());
-    let is_reduction =
-        |fields: &[String]| fields.iter().all(|field| REDUCTIONS.contains(&field.trim().trim_matches('"').to_lowercase().as_str()));
-    let fits =
-        |fields: &Vec<String>| (used..=count).contains(&fields.len()) && !is_pair(fields) && !is_alone(fields) && !is_reduction(fields);
-    let mut rows = above.iter().rev().map(|line| fields_of_head(line, used, count, delimiter)).filter(fits);
+    let is_alone = |fields: &[String]| {
+        fields.len() > 1 && fields[1..].iter().all(|field| field.trim().is_empty())
+    };
+    let is_reduction = |fields: &[String]| {
+        fields.iter().all(|field| {
+            REDUCTIONS.contains(&field.trim().trim_matches('"').to_lowercase().as_str())
+        })
+    };
+    let fits = |fields: &Vec<String>| {
+        (used..=count).contains(&fields.len())
+            && !is_pair(fields)
+            && !is_alone(fields)
+            && !is_reduction(fields)
+    };
+    let mut rows = above
+        .iter()
+        .rev()
+        .map(|line| fields_of_head(line, used, count, delimiter))
+        .filter(fits);
     let Some(last) = rows.next() else {
         return ((0..count).map(ColumnHead::numbered).collect(), Vec::new());
     };
-    let (names, units) = match rows.next().filter(|names| are_units(&last) && !are_units(names)) {
+    let (names, units) = match rows
+        .next()
+        .filter(|names| are_units(&last) && !are_units(names))
+    {
         Some(names) => (names, Some(last)),
         None => (last, None),
     };
-    let doubts = if units.is_none() { names.iter().filter_map(|name| name::doubt(name)).collect() } else { Vec::new() };
+    let doubts = if units.is_none() {
+        names.iter().filter_map(|name| name::doubt(name)).collect()
+    } else {
+        Vec::new()
+    };
     let head = |k: usize| {
         let (name, unit) = name::split(names.get(k).map_or("", String::as_str));
         let unit = match &units {
             Some(units) => units.get(k).map_or(String::new(), |unit| meant(unit)),
             None => unit,
         };
-        if name.is_empty() { ColumnHead { unit, ..ColumnHead::numbered(k) } } else { ColumnHead { name, unit, ..ColumnHead::default() } }
+        if name.is_empty() {
+            ColumnHead {
+                unit,
+                ..ColumnHead::numbered(k)
+            }
+        } else {
+            ColumnHead {
+                name,
+                unit,
+                ..ColumnHead::default()
+            }
+        }
     };
     (distinct((0..count).map(head).collect()), doubts)
 }
 
 /// Names that are numbers in order, from 0 or 1 on, in a first row whose columns hold other numbers below.
-pub(super) fn numbered(first: &str, below: &[&str], delimiter: Delimiter) -> Option<Vec<ColumnHead>> {
-    let bare = |fields: &[String]| fields.iter().map(|field| field.trim().trim_matches('"').to_owned()).collect::<Vec<String>>();
+pub(super) fn numbered(
+    first: &str,
+    below: &[&str],
+    delimiter: Delimiter,
+) -> Option<Vec<ColumnHead>> {
+    let bare = |fields: &[String]| {
+        fields
+            .iter()
+            .map(|field| field.trim().trim_matches('"').to_owned())
+            .collect::<Vec<String>>()
+    };
     let names = bare(&delimiter.fields(first));
     let named = names.iter().position(|name| !name.is_empty())?;
     let from: usize = names[named].parse().ok().filter(|from| *from < 2)?;
-    let in_order = names[named..].iter().enumerate().all(|(k, name)| *name == (from + k).to_string());
+    let in_order = names[named..]
+        .iter()
+        .enumerate()
+        .all(|(k, name)| *name == (from + k).to_string());
     // A whole number in each column below could be the next row of counters.
     let whole = |field: &String| field.parse::<i64>().is_ok();
-    let rows: Vec<Vec<String>> =
-        below.iter().map(|line| bare(&delimiter.fields(line))).filter(|fields| fields.len() == names.len()).collect();
+    let rows: Vec<Vec<String>> = below
+        .iter()
+        .map(|line| bare(&delimiter.fields(line)))
+        .filter(|fields| fields.len() == names.len())
+        .collect();
     let differ = !rows.is_empty() && rows.iter().all(|fields| !fields[named..].iter().any(whole));
     if named > 1 || names.len() - named < 2 || !in_order || !differ {
         return None;
     }
     let head = |(k, name): (usize, &String)| {
-        if name.is_empty() { ColumnHead::numbered(k) } else { ColumnHead { name: name.clone(), ..ColumnHead::default() } }
+        if name.is_empty() {
+            ColumnHead::numbered(k)
+        } else {
+            ColumnHead {
+                name: name.clone(),
+                ..ColumnHead::default()
+            }
+        }
     };
     Some(names.iter().enumerate().map(head).collect())
 }
 
 /// True for a line of units: one at least is known, and all others are words that stand in such lines.
 fn are_units(fields: &[String]) -> bool {
-    let bare = |field: &String| field.trim().trim_matches(['"', '(', ')', '[', ']']).trim().to_lowercase();
+    let bare = |field: &String| {
+        field
+            .trim()
+            .trim_matches(['"', '(', ')', '[', ']'])
+            .trim()
+            .to_lowercase()
+    };
     let known = |field: &String| name::is_known(field.trim().trim_matches('"'));
-    fields.iter().any(known) && fields.iter().all(|field| known(field) || UNIT_WORDS.contains(&bare(field).as_str()))
+    fields.iter().any(known)
+        && fields
+            .iter()
+            .all(|field| known(field) || UNIT_WORDS.contains(&bare(field).as_str()))
 }
 
 /// A unit of a line of units; none for words that say that there is none.
 fn meant(unit: &str) -> String {
     let bare = unit.trim().trim_matches('"').trim();
-    if NO_UNITS.contains(&bare.to_lowercase().as_str()) { String::new() } else { bare.to_owned() }
+    if NO_UNITS.contains(&bare.to_lowercase().as_str()) {
+        String::new()
+    } else {
+        bare.to_owned()
+    }
 }
 
 /// The fields of a line of heads, its comment sign and what says a step or a start taken away, and empty ones at its end; fields that blanks part may be
 /// parted by two blanks or more.
 fn fields_of_head(line: &str, used: usize, count: usize, delimiter: Delimiter) -> Vec<String> {
-    let line = line.trim_start_matches(['#', '%', '!']).trim_start_matches(' ');
+    let line = line
+        .trim_start_matches(['#', '%', '!'])
+        .trim_start_matches(' ');
     // Where semicolons part the fields, the first one may be empty.
-    let line = if delimiter == Delimiter::Byte(b';') { line } else { line.trim_start_matches(';') };
+    let line = if delimiter == Delimiter::Byte(b';') {
+        line
+    } else {
+        line.trim_start_matches(';')
+    };
     let mut fields = delimiter.fields(line);
-    if fields.len() > used && fields.first().is_some_and(|first| first.trim().eq_ignore_ascii_case("headers")) {
+    if fields.len() > used
+        && fields
+            .first()
+            .is_some_and(|first| first.trim().eq_ignore_ascii_case("headers"))
+    {
         fields.remove(0);
     }
     if delimiter == Delimiter::Blanks {
         if fields.len() == count {
             return fields;
         }
-        let wide: Vec<String> = line.split("  ").map(str::trim).filter(|field| !field.is_empty()).map(str::to_owned).collect();
-        return if wide.len() == count { wide } else { Delimiter::Byte(b',').fields(line) };
+        let wide: Vec<String> = line
+            .split("  ")
+            .map(str::trim)
+            .filter(|field| !field.is_empty())
+            .map(str::to_owned)
+            .collect();
+        return if wide.len() == count {
+            wide
+        } else {
+            Delimiter::Byte(b',').fields(line)
+        };
     }
     if fields.len() > used {
         let kept = fields.iter().take(used).cloned();
         // Beyond the columns no name is a number: those are values of a step and a start, below their keys.
         let is_number = |field: &str| field.trim().parse::<f64>().is_ok();
-        let rest = fields.iter().skip(used).filter(|field| !is_of_time(field) && !is_number(field)).cloned();
+        let rest = fields
+            .iter()
+            .skip(used)
+            .filter(|field| !is_of_time(field) && !is_number(field))
+            .cloned();
         fields = kept.chain(rest).collect();
     }
     while fields.len() > used && fields.last().is_some_and(|field| field.trim().is_empty()) {
@@ -130,6 +230,19 @@ fn fields_of_head(line: &str, used: usize, count: usize, delimiter: Delimiter) -
 /// Names used twice get their column's number.
 fn distinct(heads: Vec<ColumnHead>) -> Vec<ColumnHead> {
     let twice = |name: &str| heads.iter().filter(|head| head.name == name).count() > 1;
-    let name = |k: usize, name: &str| if twice(name) { format!("{name} {}", k + 1) } else { name.to_owned() };
-    heads.iter().enumerate().map(|(k, head)| ColumnHead { name: name(k, &head.name), ..head.clone() }).collect()
+    let name = |k: usize, name: &str| {
+        if twice(name) {
+            format!("{name} {}", k + 1)
+        } else {
+            name.to_owned()
+        }
+    };
+    heads
+        .iter()
+        .enumerate()
+        .map(|(k, head)| ColumnHead {
+            name: name(k, &head.name),
+            ..head.clone()
+        })
+        .collect()
 }

@@ -35,7 +35,12 @@ pub(crate) struct TextLayout {
 
 /// So many lines in a row with the same number of numbers are the beginning of the data; two where there are no three.
 const ROWS: [usize; 2] = [3, 2];
-const DELIMITERS: [Delimiter; 4] = [Delimiter::Byte(b'\t'), Delimiter::Byte(b';'), Delimiter::Byte(b','), Delimiter::Blanks];
+const DELIMITERS: [Delimiter; 4] = [
+    Delimiter::Byte(b'\t'),
+    Delimiter::Byte(b';'),
+    Delimiter::Byte(b','),
+    Delimiter::Blanks,
+];
 
 impl Delimiter {
     /// The fields of a line; quotes keep a delimiter inside a field.
@@ -43,11 +48,22 @@ impl Delimiter {
         match self {
             Self::Blanks => line.split_whitespace().map(str::to_owned).collect(),
             // Quotes are rare; where there are none a plain split is the same and quicker.
-            Self::Byte(delimiter) if !line.contains('"') => line.split(char::from(delimiter)).map(str::to_owned).collect(),
+            Self::Byte(delimiter) if !line.contains('"') => line
+                .split(char::from(delimiter))
+                .map(str::to_owned)
+                .collect(),
             Self::Byte(delimiter) => {
-                let mut reader =
-                    csv::ReaderBuilder::new().delimiter(delimiter).has_headers(false).flexible(true).from_reader(line.as_bytes());
-                reader.records().next().and_then(Result::ok).map(|record| record.iter().map(str::to_owned).collect()).unwrap_or_default()
+                let mut reader = csv::ReaderBuilder::new()
+                    .delimiter(delimiter)
+                    .has_headers(false)
+                    .flexible(true)
+                    .from_reader(line.as_bytes());
+                reader
+                    .records()
+                    .next()
+                    .and_then(Result::ok)
+                    .map(|record| record.iter().map(str::to_owned).collect())
+                    .unwrap_or_default()
             }
         }
     }
@@ -57,20 +73,50 @@ impl TextLayout {
     /// Finds the layout of lines that end with a byte: the delimiter that gives the most columns of numbers, at the first place where it gives them in a
     /// row. None where there is no such place.
     pub(super) fn find(lines: &[&str], line_end: u8) -> Option<Self> {
-        let (mut skip, count, delimiter, decimal_comma) = ROWS.iter().find_map(|rows| most_columns(lines, *rows))?;
-        let read =
-            |line: &&str| -> Vec<TextField> { delimiter.fields(line).iter().map(|field| TextField::read(field, decimal_comma)).collect() };
-        let first: Vec<Vec<TextField>> = lines[skip..].iter().map(read).filter(|row| row.len() == count).take(ROWS[0]).collect();
-        let blank: Vec<bool> = (0..count).map(|k| first.iter().all(|row| !row[k].is_value())).collect();
+        let (mut skip, count, delimiter, decimal_comma) =
+            ROWS.iter().find_map(|rows| most_columns(lines, *rows))?;
+        let read = |line: &&str| -> Vec<TextField> {
+            delimiter
+                .fields(line)
+                .iter()
+                .map(|field| TextField::read(field, decimal_comma))
+                .collect()
+        };
+        let first: Vec<Vec<TextField>> = lines[skip..]
+            .iter()
+            .map(read)
+            .filter(|row| row.len() == count)
+            .take(ROWS[0])
+            .collect();
+        let blank: Vec<bool> = (0..count)
+            .map(|k| first.iter().all(|row| !row[k].is_value()))
+            .collect();
         // Rows above that hold text only where the first rows hold nothing belong to them: some oscilloscopes write their settings there.
-        let belongs = |row: &Vec<TextField>| row.len() == count && row.iter().zip(&blank).all(|(field, blank)| *blank || field.is_value());
-        skip -= lines[..skip].iter().rev().take_while(|line| belongs(&read(line))).count();
-        let used = blank.iter().rposition(|blank| !blank).map_or(count, |last| last + 1);
+        let belongs = |row: &Vec<TextField>| {
+            row.len() == count
+                && row
+                    .iter()
+                    .zip(&blank)
+                    .all(|(field, blank)| *blank || field.is_value())
+        };
+        skip -= lines[..skip]
+            .iter()
+            .rev()
+            .take_while(|line| belongs(&read(line)))
+            .count();
+        let used = blank
+            .iter()
+            .rposition(|blank| !blank)
+            .map_or(count, |last| last + 1);
         let beside = blank.iter().position(|blank| !blank).unwrap_or(0);
         let (mut columns, mut doubts) = heads(&lines[..skip], used, count, delimiter);
-        if let Some(named) =
-            lines.get(skip).and_then(|first| numbered(first, &lines[skip + 1..lines.len().min(skip + 1 + ROWS[0])], delimiter))
-        {
+        if let Some(named) = lines.get(skip).and_then(|first| {
+            numbered(
+                first,
+                &lines[skip + 1..lines.len().min(skip + 1 + ROWS[0])],
+                delimiter,
+            )
+        }) {
             (columns, doubts, skip) = (named, Vec::new(), skip + 1);
         }
         for (k, (head, blank)) in columns.iter_mut().zip(&blank).enumerate() {
@@ -78,7 +124,16 @@ impl TextLayout {
         }
         let preamble = Preamble::read(&said(lines, skip, beside, delimiter, decimal_comma));
         doubts.extend(preamble.doubts.iter().cloned());
-        Some(Self { delimiter, decimal_comma, line_end, skip, least: count, heads: columns, preamble, doubts })
+        Some(Self {
+            delimiter,
+            decimal_comma,
+            line_end,
+            skip,
+            least: count,
+            heads: columns,
+            preamble,
+            doubts,
+        })
     }
 }
 
@@ -86,33 +141,80 @@ impl TextLayout {
 const SETTINGS_ROWS: usize = 64;
 
 /// The fields of the lines above the rows, and of those `beside` the first rows.
-fn said(lines: &[&str], skip: usize, beside: usize, delimiter: Delimiter, decimal_comma: bool) -> Vec<Vec<String>> {
+fn said(
+    lines: &[&str],
+    skip: usize,
+    beside: usize,
+    delimiter: Delimiter,
+    decimal_comma: bool,
+) -> Vec<Vec<String>> {
     // A single column tells no delimiter; that of the lines above is the one that stands there most often.
-    let written = |byte: &u8| lines[..skip].iter().map(|line| line.bytes().filter(|b| b == byte).count()).sum::<usize>();
-    let single = delimiter != Delimiter::Blanks && lines.get(skip).is_some_and(|row| delimiter.fields(row).len() == 1);
-    let above =
-        [b',', b';', b'\t'].into_iter().max_by_key(written).filter(|byte| single && written(byte) > 0).map_or(delimiter, Delimiter::Byte);
+    let written = |byte: &u8| {
+        lines[..skip]
+            .iter()
+            .map(|line| line.bytes().filter(|b| b == byte).count())
+            .sum::<usize>()
+    };
+    let single = delimiter != Delimiter::Blanks
+        && lines
+            .get(skip)
+            .is_some_and(|row| delimiter.fields(row).len() == 1);
+    let above = [b',', b';', b'\t']
+        .into_iter()
+        .max_by_key(written)
+        .filter(|byte| single && written(byte) > 0)
+        .map_or(delimiter, Delimiter::Byte);
     let fields = |line: &&str| match above {
         Delimiter::Blanks if line.contains([':', '=']) => vec![(*line).to_owned()],
         _ => above.fields(line),
     };
-    let beside = |line: &&str| delimiter.fields(line).into_iter().take(beside).collect::<Vec<String>>();
+    let beside = |line: &&str| {
+        delimiter
+            .fields(line)
+            .into_iter()
+            .take(beside)
+            .collect::<Vec<String>>()
+    };
     let has_text = |fields: &Vec<String>| fields.iter().any(|field| !field.trim().is_empty());
-    let plain = |fields: Vec<String>| if decimal_comma { fields.iter().map(|field| field.replace(',', ".")).collect() } else { fields };
+    let plain = |fields: Vec<String>| {
+        if decimal_comma {
+            fields.iter().map(|field| field.replace(',', ".")).collect()
+        } else {
+            fields
+        }
+    };
     let above = lines[..skip].iter().map(fields);
-    above.chain(lines[skip..].iter().take(SETTINGS_ROWS).map(beside).filter(has_text)).map(plain).collect()
+    above
+        .chain(
+            lines[skip..]
+                .iter()
+                .take(SETTINGS_ROWS)
+                .map(beside)
+                .filter(has_text),
+        )
+        .map(plain)
+        .collect()
 }
 
 /// First line, number of columns, delimiter and decimal comma that give the most columns.
 fn most_columns(lines: &[&str], rows: usize) -> Option<(usize, usize, Delimiter, bool)> {
-    let ways = DELIMITERS.into_iter().flat_map(|delimiter| [(delimiter, false), (delimiter, true)]);
+    let ways = DELIMITERS
+        .into_iter()
+        .flat_map(|delimiter| [(delimiter, false), (delimiter, true)]);
     let ways = ways.filter(|way| *way != (Delimiter::Byte(b','), true));
-    let counted: Vec<_> = ways.map(|(delimiter, comma)| (delimiter, comma, counts(lines, delimiter, comma))).collect();
+    let counted: Vec<_> = ways
+        .map(|(delimiter, comma)| (delimiter, comma, counts(lines, delimiter, comma)))
+        .collect();
     // A text may be shorter than so many rows, but not in one way of reading it only.
-    let longest = counted.iter().map(|(.., counts)| counts.iter().filter(|count| **count > 0).count()).max()?;
+    let longest = counted
+        .iter()
+        .map(|(.., counts)| counts.iter().filter(|count| **count > 0).count())
+        .max()?;
     let mut best: Option<(usize, usize, Delimiter, bool)> = None;
     for (delimiter, decimal_comma, counts) in counted {
-        let Some((skip, count)) = first_rows(&counts, rows.min(longest).max(1)) else { continue };
+        let Some((skip, count)) = first_rows(&counts, rows.min(longest).max(1)) else {
+            continue;
+        };
         if best.is_none_or(|(_, most, ..)| count > most) {
             best = Some((skip, count, delimiter, decimal_comma));
         }
@@ -124,20 +226,45 @@ fn most_columns(lines: &[&str], rows: usize) -> Option<(usize, usize, Delimiter,
 fn counts(lines: &[&str], delimiter: Delimiter, decimal_comma: bool) -> Vec<usize> {
     let numbers = |line: &str| {
         let fields = delimiter.fields(line);
-        let read: Vec<TextField> = fields.iter().map(|field| TextField::read(field, decimal_comma)).collect();
-        let number = |field: &TextField| matches!(field, TextField::Real(_) | TextField::Complex(..));
+        let read: Vec<TextField> = fields
+            .iter()
+            .map(|field| TextField::read(field, decimal_comma))
+            .collect();
+        let number =
+            |field: &TextField| matches!(field, TextField::Real(_) | TextField::Complex(..));
         let row = read.iter().all(|field| field.is_sample()) && read.iter().any(number);
         if row { fields.len() } else { 0 }
     };
-    lines.iter().map(|line| if line.trim().is_empty() { 0 } else { numbers(line) }).collect()
+    lines
+        .iter()
+        .map(|line| {
+            if line.trim().is_empty() {
+                0
+            } else {
+                numbers(line)
+            }
+        })
+        .collect()
 }
 
 /// The first line of the first rows of equally many numbers, and how many numbers. Rows of as many that stand above, with nothing but numbers in
 /// between, belong to them.
 fn first_rows(counts: &[usize], rows: usize) -> Option<(usize, usize)> {
-    let begins = |k: &usize| counts[*k] > 0 && counts[*k..].iter().take(rows).filter(|count| **count == counts[*k]).count() == rows;
+    let begins = |k: &usize| {
+        counts[*k] > 0
+            && counts[*k..]
+                .iter()
+                .take(rows)
+                .filter(|count| **count == counts[*k])
+                .count()
+                == rows
+    };
     let found = (0..counts.len()).find(begins)?;
-    let above = (0..found).rev().take_while(|k| counts[*k] > 0).filter(|k| counts[*k] == counts[found]).last();
+    let above = (0..found)
+        .rev()
+        .take_while(|k| counts[*k] > 0)
+        .filter(|k| counts[*k] == counts[found])
+        .last();
     Some((above.unwrap_or(found), counts[found]))
 }
 
@@ -149,23 +276,91 @@ mod tests {
     fn found(text: &str) -> (Delimiter, bool, usize, Vec<String>) {
         let lines: Vec<&str> = text.lines().collect();
         let layout = TextLayout::find(&lines, b'\n').unwrap();
-        let heads = layout.heads.iter().filter(|head| !head.blank || !head.unnamed);
-        let heads = heads.map(|head| if head.unit.is_empty() { head.name.clone() } else { format!("{}|{}", head.name, head.unit) });
-        (layout.delimiter, layout.decimal_comma, layout.skip, heads.collect())
+        let heads = layout
+            .heads
+            .iter()
+            .filter(|head| !head.blank || !head.unnamed);
+        let heads = heads.map(|head| {
+            if head.unit.is_empty() {
+                head.name.clone()
+            } else {
+                format!("{}|{}", head.name, head.unit)
+            }
+        });
+        (
+            layout.delimiter,
+            layout.decimal_comma,
+            layout.skip,
+            heads.collect(),
+        )
     }
 
     #[test]
     fn layouts_of_many_kinds_are_found() {
         let cases = [
-            ("time_s,a_g\n0,1\n1,2\n2,3\n", Delimiter::Byte(b','), false, 1, vec!["time_s|s", "a_g|g"]),
-            ("# made 2020\n# t [s]; F [lbf]\n0,0;1,5\n0,1;1,6\n0,2;1,7\n", Delimiter::Byte(b';'), true, 2, vec!["t|s", "F|lbf"]),
-            ("Test 5\nn 3\n\n t   a\n s   m/s2\n 0  1\n 1  2\n 2  3\n", Delimiter::Blanks, false, 5, vec!["t|s", "a|m/s2"]),
-            ("0\t1\n1\t\n2\t3\n", Delimiter::Byte(b'\t'), false, 0, vec!["column 1", "column 2"]),
-            ("a,a\n1,2\n", Delimiter::Byte(b','), false, 1, vec!["a 1", "a 2"]),
-            ("t,a,b\n0,1,2\n1,2\n2,3,4\n3,4,5\n", Delimiter::Byte(b','), false, 1, vec!["t", "a", "b"]),
-            ("t,a\n0,1\n1\n2,3\n3,4\n4,5\n", Delimiter::Byte(b','), false, 1, vec!["t", "a"]),
-            ("5\nt a\n0 1\n1 2\n2 3\n", Delimiter::Blanks, false, 2, vec!["t", "a"]),
-            ("\"x, y\",b\n1,2\n3,4\n5,6\n", Delimiter::Byte(b','), false, 1, vec!["x, y", "b"]),
+            (
+                "time_s,a_g\n0,1\n1,2\n2,3\n",
+                Delimiter::Byte(b','),
+                false,
+                1,
+                vec!["time_s|s", "a_g|g"],
+            ),
+            (
+                "# made 2020\n# t [s]; F [lbf]\n0,0;1,5\n0,1;1,6\n0,2;1,7\n",
+                Delimiter::Byte(b';'),
+                true,
+                2,
+                vec!["t|s", "F|lbf"],
+            ),
+            (
+                "Test 5\nn 3\n\n t   a\n s   m/s2\n 0  1\n 1  2\n 2  3\n",
+                Delimiter::Blanks,
+                false,
+                5,
+                vec!["t|s", "a|m/s2"],
+            ),
+            (
+                "0\t1\n1\t\n2\t3\n",
+                Delimiter::Byte(b'\t'),
+                false,
+                0,
+                vec!["column 1", "column 2"],
+            ),
+            (
+                "a,a\n1,2\n",
+                Delimiter::Byte(b','),
+                false,
+                1,
+                vec!["a 1", "a 2"],
+            ),
+            (
+                "t,a,b\n0,1,2\n1,2\n2,3,4\n3,4,5\n",
+                Delimiter::Byte(b','),
+                false,
+                1,
+                vec!["t", "a", "b"],
+            ),
+            (
+                "t,a\n0,1\n1\n2,3\n3,4\n4,5\n",
+                Delimiter::Byte(b','),
+                false,
+                1,
+                vec!["t", "a"],
+            ),
+            (
+                "5\nt a\n0 1\n1 2\n2 3\n",
+                Delimiter::Blanks,
+                false,
+                2,
+                vec!["t", "a"],
+            ),
+            (
+                "\"x, y\",b\n1,2\n3,4\n5,6\n",
+                Delimiter::Byte(b','),
+                false,
+                1,
+                vec!["x, y", "b"],
+            ),
             (
                 "X,CH1,Start,Increment,\nSequence,Volt,-1e-3,1e-4,\n0,1,\n1,2,\n2,3,\n",
                 Delimiter::Byte(b','),
@@ -180,14 +375,50 @@ mod tests {
                 1,
                 vec!["Time|s", "CH1|V"],
             ),
-            ("Rate,5,,0,1,\nMode,x,,1,2,\n,,,2,3,\n,,,3,4,\n,,,4,5,\n", Delimiter::Byte(b','), false, 0, vec!["column 4", "column 5"]),
-            (",0,1\n0,1.5,2.5\n1,2.5,0.5\n2,3.5,1.5\n", Delimiter::Byte(b','), false, 1, vec!["column 1", "0", "1"]),
-            ("1,2\n0.5,1.5\n0.25,2.5\n", Delimiter::Byte(b','), false, 1, vec!["1", "2"]),
-            ("1,2\n2,3\n3,4\n", Delimiter::Byte(b','), false, 0, vec!["column 1", "column 2"]),
+            (
+                "Rate,5,,0,1,\nMode,x,,1,2,\n,,,2,3,\n,,,3,4,\n,,,4,5,\n",
+                Delimiter::Byte(b','),
+                false,
+                0,
+                vec!["column 4", "column 5"],
+            ),
+            (
+                ",0,1\n0,1.5,2.5\n1,2.5,0.5\n2,3.5,1.5\n",
+                Delimiter::Byte(b','),
+                false,
+                1,
+                vec!["column 1", "0", "1"],
+            ),
+            (
+                "1,2\n0.5,1.5\n0.25,2.5\n",
+                Delimiter::Byte(b','),
+                false,
+                1,
+                vec!["1", "2"],
+            ),
+            (
+                "1,2\n2,3\n3,4\n",
+                Delimiter::Byte(b','),
+                false,
+                0,
+                vec!["column 1", "column 2"],
+            ),
         ];
         for (text, delimiter, comma, skip, heads) in cases {
-            assert_eq!(found(text), (delimiter, comma, skip, heads.into_iter().map(str::to_owned).collect()), "{text}");
+            assert_eq!(
+                found(text),
+                (
+                    delimiter,
+                    comma,
+                    skip,
+                    heads.into_iter().map(str::to_owned).collect()
+                ),
+                "{text}"
+            );
         }
-        assert_eq!(TextLayout::find(&["no numbers here", "at all"], b'\n'), None);
+        assert_eq!(
+            TextLayout::find(&["no numbers here", "at all"], b'\n'),
+            None
+        );
     }
 }

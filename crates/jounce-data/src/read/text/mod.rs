@@ -35,20 +35,43 @@ pub(super) fn read(path: &Path, store: &SampleStore) -> Result<FormatContents, D
     let size = file.metadata().map_err(told)?.len();
     let (layout, odd_line) = found_layout(&mut file, size)?;
     file.rewind().map_err(told)?;
-    let Rows { mut columns, mut findings } = columns(BufReader::with_capacity(1 << 20, file), size, &layout, store)?;
+    let Rows {
+        mut columns,
+        mut findings,
+    } = columns(
+        BufReader::with_capacity(1 << 20, file),
+        size,
+        &layout,
+        store,
+    )?;
     let written = WrittenNotes::beside(path, &columns);
-    written.iter().for_each(|written| columns.iter_mut().for_each(|column| written.tell(column)));
+    written
+        .iter()
+        .for_each(|written| columns.iter_mut().for_each(|column| written.tell(column)));
     settle::settle(&mut columns, &layout)?;
     findings.extend(layout.doubts);
     if let Some(line) = odd_line {
         let about = "the header is not UTF-8; it was read as Latin-1".to_owned();
-        findings.push(Issue::new(IssueKind::Encoding, 1, Some(IssuePlace::Line(line)), about));
+        findings.push(Issue::new(
+            IssueKind::Encoding,
+            1,
+            Some(IssuePlace::Line(line)),
+            about,
+        ));
     }
     let stamps = match layout.preamble.rate {
-        Some(rate) => TimeStamps::Header(Header { rate, start: layout.preamble.start.unwrap_or(0.0), stamps: None }),
+        Some(rate) => TimeStamps::Header(Header {
+            rate,
+            start: layout.preamble.start.unwrap_or(0.0),
+            stamps: None,
+        }),
         None => TimeStamps::Named,
     };
-    Ok(Raw { stamps, ..Raw::columns(columns, findings) }.into())
+    Ok(Raw {
+        stamps,
+        ..Raw::columns(columns, findings)
+    }
+    .into())
 }
 
 /// The layout, and the first line that is no UTF-8.
@@ -57,12 +80,18 @@ fn found_layout(file: &mut File, size: u64) -> Result<(TextLayout, Option<usize>
     let (mut head, mut window) = (Vec::new(), INITIAL_WINDOW);
     loop {
         let missing = window - head.len() as u64;
-        file.by_ref().take(missing).read_to_end(&mut head).map_err(told)?;
+        file.by_ref()
+            .take(missing)
+            .read_to_end(&mut head)
+            .map_err(told)?;
         let is_all = (head.len() as u64) < window || head.len() as u64 >= size;
         let end = line_end(&head);
         let (text, latin) = decoded(&head);
         if let Some(layout) = TextLayout::find(&whole_lines(&text, end, is_all), end) {
-            let odd = head.split(|b| *b == end).position(|line| !line.is_ascii()).map_or(1, |line| line + 1);
+            let odd = head
+                .split(|b| *b == end)
+                .position(|line| !line.is_ascii())
+                .map_or(1, |line| line + 1);
             return Ok((layout, latin.then_some(odd)));
         }
         if is_all || window >= MAX_WINDOW {
@@ -78,7 +107,10 @@ pub(super) fn decoded(bytes: &[u8]) -> (String, bool) {
     match std::str::from_utf8(bytes) {
         Ok(text) => (text.to_owned(), false),
         // A character cut in two by the end of the head.
-        Err(fault) if fault.error_len().is_none() => (String::from_utf8_lossy(&bytes[..fault.valid_up_to()]).into_owned(), false),
+        Err(fault) if fault.error_len().is_none() => (
+            String::from_utf8_lossy(&bytes[..fault.valid_up_to()]).into_owned(),
+            false,
+        ),
         Err(_) => (bytes.iter().map(|b| char::from(*b)).collect(), true),
     }
 }

@@ -47,10 +47,37 @@ const RATES: [&str; 14] = [
     "sps",
 ];
 /// Keys of the time of the first sample.
-const STARTS: [&str; 9] = ["start", "starttime", "xorigin", "xorg", "xzero", "x0", "t0", "timeorigin", "hoffset"];
+const STARTS: [&str; 9] = [
+    "start",
+    "starttime",
+    "xorigin",
+    "xorg",
+    "xzero",
+    "x0",
+    "t0",
+    "timeorigin",
+    "hoffset",
+];
 /// Keys of the units of channels, of the unit of the time, and of the names of channels.
-const UNITS: [&str; 8] = ["verticalunits", "verticalunit", "yunits", "yunit", "vunit", "yunitlabel", "units", "unit"];
-const TIME_UNITS: [&str; 7] = ["horizontalunits", "horizontalunit", "xunits", "xunit", "hunit", "timeunits", "timeunit"];
+const UNITS: [&str; 8] = [
+    "verticalunits",
+    "verticalunit",
+    "yunits",
+    "yunit",
+    "vunit",
+    "yunitlabel",
+    "units",
+    "unit",
+];
+const TIME_UNITS: [&str; 7] = [
+    "horizontalunits",
+    "horizontalunit",
+    "xunits",
+    "xunit",
+    "hunit",
+    "timeunits",
+    "timeunit",
+];
 const NAMES: [&str; 4] = ["source", "sources", "tracename", "tracenames"];
 /// Keys that stand above rows and tell nothing that is needed: such a line is no line of heads.
 const OTHERS: [&str; 46] = [
@@ -121,12 +148,27 @@ pub(in crate::read) struct Preamble {
 
 /// A key without its unit in brackets and the signs around it, and that unit.
 fn key(text: &str) -> (String, String) {
-    let text = text.trim().trim_matches('"').trim_start_matches(['#', '%', '!', ';', '*']).trim().trim_end_matches([':', '=']).trim();
+    let text = text
+        .trim()
+        .trim_matches('"')
+        .trim_start_matches(['#', '%', '!', ';', '*'])
+        .trim()
+        .trim_end_matches([':', '='])
+        .trim();
     let (name, unit) = match text.find(['(', '[']).filter(|at| *at > 0) {
-        Some(at) => (&text[..at], text[at + 1..].trim_end_matches([')', ']']).trim()),
+        Some(at) => (
+            &text[..at],
+            text[at + 1..].trim_end_matches([')', ']']).trim(),
+        ),
         None => (text, ""),
     };
-    (name.chars().filter(|c| !c.is_whitespace() && !"_-.".contains(*c)).flat_map(char::to_lowercase).collect(), unit.to_owned())
+    (
+        name.chars()
+            .filter(|c| !c.is_whitespace() && !"_-.".contains(*c))
+            .flat_map(char::to_lowercase)
+            .collect(),
+        unit.to_owned(),
+    )
 }
 
 /// True for the key of a step or a start, in `t0 = -0.01` too: such a field in a line of heads is none.
@@ -138,13 +180,18 @@ pub(super) fn is_of_time(field: &str) -> bool {
 
 /// True for a line that begins with a key and goes on with its value.
 pub(super) fn is_pair(fields: &[String]) -> bool {
-    let [first, second, ..] = fields else { return false };
+    let [first, second, ..] = fields else {
+        return false;
+    };
     let (name, _) = key(first);
     let lists = [&STEPS[..], &RATES, &STARTS, &UNITS, &TIME_UNITS, &OTHERS];
     let is_key = lists.iter().any(|list| list.contains(&name.as_str()));
     // `time,model` is a line of heads; `Time,12-Mar-2020 14:25:31` is none.
-    let is_head = ["time", "date", "rate", "interval", "start", "dt", "count", "label", "points", "samples", "segment"]
-        .contains(&name.as_str())
+    let is_head = [
+        "time", "date", "rate", "interval", "start", "dt", "count", "label", "points", "samples",
+        "segment",
+    ]
+    .contains(&name.as_str())
         && second.trim().starts_with(char::is_alphabetic);
     // `Frame:,DSO90404A`.
     first.trim().trim_matches('"').ends_with(':') || is_key && !is_head
@@ -157,48 +204,88 @@ impl Preamble {
         let (mut steps, mut rates) = (Vec::new(), Vec::new());
         for (k, fields) in lines.iter().enumerate() {
             for (j, field) in fields.iter().enumerate() {
-                let (name, rest) = match field.split_once(['=', ':']).filter(|(_, value)| !value.trim().is_empty()) {
+                let (name, rest) = match field
+                    .split_once(['=', ':'])
+                    .filter(|(_, value)| !value.trim().is_empty())
+                {
                     Some((name, value)) => (name, vec![value.to_owned()]),
                     None if j == 0 => (field.as_str(), fields[1..].to_vec()),
                     None => (field.as_str(), Vec::new()),
                 };
-                let below = lines.get(k + 1).and_then(|below| below.get(j)).filter(|_| rest.is_empty()).cloned();
+                let below = lines
+                    .get(k + 1)
+                    .and_then(|below| below.get(j))
+                    .filter(|_| rest.is_empty())
+                    .cloned();
                 let values: Vec<String> = rest.into_iter().chain(below).collect();
                 preamble.take(name, &values, &mut steps, &mut rates);
             }
         }
         preamble.rate = steps.first().or(rates.first()).cloned();
-        let Some(first) = &preamble.rate else { return preamble };
-        let other = steps.iter().chain(&rates).find(|other| other.differs_from(first.rate_hz));
+        let Some(first) = &preamble.rate else {
+            return preamble;
+        };
+        let other = steps
+            .iter()
+            .chain(&rates)
+            .find(|other| other.differs_from(first.rate_hz));
         preamble.doubts.extend(other.map(|other| {
-            let about =
-                format!("{} is a rate of {} Hz, {} one of {} Hz; the first is taken", first.told, first.rate_hz, other.told, other.rate_hz);
+            let about = format!(
+                "{} is a rate of {} Hz, {} one of {} Hz; the first is taken",
+                first.told, first.rate_hz, other.told, other.rate_hz
+            );
             Issue::new(IssueKind::HeaderDisagrees, 1, None, about)
         }));
         preamble
     }
 
-    fn take(&mut self, name: &str, values: &[String], steps: &mut Vec<Rate>, rates: &mut Vec<Rate>) {
+    fn take(
+        &mut self,
+        name: &str,
+        values: &[String],
+        steps: &mut Vec<Rate>,
+        rates: &mut Vec<Rate>,
+    ) {
         let (word, unit) = key(name);
         let word = word.as_str();
-        let told = |value: f64| format!("{} = {value}", name.trim().trim_matches(['"', '#', ':']).trim());
+        let told = |value: f64| {
+            format!(
+                "{} = {value}",
+                name.trim().trim_matches(['"', '#', ':']).trim()
+            )
+        };
         if STEPS.contains(&word) {
-            let step = number(values, &unit).and_then(|(number, unit)| Some((number, number * time_factor(&unit)?)));
+            let step = number(values, &unit)
+                .and_then(|(number, unit)| Some((number, number * time_factor(&unit)?)));
             let usable = step.filter(|(_, step)| *step > 0.0 && step.is_finite());
-            steps.extend(usable.map(|(number, step)| Rate { told: told(number), rate_hz: 1.0 / step }));
+            steps.extend(usable.map(|(number, step)| Rate {
+                told: told(number),
+                rate_hz: 1.0 / step,
+            }));
         } else if RATES.contains(&word) {
-            let rate = number(values, &unit).and_then(|(number, unit)| Some((number, number * rate_factor(&unit)?)));
+            let rate = number(values, &unit)
+                .and_then(|(number, unit)| Some((number, number * rate_factor(&unit)?)));
             let usable = rate.filter(|(_, rate_hz)| *rate_hz > 0.0 && rate_hz.is_finite());
-            rates.extend(usable.map(|(number, rate_hz)| Rate { told: told(number), rate_hz }));
+            rates.extend(usable.map(|(number, rate_hz)| Rate {
+                told: told(number),
+                rate_hz,
+            }));
         } else if STARTS.contains(&word) && (self.start.is_none() || !word.starts_with("start")) {
             // `Start` may be the number of a point where an origin stands beside it.
-            let start = number(values, &unit).and_then(|(number, unit)| Some(number * time_factor(&unit)?));
+            let start =
+                number(values, &unit).and_then(|(number, unit)| Some(number * time_factor(&unit)?));
             self.start = start.filter(|start| start.is_finite()).or(self.start);
         } else if UNITS.contains(&word) && self.units.is_empty() {
             self.units = listed(values);
         } else if TIME_UNITS.contains(&word) {
-            let spelled = |text: &String| text.strip_suffix('S').map_or_else(|| text.clone(), |prefix| format!("{prefix}s"));
-            self.time_unit = listed(values).first().map(spelled).filter(|unit| time_factor(unit).is_some());
+            let spelled = |text: &String| {
+                text.strip_suffix('S')
+                    .map_or_else(|| text.clone(), |prefix| format!("{prefix}s"))
+            };
+            self.time_unit = listed(values)
+                .first()
+                .map(spelled)
+                .filter(|unit| time_factor(unit).is_some());
         } else if NAMES.contains(&word) && self.names.is_empty() {
             self.names = listed(values);
         }
@@ -208,19 +295,38 @@ impl Preamble {
 /// Values of a list: `V,V`, `CH1:V CH2:V`, `V`.
 fn listed(values: &[String]) -> Vec<String> {
     let words = values.iter().flat_map(|value| value.split_whitespace());
-    let bare = words.map(|word| word.rsplit(':').next().unwrap_or_default().trim_matches(['"', '(', ')', '[', ']']).to_owned());
+    let bare = words.map(|word| {
+        word.rsplit(':')
+            .next()
+            .unwrap_or_default()
+            .trim_matches(['"', '(', ')', '[', ']'])
+            .to_owned()
+    });
     bare.filter(|word| !word.is_empty()).collect()
 }
 
 /// The first number of values, as in `2.0e-6`, `1 kHz`, `CH1:2e-6 CH2:2e-6`, and its unit: behind it, in the next field, or that of the key.
 fn number(values: &[String], unit: &str) -> Option<(f64, String)> {
     let value = values.first()?.trim().trim_matches('"');
-    let value = if value.contains(':') { value.split_whitespace().next()?.rsplit(':').next()? } else { value };
-    let longest = (1..=value.len()).rev().filter(|end| value.is_char_boundary(*end));
-    let (number, behind) =
-        longest.map(|end| value.split_at(end)).find_map(|(text, behind)| Some((text.trim().parse::<f64>().ok()?, behind.trim())))?;
-    let next = values.get(1).map(|next| next.trim().trim_matches('"')).filter(|next| next.starts_with(char::is_alphabetic));
-    let told = [behind, next.unwrap_or_default(), unit].into_iter().find(|text| !text.is_empty()).unwrap_or_default();
+    let value = if value.contains(':') {
+        value.split_whitespace().next()?.rsplit(':').next()?
+    } else {
+        value
+    };
+    let longest = (1..=value.len())
+        .rev()
+        .filter(|end| value.is_char_boundary(*end));
+    let (number, behind) = longest
+        .map(|end| value.split_at(end))
+        .find_map(|(text, behind)| Some((text.trim().parse::<f64>().ok()?, behind.trim())))?;
+    let next = values
+        .get(1)
+        .map(|next| next.trim().trim_matches('"'))
+        .filter(|next| next.starts_with(char::is_alphabetic));
+    let told = [behind, next.unwrap_or_default(), unit]
+        .into_iter()
+        .find(|text| !text.is_empty())
+        .unwrap_or_default();
     Some((number, told.to_owned()))
 }
 
@@ -231,14 +337,33 @@ fn time_factor(unit: &str) -> Option<f64> {
     }
     // Seconds may be written `S`.
     let spelled = unit.strip_suffix('S').map(|prefix| format!("{prefix}s"));
-    let read = |unit: &str| Unit::read(unit).filter(|unit| unit.quantity == Quantity::Time).map(|unit| unit.factor);
+    let read = |unit: &str| {
+        Unit::read(unit)
+            .filter(|unit| unit.quantity == Quantity::Time)
+            .map(|unit| unit.factor)
+    };
     read(unit).or_else(|| read(&spelled?))
 }
 
 /// Hertz in a unit of rate: `Hz`, `kHz`, `Sa/s`, `MS/s`, `samples/s`; Hz without one.
 fn rate_factor(unit: &str) -> Option<f64> {
-    let plain = ["samples/s", "Samples/s", "Sa/s", "sa/s", "S/s", "Sps", "SPS", "sps", "1/s", "Hz", "hz"];
-    let prefix = plain.iter().find_map(|ending| unit.strip_suffix(ending)).or(unit.is_empty().then_some(""))?;
+    let plain = [
+        "samples/s",
+        "Samples/s",
+        "Sa/s",
+        "sa/s",
+        "S/s",
+        "Sps",
+        "SPS",
+        "sps",
+        "1/s",
+        "Hz",
+        "hz",
+    ];
+    let prefix = plain
+        .iter()
+        .find_map(|ending| unit.strip_suffix(ending))
+        .or(unit.is_empty().then_some(""))?;
     match prefix.trim() {
         "" => Some(1.0),
         "k" | "K" => Some(1e3),
@@ -253,14 +378,21 @@ mod tests {
     use super::*;
 
     fn read(text: &str) -> Preamble {
-        let lines: Vec<Vec<String>> = text.lines().map(|line| line.split(',').map(str::to_owned).collect()).collect();
+        let lines: Vec<Vec<String>> = text
+            .lines()
+            .map(|line| line.split(',').map(str::to_owned).collect())
+            .collect();
         Preamble::read(&lines)
     }
 
     #[test]
     fn steps_rates_and_starts_of_every_spelling_are_read() {
         let cases = [
-            ("X,CH1,Start,Increment,\nSequence,Volt,-7.0e-02,1.0e-04,", 1e4, Some(-0.07)),
+            (
+                "X,CH1,Start,Increment,\nSequence,Volt,-7.0e-02,1.0e-04,",
+                1e4,
+                Some(-0.07),
+            ),
             ("Time(s),CH1V,t0 =-5e-05, tInc = 1e-06,", 1e6, Some(-5e-5)),
             ("\"Sample Interval\",2e-05,s,-0.5,1.2", 5e4, None),
             ("Sample Interval,CH1:0.0002 CH2:0.0002", 5e3, None),
@@ -277,17 +409,29 @@ mod tests {
         for (text, rate_hz, start) in cases {
             let found = read(text);
             match found.rate {
-                Some(rate) => assert!((rate.rate_hz / rate_hz - 1.0).abs() < 1e-12, "{text}: {}", rate.rate_hz),
+                Some(rate) => assert!(
+                    (rate.rate_hz / rate_hz - 1.0).abs() < 1e-12,
+                    "{text}: {}",
+                    rate.rate_hz
+                ),
                 None => assert!(rate_hz.is_nan(), "{text}"),
             }
             assert_eq!(found.start, start, "{text}");
         }
-        for text in
-            ["Sample Interval,0", "Sample Interval,-1", "Sample Interval,soon", "Sample Rate,5 furlong", "rate,channel", "Time Scale,0.5"]
-        {
+        for text in [
+            "Sample Interval,0",
+            "Sample Interval,-1",
+            "Sample Interval,soon",
+            "Sample Rate,5 furlong",
+            "rate,channel",
+            "Time Scale,0.5",
+        ] {
             assert_eq!(read(text).rate, None, "{text}");
         }
-        assert_eq!(read("Sample Rate,1000\nSample Interval,0.002").doubts.len(), 1);
+        assert_eq!(
+            read("Sample Rate,1000\nSample Interval,0.002").doubts.len(),
+            1
+        );
     }
 
     #[test]
@@ -295,7 +439,11 @@ mod tests {
         let found = read("Vertical Units,CH1:V CH2:mV\nHorizontal Units,S\nSource,CH1,CH2");
         assert_eq!(
             (found.units, found.time_unit.as_deref(), found.names),
-            (vec!["V".into(), "mV".into()], Some("s"), vec!["CH1".into(), "CH2".into()])
+            (
+                vec!["V".into(), "mV".into()],
+                Some("s"),
+                vec!["CH1".into(), "CH2".into()]
+            )
         );
         assert!(
             is_pair(&["Time".into(), "12-Mar-2020 14:25:31".into()])

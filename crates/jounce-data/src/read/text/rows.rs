@@ -28,7 +28,9 @@ impl LineTally {
     }
 
     fn finding(self, kind: IssueKind, about: &str) -> Option<Issue> {
-        self.0.map(|(count, first)| Issue::new(kind, count, Some(IssuePlace::Line(first)), about.to_owned()))
+        self.0.map(|(count, first)| {
+            Issue::new(kind, count, Some(IssuePlace::Line(first)), about.to_owned())
+        })
     }
 }
 
@@ -42,14 +44,22 @@ const ESTIMATE_ROWS: usize = 4096;
 const ESTIMATE_MARGIN: f64 = 1.02;
 
 /// Reads the rows below the header of a text of `size` bytes line by line.
-pub(in crate::read) fn columns(mut source: impl BufRead, size: u64, layout: &TextLayout, store: &SampleStore) -> Result<Rows, Damage> {
+pub(in crate::read) fn columns(
+    mut source: impl BufRead,
+    size: u64,
+    layout: &TextLayout,
+    store: &SampleStore,
+) -> Result<Rows, Damage> {
     let mut rows = RowTable::below(layout, store);
     let (mut bytes, mut read, mut number) = (Vec::new(), 0, 0);
     loop {
         bytes.clear();
         let here = |why: String| Damage::at(IssuePlace::Line(number + 1), why);
-        let length =
-            source.by_ref().take(MAX_LINE_BYTES).read_until(layout.line_end, &mut bytes).map_err(|fault| here(fault.to_string()))?;
+        let length = source
+            .by_ref()
+            .take(MAX_LINE_BYTES)
+            .read_until(layout.line_end, &mut bytes)
+            .map_err(|fault| here(fault.to_string()))?;
         if length == 0 {
             return rows.finished(layout);
         }
@@ -67,7 +77,11 @@ pub(in crate::read) fn columns(mut source: impl BufRead, size: u64, layout: &Tex
             return Err(Damage::at(IssuePlace::Line(number), why));
         }
         if number > layout.skip && !line.trim().is_empty() {
-            rows.line(number, fields(line, layout), bytes.ends_with(&[layout.line_end]))?;
+            rows.line(
+                number,
+                fields(line, layout),
+                bytes.ends_with(&[layout.line_end]),
+            )?;
         }
     }
 }
@@ -101,17 +115,42 @@ struct RowTable<'a> {
 
 impl<'a> RowTable<'a> {
     fn below(layout: &'a TextLayout, store: &'a SampleStore) -> Self {
-        let column = |_: &ColumnHead| GrowingColumn { numbers: store.column(), imaginary: None, clock: None, filled: 0, moves: false };
+        let column = |_: &ColumnHead| GrowingColumn {
+            numbers: store.column(),
+            imaginary: None,
+            clock: None,
+            filled: 0,
+            moves: false,
+        };
         let columns = layout.heads.iter().map(column).collect();
         let [ragged, text, cut, open] = [(); 4].map(|()| LineTally::default());
-        Self { store, heads: &layout.heads, least: layout.least, columns, empty: (0, 0), ragged, text, cut, open }
+        Self {
+            store,
+            heads: &layout.heads,
+            least: layout.least,
+            columns,
+            empty: (0, 0),
+            ragged,
+            text,
+            cut,
+            open,
+        }
     }
 
     /// Takes room for all rows of a text of `size` bytes, once enough of them were `read` to tell how many there are.
     fn expect(&mut self, read: u64, size: u64) {
-        if self.columns.first().is_some_and(|first| first.numbers.count() == ESTIMATE_ROWS) {
-            let rows = ESTIMATE_MARGIN * ESTIMATE_ROWS as f64 * size.saturating_sub(read) as f64 / read as f64;
-            for column in self.columns.iter_mut().filter(|column| column.numbers.count() == ESTIMATE_ROWS) {
+        if self
+            .columns
+            .first()
+            .is_some_and(|first| first.numbers.count() == ESTIMATE_ROWS)
+        {
+            let rows = ESTIMATE_MARGIN * ESTIMATE_ROWS as f64 * size.saturating_sub(read) as f64
+                / read as f64;
+            for column in self
+                .columns
+                .iter_mut()
+                .filter(|column| column.numbers.count() == ESTIMATE_ROWS)
+            {
                 column.numbers.expect(rows as usize);
             }
         }
@@ -126,12 +165,23 @@ impl<'a> RowTable<'a> {
             }
         }
         let has_text = fields.contains(&TextField::Text);
-        if has_text && fields.iter().all(|field| matches!(field, TextField::Text | TextField::Missing)) {
+        if has_text
+            && fields
+                .iter()
+                .all(|field| matches!(field, TextField::Text | TextField::Missing))
+        {
             self.text.add(number);
             return Ok(());
         }
         if !has_text && fields.iter().all(|field| *field == TextField::Missing) {
-            self.empty = (self.empty.0 + 1, if self.empty.0 == 0 { number } else { self.empty.1 });
+            self.empty = (
+                self.empty.0 + 1,
+                if self.empty.0 == 0 {
+                    number
+                } else {
+                    self.empty.1
+                },
+            );
             return Ok(());
         }
         // What is left of a number is a number, and a wrong one: half a stamp would lie before all others.
@@ -158,11 +208,17 @@ impl<'a> RowTable<'a> {
     /// Puts each field below the others of its column.
     fn row(&mut self, fields: &[TextField]) -> io::Result<()> {
         let store = self.store;
-        self.columns.iter_mut().enumerate().try_for_each(|(k, column)| column.push(fields.get(k), store))
+        self.columns
+            .iter_mut()
+            .enumerate()
+            .try_for_each(|(k, column)| column.push(fields.get(k), store))
     }
 
     fn finished(self, layout: &TextLayout) -> Result<Rows, Damage> {
-        let rows = self.columns.first().map_or(0, |column| column.numbers.count());
+        let rows = self
+            .columns
+            .first()
+            .map_or(0, |column| column.numbers.count());
         if let Some((count, first)) = self.ragged.0.filter(|(count, _)| 2 * count > rows) {
             let width = self.columns.len();
             let why = format!(
@@ -177,7 +233,8 @@ impl<'a> RowTable<'a> {
             let why = "no row of numbers follows it; was the file cut, or does it hold something else than a table of samples?";
             return Err(Damage::at(IssuePlace::Line(layout.skip), why));
         }
-        let ragged = "lines with another number of fields than the first row: what is missing is no number";
+        let ragged =
+            "lines with another number of fields than the first row: what is missing is no number";
         let text = "lines with text among the numbers: the text was left out";
         let cut = "the file ends inside a row (was it cut?); that row was left out";
         let open = "the last line has no end: its last number is taken as whole, and may be cut";
@@ -187,12 +244,20 @@ impl<'a> RowTable<'a> {
             self.text.finding(IssueKind::Skipped, text),
             self.cut.finding(IssueKind::Skipped, cut),
             self.open.finding(IssueKind::Assumed, open),
-            empty.finding(IssueKind::Skipped, "rows without a number at the end were left out"),
+            empty.finding(
+                IssueKind::Skipped,
+                "rows without a number at the end were left out",
+            ),
         ]
         .into_iter()
         .flatten()
         .collect();
-        let columns = layout.heads.iter().zip(self.columns).map(|(head, column)| column.finished(head, &mut findings)).collect();
+        let columns = layout
+            .heads
+            .iter()
+            .zip(self.columns)
+            .map(|(head, column)| column.finished(head, &mut findings))
+            .collect();
         Ok(Rows { columns, findings })
     }
 }
@@ -220,22 +285,34 @@ impl GrowingColumn {
             self.imaginary = Some(zeros);
         }
         self.numbers.push(re)?;
-        self.imaginary.as_mut().map_or(Ok(()), |imaginary| imaginary.push(im))
+        self.imaginary
+            .as_mut()
+            .map_or(Ok(()), |imaginary| imaginary.push(im))
     }
 
     /// The column under its head. One that stays blank is no channel; neither is a date that stands in every row.
     fn finished(self, head: &ColumnHead, findings: &mut Vec<Issue>) -> RawColumn {
-        let mut column = RawColumn { imaginary: self.imaginary, ..RawColumn::new(&head.name, &head.unit, self.numbers) };
+        let mut column = RawColumn {
+            imaginary: self.imaginary,
+            ..RawColumn::new(&head.name, &head.unit, self.numbers)
+        };
         if let Some((_, first)) = self.clock {
             "s".clone_into(&mut column.unit);
             if self.moves {
-                let about = format!("dates and times of day became seconds since the first, {first}");
-                findings.push(Issue::new(IssueKind::Converted, self.filled, None, about).of(&head.name));
+                let about =
+                    format!("dates and times of day became seconds since the first, {first}");
+                findings.push(
+                    Issue::new(IssueKind::Converted, self.filled, None, about).of(&head.name),
+                );
             } else {
                 column.left_out = Some(format!("{first} stands in all rows"));
             }
         } else if self.filled == 0 && head.blank {
-            column.left_out = Some(if head.unnamed { String::new() } else { "no row holds a number of it".to_owned() });
+            column.left_out = Some(if head.unnamed {
+                String::new()
+            } else {
+                "no row holds a number of it".to_owned()
+            });
         }
         column
     }
@@ -245,7 +322,14 @@ fn fields(line: &str, layout: &TextLayout) -> Vec<TextField> {
     let read = |field: &str| TextField::read(field, layout.decimal_comma);
     match layout.delimiter {
         Delimiter::Blanks => line.split_whitespace().map(read).collect(),
-        Delimiter::Byte(delimiter) if !line.contains('"') => line.split(char::from(delimiter)).map(read).collect(),
-        Delimiter::Byte(_) => layout.delimiter.fields(line).iter().map(|field| read(field)).collect(),
+        Delimiter::Byte(delimiter) if !line.contains('"') => {
+            line.split(char::from(delimiter)).map(read).collect()
+        }
+        Delimiter::Byte(_) => layout
+            .delimiter
+            .fields(line)
+            .iter()
+            .map(|field| read(field))
+            .collect(),
     }
 }

@@ -11,9 +11,11 @@ use crate::recording::Series as _;
 pub(super) fn settle(columns: &mut [RawColumn], layout: &TextLayout) -> io::Result<()> {
     let preamble = &layout.preamble;
     let unnamed = |k: usize| layout.heads.get(k).is_some_and(|head| head.unnamed);
-    let mut time = (0..columns.len()).find(|k| columns[*k].left_out.is_none() && is_time_column(&columns[*k]));
+    let mut time =
+        (0..columns.len()).find(|k| columns[*k].left_out.is_none() && is_time_column(&columns[*k]));
     if let (None, Some(rate)) = (time, &preamble.rate) {
-        let first = (0..columns.len()).find(|k| columns[*k].left_out.is_none() && columns[*k].values.count() > 0);
+        let first = (0..columns.len())
+            .find(|k| columns[*k].left_out.is_none() && columns[*k].values.count() > 0);
         if let Some(k) = first.filter(|k| columns[*k].unit.is_empty()) {
             let is_time = has_step(&columns[k], rate)?;
             if is_time {
@@ -25,7 +27,10 @@ pub(super) fn settle(columns: &mut [RawColumn], layout: &TextLayout) -> io::Resu
             time = is_time.then_some(k);
         }
     }
-    if let Some((k, unit)) = time.zip(preamble.time_unit.as_ref()).filter(|(k, _)| columns[*k].unit.is_empty()) {
+    if let Some((k, unit)) = time
+        .zip(preamble.time_unit.as_ref())
+        .filter(|(k, _)| columns[*k].unit.is_empty())
+    {
         columns[k].unit.clone_from(unit);
     }
     let mut channels = Vec::new();
@@ -35,11 +40,21 @@ pub(super) fn settle(columns: &mut [RawColumn], layout: &TextLayout) -> io::Resu
         }
     }
     for (place, k) in channels.iter().enumerate() {
-        let unit = if preamble.units.len() == channels.len() { preamble.units.get(place) } else { preamble.units.first() };
-        if let Some(unit) = unit.filter(|_| columns[*k].unit.is_empty() && [1, channels.len()].contains(&preamble.units.len())) {
+        let unit = if preamble.units.len() == channels.len() {
+            preamble.units.get(place)
+        } else {
+            preamble.units.first()
+        };
+        if let Some(unit) = unit.filter(|_| {
+            columns[*k].unit.is_empty() && [1, channels.len()].contains(&preamble.units.len())
+        }) {
             columns[*k].unit.clone_from(unit);
         }
-        if let Some(name) = preamble.names.get(place).filter(|_| preamble.names.len() == channels.len()) {
+        if let Some(name) = preamble
+            .names
+            .get(place)
+            .filter(|_| preamble.names.len() == channels.len())
+        {
             columns[*k].name.clone_from(name);
         }
     }

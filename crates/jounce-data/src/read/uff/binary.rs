@@ -23,22 +23,36 @@ pub(super) fn numbers(
     let mixed = points.checked_mul(4 + (width - 1) * size);
     let single_abscissa = header.double && !header.even && Some(length) == mixed;
     if Some(length) != points.checked_mul(width * size) && !single_abscissa {
-        return Err(format!("{points} points of {width} numbers of {size} bytes are due, {length} bytes follow"));
+        return Err(format!(
+            "{points} points of {width} numbers of {size} bytes are due, {length} bytes follow"
+        ));
     }
-    let point = if single_abscissa { 4 + (width - 1) * size } else { width * size };
+    let point = if single_abscissa {
+        4 + (width - 1) * size
+    } else {
+        width * size
+    };
     let (mut found, mut bytes, mut read) = (store.column(), Vec::new(), 0);
     while read < length {
         bytes.clear();
         let due = (length - read).min(BYTES_AT_ONCE / point * point);
-        source.by_ref().take(due as u64).read_to_end(&mut bytes).map_err(|fault| fault.to_string())?;
+        source
+            .by_ref()
+            .take(due as u64)
+            .read_to_end(&mut bytes)
+            .map_err(|fault| fault.to_string())?;
         read += bytes.len();
         if bytes.len() < due {
-            return Err(format!("{length} bytes of data are due, {read} follow: was the file cut?"));
+            return Err(format!(
+                "{length} bytes of data are due, {read} follow: was the file cut?"
+            ));
         }
         for point in bytes.chunks_exact(point) {
             let (single, whole) = point.split_at(if single_abscissa { 4 } else { 0 });
             let all = single.chunks_exact(4).chain(whole.chunks_exact(size));
-            all.map(|number| number_of(number, little_endian)).try_for_each(|x| found.push(x)).map_err(|fault| Damage::from(fault).why)?;
+            all.map(|number| number_of(number, little_endian))
+                .try_for_each(|x| found.push(x))
+                .map_err(|fault| Damage::from(fault).why)?;
         }
     }
     Ok(found)
@@ -53,7 +67,11 @@ fn number_of(bytes: &[u8], little_endian: bool) -> f64 {
                 f64::from_be_bytes(eight)
             }
         }
-        (_, Ok(four)) => f64::from(if little_endian { f32::from_le_bytes(four) } else { f32::from_be_bytes(four) }),
+        (_, Ok(four)) => f64::from(if little_endian {
+            f32::from_le_bytes(four)
+        } else {
+            f32::from_be_bytes(four)
+        }),
         _ => f64::NAN,
     }
 }

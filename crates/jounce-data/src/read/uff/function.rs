@@ -18,7 +18,8 @@ pub(super) fn read(block: Block, store: &SampleStore) -> Result<Raw, Damage> {
     let numbers = match block.data {
         Data::Binary(found) => found,
         Data::Lines(found, wrong) => {
-            checked(&found, wrong, &header).map_err(|why| Damage::at(IssuePlace::Byte(block.start), why))?;
+            checked(&found, wrong, &header)
+                .map_err(|why| Damage::at(IssuePlace::Byte(block.start), why))?;
             found
         }
     };
@@ -31,29 +32,55 @@ pub(super) fn read(block: Block, store: &SampleStore) -> Result<Raw, Damage> {
     };
     let mut columns = parted(numbers, header.points, header.width(), store)?.into_iter();
     let mut next = || columns.next().unwrap_or_else(|| Vec::new().into());
-    let stamps = if header.even { TimeStamps::Even { start: header.start, step: header.step } } else { TimeStamps::Given(next()) };
+    let stamps = if header.even {
+        TimeStamps::Even {
+            start: header.start,
+            step: header.step,
+        }
+    } else {
+        TimeStamps::Given(next())
+    };
     let column = RawColumn {
         name: name(&header),
         unit: unit(&header),
         place: place(&header.response),
         direction: direction(&header.response),
-        reference: if over == Over::Frequency { told(&header.reference) } else { String::new() },
+        reference: if over == Over::Frequency {
+            told(&header.reference)
+        } else {
+            String::new()
+        },
         left_out: None,
         values: next(),
         imaginary: header.complex.then(next),
     };
-    Ok(Raw { title: header.title, over, stamps, columns: vec![column], findings: Vec::new() })
+    Ok(Raw {
+        title: header.title,
+        over,
+        stamps,
+        columns: vec![column],
+        findings: Vec::new(),
+    })
 }
 
 /// Points of so many numbers to one column for each; what fills up a last line is left out.
-fn parted(numbers: ColumnNumbers, points: usize, width: usize, store: &SampleStore) -> Result<Vec<ColumnNumbers>, Damage> {
+fn parted(
+    numbers: ColumnNumbers,
+    points: usize,
+    width: usize,
+    store: &SampleStore,
+) -> Result<Vec<ColumnNumbers>, Damage> {
     if width == 1 && numbers.count() == points {
         return Ok(vec![numbers]);
     }
     let mut columns: Vec<ColumnNumbers> = (0..width).map(|_| store.column()).collect();
     let mut place = 0;
     for index in 0..numbers.count().div_ceil(PIECE) {
-        for x in numbers.piece(index)?.iter().take((points * width).saturating_sub(place)) {
+        for x in numbers
+            .piece(index)?
+            .iter()
+            .take((points * width).saturating_sub(place))
+        {
             columns[place % width].push(*x)?;
             place += 1;
         }
@@ -78,23 +105,41 @@ pub(super) fn grouped(sets: Vec<Raw>) -> Result<Vec<Raw>, Damage> {
         }
     }
     for group in &mut groups {
-        rename(&mut group.columns, |column, _| format!("{} {} {}", column.name, column.place, column.direction).trim_end().to_owned());
-        rename(&mut group.columns, |column, _| match column.reference.as_str() {
-            "" => column.name.clone(),
-            reference => format!("{} from {reference}", column.name),
+        rename(&mut group.columns, |column, _| {
+            format!("{} {} {}", column.name, column.place, column.direction)
+                .trim_end()
+                .to_owned()
         });
-        rename(&mut group.columns, |column, number| format!("{} ({number})", column.name));
+        rename(&mut group.columns, |column, _| {
+            match column.reference.as_str() {
+                "" => column.name.clone(),
+                reference => format!("{} from {reference}", column.name),
+            }
+        });
+        rename(&mut group.columns, |column, number| {
+            format!("{} ({number})", column.name)
+        });
     }
     Ok(groups)
 }
 
 fn same_grid(a: &Raw, b: &Raw) -> io::Result<bool> {
-    let length = |raw: &Raw| raw.columns.first().map_or(0, |column| column.values.count());
+    let length = |raw: &Raw| {
+        raw.columns
+            .first()
+            .map_or(0, |column| column.values.count())
+    };
     if a.over != b.over || length(a) != length(b) {
         return Ok(false);
     }
     match (&a.stamps, &b.stamps) {
-        (TimeStamps::Even { start: from, step: by }, TimeStamps::Even { start, step }) => Ok(from == start && by == step),
+        (
+            TimeStamps::Even {
+                start: from,
+                step: by,
+            },
+            TimeStamps::Even { start, step },
+        ) => Ok(from == start && by == step),
         (TimeStamps::Given(a), TimeStamps::Given(b)) => a.same(b),
         _ => Ok(false),
     }
@@ -116,19 +161,32 @@ fn checked(found: &ColumnNumbers, wrong: Option<String>, header: &Header) -> Res
         return Err(format!("{word:?} among the data is no number"));
     }
     let (due, count) = (header.points.saturating_mul(header.width()), found.count());
-    if count < due { Err(format!("{due} numbers are due, {count} follow: was the file cut?")) } else { Ok(()) }
+    if count < due {
+        Err(format!(
+            "{due} numbers are due, {count} follow: was the file cut?"
+        ))
+    } else {
+        Ok(())
+    }
 }
 
 /// The ordinate's label, or the response's name.
 fn name(header: &Header) -> String {
-    let named = [&header.ordinate.label, &header.response.name].into_iter().find(|name| !name.is_empty() && *name != "NONE");
-    named.cloned().unwrap_or_else(|| format!("function {}", header.function))
+    let named = [&header.ordinate.label, &header.response.name]
+        .into_iter()
+        .find(|name| !name.is_empty() && *name != "NONE");
+    named
+        .cloned()
+        .unwrap_or_else(|| format!("function {}", header.function))
 }
 
 fn unit(header: &Header) -> String {
     let (unit, below) = (&header.ordinate.unit, &header.denominator.unit);
     // The ordinate of some programs holds the whole quotient already.
-    if below.is_empty() || unit.contains('/') && unit.ends_with(below.as_str()) || header.function != 4 {
+    if below.is_empty()
+        || unit.contains('/') && unit.ends_with(below.as_str())
+        || header.function != 4
+    {
         unit.clone()
     } else {
         format!("{unit}/{below}")
@@ -147,7 +205,11 @@ fn place(dof: &Dof) -> String {
 /// Place and direction of a degree of freedom as one text; empty where nothing is told.
 fn told(dof: &Dof) -> String {
     let place = place(dof);
-    if place.is_empty() { place } else { format!("{place} {}", direction(dof)).trim_end().to_owned() }
+    if place.is_empty() {
+        place
+    } else {
+        format!("{place} {}", direction(dof)).trim_end().to_owned()
+    }
 }
 
 /// `+x` to `-z` for 1 to 3 and their negatives, rotations beyond.

@@ -43,24 +43,47 @@ pub(super) const LINES: usize = 11;
 
 impl Header {
     pub(super) fn read(block: &Block) -> Result<Self, Damage> {
-        let wrong =
-            |line: usize, why: String| Damage::at(IssuePlace::Byte(block.start), format!("line {} of the data set: {why}", line + 1));
+        let wrong = |line: usize, why: String| {
+            Damage::at(
+                IssuePlace::Byte(block.start),
+                format!("line {} of the data set: {why}", line + 1),
+            )
+        };
         if block.lines.len() < LINES {
-            return Err(wrong(block.lines.len(), format!("its header has {LINES} lines; was the file cut?")));
+            return Err(wrong(
+                block.lines.len(),
+                format!("its header has {LINES} lines; was the file cut?"),
+            ));
         }
-        let dofs = dofs(&block.lines[5]).ok_or_else(|| wrong(5, format!("no function at degrees of freedom: {:?}", block.lines[5])))?;
+        let dofs = dofs(&block.lines[5]).ok_or_else(|| {
+            wrong(
+                5,
+                format!("no function at degrees of freedom: {:?}", block.lines[5]),
+            )
+        })?;
         let (function, response, reference) = dofs;
         let mut form = Vec::new();
         let read = super::numbers::numbers(&block.lines[6], &mut form);
         let [kind, points, even, start, step, ..] = form[..] else {
-            let why = read.err().map_or_else(String::new, |word| format!("; {word:?} is no number"));
-            return Err(wrong(6, format!("type, number of points, spacing, start and step are due{why}")));
+            let why = read
+                .err()
+                .map_or_else(String::new, |word| format!("; {word:?} is no number"));
+            return Err(wrong(
+                6,
+                format!("type, number of points, spacing, start and step are due{why}"),
+            ));
         };
         let kind_known = [2.0, 4.0, 5.0, 6.0].contains(&kind);
         if !kind_known || points < 0.0 || points.fract() != 0.0 || points > 1e12 {
-            return Err(wrong(6, format!("{points} points of type {kind}: types 2, 4, 5 and 6 can be read")));
+            return Err(wrong(
+                6,
+                format!("{points} points of type {kind}: types 2, 4, 5 and 6 can be read"),
+            ));
         }
-        let title = block.lines[..5].iter().map(|line| line.trim()).find(|line| !line.is_empty() && *line != "NONE");
+        let title = block.lines[..5]
+            .iter()
+            .map(|line| line.trim())
+            .find(|line| !line.is_empty() && *line != "NONE");
         Ok(Self {
             title: title.unwrap_or_default().to_owned(),
             function,
@@ -86,23 +109,39 @@ impl Header {
 
 /// Columns `from..to` of a line, by characters.
 fn columns(line: &str, from: usize, to: usize) -> String {
-    line.chars().skip(from).take(to - from).collect::<String>().trim().to_owned()
+    line.chars()
+        .skip(from)
+        .take(to - from)
+        .collect::<String>()
+        .trim()
+        .to_owned()
 }
 
 /// `2(I5,I10),2(1X,10A1,I10,I4)`; programs that do not keep to the columns are read by words.
 fn dofs(line: &str) -> Option<(u32, Dof, Dof)> {
     let fixed = |from: usize| {
         let number = |a: usize, b: usize| columns(line, from + a, from + b).parse::<i64>().ok();
-        Some(Dof { name: columns(line, from + 1, from + 11), node: number(11, 21)?, direction: number(21, 25)? })
+        Some(Dof {
+            name: columns(line, from + 1, from + 11),
+            node: number(11, 21)?,
+            direction: number(21, 25)?,
+        })
     };
-    let function = columns(line, 0, 5).parse::<u32>().ok().or_else(|| line.split_whitespace().next()?.parse().ok())?;
+    let function = columns(line, 0, 5)
+        .parse::<u32>()
+        .ok()
+        .or_else(|| line.split_whitespace().next()?.parse().ok())?;
     if let (Some(response), Some(reference)) = (fixed(30), fixed(55)) {
         return Some((function, response, reference));
     }
     let words: Vec<&str> = line.split_whitespace().collect();
     let by_words = |from: usize| {
         let number = |k: usize| words.get(from + k)?.parse::<i64>().ok();
-        Some(Dof { name: (*words.get(from)?).to_owned(), node: number(1)?, direction: number(2)? })
+        Some(Dof {
+            name: (*words.get(from)?).to_owned(),
+            node: number(1)?,
+            direction: number(2)?,
+        })
     };
     Some((function, by_words(4)?, by_words(7)?))
 }
@@ -114,12 +153,27 @@ const LABEL: usize = 20;
 fn uncut(axis: Axis, whole: &str) -> Axis {
     let kept: String = whole.chars().take(LABEL).collect();
     let cut = whole.chars().count() > LABEL && kept.trim_end() == axis.label;
-    if cut { Axis { label: whole.to_owned(), ..axis } } else { axis }
+    if cut {
+        Axis {
+            label: whole.to_owned(),
+            ..axis
+        }
+    } else {
+        axis
+    }
 }
 
 /// `I10,3I5,2(1X,20A1)`
 fn axis(line: &str) -> Axis {
-    let kind = line.split_whitespace().next().and_then(|word| word.parse().ok()).unwrap_or(0);
+    let kind = line
+        .split_whitespace()
+        .next()
+        .and_then(|word| word.parse().ok())
+        .unwrap_or(0);
     let told = |text: String| if text == "NONE" { String::new() } else { text };
-    Axis { kind, label: told(columns(line, 26, 46)), unit: told(columns(line, 47, 67)) }
+    Axis {
+        kind,
+        label: told(columns(line, 26, 46)),
+        unit: told(columns(line, 47, 67)),
+    }
 }

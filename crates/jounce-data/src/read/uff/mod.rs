@@ -21,7 +21,11 @@ use crate::recording::{Issue, IssueKind, IssuePlace};
 
 pub(super) fn read(path: &Path, store: &SampleStore) -> Result<FormatContents, Damage> {
     let file = File::open(path).map_err(|fault| Damage::new(fault.to_string()))?;
-    let mut found = FormatContents { sets: Vec::new(), shapes: Vec::new(), findings: Vec::new() };
+    let mut found = FormatContents {
+        sets: Vec::new(),
+        shapes: Vec::new(),
+        findings: Vec::new(),
+    };
     let mut left_out: BTreeMap<u32, (usize, usize)> = BTreeMap::new();
     blocks::blocks(BufReader::with_capacity(1 << 20, file), store, |block| {
         match block.number {
@@ -34,17 +38,30 @@ pub(super) fn read(path: &Path, store: &SampleStore) -> Result<FormatContents, D
     found.sets = function::grouped(found.sets)?;
     if found.sets.is_empty() && found.shapes.is_empty() {
         let times = |(number, (count, _)): (&u32, &(usize, usize))| {
-            if *count == 1 { number.to_string() } else { format!("{number} ({count} times)") }
+            if *count == 1 {
+                number.to_string()
+            } else {
+                format!("{number} ({count} times)")
+            }
         };
         let others: Vec<String> = left_out.iter().map(times).collect();
-        let others = if others.is_empty() { "nothing".to_owned() } else { others.join(", ") };
+        let others = if others.is_empty() {
+            "nothing".to_owned()
+        } else {
+            others.join(", ")
+        };
         return Err(Damage::new(format!(
             "it holds no data set 55 or 58, which are mode shapes and recordings, but {others}: geometry, units, headers or results of computations"
         )));
     }
     for (number, (count, start)) in left_out {
         let about = format!("data set {number} is no recording and no mode shape and was left out");
-        found.findings.push(Issue::new(IssueKind::Skipped, count, Some(IssuePlace::Byte(start)), about));
+        found.findings.push(Issue::new(
+            IssueKind::Skipped,
+            count,
+            Some(IssuePlace::Byte(start)),
+            about,
+        ));
     }
     Ok(found)
 }

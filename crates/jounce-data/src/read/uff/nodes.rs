@@ -10,20 +10,36 @@ use crate::recording::IssuePlace;
 const LINES: usize = 8;
 
 pub(super) fn read(block: &Block) -> Result<ModeShape, Damage> {
-    let wrong = |line: usize, why: String| Damage::at(IssuePlace::Byte(block.start), format!("line {} of the data set: {why}", line + 1));
+    let wrong = |line: usize, why: String| {
+        Damage::at(
+            IssuePlace::Byte(block.start),
+            format!("line {} of the data set: {why}", line + 1),
+        )
+    };
     let row = |line: usize| {
         let mut found = Vec::new();
-        let text = block.lines.get(line).ok_or_else(|| wrong(line, "it is missing: was the file cut?".to_owned()))?;
+        let text = block
+            .lines
+            .get(line)
+            .ok_or_else(|| wrong(line, "it is missing: was the file cut?".to_owned()))?;
         numbers(text, &mut found).map_err(|word| wrong(line, format!("{word:?} is no number")))?;
         Ok::<_, Damage>(found)
     };
     let kind = row(5)?;
     let [_, analysis, _, _, data, per_node, ..] = kind[..] else {
-        return Err(wrong(5, format!("six whole numbers are due, {} stand there", kind.len())));
+        return Err(wrong(
+            5,
+            format!("six whole numbers are due, {} stand there", kind.len()),
+        ));
     };
     let complex = data == 5.0;
     if !(complex || data == 2.0) || !(1.0..=6.0).contains(&per_node) {
-        return Err(wrong(5, format!("{per_node} values of type {data} at each node: 1 to 6 of type 2 or 5 can be read")));
+        return Err(wrong(
+            5,
+            format!(
+                "{per_node} values of type {data} at each node: 1 to 6 of type 2 or 5 can be read"
+            ),
+        ));
     }
     let per_node = per_node as usize;
     let (frequency_hz, damping_ratio) = frequency(analysis, &row(7)?);
@@ -32,7 +48,9 @@ pub(super) fn read(block: &Block) -> Result<ModeShape, Damage> {
     let mut line = LINES;
     while line < block.lines.len() {
         let node = row(line)?;
-        let [node] = node[..] else { return Err(wrong(line, "the number of a node is due".to_owned())) };
+        let [node] = node[..] else {
+            return Err(wrong(line, "the number of a node is due".to_owned()));
+        };
         line += 1;
         let mut values = Vec::new();
         while values.len() < due {
@@ -41,10 +59,28 @@ pub(super) fn read(block: &Block) -> Result<ModeShape, Damage> {
         }
         nodes.push(node as i64);
         let step = 1 + usize::from(complex);
-        real.push(values.chunks(step).take(per_node).map(|value| value[0]).collect());
-        imaginary.push(values.chunks(step).take(per_node).map(|value| value.get(1).copied().unwrap_or(0.0)).collect());
+        real.push(
+            values
+                .chunks(step)
+                .take(per_node)
+                .map(|value| value[0])
+                .collect(),
+        );
+        imaginary.push(
+            values
+                .chunks(step)
+                .take(per_node)
+                .map(|value| value.get(1).copied().unwrap_or(0.0))
+                .collect(),
+        );
     }
-    Ok(ModeShape { frequency_hz, damping_ratio, nodes, real, imaginary: complex.then_some(imaginary) })
+    Ok(ModeShape {
+        frequency_hz,
+        damping_ratio,
+        nodes,
+        real,
+        imaginary: complex.then_some(imaginary),
+    })
 }
 
 /// Frequency and damping: normal modes tell them (2), complex modes by their eigenvalue in rad/s (3, 7). A normal mode has a viscous damping ratio

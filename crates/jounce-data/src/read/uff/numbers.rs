@@ -7,7 +7,10 @@ pub(super) fn numbers(line: &str, into: &mut Vec<f64>) -> Result<(), String> {
         while !rest.is_empty() {
             let end = end_of_number(rest);
             let (number, behind) = rest.split_at(end);
-            let value = number.replace(['D', 'd'], "E").parse::<f64>().map_err(|_| number.to_owned())?;
+            let value = number
+                .replace(['D', 'd'], "E")
+                .parse::<f64>()
+                .map_err(|_| number.to_owned())?;
             into.push(value);
             rest = behind;
         }
@@ -18,7 +21,9 @@ pub(super) fn numbers(line: &str, into: &mut Vec<f64>) -> Result<(), String> {
 /// Where a number ends that another one may touch: at a sign that follows no exponent letter.
 fn end_of_number(text: &str) -> usize {
     let bytes = text.as_bytes();
-    let begins = |k: &usize| matches!(bytes[*k], b'+' | b'-') && !matches!(bytes[*k - 1], b'E' | b'e' | b'D' | b'd');
+    let begins = |k: &usize| {
+        matches!(bytes[*k], b'+' | b'-') && !matches!(bytes[*k - 1], b'E' | b'e' | b'D' | b'd')
+    };
     (1..bytes.len()).find(begins).unwrap_or(text.len())
 }
 

@@ -7,16 +7,22 @@ use jounce_measure::recording::IssueKind;
 use std::f64::consts::TAU;
 
 fn refused(text: &str, notes: Option<&str>) -> String {
-    read("a.csv", text.as_bytes(), notes).expect_err("it should be refused").to_string()
+    read("a.csv", text.as_bytes(), notes)
+        .expect_err("it should be refused")
+        .to_string()
 }
 
 /// Without a step that can be used, a counter stays a counter.
 #[test]
 fn a_preamble_without_a_step_gives_no_rate() {
     for step in ["", "0", "-1e-4", "soon"] {
-        let text = format!("X,CH1,Start,Increment,\nSequence,Volt,-1e-2,{step}\n") + &rows(|k| format!("{k},{:.4},", sample(0, k)));
+        let text = format!("X,CH1,Start,Increment,\nSequence,Volt,-1e-2,{step}\n")
+            + &rows(|k| format!("{k},{:.4},", sample(0, k)));
         let told = refused(&text, None);
-        assert!(told.contains("\" counts") && told.contains("rate = "), "{step}: {told}");
+        assert!(
+            told.contains("\" counts") && told.contains("rate = "),
+            "{step}: {told}"
+        );
     }
 }
 
@@ -24,30 +30,51 @@ fn a_preamble_without_a_step_gives_no_rate() {
 #[test]
 fn what_only_rises_is_no_time() {
     for head in ["sample", "Sequence", "index", "n", "#"] {
-        assert!(refused(&format!("{head},a\n1,5\n2,7\n3,6\n4,5\n"), None).contains("counts"), "{head}");
+        assert!(
+            refused(&format!("{head},a\n1,5\n2,7\n3,6\n4,5\n"), None).contains("counts"),
+            "{head}"
+        );
     }
     for head in ["time", "t", "Timestamp"] {
-        assert!(refused(&format!("{head},a\n0,5\n10,7\n20,6\n30,5\n"), None).contains("in ms 100.000000 Hz"), "{head}");
+        assert!(
+            refused(&format!("{head},a\n0,5\n10,7\n20,6\n30,5\n"), None)
+                .contains("in ms 100.000000 Hz"),
+            "{head}"
+        );
     }
     assert!(refused("x,a\n0.0,5\n0.1,7\n0.2,6\n0.3,5\n", None).contains("\"x\" rises by 0.1"));
-    let named = one("a.csv", b"x,a\n0.0,5\n0.1,7\n0.2,6\n0.3,5\n", Some("[channel.x]\nunit = \"ms\"\n"));
+    let named = one(
+        "a.csv",
+        b"x,a\n0.0,5\n0.1,7\n0.2,6\n0.3,5\n",
+        Some("[channel.x]\nunit = \"ms\"\n"),
+    );
     assert!((named.rate() - 1e4).abs() < 1e-6, "{}", named.rate());
-    let scaled = one("a.csv", b"ticks,a\n0,5\n1,7\n2,6\n3,5\n", Some("time = \"ticks\"\n[channel.ticks]\nscale = 0.0025\n"));
+    let scaled = one(
+        "a.csv",
+        b"ticks,a\n0,5\n1,7\n2,6\n3,5\n",
+        Some("time = \"ticks\"\n[channel.ticks]\nscale = 0.0025\n"),
+    );
     assert!((scaled.rate() - 400.0).abs() < 1e-9, "{}", scaled.rate());
 }
 
 /// The header of a thinned record is not its time, and that is told.
 #[test]
 fn stamps_win_over_a_header_that_disagrees() {
-    let text = "Sample Interval,1e-05\nTIME,CH1\n".to_owned() + &rows(|k| format!("{:e},{:.4}", 1e-3 * k as f64, sample(0, k)));
+    let text = "Sample Interval,1e-05\nTIME,CH1\n".to_owned()
+        + &rows(|k| format!("{:e},{:.4}", 1e-3 * k as f64, sample(0, k)));
     let found = one("a.csv", text.as_bytes(), None);
-    assert!((found.rate() - 1e3).abs() < 1e-6 && kinds(&found).contains(&IssueKind::HeaderDisagrees), "{:?}", found.findings);
+    assert!(
+        (found.rate() - 1e3).abs() < 1e-6 && kinds(&found).contains(&IssueKind::HeaderDisagrees),
+        "{:?}",
+        found.findings
+    );
 }
 
 /// Stamps without a unit get it from the rate of the header.
 #[test]
 fn the_rate_tells_the_unit_of_the_stamps() {
-    let text = "Sample Rate,200\ntime,CH1\n".to_owned() + &rows(|k| format!("{},{:.4}", 5 * k, sample(0, k)));
+    let text = "Sample Rate,200\ntime,CH1\n".to_owned()
+        + &rows(|k| format!("{},{:.4}", 5 * k, sample(0, k)));
     assert!((one("a.csv", text.as_bytes(), None).rate() - 200.0).abs() < 1e-9);
 }
 
@@ -56,17 +83,38 @@ fn the_rate_tells_the_unit_of_the_stamps() {
 fn channels_of_an_lvm_keep_their_own_times_and_units() {
     let text = lvm("Multi").replace("Volts\t\tVolts", "Volts\t\tPounds");
     let found = one("a.lvm", text.as_bytes(), None);
-    let units: Vec<&str> = found.channels.iter().map(|channel| channel.unit.as_str()).collect();
+    let units: Vec<&str> = found
+        .channels
+        .iter()
+        .map(|channel| channel.unit.as_str())
+        .collect();
     assert_eq!(units, ["V", "N"]);
-    let mut other =
-        lvm("Multi").split_once("X_Value").map(|(head, _)| head.to_owned()).expect("heads") + "X_Value\tCH1\tX_Value\tCH2\tComment\n";
+    let mut other = lvm("Multi")
+        .split_once("X_Value")
+        .map(|(head, _)| head.to_owned())
+        .expect("heads")
+        + "X_Value\tCH1\tX_Value\tCH2\tComment\n";
     for k in 0..400 {
-        let second = if k < 100 { format!("{:.6}\t{:.5}", 0.004 * k as f64, sample(1, k)) } else { "\t".to_owned() };
+        let second = if k < 100 {
+            format!("{:.6}\t{:.5}", 0.004 * k as f64, sample(1, k))
+        } else {
+            "\t".to_owned()
+        };
         other += &format!("{:.6}\t{:.5}\t{second}\n", 0.001 * k as f64, sample(0, k));
     }
-    let sets = read("a.lvm", other.as_bytes(), None).expect("two sets").recordings;
-    let told: Vec<(f64, usize, &str)> =
-        sets.iter().map(|set| (set.rate().round(), set.channels[0].values.len(), set.channels[0].name.as_str())).collect();
+    let sets = read("a.lvm", other.as_bytes(), None)
+        .expect("two sets")
+        .recordings;
+    let told: Vec<(f64, usize, &str)> = sets
+        .iter()
+        .map(|set| {
+            (
+                set.rate().round(),
+                set.channels[0].values.len(),
+                set.channels[0].name.as_str(),
+            )
+        })
+        .collect();
     assert_eq!(told, [(1000.0, 400, "CH1"), (250.0, 100, "CH2")]);
 }
 
@@ -76,12 +124,21 @@ fn rounded_stamps_leave_every_sample_as_it_is() {
     let tone = |k: usize| (TAU * 0.3 * k as f64).sin();
     for (rate_hz, decimals) in [(1536.0, 3), (300.0, 3), (800.0, 2), (51_200.0, 5)] {
         let text = "time [s],a [V]\n".to_owned()
-            + &(0..5000).map(|k| format!("{:.decimals$},{:e}\n", 7.25 + k as f64 / rate_hz, tone(k))).collect::<String>();
+            + &(0..5000)
+                .map(|k| format!("{:.decimals$},{:e}\n", 7.25 + k as f64 / rate_hz, tone(k)))
+                .collect::<String>();
         let found = one("a.csv", text.as_bytes(), None).even().expect("even");
-        assert_eq!(found.channels[0].values, (0..5000).map(tone).collect::<Vec<f64>>(), "{rate_hz}");
+        assert_eq!(
+            found.channels[0].values,
+            (0..5000).map(tone).collect::<Vec<f64>>(),
+            "{rate_hz}"
+        );
         let off = (found.rate() / rate_hz - 1.0).abs();
         eprintln!("{rate_hz} Hz with {decimals} decimals: off by {off:.1e}");
-        assert!(off < 10f64.powf(-(decimals as f64)) * rate_hz / 5000.0, "{rate_hz}: {off}");
+        assert!(
+            off < 10f64.powf(-(decimals as f64)) * rate_hz / 5000.0,
+            "{rate_hz}: {off}"
+        );
         assert_eq!(kinds(&found), [IssueKind::RoundedStamps]);
     }
     let mut state = 1u32;
@@ -89,27 +146,60 @@ fn rounded_stamps_leave_every_sample_as_it_is() {
         state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
         f64::from(state >> 8) / f64::from(1u32 << 24) - 0.5
     };
-    let text =
-        "time [s],a [V]\n".to_owned() + &(0..5000).map(|k| format!("{:.7},1.5\n", 1e-3 * (k as f64 + 0.3 * jitter()))).collect::<String>();
+    let text = "time [s],a [V]\n".to_owned()
+        + &(0..5000)
+            .map(|k| format!("{:.7},1.5\n", 1e-3 * (k as f64 + 0.3 * jitter())))
+            .collect::<String>();
     let found = one("a.csv", text.as_bytes(), None);
-    let told = found.findings.iter().find(|finding| finding.kind == IssueKind::Jitter).expect("jitter").to_string();
-    assert!(told.contains("% of the mean step") && told.contains("e-4 s"), "{told}");
+    let told = found
+        .findings
+        .iter()
+        .find(|finding| finding.kind == IssueKind::Jitter)
+        .expect("jitter")
+        .to_string();
+    assert!(
+        told.contains("% of the mean step") && told.contains("e-4 s"),
+        "{told}"
+    );
 }
 
 /// What the first bytes are does not decide what a row is: rows that begin beyond them, and lines longer than them.
 #[test]
 fn no_window_decides_what_a_row_is() {
     let remarks = "a remark that fills the header\n".repeat(20_000);
-    let late = remarks + "t [s],a [V]\n" + &rows(|k| format!("{:.3},{:.4}", 1e-3 * k as f64, sample(0, k)));
+    let late = remarks
+        + "t [s],a [V]\n"
+        + &rows(|k| format!("{:.3},{:.4}", 1e-3 * k as f64, sample(0, k)));
     let found = one("a.csv", late.as_bytes(), None);
-    assert_eq!((found.channels.len(), found.channels[0].values.len()), (1, 400));
-    let wide = |k: usize| (0..60_000).map(|c| format!("{:.4}", sample(c, k))).collect::<Vec<String>>().join(",") + "\n";
+    assert_eq!(
+        (found.channels.len(), found.channels[0].values.len()),
+        (1, 400)
+    );
+    let wide = |k: usize| {
+        (0..60_000)
+            .map(|c| format!("{:.4}", sample(c, k)))
+            .collect::<Vec<String>>()
+            .join(",")
+            + "\n"
+    };
     let text: String = (0..6).map(wide).collect();
     let found = one("a.csv", text.as_bytes(), Some("rate = \"1 kHz\"\n"));
-    assert_eq!((found.channels.len(), found.channels[0].values.len()), (60_000, 6));
+    assert_eq!(
+        (found.channels.len(), found.channels[0].values.len()),
+        (60_000, 6)
+    );
     // A line that ends at the window with fewer fields.
     let text = "t [s],a [V],b [V]\n".to_owned()
-        + &(0..20_000).map(|k| format!("{:.3},{:.4},{:.4}\n", 1e-3 * k as f64, sample(0, k), sample(1, k))).collect::<String>();
+        + &(0..20_000)
+            .map(|k| {
+                format!(
+                    "{:.3},{:.4},{:.4}\n",
+                    1e-3 * k as f64,
+                    sample(0, k),
+                    sample(1, k)
+                )
+            })
+            .collect::<String>();
     assert_eq!(kinds(&one("a.csv", text.as_bytes(), None)), []);
 }
 
@@ -119,9 +209,18 @@ fn no_samples_are_no_success() {
     for text in ["5\n", "a,b\nx,y\n", "1,2\r\n", ",,\n,,\n"] {
         let told = read("a.csv", text.as_bytes(), Some("rate = \"1 kHz\"\n"));
         assert!(
-            told.map_or(true, |found| found.recordings.iter().all(|set| set.channels.iter().all(|c| !c.values.is_empty()))),
+            told.map_or(true, |found| found
+                .recordings
+                .iter()
+                .all(|set| set.channels.iter().all(|c| !c.values.is_empty()))),
             "{text:?}"
         );
     }
-    assert!(read("a.csv", b"5,6\nend\n", Some("rate = \"1 kHz\"\n")).is_ok_and(|found| found.recordings[0].channels[0].values == [5.0]));
+    assert!(
+        read("a.csv", b"5,6\nend\n", Some("rate = \"1 kHz\"\n")).is_ok_and(|found| found
+            .recordings[0]
+            .channels[0]
+            .values
+            == [5.0])
+    );
 }

@@ -12,7 +12,13 @@ fn t(k: usize) -> f64 {
 /// The time of day of sample `k`, over midnight.
 fn clock(k: usize) -> String {
     let ms = (86_399_900 + k) % 86_400_000;
-    format!("{:02}:{:02}:{:02}.{:03}", ms / 3_600_000, ms / 60_000 % 60, ms / 1000 % 60, ms % 1000)
+    format!(
+        "{:02}:{:02}:{:02}.{:03}",
+        ms / 3_600_000,
+        ms / 60_000 % 60,
+        ms / 1000 % 60,
+        ms % 1000
+    )
 }
 
 fn day(k: usize) -> usize {
@@ -28,7 +34,15 @@ fn comma(text: &str) -> String {
 }
 
 pub(super) fn all() -> Vec<Layout> {
-    [cards(), analysers(), stamped()].into_iter().flatten().map(|layout| Layout { rate_hz: RATE_HZ, start_s: 0.0, ..layout }).collect()
+    [cards(), analysers(), stamped()]
+        .into_iter()
+        .flatten()
+        .map(|layout| Layout {
+            rate_hz: RATE_HZ,
+            start_s: 0.0,
+            ..layout
+        })
+        .collect()
 }
 
 fn cards() -> Vec<Layout> {
@@ -123,7 +137,12 @@ fn cards() -> Vec<Layout> {
 fn twelve(k: usize) -> String {
     let text = clock(k);
     let hour: usize = text[..2].parse().unwrap_or(0);
-    format!("{}{} {}", (hour + 11) % 12 + 1, &text[2..], if hour < 12 { "AM" } else { "PM" })
+    format!(
+        "{}{} {}",
+        (hour + 11) % 12 + 1,
+        &text[2..],
+        if hour < 12 { "AM" } else { "PM" }
+    )
 }
 
 /// A LabVIEW measurement whose times have fewer digits than its step.
@@ -144,7 +163,11 @@ pub(super) fn lvm(x_columns: &str) -> String {
         text += &format!("{key}\t{a}\t{gap}{b}\t\n");
     }
     text += "***End_of_Header***\t\t\t\n";
-    text += if multi { "X_Value\tCH1\tX_Value\tCH2\tComment\n" } else { "X_Value\tCH1\tCH2\tComment\n" };
+    text += if multi {
+        "X_Value\tCH1\tX_Value\tCH2\tComment\n"
+    } else {
+        "X_Value\tCH1\tCH2\tComment\n"
+    };
     text + &rows(|k| {
         let x = format!("{:.6}", t(k));
         let [a, b] = [0, 1].map(|c| format!("{:.5}", sample(c, k)));
@@ -197,14 +220,24 @@ fn stamped() -> Vec<Layout> {
         Layout {
             program: "Campbell Scientific",
             series: "TOA5",
-            text: toa5.to_owned() + &rows(|k| format!("\"2024-03-{:02} {}\",{},{}", day(k), clock(k), 700 + k, pair(k, ","))),
+            text: toa5.to_owned()
+                + &rows(|k| {
+                    format!(
+                        "\"2024-03-{:02} {}\",{},{}",
+                        day(k),
+                        clock(k),
+                        700 + k,
+                        pair(k, ",")
+                    )
+                }),
             recognised: "rate from dates, names, units",
             ..Layout::default()
         },
         Layout {
             program: "any logger",
             series: "ISO 8601",
-            text: "timestamp,CH1 [V],CH2 [V]\n".to_owned() + &rows(|k| format!("2024-03-{:02}T{}Z,{}", day(k), clock(k), pair(k, ","))),
+            text: "timestamp,CH1 [V],CH2 [V]\n".to_owned()
+                + &rows(|k| format!("2024-03-{:02}T{}Z,{}", day(k), clock(k), pair(k, ","))),
             recognised: "rate from dates, names, units",
             ..Layout::default()
         },
@@ -212,14 +245,22 @@ fn stamped() -> Vec<Layout> {
             program: "any logger",
             series: "date and time of day in columns of their own",
             text: "Date;Time;CH1 [V];CH2 [V]\n".to_owned()
-                + &rows(|k| comma(&format!("2024/03/{:02};{};{}", day(k), clock(k), pair(k, ";")))),
+                + &rows(|k| {
+                    comma(&format!(
+                        "2024/03/{:02};{};{}",
+                        day(k),
+                        clock(k),
+                        pair(k, ";")
+                    ))
+                }),
             recognised: "rate from times of day, names, units",
             ..Layout::default()
         },
         Layout {
             program: "any logger",
             series: "times of day that are not to be used",
-            text: "Time,CH1 [V],CH2 [V]\n".to_owned() + &rows(|k| format!("{},{}", &clock(k)[..8], pair(k, ","))),
+            text: "Time,CH1 [V],CH2 [V]\n".to_owned()
+                + &rows(|k| format!("{},{}", &clock(k)[..8], pair(k, ","))),
             recognised: "names, units",
             by_hand: "rate: it wins over the times",
             notes: "rate = \"1 kHz\"\n",
@@ -228,14 +269,16 @@ fn stamped() -> Vec<Layout> {
         Layout {
             program: "Arduino, ESP32",
             series: "`millis`, `micros`, `time_ms`, `time_us`",
-            text: "millis,CH1 [V],CH2 [V]\n".to_owned() + &rows(|k| format!("{k},{}", pair(k, ","))),
+            text: "millis,CH1 [V],CH2 [V]\n".to_owned()
+                + &rows(|k| format!("{k},{}", pair(k, ","))),
             recognised: "rate, names, units",
             ..Layout::default()
         },
         Layout {
             program: "Arduino, ESP32",
             series: "whole numbers under `time`",
-            text: "time,CH1 [V],CH2 [V]\n".to_owned() + &rows(|k| format!("{},{}", 1000 * k, pair(k, ","))),
+            text: "time,CH1 [V],CH2 [V]\n".to_owned()
+                + &rows(|k| format!("{},{}", 1000 * k, pair(k, ","))),
             recognised: "names, units",
             by_hand: "unit of the time",
             notes: "[channel.time]\nunit = \"us\"\n",
@@ -245,7 +288,8 @@ fn stamped() -> Vec<Layout> {
         Layout {
             program: "any logger",
             series: "milliseconds since 1970",
-            text: "timestamp,CH1 [V],CH2 [V]\n".to_owned() + &rows(|k| format!("{},{}", 1_709_647_621_250_i64 + k as i64, pair(k, ","))),
+            text: "timestamp,CH1 [V],CH2 [V]\n".to_owned()
+                + &rows(|k| format!("{},{}", 1_709_647_621_250_i64 + k as i64, pair(k, ","))),
             recognised: "names, units",
             by_hand: "unit of the time; `rate` instead, for a start at 0",
             notes: "rate = \"1 kHz\"\n",
@@ -255,7 +299,8 @@ fn stamped() -> Vec<Layout> {
         Layout {
             program: "any logger",
             series: "a counter: `sample`, `index`, `Sequence`",
-            text: "sample,CH1 [V],CH2 [V]\n".to_owned() + &rows(|k| format!("{k},{}", pair(k, ","))),
+            text: "sample,CH1 [V],CH2 [V]\n".to_owned()
+                + &rows(|k| format!("{k},{}", pair(k, ","))),
             recognised: "names, units",
             by_hand: "rate",
             notes: "rate = \"1 kHz\"\n",

@@ -35,8 +35,20 @@ const TWO: &[(&str, &str)] = &[("CH1", "V"), ("CH2", "V")];
 
 impl Default for Layout {
     fn default() -> Self {
-        let (program, series, recognised, by_hand, notes, refused) = ("", "", "rate, start, names, units", "", "", "");
-        Self { program, series, recognised, by_hand, notes, refused, text: String::new(), rate_hz: 1e4, start_s: -0.02, channels: TWO }
+        let (program, series, recognised, by_hand, notes, refused) =
+            ("", "", "rate, start, names, units", "", "", "");
+        Self {
+            program,
+            series,
+            recognised,
+            by_hand,
+            notes,
+            refused,
+            text: String::new(),
+            rate_hz: 1e4,
+            start_s: -0.02,
+            channels: TWO,
+        }
     }
 }
 
@@ -56,11 +68,18 @@ fn scope_time(k: usize) -> f64 {
 }
 
 fn all() -> Vec<Layout> {
-    [oscilloscopes::all(), loggers::all(), programs::all()].into_iter().flatten().collect()
+    [oscilloscopes::all(), loggers::all(), programs::all()]
+        .into_iter()
+        .flatten()
+        .collect()
 }
 
 fn file_name(layout: &Layout) -> &'static str {
-    if layout.text.starts_with("LabVIEW Measurement") { "a.lvm" } else { "a.csv" }
+    if layout.text.starts_with("LabVIEW Measurement") {
+        "a.lvm"
+    } else {
+        "a.csv"
+    }
 }
 
 /// What is wrong with a recording of a layout.
@@ -70,9 +89,15 @@ fn faults(layout: &Layout, text: &str) -> Vec<String> {
         Ok(contents) => contents,
         Err(fault) => return vec![fault.to_string()],
     };
-    let [found] = &contents.recordings[..] else { return vec![format!("{} recordings", contents.recordings.len())] };
+    let [found] = &contents.recordings[..] else {
+        return vec![format!("{} recordings", contents.recordings.len())];
+    };
     let mut faults = Vec::new();
-    let heads: Vec<(&str, &str)> = found.channels.iter().map(|channel| (channel.name.as_str(), channel.unit.as_str())).collect();
+    let heads: Vec<(&str, &str)> = found
+        .channels
+        .iter()
+        .map(|channel| (channel.name.as_str(), channel.unit.as_str()))
+        .collect();
     if heads != layout.channels || found.over != Over::Time {
         faults.push(format!("channels {heads:?}"));
     }
@@ -84,9 +109,18 @@ fn faults(layout: &Layout, text: &str) -> Vec<String> {
         faults.push(format!("starts at {}", found.grid.at(0)));
     }
     for (c, channel) in found.channels.iter().enumerate() {
-        let off = channel.values.iter().enumerate().map(|(k, x)| (x - sample(c, k)).abs()).fold(0.0, f64::max);
+        let off = channel
+            .values
+            .iter()
+            .enumerate()
+            .map(|(k, x)| (x - sample(c, k)).abs())
+            .fold(0.0, f64::max);
         if channel.values.len() != COUNT || off.is_nan() || off > 6e-3 {
-            faults.push(format!("{}: {} samples, off by {off}", channel.name, channel.values.len()));
+            faults.push(format!(
+                "{}: {} samples, off by {off}",
+                channel.name,
+                channel.values.len()
+            ));
         }
     }
     if !faults.is_empty() {
@@ -96,9 +130,17 @@ fn faults(layout: &Layout, text: &str) -> Vec<String> {
 }
 
 fn report(faults: Vec<(String, Vec<String>)>) {
-    let wrong: Vec<String> =
-        faults.into_iter().filter(|(_, faults)| !faults.is_empty()).map(|(name, faults)| format!("{name}: {faults:#?}")).collect();
-    assert!(wrong.is_empty(), "{} layouts are read wrong:\n{}", wrong.len(), wrong.join("\n"));
+    let wrong: Vec<String> = faults
+        .into_iter()
+        .filter(|(_, faults)| !faults.is_empty())
+        .map(|(name, faults)| format!("{name}: {faults:#?}"))
+        .collect();
+    assert!(
+        wrong.is_empty(),
+        "{} layouts are read wrong:\n{}",
+        wrong.len(),
+        wrong.join("\n")
+    );
 }
 
 fn name(layout: &Layout) -> String {
@@ -115,7 +157,9 @@ fn every_layout_is_read_as_the_table_says() {
                 Ok(_) => found.push("it is not refused without notes".to_owned()),
                 Err(fault) => {
                     let told = fault.to_string();
-                    found.extend(Some(told).filter(|told| !told.contains(layout.refused) || !told.contains(".channels.toml")));
+                    found.extend(Some(told).filter(|told| {
+                        !told.contains(layout.refused) || !told.contains(".channels.toml")
+                    }));
                 }
             }
         }
@@ -130,9 +174,21 @@ fn ends_of_lines_and_empty_rows_at_the_end_change_nothing() {
     let judged = |layout: &Layout| {
         let last = layout.text.lines().last().unwrap_or_default();
         let delimiter = last.chars().find(|c| ",;\t".contains(*c)).unwrap_or(' ');
-        let empty = format!("{}\n", delimiter.to_string().repeat(last.matches(delimiter).count()));
-        let texts = [layout.text.replace('\n', "\r\n"), layout.text.replace('\n', "\r"), layout.text.clone() + &empty.repeat(3)];
-        (name(layout), texts.iter().flat_map(|text| faults(layout, text)).collect())
+        let empty = format!(
+            "{}\n",
+            delimiter
+                .to_string()
+                .repeat(last.matches(delimiter).count())
+        );
+        let texts = [
+            layout.text.replace('\n', "\r\n"),
+            layout.text.replace('\n', "\r"),
+            layout.text.clone() + &empty.repeat(3),
+        ];
+        (
+            name(layout),
+            texts.iter().flat_map(|text| faults(layout, text)).collect(),
+        )
     };
     report(all().iter().map(judged).collect());
 }
@@ -140,11 +196,22 @@ fn ends_of_lines_and_empty_rows_at_the_end_change_nothing() {
 /// The table of the book holds each layout, and no other.
 #[test]
 fn the_table_of_the_book_is_this_list() {
-    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../book/src/howto/text-layouts.md");
-    let book = std::fs::read_to_string(&path).unwrap_or_else(|fault| panic!("{}: {fault}", path.display()));
-    let row = |layout: &Layout| format!("| {} | {} | {} | {} |", layout.program, layout.series, layout.recognised, layout.by_hand);
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("../../book/src/howto/text-layouts.md");
+    let book = std::fs::read_to_string(&path)
+        .unwrap_or_else(|fault| panic!("{}: {fault}", path.display()));
+    let row = |layout: &Layout| {
+        format!(
+            "| {} | {} | {} | {} |",
+            layout.program, layout.series, layout.recognised, layout.by_hand
+        )
+    };
     let due: Vec<String> = all().iter().map(row).collect();
-    let found: Vec<&str> = book.lines().filter(|line| line.starts_with("| ")).skip(1).collect();
+    let found: Vec<&str> = book
+        .lines()
+        .filter(|line| line.starts_with("| "))
+        .skip(1)
+        .collect();
     assert!(due.len() >= 40, "{}", due.len());
     assert_eq!(found, due, "the table should be\n{}", due.join("\n"));
 }

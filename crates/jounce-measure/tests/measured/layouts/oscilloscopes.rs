@@ -25,7 +25,10 @@ fn beside(settings: &[&str], blank: &str, row: impl Fn(usize) -> String) -> Stri
 }
 
 pub(super) fn all() -> Vec<Layout> {
-    [rigol(), tektronix(), keysight(), others()].into_iter().flatten().collect()
+    [rigol(), tektronix(), keysight(), others()]
+        .into_iter()
+        .flatten()
+        .collect()
 }
 
 fn rigol() -> Vec<Layout> {
@@ -131,7 +134,12 @@ fn tektronix() -> Vec<Layout> {
             text: model.to_owned() + &table(""),
             ..Layout::default()
         },
-        Layout { program: TEKTRONIX, series: "4, 5 and 6 Series MSO", text: newer.to_owned() + &table(""), ..Layout::default() },
+        Layout {
+            program: TEKTRONIX,
+            series: "4, 5 and 6 Series MSO",
+            text: newer.to_owned() + &table(""),
+            ..Layout::default()
+        },
         Layout {
             program: TEKTRONIX,
             series: "TDS3000, and any series without its header",
@@ -153,7 +161,14 @@ fn keysight() -> Vec<Layout> {
             series: "InfiniiVision 2000 X to 6000 X",
             recognised: "rate, start, units; names are numbers",
             text: "x-axis,1,2\nsecond,Volt,Volt\n".to_owned()
-                + &rows(|k| format!("{:+.8E},{:+.5E},{:+.5E}", scope_time(k), sample(0, k), sample(1, k))),
+                + &rows(|k| {
+                    format!(
+                        "{:+.8E},{:+.5E},{:+.5E}",
+                        scope_time(k),
+                        sample(0, k),
+                        sample(1, k)
+                    )
+                }),
             channels: &[("1", "V"), ("2", "V")],
             ..Layout::default()
         },
@@ -177,7 +192,12 @@ fn keysight() -> Vec<Layout> {
             channels: &[("CH1", "V")],
             ..Layout::default()
         },
-        Layout { program: KEYSIGHT, series: "BenchVue", text: "Time (s),CH1 (V),CH2 (V)\n".to_owned() + &table(""), ..Layout::default() },
+        Layout {
+            program: KEYSIGHT,
+            series: "BenchVue",
+            text: "Time (s),CH1 (V),CH2 (V)\n".to_owned() + &table(""),
+            ..Layout::default()
+        },
     ]
 }
 
@@ -188,9 +208,23 @@ fn others() -> Vec<Layout> {
     let yokogawa = "\"Header Size\",12\n\"Model Name\",\"DLM2024\"\n\"BlockNumber\",1\n\"TraceName\",\"CH1\",\"CH2\"\n\"BlockSize\",400,400\n\"VUnit\",\"V\",\"V\"\n\"SampleRate\",1.0000e+04,1.0000e+04\n\"HResolution\",1.0000e-04,1.0000e-04\n\"HOffset\",-2.0000e-02,-2.0000e-02\n\"HUnit\",\"s\",\"s\"\n\"Date\",\"2024/03/05\",\"2024/03/05\"\n\"Time\",\"14:07:01.25\",\"14:07:01.25\"\n\n";
     let lecroy = "LECROYWS64Xs,10125,Waveform\nSegments,1,SegmentSize,400\nSegment,TrigTime,TimeSinceSegment1\n#1,05-Mar-2024 14:07:01,0\nTime,Ampl\n";
     let pico = |separator: char, comma: bool| {
-        let number = |x: f64| if comma { format!("{x:.8}").replace('.', ",") } else { format!("{x:.8}") };
-        let row = |k: usize| [1e3 * scope_time(k), sample(0, k), 1e3 * sample(1, k)].map(number).join(&separator.to_string());
-        ["Time,Channel A,Channel B\n(ms),(V),(mV)\n\n".replace(',', &separator.to_string()), rows(row)].concat()
+        let number = |x: f64| {
+            if comma {
+                format!("{x:.8}").replace('.', ",")
+            } else {
+                format!("{x:.8}")
+            }
+        };
+        let row = |k: usize| {
+            [1e3 * scope_time(k), sample(0, k), 1e3 * sample(1, k)]
+                .map(number)
+                .join(&separator.to_string())
+        };
+        [
+            "Time,Channel A,Channel B\n(ms),(V),(mV)\n\n".replace(',', &separator.to_string()),
+            rows(row),
+        ]
+        .concat()
     };
     const PICO: &[(&str, &str)] = &[("Channel A", "V"), ("Channel B", "V")];
     vec![
@@ -232,12 +266,26 @@ fn others() -> Vec<Layout> {
             channels: &[("CH1", "V")],
             ..Layout::default()
         },
-        Layout { program: "PicoScope", series: "6 and 7", text: pico(',', false), channels: PICO, ..Layout::default() },
-        Layout { program: "PicoScope", series: "6 and 7 with decimal commas", text: pico(';', true), channels: PICO, ..Layout::default() },
+        Layout {
+            program: "PicoScope",
+            series: "6 and 7",
+            text: pico(',', false),
+            channels: PICO,
+            ..Layout::default()
+        },
+        Layout {
+            program: "PicoScope",
+            series: "6 and 7 with decimal commas",
+            text: pico(';', true),
+            channels: PICO,
+            ..Layout::default()
+        },
         Layout {
             program: "GW Instek",
             series: "GDS-1000, GDS-2000: times and values",
-            text: instek.to_owned() + "Mode,Detail,\nWaveform Data,\n" + &rows(|k| format!("{},{},", t(k), v(0, k))),
+            text: instek.to_owned()
+                + "Mode,Detail,\nWaveform Data,\n"
+                + &rows(|k| format!("{},{},", t(k), v(0, k))),
             channels: &[("CH1", "V")],
             ..Layout::default()
         },
@@ -245,7 +293,9 @@ fn others() -> Vec<Layout> {
             program: "GW Instek",
             series: "GDS-1000, GDS-2000: values",
             recognised: "rate, names, units",
-            text: instek.to_owned() + "Mode,Detail,\nWaveform Data,\n" + &rows(|k| format!("{},", v(0, k))),
+            text: instek.to_owned()
+                + "Mode,Detail,\nWaveform Data,\n"
+                + &rows(|k| format!("{},", v(0, k))),
             start_s: 0.0,
             channels: &[("CH1", "V")],
             ..Layout::default()
@@ -255,7 +305,14 @@ fn others() -> Vec<Layout> {
             series: "PDS, VDS",
             recognised: "rate, start, names, units; times that fall are refused",
             text: "#,Time(ms),CH1(mV),CH2(mV)\n".to_owned()
-                + &rows(|k| format!("{k},{:.7},{:.2},{:.2}", 1e3 * scope_time(k), 1e3 * sample(0, k), 1e3 * sample(1, k))),
+                + &rows(|k| {
+                    format!(
+                        "{k},{:.7},{:.2},{:.2}",
+                        1e3 * scope_time(k),
+                        1e3 * sample(0, k),
+                        1e3 * sample(1, k)
+                    )
+                }),
             ..Layout::default()
         },
         Layout {
@@ -293,7 +350,15 @@ fn others() -> Vec<Layout> {
             recognised: "rate, names",
             by_hand: "units",
             notes: "[channel.ch1]\nname = \"CH1\"\nunit = \"V\"\n[channel.ch2]\nname = \"CH2\"\nunit = \"V\"\n",
-            text: "nr,time,ch1,ch2\n".to_owned() + &rows(|k| format!("{k},{:e},{:.3},{:.3}", k as f64 * 1e-4, sample(0, k), sample(1, k))),
+            text: "nr,time,ch1,ch2\n".to_owned()
+                + &rows(|k| {
+                    format!(
+                        "{k},{:e},{:.3},{:.3}",
+                        k as f64 * 1e-4,
+                        sample(0, k),
+                        sample(1, k)
+                    )
+                }),
             start_s: 0.0,
             ..Layout::default()
         },

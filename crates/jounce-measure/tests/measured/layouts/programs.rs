@@ -17,7 +17,8 @@ pub(super) fn all() -> Vec<Layout> {
         Layout {
             program: "NumPy",
             series: "`savetxt` with a header",
-            text: "# t [s] CH1 [V] CH2 [V]\n".replace(" CH", "  CH") + &rows(|k| format!("{:.18e} {}", t(k), pair(k, " "))),
+            text: "# t [s] CH1 [V] CH2 [V]\n".replace(" CH", "  CH")
+                + &rows(|k| format!("{:.18e} {}", t(k), pair(k, " "))),
             ..Layout::default()
         },
         Layout {
@@ -33,7 +34,8 @@ pub(super) fn all() -> Vec<Layout> {
         Layout {
             program: "pandas",
             series: "`to_csv` with its index",
-            text: ",time_s,CH1_V,CH2_V\n".to_owned() + &rows(|k| format!("{k},{},{}", t(k), pair(k, ","))),
+            text: ",time_s,CH1_V,CH2_V\n".to_owned()
+                + &rows(|k| format!("{k},{},{}", t(k), pair(k, ","))),
             channels: &[("CH1_V", "V"), ("CH2_V", "V")],
             ..Layout::default()
         },
@@ -50,7 +52,8 @@ pub(super) fn all() -> Vec<Layout> {
         Layout {
             program: "LTspice",
             series: "exported text",
-            text: "time\tV(in)\tV(out)\n".to_owned() + &rows(|k| format!("{:.15e}\t{}", t(k), pair(k, "\t"))),
+            text: "time\tV(in)\tV(out)\n".to_owned()
+                + &rows(|k| format!("{:.15e}\t{}", t(k), pair(k, "\t"))),
             recognised: "rate where the steps are even, names",
             by_hand: "units",
             notes: "[channel.\"V(in)\"]\nunit = \"V\"\n[channel.\"V(out)\"]\nunit = \"V\"\n",
@@ -61,9 +64,24 @@ pub(super) fn all() -> Vec<Layout> {
             program: "Excel",
             series: "CSV with commas or semicolons, from Windows or a Mac",
             text: "\u{feff}t (ms);CH1 (mV);CH2 (mV)\n".to_owned()
-                + &rows(|k| format!("{:.1};{:.2};{:.2}", 1e3 * t(k), 1e3 * sample(0, k), 1e3 * sample(1, k)).replace('.', ",")),
+                + &rows(|k| {
+                    format!(
+                        "{:.1};{:.2};{:.2}",
+                        1e3 * t(k),
+                        1e3 * sample(0, k),
+                        1e3 * sample(1, k)
+                    )
+                    .replace('.', ",")
+                }),
             ..Layout::default()
         },
     ];
-    layouts.into_iter().map(|layout| Layout { rate_hz: RATE_HZ, start_s: 0.0, ..layout }).collect()
+    layouts
+        .into_iter()
+        .map(|layout| Layout {
+            rate_hz: RATE_HZ,
+            start_s: 0.0,
+            ..layout
+        })
+        .collect()
 }

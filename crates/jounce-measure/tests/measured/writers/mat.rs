@@ -32,7 +32,8 @@ pub fn file(variables: &[(&str, Value)], compressed: bool) -> Vec<u8> {
     for (name, value) in variables {
         let matrix = matrix(name, value);
         if compressed {
-            let mut encoder = flate2::write::ZlibEncoder::new(Vec::new(), flate2::Compression::default());
+            let mut encoder =
+                flate2::write::ZlibEncoder::new(Vec::new(), flate2::Compression::default());
             std::io::Write::write_all(&mut encoder, &matrix).expect("memory");
             let packed = encoder.finish().expect("memory");
             bytes.extend(15_u32.to_le_bytes());
@@ -65,7 +66,13 @@ fn words(values: &[u32]) -> Vec<u8> {
 }
 
 fn doubles(values: &[f64]) -> Vec<u8> {
-    element(9, &values.iter().flat_map(|x| x.to_le_bytes()).collect::<Vec<u8>>())
+    element(
+        9,
+        &values
+            .iter()
+            .flat_map(|x| x.to_le_bytes())
+            .collect::<Vec<u8>>(),
+    )
 }
 
 fn matrix(name: &str, value: &Value) -> Vec<u8> {
@@ -77,18 +84,42 @@ fn matrix(name: &str, value: &Value) -> Vec<u8> {
         Value::Cell(cells) => (1, vec![1, cells.len() as u32]),
         Value::Structs(_, each) => (2, vec![1, each.len() as u32]),
     };
-    let mut bytes = [element(6, &words(&[class, 0])), element(5, &words(&sizes)), element(1, name.as_bytes())].concat();
+    let mut bytes = [
+        element(6, &words(&[class, 0])),
+        element(5, &words(&sizes)),
+        element(1, name.as_bytes()),
+    ]
+    .concat();
     match value {
         Value::Columns(columns) => bytes.extend(doubles(&columns.concat())),
-        Value::Complex(_, real, imaginary) => bytes.extend([doubles(real), doubles(imaginary)].concat()),
-        Value::Short(values) => bytes.extend(element(3, &values.iter().flat_map(|x| x.to_le_bytes()).collect::<Vec<u8>>())),
-        Value::Text(text) => bytes.extend(element(4, &text.encode_utf16().flat_map(u16::to_le_bytes).collect::<Vec<u8>>())),
+        Value::Complex(_, real, imaginary) => {
+            bytes.extend([doubles(real), doubles(imaginary)].concat())
+        }
+        Value::Short(values) => bytes.extend(element(
+            3,
+            &values
+                .iter()
+                .flat_map(|x| x.to_le_bytes())
+                .collect::<Vec<u8>>(),
+        )),
+        Value::Text(text) => bytes.extend(element(
+            4,
+            &text
+                .encode_utf16()
+                .flat_map(u16::to_le_bytes)
+                .collect::<Vec<u8>>(),
+        )),
         Value::Cell(cells) => cells.iter().for_each(|cell| bytes.extend(matrix("", cell))),
         Value::Structs(names, each) => {
             bytes.extend(element(5, &words(&[32])));
-            let padded: Vec<u8> = names.iter().flat_map(|name| format!("{name:\0<32}").into_bytes()).collect();
+            let padded: Vec<u8> = names
+                .iter()
+                .flat_map(|name| format!("{name:\0<32}").into_bytes())
+                .collect();
             bytes.extend(element(1, &padded));
-            each.iter().flatten().for_each(|value| bytes.extend(matrix("", value)));
+            each.iter()
+                .flatten()
+                .for_each(|value| bytes.extend(matrix("", value)));
         }
     }
     element(14, &bytes)

@@ -27,22 +27,53 @@ pub fn segment(channels: &[Channel], interleaved: bool, closed: bool) -> Vec<u8>
         metadata.extend((channel.properties.len() as u32).to_le_bytes());
         for property in &channel.properties {
             match property {
-                Property::Number(name, x) => {
-                    metadata.extend([text(name), 10_u32.to_le_bytes().to_vec(), x.to_le_bytes().to_vec()].concat())
-                }
-                Property::Text(name, told) => metadata.extend([text(name), 0x20_u32.to_le_bytes().to_vec(), text(told)].concat()),
+                Property::Number(name, x) => metadata.extend(
+                    [
+                        text(name),
+                        10_u32.to_le_bytes().to_vec(),
+                        x.to_le_bytes().to_vec(),
+                    ]
+                    .concat(),
+                ),
+                Property::Text(name, told) => metadata
+                    .extend([text(name), 0x20_u32.to_le_bytes().to_vec(), text(told)].concat()),
             }
         }
     }
-    let longest = channels.iter().map(|channel| channel.values.len()).max().unwrap_or(0);
+    let longest = channels
+        .iter()
+        .map(|channel| channel.values.len())
+        .max()
+        .unwrap_or(0);
     let numbers: Vec<f64> = if interleaved {
-        (0..longest).flat_map(|k| channels.iter().map(move |channel| channel.values[k])).collect()
+        (0..longest)
+            .flat_map(|k| channels.iter().map(move |channel| channel.values[k]))
+            .collect()
     } else {
-        channels.iter().flat_map(|channel| channel.values.clone()).collect()
+        channels
+            .iter()
+            .flat_map(|channel| channel.values.clone())
+            .collect()
     };
     let data: Vec<u8> = numbers.iter().flat_map(|x| x.to_le_bytes()).collect();
     let marks: u32 = 1 << 1 | 1 << 2 | 1 << 3 | if interleaved { 1 << 5 } else { 0 };
-    let next = if closed { (metadata.len() + data.len()) as u64 } else { u64::MAX };
-    let lead = [b"TDSm".to_vec(), marks.to_le_bytes().to_vec(), 4713_u32.to_le_bytes().to_vec()].concat();
-    [lead, next.to_le_bytes().to_vec(), (metadata.len() as u64).to_le_bytes().to_vec(), metadata, data].concat()
+    let next = if closed {
+        (metadata.len() + data.len()) as u64
+    } else {
+        u64::MAX
+    };
+    let lead = [
+        b"TDSm".to_vec(),
+        marks.to_le_bytes().to_vec(),
+        4713_u32.to_le_bytes().to_vec(),
+    ]
+    .concat();
+    [
+        lead,
+        next.to_le_bytes().to_vec(),
+        (metadata.len() as u64).to_le_bytes().to_vec(),
+        metadata,
+        data,
+    ]
+    .concat()
 }

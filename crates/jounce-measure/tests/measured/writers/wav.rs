@@ -15,6 +15,12 @@ pub fn file(kind: u16, size: u16, channels: u16, rate_hz: u32, samples: &[u8]) -
         bytes.resize(bytes.len().next_multiple_of(2), 0);
         bytes
     };
-    let inside = [b"WAVE".to_vec(), chunk(b"fmt ", &format), chunk(b"LIST", b"odd"), chunk(b"data", samples)].concat();
+    let inside = [
+        b"WAVE".to_vec(),
+        chunk(b"fmt ", &format),
+        chunk(b"LIST", b"odd"),
+        chunk(b"data", samples),
+    ]
+    .concat();
     chunk(b"RIFF", &inside)
 }

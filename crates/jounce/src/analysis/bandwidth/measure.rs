@@ -53,62 +53,130 @@ struct StablePart<'b> {
 impl<'s> BandwidthSearch<'s> {
     /// Measures branches, each for itself and all together.
     pub fn run(&self, branches: &[Branch]) -> Bandwidths {
-        let stable: Vec<Option<StablePart>> = branches.par_iter().map(|branch| self.stable(branch)).collect();
-        let own =
-            |found: &Option<StablePart>| found.as_ref().map(|found| self.above_half((found.peak, found.power_error), &found.segments));
+        let stable: Vec<Option<StablePart>> = branches
+            .par_iter()
+            .map(|branch| self.stable(branch))
+            .collect();
+        let own = |found: &Option<StablePart>| {
+            found
+                .as_ref()
+                .map(|found| self.above_half((found.peak, found.power_error), &found.segments))
+        };
         let own: Vec<Option<Bandwidth>> = stable.iter().map(own).collect();
         if let [only] = &own[..] {
-            return Bandwidths { together: only.clone(), branches: own };
+            return Bandwidths {
+                together: only.clone(),
+                branches: own,
+            };
         }
         let all: Vec<StablePart> = stable.into_iter().flatten().collect();
-        let highest = all.iter().map(|found| (found.peak, found.power_error)).max_by(|a, b| a.0.mean_power_w.total_cmp(&b.0.mean_power_w));
-        let segments: Vec<StableSegment> = all.into_iter().flat_map(|found| found.segments).collect();
-        Bandwidths { branches: own, together: highest.map(|peak| self.above_half(peak, &segments)) }
+        let highest = all
+            .iter()
+            .map(|found| (found.peak, found.power_error))
+            .max_by(|a, b| a.0.mean_power_w.total_cmp(&b.0.mean_power_w));
+        let segments: Vec<StableSegment> =
+            all.into_iter().flat_map(|found| found.segments).collect();
+        Bandwidths {
+            branches: own,
+            together: highest.map(|peak| self.above_half(peak, &segments)),
+        }
     }
 
     fn stable<'b>(&self, branch: &'b Branch) -> Option<StablePart<'b>> {
         let pairs: Vec<&[BranchPoint]> = branch.points.windows(2).collect();
         let stable = branch.points.iter().filter(|point| point.orbit.is_stable());
-        let largest_w = stable.map(|point| point.orbit.mean_power_w).fold(0.0, f64::max);
+        let largest_w = stable
+            .map(|point| point.orbit.mean_power_w)
+            .fold(0.0, f64::max);
         if largest_w == 0.0 {
             // Without power there is no half of it.
             return None;
         }
         let low_w = MIN_HALF_SHARE * largest_w;
-        let segments: Vec<StableSegment> =
-            pairs.into_par_iter().filter_map(|pair| self.segment(branch, [&pair[0], &pair[1]], low_w)).collect();
+        let segments: Vec<StableSegment> = pairs
+            .into_par_iter()
+            .filter_map(|pair| self.segment(branch, [&pair[0], &pair[1]], low_w))
+            .collect();
         let (mut peak, power_error) = self.peak(&segments)?;
-        let outer = branch.points.first().into_iter().chain(branch.points.last());
+        let outer = branch
+            .points
+            .first()
+            .into_iter()
+            .chain(branch.points.last());
         let closed = branch.endings.contains(&Termination::Closed);
-        if peak.at == BandLimit::End && (closed || outer.into_iter().all(|point| point.parameter != peak.parameter)) {
+        if peak.at == BandLimit::End
+            && (closed
+                || outer
+                    .into_iter()
+                    .all(|point| point.parameter != peak.parameter))
+        {
             peak.at = BandLimit::Maximum;
         }
-        Some(StablePart { segments, peak, power_error })
+        Some(StablePart {
+            segments,
+            peak,
+            power_error,
+        })
     }
 
     fn piece(&self, segment: &StableSegment) -> Option<CurvePiece<'s, Parameter<'s>>> {
-        let shooting = Shooting::new(self.parameter, &self.base.kernel, segment.cycles, self.tolerance);
-        let corrector = Corrector { goal: (10.0 * self.tolerance).clamp(1e-11, 1e-6), most: 8 };
-        CurvePiece::new(shooting, corrector, (self.range.1 - self.range.0) / 20.0, segment.points)
+        let shooting = Shooting::new(
+            self.parameter,
+            &self.base.kernel,
+            segment.cycles,
+            self.tolerance,
+        );
+        let corrector = Corrector {
+            goal: (10.0 * self.tolerance).clamp(1e-11, 1e-6),
+            most: 8,
+        };
+        CurvePiece::new(
+            shooting,
+            corrector,
+            (self.range.1 - self.range.0) / 20.0,
+            segment.points,
+        )
     }
 
     /// The stable part between two neighbouring points; nothing where it ends at less than `low_w`.
-    fn segment<'b>(&self, branch: &Branch, points: [&'b BranchPoint; 2], low_w: f64) -> Option<StableSegment<'b>> {
+    fn segment<'b>(
+        &self,
+        branch: &Branch,
+        points: [&'b BranchPoint; 2],
+        low_w: f64,
+    ) -> Option<StableSegment<'b>> {
         let end = |x: f64, point: &BranchPoint| SegmentEnd {
             x,
             power_w: point.orbit.mean_power_w,
             power_error: 2.0 * point.orbit.error_estimate,
-            edge: IntervalEdge { parameter: point.parameter, parameter_error: 0.0, at: BandLimit::End },
+            edge: IntervalEdge {
+                parameter: point.parameter,
+                parameter_error: 0.0,
+                at: BandLimit::End,
+            },
         };
-        let mut segment = StableSegment { cycles: branch.period_cycles, points, ends: [end(0.0, points[0]), end(1.0, points[1])] };
+        let mut segment = StableSegment {
+            cycles: branch.period_cycles,
+            points,
+            ends: [end(0.0, points[0]), end(1.0, points[1])],
+        };
         match points.map(|point| point.orbit.is_stable()) {
             [true, true] => {}
             [false, false] => return None,
             _ if points.iter().all(|point| point.orbit.mean_power_w < low_w) => return None,
             [first, _] => {
-                let found = self.stability_edge(&segment, if first { -NEIGHBOUR_DISTANCE } else { NEIGHBOUR_DISTANCE });
+                let found = self.stability_edge(
+                    &segment,
+                    if first {
+                        -NEIGHBOUR_DISTANCE
+                    } else {
+                        NEIGHBOUR_DISTANCE
+                    },
+                );
                 let stable = usize::from(!first);
-                let lost = found.or_else(|| self.located(&segment, branch, stable)).unwrap_or_else(|| segment.lost(stable));
+                let lost = found
+                    .or_else(|| self.located(&segment, branch, stable))
+                    .unwrap_or_else(|| segment.lost(stable));
                 segment.ends[usize::from(first)] = lost;
                 segment.turn_back(stable, lost.edge);
             }
@@ -125,37 +193,83 @@ impl<'s> BandwidthSearch<'s> {
         let slope = (margin(&beside)? - found.value) / inwards;
         let off = (found.value.abs() + MULTIPLIER_ERROR_FACTOR * self.tolerance) / slope.abs();
         // At a fold the key is stationary: what counts there is of second order.
-        let parameter_error = piece.parameter_error(&found.place, off)? + off * off * (self.range.1 - self.range.0);
+        let parameter_error =
+            piece.parameter_error(&found.place, off)? + off * off * (self.range.1 - self.range.0);
         // It lies between the two points, however slowly the multiplier goes through one.
         let parameter_error = parameter_error.min(segment.farthest(found.place.parameter()));
-        let edge = IntervalEdge { parameter: found.place.parameter(), parameter_error, at: BandLimit::Stability };
+        let edge = IntervalEdge {
+            parameter: found.place.parameter(),
+            parameter_error,
+            at: BandLimit::Stability,
+        };
         let power_error = 2.0 * piece.orbit(&found.place)?.error_estimate;
-        Some(SegmentEnd { x: found.place.x, power_w: found.place.mean_power_w(), power_error, edge })
+        Some(SegmentEnd {
+            x: found.place.x,
+            power_w: found.place.mean_power_w(),
+            power_error,
+            edge,
+        })
     }
 
     /// The bifurcation that the walk has told on the way, where the curve between the points cannot be had; `stable` is the stable end.
-    fn located(&self, segment: &StableSegment, branch: &Branch, stable: usize) -> Option<SegmentEnd> {
+    fn located(
+        &self,
+        segment: &StableSegment,
+        branch: &Branch,
+        stable: usize,
+    ) -> Option<SegmentEnd> {
         let [a, b] = segment.points;
         let told = branch.bifurcation_between([a, b])?;
-        let off = MULTIPLIER_ERROR_FACTOR * self.tolerance / (a.orbit.floquet_max_abs() - b.orbit.floquet_max_abs()).abs();
-        let parameter_error = off * (a.parameter - b.parameter).abs() + RESOLUTION * (self.range.1 - self.range.0);
-        let edge = IntervalEdge { parameter: told.parameter, parameter_error, at: BandLimit::Stability };
+        let off = MULTIPLIER_ERROR_FACTOR * self.tolerance
+            / (a.orbit.floquet_max_abs() - b.orbit.floquet_max_abs()).abs();
+        let parameter_error =
+            off * (a.parameter - b.parameter).abs() + RESOLUTION * (self.range.1 - self.range.0);
+        let edge = IntervalEdge {
+            parameter: told.parameter,
+            parameter_error,
+            at: BandLimit::Stability,
+        };
         let power_error = 2.0 * told.orbit.error_estimate;
-        Some(SegmentEnd { edge, power_w: told.orbit.mean_power_w, power_error, ..segment.ends[stable] })
+        Some(SegmentEnd {
+            edge,
+            power_w: told.orbit.mean_power_w,
+            power_error,
+            ..segment.ends[stable]
+        })
     }
 
     /// The largest power on some segments, at an end of one or inside, with its relative error.
     fn peak(&self, segments: &[StableSegment]) -> Option<(PowerPeak, f64)> {
         let ends = || segments.iter().flat_map(|segment| segment.ends);
         let highest = ends().max_by(|a, b| a.power_w.total_cmp(&b.power_w))?;
-        let worth = |segment: &&StableSegment| segment.tops(segments).is_some_and(|power_w| power_w >= MIN_PEAK_SHARE * highest.power_w);
-        let maxima: Vec<SegmentEnd> = segments.iter().filter(worth).filter_map(|segment| self.maximum(segment)).collect();
+        let worth = |segment: &&StableSegment| {
+            segment
+                .tops(segments)
+                .is_some_and(|power_w| power_w >= MIN_PEAK_SHARE * highest.power_w)
+        };
+        let maxima: Vec<SegmentEnd> = segments
+            .iter()
+            .filter(worth)
+            .filter_map(|segment| self.maximum(segment))
+            .collect();
         let best = maxima
             .into_iter()
             .filter(|node| node.power_w >= highest.power_w)
             .fold(highest, |a, b| if b.power_w >= a.power_w { b } else { a });
-        let IntervalEdge { parameter, parameter_error, at } = best.edge;
-        Some((PowerPeak { parameter, parameter_error, mean_power_w: best.power_w, at }, best.power_error))
+        let IntervalEdge {
+            parameter,
+            parameter_error,
+            at,
+        } = best.edge;
+        Some((
+            PowerPeak {
+                parameter,
+                parameter_error,
+                mean_power_w: best.power_w,
+                at,
+            },
+            best.power_error,
+        ))
     }
 
     /// The maximum inside a segment, where power rises into it from both ends.
@@ -165,19 +279,35 @@ impl<'s> BandwidthSearch<'s> {
         let noise_w = self.tolerance / NEIGHBOUR_DISTANCE * segment.ends[0].power_w;
         let found = piece.maximum((from, to), noise_w)?;
         let beside = |step: f64| piece.power_slope_w(found.place.x + step);
-        let second = (beside(NEIGHBOUR_DISTANCE)? - beside(-NEIGHBOUR_DISTANCE)?) / (2.0 * NEIGHBOUR_DISTANCE);
+        let second = (beside(NEIGHBOUR_DISTANCE)? - beside(-NEIGHBOUR_DISTANCE)?)
+            / (2.0 * NEIGHBOUR_DISTANCE);
         let power_w = found.place.mean_power_w();
         let power_error = 2.0 * piece.orbit(&found.place)?.error_estimate;
         let off = (found.value.abs() + power_error * power_w / NEIGHBOUR_DISTANCE) / second.abs();
         let parameter_error = piece.parameter_error(&found.place, off)?;
-        let edge = IntervalEdge { parameter: found.place.parameter(), parameter_error, at: BandLimit::Maximum };
-        Some(SegmentEnd { x: found.place.x, power_w, power_error, edge })
+        let edge = IntervalEdge {
+            parameter: found.place.parameter(),
+            parameter_error,
+            at: BandLimit::Maximum,
+        };
+        Some(SegmentEnd {
+            x: found.place.x,
+            power_w,
+            power_error,
+            edge,
+        })
     }
 
     /// Where stable orbits have at least half a peak, of which the relative error is given.
     fn above_half(&self, (peak, error): (PowerPeak, f64), segments: &[StableSegment]) -> Bandwidth {
         let half_w = 0.5 * peak.mean_power_w;
-        merged(peak, segments.iter().filter_map(|segment| self.above(segment, half_w, error)).collect())
+        merged(
+            peak,
+            segments
+                .iter()
+                .filter_map(|segment| self.above(segment, half_w, error))
+                .collect(),
+        )
     }
 
     /// The range of a segment above a power.
@@ -186,20 +316,35 @@ impl<'s> BandwidthSearch<'s> {
         match segment.ends.map(|end| end.power_w >= half_w) {
             [true, true] => {}
             [false, false] => return None,
-            [first, _] => edges[usize::from(first)] = self.half_power(segment, half_w, error).unwrap_or_else(|| segment.between(half_w)),
+            [first, _] => {
+                edges[usize::from(first)] = self
+                    .half_power(segment, half_w, error)
+                    .unwrap_or_else(|| segment.between(half_w))
+            }
         }
         let [a, b] = edges;
-        Some(if a.parameter <= b.parameter { BandInterval { from: a, to: b } } else { BandInterval { from: b, to: a } })
+        Some(if a.parameter <= b.parameter {
+            BandInterval { from: a, to: b }
+        } else {
+            BandInterval { from: b, to: a }
+        })
     }
 
     /// The place of a segment where power is half the peak.
     fn half_power(&self, segment: &StableSegment, half_w: f64, error: f64) -> Option<IntervalEdge> {
         let piece = self.piece(segment)?;
         let [from, to] = segment.ends.map(|end| end.x);
-        let found = piece.zero((from, to), 0.1 * self.tolerance * half_w, |place| Some(place.mean_power_w() - half_w))?;
-        let left_w = found.value.abs() + (2.0 * piece.orbit(&found.place)?.error_estimate + error) * half_w;
+        let found = piece.zero((from, to), 0.1 * self.tolerance * half_w, |place| {
+            Some(place.mean_power_w() - half_w)
+        })?;
+        let left_w =
+            found.value.abs() + (2.0 * piece.orbit(&found.place)?.error_estimate + error) * half_w;
         let off = left_w / piece.power_slope_w(found.place.x)?.abs();
         let parameter_error = piece.parameter_error(&found.place, off)?;
-        Some(IntervalEdge { parameter: found.place.parameter(), parameter_error, at: BandLimit::HalfPower })
+        Some(IntervalEdge {
+            parameter: found.place.parameter(),
+            parameter_error,
+            at: BandLimit::HalfPower,
+        })
     }
 }

@@ -10,7 +10,9 @@ pub fn merged(peak: PowerPeak, mut ranges: Vec<BandInterval>) -> Bandwidth {
         match intervals.last_mut() {
             Some(last) if range.from.parameter <= last.to.parameter => {
                 // Points inside a branch, which know of no limit, give way to what limits it there.
-                let knows = |own: &IntervalEdge, other: &IntervalEdge| own.parameter == other.parameter && other.at == BandLimit::End;
+                let knows = |own: &IntervalEdge, other: &IntervalEdge| {
+                    own.parameter == other.parameter && other.at == BandLimit::End
+                };
                 if range.to.parameter > last.to.parameter || knows(&range.to, &last.to) {
                     last.to = range.to;
                 }
@@ -21,11 +23,22 @@ pub fn merged(peak: PowerPeak, mut ranges: Vec<BandInterval>) -> Bandwidth {
             _ => intervals.push(range),
         }
     }
-    let width = intervals.iter().map(|range| range.to.parameter - range.from.parameter).sum();
-    let width_error = intervals.iter().map(|range| range.to.parameter_error + range.from.parameter_error).sum();
+    let width = intervals
+        .iter()
+        .map(|range| range.to.parameter - range.from.parameter)
+        .sum();
+    let width_error = intervals
+        .iter()
+        .map(|range| range.to.parameter_error + range.from.parameter_error)
+        .sum();
     // A lone stable point beside an end of stability that is not known more closely has no width, but what it may have is not known either.
     intervals.retain(|range| range.to.parameter > range.from.parameter);
-    Bandwidth { peak, width, width_error, intervals }
+    Bandwidth {
+        peak,
+        width,
+        width_error,
+        intervals,
+    }
 }
 
 #[cfg(test)]
@@ -34,21 +47,64 @@ mod tests {
 
     #[test]
     fn a_range_without_width_is_none_and_its_error_stays() {
-        let edge = |parameter: f64| IntervalEdge { parameter, parameter_error: 0.25, at: BandLimit::Stability };
-        let range = |a: f64, b: f64| BandInterval { from: edge(a), to: edge(b) };
-        let peak = PowerPeak { parameter: 2.0, parameter_error: 0.0, mean_power_w: 1.0, at: BandLimit::Maximum };
+        let edge = |parameter: f64| IntervalEdge {
+            parameter,
+            parameter_error: 0.25,
+            at: BandLimit::Stability,
+        };
+        let range = |a: f64, b: f64| BandInterval {
+            from: edge(a),
+            to: edge(b),
+        };
+        let peak = PowerPeak {
+            parameter: 2.0,
+            parameter_error: 0.0,
+            mean_power_w: 1.0,
+            at: BandLimit::Maximum,
+        };
         let found = merged(peak, vec![range(1.0, 2.0), range(6.0, 6.0)]);
-        assert_eq!((found.intervals.len(), found.width, found.width_error), (1, 1.0, 1.0));
+        assert_eq!(
+            (found.intervals.len(), found.width, found.width_error),
+            (1, 1.0, 1.0)
+        );
     }
 
     #[test]
     fn ranges_that_touch_are_one_and_their_outer_ends_stay() {
-        let edge = |parameter: f64, at: BandLimit| IntervalEdge { parameter, parameter_error: 0.5, at };
-        let range = |a: f64, b: f64| BandInterval { from: edge(a, BandLimit::HalfPower), to: edge(b, BandLimit::Stability) };
-        let peak = PowerPeak { parameter: 2.0, parameter_error: 0.0, mean_power_w: 1.0, at: BandLimit::Maximum };
-        let found = merged(peak, vec![range(5.0, 6.0), range(1.0, 2.0), range(2.0, 3.0), range(1.5, 1.7)]);
-        let ends: Vec<(f64, f64)> = found.intervals.iter().map(|one| (one.from.parameter, one.to.parameter)).collect();
+        let edge = |parameter: f64, at: BandLimit| IntervalEdge {
+            parameter,
+            parameter_error: 0.5,
+            at,
+        };
+        let range = |a: f64, b: f64| BandInterval {
+            from: edge(a, BandLimit::HalfPower),
+            to: edge(b, BandLimit::Stability),
+        };
+        let peak = PowerPeak {
+            parameter: 2.0,
+            parameter_error: 0.0,
+            mean_power_w: 1.0,
+            at: BandLimit::Maximum,
+        };
+        let found = merged(
+            peak,
+            vec![
+                range(5.0, 6.0),
+                range(1.0, 2.0),
+                range(2.0, 3.0),
+                range(1.5, 1.7),
+            ],
+        );
+        let ends: Vec<(f64, f64)> = found
+            .intervals
+            .iter()
+            .map(|one| (one.from.parameter, one.to.parameter))
+            .collect();
         assert_eq!(ends, [(1.0, 3.0), (5.0, 6.0)]);
-        assert!(found.width == 3.0 && found.width_error == 2.0 && found.intervals[0].to.at == BandLimit::Stability);
+        assert!(
+            found.width == 3.0
+                && found.width_error == 2.0
+                && found.intervals[0].to.at == BandLimit::Stability
+        );
     }
 }

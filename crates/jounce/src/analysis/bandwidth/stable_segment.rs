@@ -31,7 +31,10 @@ impl StableSegment<'_> {
         let top = usize::from(self.ends[1].power_w > self.ends[0].power_w);
         let power_w = self.ends[top].power_w;
         let rises = |other: &StableSegment| {
-            let shared = other.points.iter().position(|point| std::ptr::eq(*point, self.points[top]));
+            let shared = other
+                .points
+                .iter()
+                .position(|point| std::ptr::eq(*point, self.points[top]));
             shared.is_some_and(|shared| other.ends[1 - shared].power_w > power_w)
         };
         (!all.iter().any(rises)).then_some(power_w)
@@ -39,25 +42,42 @@ impl StableSegment<'_> {
 
     /// Distance of a value of the key from the farther one of the two points.
     pub fn farthest(&self, parameter: f64) -> f64 {
-        self.points.iter().map(|point| (point.parameter - parameter).abs()).fold(0.0, f64::max)
+        self.points
+            .iter()
+            .map(|point| (point.parameter - parameter).abs())
+            .fold(0.0, f64::max)
     }
 
     /// Where stability is lost beyond a stable end, known to the width of the piece only: the curve between its points cannot be had.
     pub fn lost(&self, stable: usize) -> SegmentEnd {
         let [a, b] = self.points;
         let parameter_error = (b.parameter - a.parameter).abs();
-        let edge = IntervalEdge { parameter: self.points[stable].parameter, parameter_error, at: BandLimit::Stability };
-        SegmentEnd { edge, ..self.ends[stable] }
+        let edge = IntervalEdge {
+            parameter: self.points[stable].parameter,
+            parameter_error,
+            at: BandLimit::Stability,
+        };
+        SegmentEnd {
+            edge,
+            ..self.ends[stable]
+        }
     }
 
     /// Where stability is lost at a fold hard by the stable end, the key may go farther at that end, by less than both are known: then that is
     /// where the stable part ends.
     pub fn turn_back(&mut self, stable: usize, lost: IntervalEdge) {
-        let [own, other] = [self.points[stable].parameter, self.points[1 - stable].parameter];
+        let [own, other] = [
+            self.points[stable].parameter,
+            self.points[1 - stable].parameter,
+        ];
         let way = (own - lost.parameter).abs();
         if way < HARD_STABILITY_CHANGE * (other - lost.parameter).abs() {
             let parameter_error = lost.parameter_error + way;
-            self.ends[stable].edge = IntervalEdge { parameter: own, parameter_error, at: BandLimit::Stability };
+            self.ends[stable].edge = IntervalEdge {
+                parameter: own,
+                parameter_error,
+                at: BandLimit::Stability,
+            };
         }
     }
 
@@ -66,6 +86,10 @@ impl StableSegment<'_> {
         let [a, b] = self.ends;
         let way = b.edge.parameter - a.edge.parameter;
         let share = (half_w - a.power_w) / (b.power_w - a.power_w);
-        IntervalEdge { parameter: a.edge.parameter + share * way, parameter_error: way.abs(), at: BandLimit::HalfPower }
+        IntervalEdge {
+            parameter: a.edge.parameter + share * way,
+            parameter_error: way.abs(),
+            at: BandLimit::HalfPower,
+        }
     }
 }

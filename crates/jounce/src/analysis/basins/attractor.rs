@@ -52,7 +52,13 @@ pub struct BasinsResult {
 
 impl Attractor {
     /// Without starts and limits.
-    fn new(id: String, kind: AttractorKind, mean_power_w: f64, starts: Vec<usize>, of: usize) -> Self {
+    fn new(
+        id: String,
+        kind: AttractorKind,
+        mean_power_w: f64,
+        starts: Vec<usize>,
+        of: usize,
+    ) -> Self {
         Self {
             id,
             kind,
@@ -84,19 +90,28 @@ pub(super) fn orbits(ends: &[(usize, SteadyState)]) -> Vec<(Arc<AttractingOrbit>
     let mut orbits: Vec<(Arc<AttractingOrbit>, Vec<usize>)> = Vec::new();
     for (index, end) in ends {
         let Some(orbit) = end.orbit() else { continue };
-        match orbits.iter_mut().find(|(known, _)| Arc::ptr_eq(known, orbit) || known.is_same(orbit)) {
+        match orbits
+            .iter_mut()
+            .find(|(known, _)| Arc::ptr_eq(known, orbit) || known.is_same(orbit))
+        {
             Some((_, starts)) => starts.push(*index),
             None => orbits.push((Arc::clone(orbit), vec![*index])),
         }
     }
     orbits.sort_by(|(a, _), (b, _)| {
-        a.orbit.period_cycles.cmp(&b.orbit.period_cycles).then(b.orbit.mean_power_w.total_cmp(&a.orbit.mean_power_w))
+        a.orbit
+            .period_cycles
+            .cmp(&b.orbit.period_cycles)
+            .then(b.orbit.mean_power_w.total_cmp(&a.orbit.mean_power_w))
     });
     orbits
 }
 
 /// The result from where each start ends; `mirrored` finds, of two orbits, whether the second is the mirror image of the first.
-pub(super) fn counted(ends: &[(usize, SteadyState)], mirrored: impl Fn(&AttractingOrbit, &AttractingOrbit) -> bool) -> BasinsResult {
+pub(super) fn counted(
+    ends: &[(usize, SteadyState)],
+    mirrored: impl Fn(&AttractingOrbit, &AttractingOrbit) -> bool,
+) -> BasinsResult {
     let failed = |(index, end): &(usize, SteadyState)| match end {
         SteadyState::Failed(reason) => Some((*index, reason.clone())),
         SteadyState::Periodic(_) | SteadyState::Aperiodic(_) => None,
@@ -107,33 +122,74 @@ pub(super) fn counted(ends: &[(usize, SteadyState)], mirrored: impl Fn(&Attracti
     let orbits = orbits(ends);
     for (k, (found, starts)) in orbits.iter().enumerate() {
         let orbit = &found.orbit;
-        let place = attractors.iter().filter(|known| known.period_cycles == orbit.period_cycles).count();
+        let place = attractors
+            .iter()
+            .filter(|known| known.period_cycles == orbit.period_cycles)
+            .count();
         let id = format!("{}{}", orbit.period_cycles, letters(place));
         let alike = |(j, (other, _)): &(usize, &(Arc<AttractingOrbit>, Vec<usize>))| {
-            other.orbit.period_cycles == orbit.period_cycles && attractors[*j].mirror_of.is_none() && mirrored(other, found)
+            other.orbit.period_cycles == orbit.period_cycles
+                && attractors[*j].mirror_of.is_none()
+                && mirrored(other, found)
         };
-        let mirror_of = orbits[..k].iter().enumerate().find(alike).map(|(j, _)| attractors[j].id.clone());
+        let mirror_of = orbits[..k]
+            .iter()
+            .enumerate()
+            .find(alike)
+            .map(|(j, _)| attractors[j].id.clone());
         attractors.push(Attractor {
             period_cycles: orbit.period_cycles,
             contacts_per_period: orbit.contacts,
             orbit: Some(orbit.clone()),
             mirror_of,
-            ..Attractor::new(id, AttractorKind::Orbit, orbit.mean_power_w, starts.clone(), of)
+            ..Attractor::new(
+                id,
+                AttractorKind::Orbit,
+                orbit.mean_power_w,
+                starts.clone(),
+                of,
+            )
         });
     }
-    for kind in [AttractorKind::Chaos, AttractorKind::Torus, AttractorKind::Undecided] {
+    for kind in [
+        AttractorKind::Chaos,
+        AttractorKind::Torus,
+        AttractorKind::Undecided,
+    ] {
         attractors.extend(aperiodic(kind, ends, of));
     }
-    let [expected_power_w, expected_power_low_w, expected_power_high_w] = expected(&attractors);
-    BasinsResult { attractors, expected_power_w, expected_power_low_w, expected_power_high_w, lost }
+    let [
+        expected_power_w,
+        expected_power_low_w,
+        expected_power_high_w,
+    ] = expected(&attractors);
+    BasinsResult {
+        attractors,
+        expected_power_w,
+        expected_power_low_w,
+        expected_power_high_w,
+        lost,
+    }
 }
 
 /// Expected power and its interval. What is undecided may give nothing, or the largest power seen.
 fn expected(attractors: &[Attractor]) -> [f64; 3] {
-    let largest = attractors.iter().map(|a| a.mean_power_w).fold(0.0, f64::max);
+    let largest = attractors
+        .iter()
+        .map(|a| a.mean_power_w)
+        .fold(0.0, f64::max);
     let with = |undecided_w: Option<f64>| {
-        let power = |a: &Attractor| undecided_w.filter(|_| a.is_undecided()).unwrap_or(a.mean_power_w);
-        expected_power_w(&attractors.iter().map(|a| (a.starts.len(), power(a))).collect::<Vec<_>>())
+        let power = |a: &Attractor| {
+            undecided_w
+                .filter(|_| a.is_undecided())
+                .unwrap_or(a.mean_power_w)
+        };
+        expected_power_w(
+            &attractors
+                .iter()
+                .map(|a| (a.starts.len(), power(a)))
+                .collect::<Vec<_>>(),
+        )
     };
     [with(None)[0], with(Some(0.0))[1], with(Some(largest))[2]]
 }
@@ -146,11 +202,27 @@ fn aperiodic(kind: AttractorKind, ends: &[(usize, SteadyState)], of: usize) -> O
     };
     let found: Vec<(usize, Aperiodic)> = ends.iter().filter_map(own).collect();
     let count = found.len() as f64;
-    let mean_power_w = found.iter().map(|(_, found)| found.mean_power_w).sum::<f64>() / count;
-    let exponents: Vec<_> = found.iter().filter_map(|(_, found)| found.exponent).collect();
+    let mean_power_w = found
+        .iter()
+        .map(|(_, found)| found.mean_power_w)
+        .sum::<f64>()
+        / count;
+    let exponents: Vec<_> = found
+        .iter()
+        .filter_map(|(_, found)| found.exponent)
+        .collect();
     let taken = exponents.len() as f64;
-    let exponent = exponents.iter().map(|exponent| exponent.exponent_per_s).sum::<f64>() / taken;
-    let error = exponents.iter().map(|exponent| exponent.error_per_s).sum::<f64>() / taken / taken.sqrt();
+    let exponent = exponents
+        .iter()
+        .map(|exponent| exponent.exponent_per_s)
+        .sum::<f64>()
+        / taken;
+    let error = exponents
+        .iter()
+        .map(|exponent| exponent.error_per_s)
+        .sum::<f64>()
+        / taken
+        / taken.sqrt();
     let starts: Vec<usize> = found.iter().map(|(index, _)| *index).collect();
     (!found.is_empty()).then(|| Attractor {
         lyapunov: (!exponents.is_empty()).then_some((exponent, error)),
@@ -165,7 +237,13 @@ mod tests {
     fn ends(kinds: &[(AttractorKind, f64)]) -> Vec<(usize, SteadyState)> {
         let end = |(kind, mean_power_w): &(AttractorKind, f64)| {
             let (exponent, state, cycles) = (None, Vec::new(), 0);
-            SteadyState::Aperiodic(Aperiodic { kind: *kind, exponent, mean_power_w: *mean_power_w, state, cycles })
+            SteadyState::Aperiodic(Aperiodic {
+                kind: *kind,
+                exponent,
+                mean_power_w: *mean_power_w,
+                state,
+                cycles,
+            })
         };
         kinds.iter().map(end).enumerate().collect()
     }
@@ -174,14 +252,28 @@ mod tests {
     #[test]
     fn undecided_starts_widen_the_interval_of_the_expected_power() {
         let torus = (AttractorKind::Torus, 2.0);
-        let decided = counted(&ends(&[torus, torus, torus, (AttractorKind::Torus, 0.0)]), |_, _| false);
+        let decided = counted(
+            &ends(&[torus, torus, torus, (AttractorKind::Torus, 0.0)]),
+            |_, _| false,
+        );
         assert_eq!(decided.attractors.len(), 1);
-        let found = counted(&ends(&[torus, torus, torus, (AttractorKind::Undecided, 1.0)]), |_, _| false);
+        let found = counted(
+            &ends(&[torus, torus, torus, (AttractorKind::Undecided, 1.0)]),
+            |_, _| false,
+        );
         let ids: Vec<&str> = found.attractors.iter().map(|a| a.id.as_str()).collect();
         assert_eq!(ids, ["torus", "undecided"]);
-        assert!((found.expected_power_w - 1.75).abs() < 1e-12 && found.expected_power_high_w == 2.0);
+        assert!(
+            (found.expected_power_w - 1.75).abs() < 1e-12 && found.expected_power_high_w == 2.0
+        );
         let with_nothing = expected_power_w(&[(3, 2.0), (1, 0.0)]);
         assert!((found.expected_power_low_w - with_nothing[1]).abs() < 1e-12);
-        assert_eq!((found.attractors[1].starts.as_slice(), found.attractors[1].share.fraction), (&[3][..], 0.25));
+        assert_eq!(
+            (
+                found.attractors[1].starts.as_slice(),
+                found.attractors[1].share.fraction
+            ),
+            (&[3][..], 0.25)
+        );
     }
 }

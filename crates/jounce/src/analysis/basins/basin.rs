@@ -4,7 +4,9 @@ use super::InitialStates;
 use super::attractor::{Attractor, BasinsResult, counted, orbits};
 use super::mirror::mirrored_states;
 use crate::analysis::orbit_limits::{passed_by_orbit, passed_over};
-use crate::analysis::{AnalysisError, AttractingOrbit, Model, Parameter, Recognition, Recognizer, SteadyState};
+use crate::analysis::{
+    AnalysisError, AttractingOrbit, Model, Parameter, Recognition, Recognizer, SteadyState,
+};
 use crate::integrate::{IntegrationError, Kernel};
 use crate::orbit::{ParametricModel, Shooting};
 use crate::run::{ExceededLimit, Limits, RunError, check_outside};
@@ -44,27 +46,43 @@ impl Basins<'_> {
         let ends = self.ends(&kernel, done);
         let scale = Shooting::new(self.parameter, &kernel, 1, self.recognition.tolerance).scale;
         let mirrored = |one: &AttractingOrbit, two: &AttractingOrbit| {
-            mirrored_states(&kernel, &one.orbit, &scale, self.recognition.tolerance).is_ok_and(|states| two.passes(&states))
+            mirrored_states(&kernel, &one.orbit, &scale, self.recognition.tolerance)
+                .is_ok_and(|states| two.passes(&states))
         };
         let mut answer = counted(&ends, mirrored);
         let limits = Limits::of(&self.base.spec, &kernel.plant);
-        for attractor in answer.attractors.iter_mut().filter(|_| !limits.is_empty() && !self.base.kernel.control.is_stopped()) {
-            let end = ends.iter().find(|(index, _)| attractor.starts.first() == Some(index)).map(|(_, end)| end);
-            attractor.exceeded = self.passed(&limits, &kernel, attractor, end).map_err(RunError::from)?;
+        for attractor in answer
+            .attractors
+            .iter_mut()
+            .filter(|_| !limits.is_empty() && !self.base.kernel.control.is_stopped())
+        {
+            let end = ends
+                .iter()
+                .find(|(index, _)| attractor.starts.first() == Some(index))
+                .map(|(_, end)| end);
+            attractor.exceeded = self
+                .passed(&limits, &kernel, attractor, end)
+                .map_err(RunError::from)?;
         }
         Ok(answer)
     }
 
     /// Where each start ends, with its number.
     fn ends(&self, kernel: &Kernel, done: &(dyn Fn() + Sync)) -> Vec<(usize, SteadyState)> {
-        let recognizer = Recognizer { harvester: self.parameter, kernel, parameter: self.value, options: self.recognition };
+        let recognizer = Recognizer {
+            harvester: self.parameter,
+            kernel,
+            parameter: self.value,
+            options: self.recognition,
+        };
         let control = &self.base.kernel.control;
         let end = |index: usize, known: &[Arc<AttractingOrbit>]| {
             if control.is_stopped() {
                 return None;
             }
             let start = self.starts.start(&kernel.plant, index);
-            let end = match check_outside(&kernel.plant, &start[..kernel.plant.system.modes.len()]) {
+            let end = match check_outside(&kernel.plant, &start[..kernel.plant.system.modes.len()])
+            {
                 Ok(()) => recognizer.settle(&start, known),
                 Err(inside) => SteadyState::Failed(inside.to_string()),
             };
@@ -76,8 +94,13 @@ impl Basins<'_> {
         let mut first = 0;
         while first < self.starts.len() {
             let next = (2 * first).max(FIRST_BATCH).min(self.starts.len());
-            let known: Vec<Arc<AttractingOrbit>> = orbits(&ends).into_iter().map(|(orbit, _)| orbit).collect();
-            ends.par_extend((first..next).into_par_iter().filter_map(|index| end(index, &known)));
+            let known: Vec<Arc<AttractingOrbit>> =
+                orbits(&ends).into_iter().map(|(orbit, _)| orbit).collect();
+            ends.par_extend(
+                (first..next)
+                    .into_par_iter()
+                    .filter_map(|index| end(index, &known)),
+            );
             first = next;
         }
         ends
@@ -94,7 +117,9 @@ impl Basins<'_> {
         let tolerance = self.recognition.tolerance;
         match (&attractor.orbit, end) {
             (Some(orbit), _) => passed_by_orbit(limits, (self.parameter, kernel), orbit, tolerance),
-            (None, Some(SteadyState::Aperiodic(end))) => passed_over(limits, kernel, &end.state, LATE_CYCLES, tolerance),
+            (None, Some(SteadyState::Aperiodic(end))) => {
+                passed_over(limits, kernel, &end.state, LATE_CYCLES, tolerance)
+            }
             (None, _) => Ok(Vec::new()),
         }
     }

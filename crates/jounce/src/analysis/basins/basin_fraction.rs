@@ -21,14 +21,22 @@ pub struct BasinFraction {
 /// Wilson's interval of `hits` among `of`.
 pub fn wilson(hits: usize, of: usize) -> BasinFraction {
     if of == 0 {
-        return BasinFraction { fraction: 0.0, low: 0.0, high: 1.0 };
+        return BasinFraction {
+            fraction: 0.0,
+            low: 0.0,
+            high: 1.0,
+        };
     }
     let (n, z) = (of as f64, QUANTILE_95);
     let p = hits as f64 / n;
     let middle = (p + z * z / (2.0 * n)) / (1.0 + z * z / n);
     let half = z * (p * (1.0 - p) / n + z * z / (4.0 * n * n)).sqrt() / (1.0 + z * z / n);
     // The interval holds the fraction, which roundoff would deny where all or none were hit.
-    BasinFraction { fraction: p, low: (middle - half).clamp(0.0, p), high: (middle + half).clamp(p, 1.0) }
+    BasinFraction {
+        fraction: p,
+        low: (middle - half).clamp(0.0, p),
+        high: (middle + half).clamp(p, 1.0),
+    }
 }
 
 #[cfg(test)]
@@ -41,7 +49,8 @@ mod tests {
         for (hits, of) in [(0, 10), (3, 10), (120, 200), (200, 200)] {
             let share = wilson(hits, of);
             for end in [share.low, share.high] {
-                let gap = (share.fraction - end).powi(2) - QUANTILE_95.powi(2) * end * (1.0 - end) / of as f64;
+                let gap = (share.fraction - end).powi(2)
+                    - QUANTILE_95.powi(2) * end * (1.0 - end) / of as f64;
                 assert!(gap.abs() < 1e-14, "{hits} of {of}: {share:?}");
             }
         }
@@ -51,8 +60,14 @@ mod tests {
     fn the_interval_holds_the_fraction() {
         for (hits, of) in (1..500).flat_map(|of| [0, of / 3, of].map(|hits| (hits, of))) {
             let share = wilson(hits, of);
-            assert!(0.0 <= share.low && share.low <= share.fraction, "{hits} of {of}: {share:?}");
-            assert!(share.fraction <= share.high && share.high <= 1.0, "{hits} of {of}: {share:?}");
+            assert!(
+                0.0 <= share.low && share.low <= share.fraction,
+                "{hits} of {of}: {share:?}"
+            );
+            assert!(
+                share.fraction <= share.high && share.high <= 1.0,
+                "{hits} of {of}: {share:?}"
+            );
         }
     }
 }

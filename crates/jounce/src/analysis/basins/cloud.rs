@@ -29,14 +29,26 @@ impl Cloud {
     pub fn start(&self, plant: &Plant, index: usize) -> Vec<f64> {
         let modes = &plant.system.modes;
         let n = modes.len();
-        let drive = plant.tones.first().map_or(1.0, |tone| tone.angular_frequency_rad_s);
-        let shape = plant.ports.iter().map(|port| port.mobility_per_kg.sqrt()).reduce(f64::max).unwrap_or(1.0);
+        let drive = plant
+            .tones
+            .first()
+            .map_or(1.0, |tone| tone.angular_frequency_rad_s);
+        let shape = plant
+            .ports
+            .iter()
+            .map(|port| port.mobility_per_kg.sqrt())
+            .reduce(f64::max)
+            .unwrap_or(1.0);
         let size = self.spread * drive * plant.scale_m() / shape;
         let mut state = plant.resting_physical();
         // Starts do not share a stream: each has its own, from the seed and its number.
         let mut stream = RandomStream::new(self.seed, index as u64);
         for i in 0..n {
-            let w = if modes.frequency_rad_s[i] > 0.0 { modes.frequency_rad_s[i] } else { drive };
+            let w = if modes.frequency_rad_s[i] > 0.0 {
+                modes.frequency_rad_s[i]
+            } else {
+                drive
+            };
             state[i] += size * stream.symmetric() / w;
             state[n + i] += size * stream.symmetric();
         }
@@ -48,15 +60,29 @@ impl Cloud {
 /// Takes displacements out of rigid stops, as far as there is room between these.
 fn mirror(plant: &Plant, displacement: &mut [f64]) {
     let stops = plant.system.stops.iter().enumerate();
-    let rigid: Vec<_> = stops.filter(|(_, stop)| matches!(stop.law, Law::Rigid(_))).collect();
+    let rigid: Vec<_> = stops
+        .filter(|(_, stop)| matches!(stop.law, Law::Rigid(_)))
+        .collect();
     for _ in 0..MAX_REFLECTIONS {
         let depth_m = |(index, stop): (usize, &Stop)| {
-            let own_m: f64 = stop.shape.iter().zip(&*displacement).map(|(s, q)| s * q).sum();
+            let own_m: f64 = stop
+                .shape
+                .iter()
+                .zip(&*displacement)
+                .map(|(s, q)| s * q)
+                .sum();
             own_m + plant.approached_m(index, 0.0) - stop.gap_m
         };
-        let depths = rigid.iter().map(|(index, stop)| (*stop, depth_m((*index, stop))));
-        let Some((stop, depth_m)) = depths.into_iter().find(|(_, depth_m)| *depth_m > 0.0) else { return };
+        let depths = rigid
+            .iter()
+            .map(|(index, stop)| (*stop, depth_m((*index, stop))));
+        let Some((stop, depth_m)) = depths.into_iter().find(|(_, depth_m)| *depth_m > 0.0) else {
+            return;
+        };
         let square: f64 = stop.shape.iter().map(|s| s * s).sum();
-        displacement.iter_mut().zip(&stop.shape).for_each(|(q, s)| *q -= 2.0 * depth_m * s / square);
+        displacement
+            .iter_mut()
+            .zip(&stop.shape)
+            .for_each(|(q, s)| *q -= 2.0 * depth_m * s / square);
     }
 }

@@ -24,45 +24,93 @@ pub fn expected_power_w(seen: &[(usize, f64)]) -> [f64; 3] {
     if of == 0 {
         return [0.0; 3];
     }
-    let shares: Vec<(f64, f64)> = seen.iter().map(|(count, power)| (*count as f64 / of as f64, *power)).collect();
+    let shares: Vec<(f64, f64)> = seen
+        .iter()
+        .map(|(count, power)| (*count as f64 / of as f64, *power))
+        .collect();
     let bound = 1.0 + QUANTILE_95.powi(2) / of as f64;
     let expected = shares.iter().map(|(q, power)| q * power).sum();
     [expected, lowest(&shares, bound), highest(&shares, bound)]
 }
 
 fn lowest(shares: &[(f64, f64)], bound: f64) -> f64 {
-    let least = shares.iter().map(|(_, power)| *power).fold(f64::INFINITY, f64::min);
+    let least = shares
+        .iter()
+        .map(|(_, power)| *power)
+        .fold(f64::INFINITY, f64::min);
     let roots: f64 = shares.iter().map(|(q, power)| q * power.sqrt()).sum();
-    if least > 0.0 && roots * shares.iter().map(|(q, power)| q / power.sqrt()).sum::<f64>() < bound {
+    if least > 0.0
+        && roots
+            * shares
+                .iter()
+                .map(|(q, power)| q / power.sqrt())
+                .sum::<f64>()
+            < bound
+    {
         return roots * roots / bound;
     }
-    end(&shares.iter().map(|(q, power)| (*q, power - least)).collect::<Vec<_>>(), bound).map_or(least, |above| least + above)
+    end(
+        &shares
+            .iter()
+            .map(|(q, power)| (*q, power - least))
+            .collect::<Vec<_>>(),
+        bound,
+    )
+    .map_or(least, |above| least + above)
 }
 
 fn highest(shares: &[(f64, f64)], bound: f64) -> f64 {
-    let most = shares.iter().map(|(_, power)| *power).fold(f64::NEG_INFINITY, f64::max);
-    end(&shares.iter().map(|(q, power)| (*q, most - power)).collect::<Vec<_>>(), bound).map_or(most, |below| most - below)
+    let most = shares
+        .iter()
+        .map(|(_, power)| *power)
+        .fold(f64::NEG_INFINITY, f64::max);
+    end(
+        &shares
+            .iter()
+            .map(|(q, power)| (*q, most - power))
+            .collect::<Vec<_>>(),
+        bound,
+    )
+    .map_or(most, |below| most - below)
 }
 
 /// Least mean distance from an end of the powers; `None` where all powers are one.
 fn end(shares: &[(f64, f64)], bound: f64) -> Option<f64> {
-    let widest = shares.iter().map(|(_, distance)| *distance).fold(0.0, f64::max);
+    let widest = shares
+        .iter()
+        .map(|(_, distance)| *distance)
+        .fold(0.0, f64::max);
     if widest == 0.0 {
         return None;
     }
     let sums = |beyond: f64| {
-        let [above, below] = [0.5, -0.5].map(|power| shares.iter().map(|(q, distance)| q * (distance + beyond).powf(power)).sum::<f64>());
+        let [above, below] = [0.5, -0.5].map(|power| {
+            shares
+                .iter()
+                .map(|(q, distance)| q * (distance + beyond).powf(power))
+                .sum::<f64>()
+        });
         (above * below, below)
     };
     // The product of both sums falls from infinity to one with the distance of `l`.
     let (mut low, mut high) = (-600.0, 60.0);
     for _ in 0..MAX_HALVINGS {
         let middle = 0.5 * (low + high);
-        if sums(widest * f64::exp2(middle)).0 > bound { low = middle } else { high = middle }
+        if sums(widest * f64::exp2(middle)).0 > bound {
+            low = middle
+        } else {
+            high = middle
+        }
     }
     let beyond = widest * f64::exp2(0.5 * (low + high));
     let (_, below) = sums(beyond);
-    Some(shares.iter().map(|(q, distance)| q * distance / (distance + beyond).sqrt()).sum::<f64>() / below)
+    Some(
+        shares
+            .iter()
+            .map(|(q, distance)| q * distance / (distance + beyond).sqrt())
+            .sum::<f64>()
+            / below,
+    )
 }
 
 #[cfg(test)]
@@ -75,8 +123,16 @@ mod tests {
         for (hits, misses) in [(1, 9), (7, 13), (60, 140), (19, 1)] {
             let [expected, low, high] = expected_power_w(&[(hits, 1.0), (misses, 0.0)]);
             let share = wilson(hits, hits + misses);
-            for (own, exact) in [(expected, share.fraction), (low, share.low), (high, share.high)] {
-                assert!((own - exact).abs() < 1e-12, "{hits} of {}: {own} {exact}", hits + misses);
+            for (own, exact) in [
+                (expected, share.fraction),
+                (low, share.low),
+                (high, share.high),
+            ] {
+                assert!(
+                    (own - exact).abs() < 1e-12,
+                    "{hits} of {}: {own} {exact}",
+                    hits + misses
+                );
             }
         }
     }
@@ -84,7 +140,10 @@ mod tests {
     #[test]
     fn one_answer_alone_leaves_room_for_an_unseen_one_that_gives_nothing() {
         let [expected, low, high] = expected_power_w(&[(20, 3.0)]);
-        assert!(expected == 3.0 && high == 3.0 && (low - 3.0 * wilson(20, 20).low).abs() < 1e-12, "{low}");
+        assert!(
+            expected == 3.0 && high == 3.0 && (low - 3.0 * wilson(20, 20).low).abs() < 1e-12,
+            "{low}"
+        );
         assert_eq!(expected_power_w(&[]), [0.0; 3]);
         assert_eq!(expected_power_w(&[(5, 0.0)]), [0.0; 3]);
     }
@@ -99,13 +158,24 @@ mod tests {
         for i in 1..steps {
             for j in 1..steps - i {
                 let shares = [i, j, steps - i - j].map(|part| f64::from(part) / f64::from(steps));
-                let score: f64 = seen.iter().zip(&shares).map(|((n, _), p)| (*n as f64 - of * p).powi(2) / (of * p)).sum();
+                let score: f64 = seen
+                    .iter()
+                    .zip(&shares)
+                    .map(|((n, _), p)| (*n as f64 - of * p).powi(2) / (of * p))
+                    .sum();
                 if score <= QUANTILE_95.powi(2) {
-                    let mean: f64 = seen.iter().zip(&shares).map(|((_, power), p)| p * power).sum();
+                    let mean: f64 = seen
+                        .iter()
+                        .zip(&shares)
+                        .map(|((_, power), p)| p * power)
+                        .sum();
                     (least, most) = (least.min(mean), most.max(mean));
                 }
             }
         }
-        assert!((low..low + 0.01).contains(&least) && (high - 0.01..high).contains(&most), "{low} {least} {high} {most}");
+        assert!(
+            (low..low + 0.01).contains(&least) && (high - 0.01..high).contains(&most),
+            "{low} {least} {high} {most}"
+        );
     }
 }

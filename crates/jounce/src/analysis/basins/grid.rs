@@ -44,7 +44,11 @@ pub struct Grid {
 impl GridSide {
     /// Value number `k`.
     pub fn value(&self, k: usize) -> f64 {
-        if self.count < 2 { self.from } else { self.from + (self.to - self.from) * k as f64 / (self.count - 1) as f64 }
+        if self.count < 2 {
+            self.from
+        } else {
+            self.from + (self.to - self.from) * k as f64 / (self.count - 1) as f64
+        }
     }
 }
 
@@ -63,9 +67,18 @@ impl Grid {
     pub fn start(&self, plant: &Plant, index: usize) -> Vec<f64> {
         let modes = &plant.system.modes;
         let n = modes.len();
-        let drive = plant.tones.first().map_or(1.0, |tone| tone.angular_frequency_rad_s);
+        let drive = plant
+            .tones
+            .first()
+            .map_or(1.0, |tone| tone.angular_frequency_rad_s);
         let shape: &[f64] = plant.system.stops.first().map_or(&[], |stop| &stop.shape);
-        let soft = |i: usize| if modes.frequency_rad_s[i] > 0.0 { modes.frequency_rad_s[i].powi(-2) } else { drive.powi(-2) };
+        let soft = |i: usize| {
+            if modes.frequency_rad_s[i] > 0.0 {
+                modes.frequency_rad_s[i].powi(-2)
+            } else {
+                drive.powi(-2)
+            }
+        };
         let bends: f64 = shape.iter().enumerate().map(|(i, s)| s * s * soft(i)).sum();
         let square: f64 = shape.iter().map(|s| s * s).sum();
         let mut state = vec![0.0; plant.len()];
@@ -74,9 +87,19 @@ impl Grid {
             let value = side.value(rest % side.count);
             rest /= side.count;
             match side.axis {
-                GridAxis::Displacement => shape.iter().enumerate().for_each(|(i, s)| state[i] = value * s * soft(i) / bends),
-                GridAxis::Velocity => shape.iter().enumerate().for_each(|(i, s)| state[n + i] = value * s / square),
-                GridAxis::Voltage => state.iter_mut().skip(2 * n).take(1).for_each(|v| *v = value),
+                GridAxis::Displacement => shape
+                    .iter()
+                    .enumerate()
+                    .for_each(|(i, s)| state[i] = value * s * soft(i) / bends),
+                GridAxis::Velocity => shape
+                    .iter()
+                    .enumerate()
+                    .for_each(|(i, s)| state[n + i] = value * s / square),
+                GridAxis::Voltage => state
+                    .iter_mut()
+                    .skip(2 * n)
+                    .take(1)
+                    .for_each(|v| *v = value),
             }
         }
         state

@@ -10,10 +10,14 @@ const MAX_GRID_STARTS: usize = 1_000_000;
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum GridError {
     /// A harvester without a stop.
-    #[error("a grid of starts needs a stop, whose point is bent or struck: add [stop.NAME] to the spec")]
+    #[error(
+        "a grid of starts needs a stop, whose point is bent or struck: add [stop.NAME] to the spec"
+    )]
     NoStop,
     /// A text that is no side.
-    #[error("{text}: {why}; write displacement=FROM:TO:Nx, velocity=FROM:TO:Nx or voltage=FROM:TO:Nx, as in displacement=-5mm:5mm:21x")]
+    #[error(
+        "{text}: {why}; write displacement=FROM:TO:Nx, velocity=FROM:TO:Nx or voltage=FROM:TO:Nx, as in displacement=-5mm:5mm:21x"
+    )]
     Side {
         /// The text.
         text: String,
@@ -40,20 +44,35 @@ impl Grid {
         if stops == 0 {
             return Err(GridError::NoStop);
         }
-        let sides = texts.iter().map(|text| side(text)).collect::<Result<Vec<GridSide>, GridError>>()?;
-        let twice = sides.iter().enumerate().find(|(k, side)| sides[..*k].iter().any(|other| other.axis == side.axis));
+        let sides = texts
+            .iter()
+            .map(|text| side(text))
+            .collect::<Result<Vec<GridSide>, GridError>>()?;
+        let twice = sides
+            .iter()
+            .enumerate()
+            .find(|(k, side)| sides[..*k].iter().any(|other| other.axis == side.axis));
         if let Some((k, _)) = twice {
-            return Err(GridError::Twice { text: texts[k].clone() });
+            return Err(GridError::Twice {
+                text: texts[k].clone(),
+            });
         }
-        let starts =
-            sides.iter().try_fold(1_usize, |product, side| product.checked_mul(side.count)).filter(|starts| *starts <= MAX_GRID_STARTS);
+        let starts = sides
+            .iter()
+            .try_fold(1_usize, |product, side| product.checked_mul(side.count))
+            .filter(|starts| *starts <= MAX_GRID_STARTS);
         starts.map(|_| Self { sides }).ok_or(GridError::TooMany)
     }
 }
 
 fn side(text: &str) -> Result<GridSide, GridError> {
-    let wrong = |why: &str| GridError::Side { text: text.to_owned(), why: why.to_owned() };
-    let (name, range) = text.split_once('=').ok_or_else(|| wrong("there is no `=`"))?;
+    let wrong = |why: &str| GridError::Side {
+        text: text.to_owned(),
+        why: why.to_owned(),
+    };
+    let (name, range) = text
+        .split_once('=')
+        .ok_or_else(|| wrong("there is no `=`"))?;
     let axis = match name.trim() {
         "displacement" => GridAxis::Displacement,
         "velocity" => GridAxis::Velocity,
@@ -63,21 +82,48 @@ fn side(text: &str) -> Result<GridSide, GridError> {
     let [from, to, count] = range.split(':').map(str::trim).collect::<Vec<_>>()[..] else {
         return Err(wrong("the range has not three parts"));
     };
-    let count = count.strip_suffix('x').and_then(|count| count.parse().ok()).filter(|count| *count >= 2);
+    let count = count
+        .strip_suffix('x')
+        .and_then(|count| count.parse().ok())
+        .filter(|count| *count >= 2);
     let count = count.ok_or_else(|| wrong("the number of values must be 2x or more"))?;
     let ends = [from, to].map(|end| number(axis, end));
-    let [Ok(from), Ok(to)] = ends else { return Err(wrong(&ends.into_iter().find_map(Result::err).unwrap_or_default())) };
-    if from < to { Ok(GridSide { axis, from, to, count }) } else { Err(wrong("the range must go from a smaller to a larger value")) }
+    let [Ok(from), Ok(to)] = ends else {
+        return Err(wrong(
+            &ends.into_iter().find_map(Result::err).unwrap_or_default(),
+        ));
+    };
+    if from < to {
+        Ok(GridSide {
+            axis,
+            from,
+            to,
+            count,
+        })
+    } else {
+        Err(wrong("the range must go from a smaller to a larger value"))
+    }
 }
 
 /// A value in SI.
 fn number(axis: GridAxis, text: &str) -> Result<f64, String> {
-    let length = |text: &str| Quantity::Length.read(text).map_err(|error| error.to_string());
+    let length = |text: &str| {
+        Quantity::Length
+            .read(text)
+            .map_err(|error| error.to_string())
+    };
     match axis {
         GridAxis::Displacement => length(text),
-        GridAxis::Velocity => length(text.strip_suffix("/s").ok_or_else(|| format!("{text} is no velocity, as 0.5m/s is"))?.trim()),
+        GridAxis::Velocity => length(
+            text.strip_suffix("/s")
+                .ok_or_else(|| format!("{text} is no velocity, as 0.5m/s is"))?
+                .trim(),
+        ),
         GridAxis::Voltage => {
-            let volts = text.strip_suffix('V').and_then(|number| number.trim().parse().ok()).filter(|volts: &f64| volts.is_finite());
+            let volts = text
+                .strip_suffix('V')
+                .and_then(|number| number.trim().parse().ok())
+                .filter(|volts: &f64| volts.is_finite());
             volts.ok_or_else(|| format!("{text} is no voltage in V, as 10V is"))
         }
     }

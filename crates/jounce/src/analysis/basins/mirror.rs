@@ -7,13 +7,33 @@ use crate::integrate::{IntegrationError, Integrator, Kernel};
 use crate::orbit::Orbit;
 
 /// The mirrored states of an orbit at the start of each drive cycle, energy coordinates of a scale.
-pub fn mirrored_states(kernel: &Kernel, orbit: &Orbit, scale: &[f64], tolerance: f64) -> Result<Vec<Vec<f64>>, IntegrationError> {
+pub fn mirrored_states(
+    kernel: &Kernel,
+    orbit: &Orbit,
+    scale: &[f64],
+    tolerance: f64,
+) -> Result<Vec<Vec<f64>>, IntegrationError> {
     let cycle_s = kernel.plant.period_s().unwrap_or(1.0);
     let state = |look: &Vec<f64>| {
         let physical: Vec<f64> = look.iter().zip(scale).map(|(u, w)| u / w).collect();
-        let mut integrator = Integrator::new(kernel, &kernel.plant.from_physical(&physical, 0.0), 0.0, tolerance)?;
+        let mut integrator = Integrator::new(
+            kernel,
+            &kernel.plant.from_physical(&physical, 0.0),
+            0.0,
+            tolerance,
+        )?;
         integrator.advance_to(0.5 * cycle_s)?;
-        Ok(integrator.physical().iter().zip(scale).map(|(x, w)| -x * w).collect())
+        Ok(integrator
+            .physical()
+            .iter()
+            .zip(scale)
+            .map(|(x, w)| -x * w)
+            .collect())
     };
-    orbit.strobe_states.iter().take(orbit.period_cycles as usize).map(state).collect()
+    orbit
+        .strobe_states
+        .iter()
+        .take(orbit.period_cycles as usize)
+        .map(state)
+        .collect()
 }

@@ -9,7 +9,9 @@
 //! curve goes on at another angle, which may be sharp: it is sought at a given distance past the grazing, not along any direction.
 
 use super::key_plane::KeyPlane;
-use crate::continuation::{CorrectedPoint, Corrector, Direction, Metric, Position, correct, tangent};
+use crate::continuation::{
+    CorrectedPoint, Corrector, Direction, Metric, Position, correct, tangent,
+};
 use crate::orbit::{Condition, ExtendedEvaluation, ExtendedProblem};
 
 /// Distances past the grazing at which the curve is sought, as lengths along the old tangent in the metric. The differences that give the new
@@ -34,11 +36,20 @@ pub fn round(
     }
     let metric = Metric::at(position, scale_2);
     let ahead = metric.unit(ahead.clone());
-    let past = tracking.past(&position.unknown, position.parameter).ok()??;
+    let past = tracking
+        .past(&position.unknown, position.parameter)
+        .ok()??;
     let own = tracking.place_of_parameter();
     let along = |direction: &Direction| {
-        let by_state: f64 = past.by_unknown.iter().zip(&direction.unknown).map(|(a, b)| a * b).sum();
-        by_state + past.by_parameters[0] * tracking.unit * direction.unknown[own] + past.by_parameters[1] * direction.parameter
+        let by_state: f64 = past
+            .by_unknown
+            .iter()
+            .zip(&direction.unknown)
+            .map(|(a, b)| a * b)
+            .sum();
+        by_state
+            + past.by_parameters[0] * tracking.unit * direction.unknown[own]
+            + past.by_parameters[1] * direction.parameter
     };
     let (way, sense) = (-past.value / along(&ahead), along(&ahead).signum());
     if way.is_nan() || way.abs() > MAX_GRAZING_DISTANCE {
@@ -51,7 +62,10 @@ pub fn round(
     by_unknown.resize(position.unknown.len(), 0.0);
     // Its row in the metric is the gradient.
     let across = Direction {
-        unknown: by_unknown.iter().map(|by| sense * by * metric.unknown * metric.unknown).collect(),
+        unknown: by_unknown
+            .iter()
+            .map(|by| sense * by * metric.unknown * metric.unknown)
+            .collect(),
         parameter: sense * past.by_parameters[1] * metric.parameter * metric.parameter,
     };
     SEARCH_DISTANCES.into_iter().find_map(|beyond| {
@@ -59,6 +73,7 @@ pub fn round(
         let found = correct(tracking, corrector, &metric, &across, guess).ok()?;
         let tangent = tangent(&found.local, &metric, &across)?;
         let way = position.to(&found.position);
-        (metric.length(&way) < MAX_RESTART_DISTANCE && along(&way) * sense > 0.0).then_some((found, tangent))
+        (metric.length(&way) < MAX_RESTART_DISTANCE && along(&way) * sense > 0.0)
+            .then_some((found, tangent))
     })
 }

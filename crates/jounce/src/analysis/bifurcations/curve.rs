@@ -63,7 +63,12 @@ impl BifurcationCurve {
             let (a, b) = (&pair[0], &pair[1]);
             let t = (parameter_2 - a.parameter_2) / (b.parameter_2 - a.parameter_2);
             let at = |x: f64, y: f64| x + t * (y - x);
-            (0.0..=1.0).contains(&t).then(|| (at(a.parameter, b.parameter), at(a.mean_power_w, b.mean_power_w)))
+            (0.0..=1.0).contains(&t).then(|| {
+                (
+                    at(a.parameter, b.parameter),
+                    at(a.mean_power_w, b.mean_power_w),
+                )
+            })
         };
         self.points.windows(2).filter_map(between).collect()
     }
@@ -72,32 +77,47 @@ impl BifurcationCurve {
     /// known to have come back, or ends on its very start; widths are those of the keys.
     pub(super) fn end_where_it_turned(&mut self, came_back: bool, widths: [f64; 2]) {
         let way = |a: &BifurcationCurvePoint, b: &BifurcationCurvePoint| {
-            ((b.parameter - a.parameter) / widths[0]).hypot((b.parameter_2 - a.parameter_2) / widths[1])
+            ((b.parameter - a.parameter) / widths[0])
+                .hypot((b.parameter_2 - a.parameter_2) / widths[1])
         };
         let ends_on_start = match &self.points[..] {
             [first, .., last] => {
                 let power_w = (last.mean_power_w - first.mean_power_w).abs();
-                self.points.len() > 4 && way(first, last) < CLOSED_CURVE_SHARE && power_w <= CLOSED_CURVE_SHARE * first.mean_power_w.abs()
+                self.points.len() > 4
+                    && way(first, last) < CLOSED_CURVE_SHARE
+                    && power_w <= CLOSED_CURVE_SHARE * first.mean_power_w.abs()
             }
             _ => false,
         };
         if !(came_back || ends_on_start) {
             return;
         }
-        let mut left = 0.5 * self.points.windows(2).map(|pair| way(&pair[0], &pair[1])).sum::<f64>();
+        let mut left = 0.5
+            * self
+                .points
+                .windows(2)
+                .map(|pair| way(&pair[0], &pair[1]))
+                .sum::<f64>();
         let is_before = |pair: &[BifurcationCurvePoint]| {
             left -= way(&pair[0], &pair[1]);
             left > 0.0
         };
-        let turn = self.points.windows(2).map(is_before).take_while(|is_before| *is_before).count();
+        let turn = self
+            .points
+            .windows(2)
+            .map(is_before)
+            .take_while(|is_before| *is_before)
+            .count();
         self.points.truncate(turn + 1);
         let at = self.points.last().map_or(f64::NAN, |last| last.parameter_2);
-        self.failures.push(format!("from {at} the walk came back over its own points"));
+        self.failures
+            .push(format!("from {at} the walk came back over its own points"));
     }
 
     /// True when another curve is of the same kind and period.
     pub(super) fn is_alike(&self, other: &BifurcationCurve) -> bool {
-        (self.kind, &self.level, self.period_cycles) == (other.kind, &other.level, other.period_cycles)
+        (self.kind, &self.level, self.period_cycles)
+            == (other.kind, &other.level, other.period_cycles)
     }
 
     /// Joins a walk in the other direction from the same first point.

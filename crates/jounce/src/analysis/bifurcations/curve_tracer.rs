@@ -5,7 +5,10 @@ use super::curve::{BifurcationCurve, BifurcationCurvePoint};
 use super::cusp::{self, RestartPoint};
 use super::key_plane::KeyPlane;
 use super::search::BifurcationSearch;
-use crate::continuation::{Continuation, CorrectedPoint, Corrector, Direction, Metric, Position, StepControl, correct, correct_at, passes};
+use crate::continuation::{
+    Continuation, CorrectedPoint, Corrector, Direction, Metric, Position, StepControl, correct,
+    correct_at, passes,
+};
 use crate::orbit::{Condition, ExtendedEvaluation, ExtendedProblem, multipliers};
 
 /// Distance, in the metric, from a strong resonance at which a curve of tori ends. Shorter steps come nearer to it.
@@ -54,7 +57,9 @@ impl BifurcationSearch<'_> {
         (first, ahead): (CorrectedPoint<ExtendedEvaluation>, Direction),
         mut curve: BifurcationCurve,
     ) -> BifurcationCurve {
-        curve.points.push(point(tracking, &first.position, &first.local));
+        curve
+            .points
+            .push(point(tracking, &first.position, &first.local));
         let (origin, outset) = (first.position.clone(), ahead.clone());
         let mut walk = self.walk_from(tracking, corrector, first.position, ahead);
         let (mut here, mut came_back) = (first.local, false);
@@ -69,7 +74,10 @@ impl BifurcationSearch<'_> {
                 None => break,
             };
             if local.power_curvature.is_some_and(|bend| bend >= 0.0) {
-                curve.failures.push(format!("at {} the maximum of power meets a minimum", position.parameter));
+                curve.failures.push(format!(
+                    "at {} the maximum of power meets a minimum",
+                    position.parameter
+                ));
                 break;
             }
             let metric = Metric::at(&position, self.scale_2());
@@ -80,19 +88,29 @@ impl BifurcationSearch<'_> {
                 break;
             }
             if let Some(edge) = self.edge_between(tracking, &before, &position) {
-                if edge.share >= EDGE_SHARE && !self.end_on(tracking, corrector, (&before, &position), edge, &mut curve) {
+                if edge.share >= EDGE_SHARE
+                    && !self.end_on(tracking, corrector, (&before, &position), edge, &mut curve)
+                {
                     if walk.retreat(mark) {
                         continue;
                     }
-                    curve.failures.push(format!("just before the edge of the range, at {}", before.parameter));
+                    curve.failures.push(format!(
+                        "just before the edge of the range, at {}",
+                        before.parameter
+                    ));
                 }
                 break;
             }
             curve.points.push(point(tracking, &position, &local));
             let way = (&before, &position);
-            let home = (curve.points.len() > 4).then(|| comes_home(tracking.condition, &metric, (&origin, &outset), way)).flatten();
+            let home = (curve.points.len() > 4)
+                .then(|| comes_home(tracking.condition, &metric, (&origin, &outset), way))
+                .flatten();
             came_back = home == Some(CurveClosure::Backwards);
-            if home.is_some() || is_born(&local, POINT_BRANCH_SHARE) || is_left(&mut curve, position.parameter) {
+            if home.is_some()
+                || is_born(&local, POINT_BRANCH_SHARE)
+                || is_left(&mut curve, position.parameter)
+            {
                 break;
             }
             here = local;
@@ -108,8 +126,18 @@ impl BifurcationSearch<'_> {
         position: Position,
         ahead: Direction,
     ) -> Continuation<'t, ExtendedProblem<'p, KeyPlane<'p>>> {
-        let control = StepControl { shortest: MIN_STEP_GOALS * corrector.goal, ..StepControl::default() };
-        Continuation::new(tracking, corrector, control, self.scale_2(), position, ahead)
+        let control = StepControl {
+            shortest: MIN_STEP_GOALS * corrector.goal,
+            ..StepControl::default()
+        };
+        Continuation::new(
+            tracking,
+            corrector,
+            control,
+            self.scale_2(),
+            position,
+            ahead,
+        )
     }
 
     /// The next place of a walk that stands at `here`: a step on, or where none leads on, beyond a corner or a cusp; nothing where the curve ends.
@@ -125,7 +153,9 @@ impl BifurcationSearch<'_> {
             Ok(step) => Some(Ok((step.position, step.local))),
             Err(_) if is_born(here, NEAR_POINT_BRANCH_SHARE) => None,
             Err(error) => {
-                let Some(RestartPoint { found, ahead, step }) = self.beyond(tracking, &corrector, (&before, here, &walk.tangent)) else {
+                let Some(RestartPoint { found, ahead, step }) =
+                    self.beyond(tracking, &corrector, (&before, here, &walk.tangent))
+                else {
                     return Some(Err(error.to_string()));
                 };
                 *walk = self.walk_from(tracking, corrector, found.position.clone(), ahead);
@@ -143,8 +173,19 @@ impl BifurcationSearch<'_> {
         (position, local, ahead): (&Position, &ExtendedEvaluation, &Direction),
     ) -> Option<RestartPoint> {
         let corner = corner::round(tracking, corrector, self.scale_2(), (position, ahead));
-        let onward = corner.map(|(found, ahead)| RestartPoint { found, ahead, step: StepControl::default().first });
-        onward.or_else(|| cusp::ahead(tracking, corrector, self.scale_2(), (position, local, ahead)))
+        let onward = corner.map(|(found, ahead)| RestartPoint {
+            found,
+            ahead,
+            step: StepControl::default().first,
+        });
+        onward.or_else(|| {
+            cusp::ahead(
+                tracking,
+                corrector,
+                self.scale_2(),
+                (position, local, ahead),
+            )
+        })
     }
 
     /// Ends a curve with the point on an edge; false where that is not found, as it may be from nearer to the edge.
@@ -156,24 +197,43 @@ impl BifurcationSearch<'_> {
         edge: PlaneEdge,
         curve: &mut BifurcationCurve,
     ) -> bool {
-        let Some(found) = self.cut(tracking, corrector, way, edge) else { return false };
+        let Some(found) = self.cut(tracking, corrector, way, edge) else {
+            return false;
+        };
         let mut found = point(tracking, &found.position, &found.local);
-        *(if edge.is_first { &mut found.parameter } else { &mut found.parameter_2 }) = edge.value;
+        *(if edge.is_first {
+            &mut found.parameter
+        } else {
+            &mut found.parameter_2
+        }) = edge.value;
         curve.points.push(found);
         true
     }
 
     /// The edge of the plane that is passed first on the way between two places.
-    fn edge_between(&self, tracking: &ExtendedProblem<KeyPlane>, before: &Position, after: &Position) -> Option<PlaneEdge> {
-        let keys = |position: &Position| [tracking.parameter(&position.unknown), position.parameter];
+    fn edge_between(
+        &self,
+        tracking: &ExtendedProblem<KeyPlane>,
+        before: &Position,
+        after: &Position,
+    ) -> Option<PlaneEdge> {
+        let keys =
+            |position: &Position| [tracking.parameter(&position.unknown), position.parameter];
         let (from, to) = (keys(before), keys(after));
         let passed = |k: usize| {
             let (low, high) = self.ranges[k];
             let value = if to[k] < low { low } else { high };
             let share = ((value - from[k]) / (to[k] - from[k])).clamp(0.0, 1.0);
-            (to[k] < low || to[k] > high).then_some(PlaneEdge { is_first: k == 0, value, share })
+            (to[k] < low || to[k] > high).then_some(PlaneEdge {
+                is_first: k == 0,
+                value,
+                share,
+            })
         };
-        [passed(0), passed(1)].into_iter().flatten().min_by(|a, b| a.share.total_cmp(&b.share))
+        [passed(0), passed(1)]
+            .into_iter()
+            .flatten()
+            .min_by(|a, b| a.share.total_cmp(&b.share))
     }
 
     /// The point exactly on an edge.
@@ -187,14 +247,23 @@ impl BifurcationSearch<'_> {
         let mut guess = before.moved(&before.to(outside), edge.share);
         if !edge.is_first {
             guess.parameter = edge.value;
-            return correct_at(tracking, &corrector, &Metric::at(&guess, self.scale_2()), guess).ok();
+            return correct_at(
+                tracking,
+                &corrector,
+                &Metric::at(&guess, self.scale_2()),
+                guess,
+            )
+            .ok();
         }
         let n = guess.unknown.len();
         let own = tracking.place_of_parameter();
         guess.unknown[own] = (edge.value - tracking.origin) / tracking.unit;
         let metric = Metric::at(&guess, self.scale_2());
         // Across the first key alone: it stays as it is.
-        let mut across = Direction { unknown: vec![0.0; n], parameter: 0.0 };
+        let mut across = Direction {
+            unknown: vec![0.0; n],
+            parameter: 0.0,
+        };
         across.unknown[own] = metric.unknown;
         correct(tracking, &corrector, &metric, &across, guess).ok()
     }
@@ -207,7 +276,11 @@ fn comes_home(
     (origin, outset): (&Position, &Direction),
     (before, after): (&Position, &Position),
 ) -> Option<CurveClosure> {
-    let sense = if metric.inner(outset, &before.to(after)) < 0.0 { CurveClosure::Backwards } else { CurveClosure::Onwards };
+    let sense = if metric.inner(outset, &before.to(after)) < 0.0 {
+        CurveClosure::Backwards
+    } else {
+        CurveClosure::Onwards
+    };
     let is_other_arm = sense == CurveClosure::Backwards && condition == Condition::Multiplier(1.0);
     (passes(metric, origin, before, after) && !is_other_arm).then_some(sense)
 }
@@ -216,7 +289,9 @@ fn comes_home(
 fn is_left(curve: &mut BifurcationCurve, parameter_2: f64) -> bool {
     let is_long = curve.points.len() >= MAX_CURVE_POINTS;
     if is_long {
-        curve.failures.push(format!("after {MAX_CURVE_POINTS} points, at {parameter_2}"));
+        curve
+            .failures
+            .push(format!("after {MAX_CURVE_POINTS} points, at {parameter_2}"));
     }
     is_long
 }
@@ -227,11 +302,17 @@ fn is_born(local: &ExtendedEvaluation, share: f64) -> bool {
 }
 
 /// A place of a curve as a result.
-fn point(tracking: &ExtendedProblem<KeyPlane>, position: &Position, local: &ExtendedEvaluation) -> BifurcationCurvePoint {
+fn point(
+    tracking: &ExtendedProblem<KeyPlane>,
+    position: &Position,
+    local: &ExtendedEvaluation,
+) -> BifurcationCurvePoint {
     BifurcationCurvePoint {
         parameter: tracking.parameter(&position.unknown),
         parameter_2: position.parameter,
         mean_power_w: local.shot.loads_w.iter().fold(0.0, |sum, own| sum + own),
-        stable: local.power_curvature.and_then(|_| Some(multipliers(&local.shot.block_map)?.first()?.norm() < 1.0)),
+        stable: local
+            .power_curvature
+            .and_then(|_| Some(multipliers(&local.shot.block_map)?.first()?.norm() < 1.0)),
     }
 }

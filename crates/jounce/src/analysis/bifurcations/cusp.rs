@@ -11,7 +11,9 @@
 //! Source: V. I. Arnold, Catastrophe Theory (Springer, 1992), ch. 2.
 
 use super::key_plane::KeyPlane;
-use crate::continuation::{Bracket, CorrectedPoint, Corrector, Direction, Metric, Position, correct, tangent};
+use crate::continuation::{
+    Bracket, CorrectedPoint, Corrector, Direction, Metric, Position, correct, tangent,
+};
 use crate::orbit::{Condition, ExtendedEvaluation, ExtendedProblem, null_vector};
 use faer::Mat;
 
@@ -60,11 +62,24 @@ pub fn ahead(
     let metric = Metric::at(position, scale_2);
     let across = eigenvector(&metric, local, ahead);
     let own = tracking.place_of_parameter();
-    let keys = |way: &Direction| [way.unknown[own] / metric.unknown, way.parameter / metric.parameter];
-    let speeds = |tangent: &Direction| keys(tangent).map(|key| key / metric.inner(tangent, &across));
+    let keys = |way: &Direction| {
+        [
+            way.unknown[own] / metric.unknown,
+            way.parameter / metric.parameter,
+        ]
+    };
+    let speeds =
+        |tangent: &Direction| keys(tangent).map(|key| key / metric.inner(tangent, &across));
     // A place at a way along the eigenvector with its tangent.
     let place = |way: f64| {
-        let found = correct(tracking, corrector, &metric, &across, position.moved(&across, way)).ok()?;
+        let found = correct(
+            tracking,
+            corrector,
+            &metric,
+            &across,
+            position.moved(&across, way),
+        )
+        .ok()?;
         let tangent = tangent(&found.local, &metric, &across)?;
         Some((found, tangent))
     };
@@ -74,15 +89,23 @@ pub fn ahead(
         let (moved, after) = (keys(&whole), speeds(tangent));
         let off = [0, 1].map(|k| moved[k] - 0.5 * way * (before[k] + after[k]));
         let is_fast = length(after) > length(before).max(MIN_KEY_SPEED);
-        is_fast && metric.length(&whole) < MAX_RESTART_DISTANCE && length(off) < MAX_PARABOLA_DISTANCE * way * length(after)
+        is_fast
+            && metric.length(&whole) < MAX_RESTART_DISTANCE
+            && length(off) < MAX_PARABOLA_DISTANCE * way * length(after)
     };
-    let (beyond, (found, tangent)) =
-        SEARCH_DISTANCES.into_iter().find_map(|way| Some((way, place(way).filter(|found| is_past(way, found))?)))?;
+    let (beyond, (found, tangent)) = SEARCH_DISTANCES
+        .into_iter()
+        .find_map(|way| Some((way, place(way).filter(|found| is_past(way, found))?)))?;
     // In the direction of the keys before the turn.
-    let onward = |speeds: [f64; 2]| (speeds[0] * before[0] + speeds[1] * before[1]) / length(before);
+    let onward =
+        |speeds: [f64; 2]| (speeds[0] * before[0] + speeds[1] * before[1]) / length(before);
     let after = onward(speeds(&tangent));
     if length(before) < MAX_CUSP_KEY_SPEED || after > 0.0 {
-        return Some(RestartPoint { found, ahead: tangent, step: beyond });
+        return Some(RestartPoint {
+            found,
+            ahead: tangent,
+            step: beyond,
+        });
     }
     let mut turn = Bracket::between((0.0, length(before)), (beyond, after));
     for _ in 0..MAX_TRIALS {
@@ -90,11 +113,19 @@ pub fn ahead(
         let (found, tangent) = place(way)?;
         let here = speeds(&tangent);
         if length(here) < MAX_CUSP_KEY_SPEED {
-            return Some(RestartPoint { found, ahead: tangent, step: beyond - way });
+            return Some(RestartPoint {
+                found,
+                ahead: tangent,
+                step: beyond - way,
+            });
         }
         turn.put(way, onward(here));
     }
-    Some(RestartPoint { found, ahead: tangent, step: beyond })
+    Some(RestartPoint {
+        found,
+        ahead: tangent,
+        step: beyond,
+    })
 }
 
 fn length([first, second]: [f64; 2]) -> f64 {
@@ -104,9 +135,14 @@ fn length([first, second]: [f64; 2]) -> f64 {
 /// Unit direction of the state alone along the critical eigenvector, the way that the curve goes.
 fn eigenvector(metric: &Metric, local: &ExtendedEvaluation, ahead: &Direction) -> Direction {
     let map = local.shot.map();
-    let mut unknown = null_vector(&Mat::from_fn(map.nrows(), map.ncols(), |i, j| map[(i, j)] - f64::from(u8::from(i == j))));
+    let mut unknown = null_vector(&Mat::from_fn(map.nrows(), map.ncols(), |i, j| {
+        map[(i, j)] - f64::from(u8::from(i == j))
+    }));
     unknown.resize(ahead.unknown.len(), 0.0);
-    let mut found = metric.unit(Direction { unknown, parameter: 0.0 });
+    let mut found = metric.unit(Direction {
+        unknown,
+        parameter: 0.0,
+    });
     if metric.inner(&found, ahead) < 0.0 {
         found.unknown.iter_mut().for_each(|d| *d = -*d);
     }

@@ -40,7 +40,11 @@ impl<'s> TwoParameterProblem for KeyPlane<'s> {
     fn line(&self, parameter_2: f64) -> Result<KeyLine<'s>, AnalysisError> {
         let mut spec = self.base.spec.clone();
         self.keys[1].set(&mut spec, parameter_2)?;
-        Ok(KeyLine { prepared: self.base.changed(spec)?, key: self.keys[0], width: self.widths[0] })
+        Ok(KeyLine {
+            prepared: self.base.changed(spec)?,
+            key: self.keys[0],
+            width: self.widths[0],
+        })
     }
 
     fn differences(&self, at: [f64; 2]) -> [f64; 2] {

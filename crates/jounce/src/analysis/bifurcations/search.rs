@@ -4,7 +4,9 @@ use super::curve::{BifurcationCurve, BifurcationCurvePoint};
 use super::key_plane::KeyPlane;
 use super::seed::CurveSeed;
 use crate::analysis::bandwidth::CurvePiece;
-use crate::analysis::{AnalysisError, Branch, BranchOptions, BranchSearch, Model, OrbitMethodKind, Parameter};
+use crate::analysis::{
+    AnalysisError, Branch, BranchOptions, BranchSearch, Model, OrbitMethodKind, Parameter,
+};
 use crate::continuation::{Corrector, Direction, Metric, Position, Problem, correct_at, tangent};
 use crate::orbit::{ExtendedProblem, OrbitError, Shooting, TwoParameterProblem};
 use crate::spec::NumericKey;
@@ -58,9 +60,16 @@ impl BifurcationSearch<'_> {
         for key in self.keys {
             Parameter::check_key(key).map_err(OrbitError::Harvester)?;
         }
-        let plane = KeyPlane { base: self.base, keys: self.keys, widths: self.ranges.map(|(low, high)| high - low) };
+        let plane = KeyPlane {
+            base: self.base,
+            keys: self.keys,
+            widths: self.ranges.map(|(low, high)| high - low),
+        };
         let (low, high) = self.ranges[1];
-        let own = self.keys[1].get(&self.base.spec).ok().filter(|own| *own > low && *own < high);
+        let own = self.keys[1]
+            .get(&self.base.spec)
+            .ok()
+            .filter(|own| *own > low && *own < high);
         let mut curves: Vec<BifurcationCurve> = Vec::new();
         let of_second = own.into_iter().chain([low, high]).map(|value| (1, value));
         let of_first = <[f64; 2]>::from(self.ranges[0]).map(|value| (0, value));
@@ -86,13 +95,23 @@ impl BifurcationSearch<'_> {
         curves: &mut Vec<BifurcationCurve>,
     ) -> Result<(), Failure> {
         let mut spec = self.base.spec.clone();
-        self.keys[0].set(&mut spec, parameter).map_err(|fault| OrbitError::Harvester(fault.into()))?;
+        self.keys[0]
+            .set(&mut spec, parameter)
+            .map_err(|fault| OrbitError::Harvester(fault.into()))?;
         let prepared = self.base.changed(spec).map_err(OrbitError::Harvester)?;
         let branches = self.branches(&prepared, 1, options)?;
-        for (branch, found) in branches.iter().flat_map(|branch| branch.bifurcations.iter().map(move |found| (branch, found))) {
-            let seed = CurveSeed { parameter, ..CurveSeed::bifurcation(branch, found, &options.levels) };
+        for (branch, found) in branches
+            .iter()
+            .flat_map(|branch| branch.bifurcations.iter().map(move |found| (branch, found)))
+        {
+            let seed = CurveSeed {
+                parameter,
+                ..CurveSeed::bifurcation(branch, found, &options.levels)
+            };
             let parameter_2 = found.at.parameter;
-            if !curves.iter().any(|curve| self.holds(curve, &seed, parameter_2) || self.ends_at(curve, &seed, parameter_2)) {
+            if !curves.iter().any(|curve| {
+                self.holds(curve, &seed, parameter_2) || self.ends_at(curve, &seed, parameter_2)
+            }) {
                 self.add(self.both_ways(plane, &seed, parameter_2)?, curves);
             }
         }
@@ -100,11 +119,30 @@ impl BifurcationSearch<'_> {
     }
 
     /// Branches over one of the keys, at the value of the other that is prepared.
-    fn branches(&self, prepared: &Model, key: usize, options: &BranchOptions) -> Result<Vec<Branch>, Failure> {
+    fn branches(
+        &self,
+        prepared: &Model,
+        key: usize,
+        options: &BranchOptions,
+    ) -> Result<Vec<Branch>, Failure> {
         let range = self.ranges[key];
         let parameter = Parameter::new(prepared, self.keys[key], range.1 - range.0);
-        let (method, tolerance, seeds, longest_period) = (OrbitMethodKind::Shooting, self.tolerance, self.seeds, self.longest_period);
-        BranchSearch { base: prepared, parameter: &parameter, range, method, tolerance, seeds, longest_period }.run_with(options)
+        let (method, tolerance, seeds, longest_period) = (
+            OrbitMethodKind::Shooting,
+            self.tolerance,
+            self.seeds,
+            self.longest_period,
+        );
+        BranchSearch {
+            base: prepared,
+            parameter: &parameter,
+            range,
+            method,
+            tolerance,
+            seeds,
+            longest_period,
+        }
+        .run_with(options)
     }
 
     /// Adds the curves through one line.
@@ -115,7 +153,10 @@ impl BifurcationSearch<'_> {
         curves: &mut Vec<BifurcationCurve>,
     ) -> Result<(), Failure> {
         for seed in self.seeds(plane, parameter_2, options)? {
-            if !curves.iter().any(|curve| self.holds(curve, &seed, parameter_2)) {
+            if !curves
+                .iter()
+                .any(|curve| self.holds(curve, &seed, parameter_2))
+            {
                 self.add(self.both_ways(plane, &seed, parameter_2)?, curves);
             }
         }
@@ -123,18 +164,38 @@ impl BifurcationSearch<'_> {
     }
 
     /// Places on one line from which curves may start.
-    fn seeds(&self, plane: &KeyPlane, parameter_2: f64, options: &BranchOptions) -> Result<Vec<CurveSeed>, Failure> {
+    fn seeds(
+        &self,
+        plane: &KeyPlane,
+        parameter_2: f64,
+        options: &BranchOptions,
+    ) -> Result<Vec<CurveSeed>, Failure> {
         let line = plane.line(parameter_2).map_err(OrbitError::Harvester)?;
         let range = self.ranges[0];
         let parameter = Parameter::new(&line.prepared, self.keys[0], range.1 - range.0);
         let branches = self.branches(&line.prepared, 0, options)?;
-        let bifurcations = branches
-            .iter()
-            .flat_map(|branch| branch.bifurcations.iter().map(|found| CurveSeed::bifurcation(branch, found, &options.levels)));
-        let corrector = Corrector { goal: (10.0 * self.tolerance).clamp(1e-11, 1e-6), most: 8 };
+        let bifurcations = branches.iter().flat_map(|branch| {
+            branch
+                .bifurcations
+                .iter()
+                .map(|found| CurveSeed::bifurcation(branch, found, &options.levels))
+        });
+        let corrector = Corrector {
+            goal: (10.0 * self.tolerance).clamp(1e-11, 1e-6),
+            most: 8,
+        };
         let peaks = branches.iter().filter(|_| self.peaks).flat_map(|branch| {
-            let shooting = || Shooting::new(&parameter, &line.prepared.kernel, branch.period_cycles, self.tolerance);
-            CurveSeed::peaks(branch, |points| CurvePiece::new(shooting(), corrector, (range.1 - range.0) / 20.0, points))
+            let shooting = || {
+                Shooting::new(
+                    &parameter,
+                    &line.prepared.kernel,
+                    branch.period_cycles,
+                    self.tolerance,
+                )
+            };
+            CurveSeed::peaks(branch, |points| {
+                CurvePiece::new(shooting(), corrector, (range.1 - range.0) / 20.0, points)
+            })
         });
         Ok(bifurcations.chain(peaks).collect())
     }
@@ -144,7 +205,10 @@ impl BifurcationSearch<'_> {
         let Some(found) = found else { return };
         if found.failures.is_empty() {
             curves.retain(|known| known.failures.is_empty() || !self.is_part(known, &found));
-        } else if curves.iter().any(|whole| whole.failures.is_empty() && self.is_part(&found, whole)) {
+        } else if curves
+            .iter()
+            .any(|whole| whole.failures.is_empty() && self.is_part(&found, whole))
+        {
             return;
         }
         curves.push(found);
@@ -178,17 +242,25 @@ impl BifurcationSearch<'_> {
         let near = |end: &BifurcationCurvePoint| {
             (end.parameter - seed.parameter).abs() < SAME_PLACE_SHARE * width
                 && (end.parameter_2 - parameter_2).abs() < SAME_PLACE_SHARE * width_2
-                && (end.mean_power_w - seed.mean_power_w).abs() <= SAME_POWER_SHARE * seed.mean_power_w.abs()
+                && (end.mean_power_w - seed.mean_power_w).abs()
+                    <= SAME_POWER_SHARE * seed.mean_power_w.abs()
         };
         let ends = curve.points.first().into_iter().chain(curve.points.last());
         seed.is_of(curve) && ends.into_iter().any(near)
     }
 
-    fn both_ways(&self, plane: &KeyPlane, seed: &CurveSeed, parameter_2: f64) -> Result<Option<BifurcationCurve>, Failure> {
+    fn both_ways(
+        &self,
+        plane: &KeyPlane,
+        seed: &CurveSeed,
+        parameter_2: f64,
+    ) -> Result<Option<BifurcationCurve>, Failure> {
         let kernel = &self.base.kernel;
         let line = plane.line(parameter_2).map_err(OrbitError::Harvester)?;
         let shooting = Shooting::new(&line, kernel, seed.cycles, self.tolerance);
-        let Some(condition) = seed.condition(&shooting.at(&seed.state, seed.parameter)?) else { return Ok(None) };
+        let Some(condition) = seed.condition(&shooting.at(&seed.state, seed.parameter)?) else {
+            return Ok(None);
+        };
         let (low, high) = self.ranges[0];
         let tracking = ExtendedProblem {
             plane,
@@ -199,14 +271,27 @@ impl BifurcationSearch<'_> {
             origin: seed.parameter,
             unit: (high - low) / (20.0 * ColRef::from_slice(&seed.state).norm_l2()),
         };
-        let corrector = Corrector { goal: (NEWTON_GOAL_FACTOR * self.tolerance).clamp(1e-9, 1e-4), most: 12 };
-        let position = Position { unknown: tracking.unknown(&seed.state, seed.parameter), parameter: parameter_2 };
+        let corrector = Corrector {
+            goal: (NEWTON_GOAL_FACTOR * self.tolerance).clamp(1e-9, 1e-4),
+            most: 12,
+        };
+        let position = Position {
+            unknown: tracking.unknown(&seed.state, seed.parameter),
+            parameter: parameter_2,
+        };
         let metric = Metric::at(&position, self.scale_2());
         let mut ways = Vec::new();
         for sign in [-1.0, 1.0] {
-            let Ok(first) = correct_at(&tracking, &corrector, &metric, position.clone()) else { return Ok(None) };
-            let up = Direction { unknown: vec![0.0; position.unknown.len()], parameter: sign };
-            let Some(ahead) = tangent(&first.local, &metric, &up) else { return Ok(None) };
+            let Ok(first) = correct_at(&tracking, &corrector, &metric, position.clone()) else {
+                return Ok(None);
+            };
+            let up = Direction {
+                unknown: vec![0.0; position.unknown.len()],
+                parameter: sign,
+            };
+            let Some(ahead) = tangent(&first.local, &metric, &up) else {
+                return Ok(None);
+            };
             ways.push(self.walk(&tracking, corrector, (first, ahead), seed.curve()));
         }
         let up = ways.pop();

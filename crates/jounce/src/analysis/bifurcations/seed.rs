@@ -30,7 +30,10 @@ impl CurveSeed {
     pub fn bifurcation(branch: &Branch, found: &Bifurcation, levels: &[QuantityLevel]) -> Self {
         Self {
             kind: CurveKind::Bifurcation(found.kind),
-            level: levels.iter().find(|level| found.level.as_ref() == Some(&level.text)).cloned(),
+            level: levels
+                .iter()
+                .find(|level| found.level.as_ref() == Some(&level.text))
+                .cloned(),
             cycles: branch.period_cycles,
             state: found.at.orbit.start().to_vec(),
             parameter: found.at.parameter,
@@ -45,10 +48,14 @@ impl CurveSeed {
     ) -> Vec<Self> {
         let power_w = |k: usize| branch.points[k].orbit.mean_power_w;
         let inner = 1..branch.points.len().saturating_sub(1);
-        let highest = inner.filter(|k| power_w(*k) >= power_w(k - 1) && power_w(*k) > power_w(k + 1));
+        let highest =
+            inner.filter(|k| power_w(*k) >= power_w(k - 1) && power_w(*k) > power_w(k + 1));
         let around = |k: usize| {
             [k - 1, k].into_iter().find_map(|k| {
-                piece([&branch.points[k], &branch.points[k + 1]])?.maximum((0.0, 1.0), MAX_SEED_SLOPE * branch.points[k].orbit.mean_power_w)
+                piece([&branch.points[k], &branch.points[k + 1]])?.maximum(
+                    (0.0, 1.0),
+                    MAX_SEED_SLOPE * branch.points[k].orbit.mean_power_w,
+                )
             })
         };
         let seed = |found: PieceZero| Self {
@@ -65,7 +72,13 @@ impl CurveSeed {
     /// The curve from here, without points.
     pub fn curve(&self) -> BifurcationCurve {
         let level = self.level.as_ref().map(|level| level.text.clone());
-        BifurcationCurve { kind: self.kind, level, period_cycles: self.cycles, points: Vec::new(), failures: Vec::new() }
+        BifurcationCurve {
+            kind: self.kind,
+            level,
+            period_cycles: self.cycles,
+            points: Vec::new(),
+            failures: Vec::new(),
+        }
     }
 
     /// True when a curve is of the kind and period that one from here is of.
@@ -75,7 +88,12 @@ impl CurveSeed {
 
     /// As a point of a curve.
     pub fn point(&self, parameter_2: f64) -> BifurcationCurvePoint {
-        BifurcationCurvePoint { parameter: self.parameter, parameter_2, mean_power_w: self.mean_power_w, stable: None }
+        BifurcationCurvePoint {
+            parameter: self.parameter,
+            parameter_2,
+            mean_power_w: self.mean_power_w,
+            stable: None,
+        }
     }
 
     /// What is zero on the curve, whose first orbit is given; `None` for what is not followed.
@@ -85,7 +103,9 @@ impl CurveSeed {
             CurveKind::Bifurcation(BranchKind::Fold) => Condition::Multiplier(1.0),
             CurveKind::Bifurcation(BranchKind::PeriodDoubling) => Condition::Multiplier(-1.0),
             CurveKind::Bifurcation(BranchKind::NeimarkSacker) => Condition::Circle,
-            CurveKind::Bifurcation(BranchKind::Grazing) => Condition::Touching(GrazingPoint::of(shot)?),
+            CurveKind::Bifurcation(BranchKind::Grazing) => {
+                Condition::Touching(GrazingPoint::of(shot)?)
+            }
             CurveKind::Bifurcation(BranchKind::Level) => {
                 let level = self.level.as_ref()?;
                 Condition::Level(level.quantity, level.value)

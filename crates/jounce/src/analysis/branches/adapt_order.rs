@@ -1,7 +1,9 @@
 //! The change to a finer or a coarser method on the way along a branch.
 
 use super::tracer::BranchTracer;
-use crate::continuation::{Corrector, CurvePoint, Direction, Metric, Position, Problem, correct, tangent};
+use crate::continuation::{
+    Corrector, CurvePoint, Direction, Metric, Position, Problem, correct, tangent,
+};
 use crate::orbit::OrbitMethod;
 
 /// Share of its excess that a finer method must get rid of: what stays is no matter of the number of unknowns.
@@ -29,10 +31,18 @@ impl BranchTracer {
         if method.error_ratio(&place.local, self.parameter_scale())? <= 1.0 {
             return Ok(place);
         }
-        let closer =
-            BranchTracer { corrector: Corrector { goal: STRICT_GOAL_FACTOR * self.corrector.goal, ..self.corrector }, ..self.clone() };
-        let fits =
-            |there: &CurvePoint<M::Evaluation>| method.error_ratio(&there.local, self.parameter_scale()).is_ok_and(|excess| excess <= 1.0);
+        let closer = BranchTracer {
+            corrector: Corrector {
+                goal: STRICT_GOAL_FACTOR * self.corrector.goal,
+                ..self.corrector
+            },
+            ..self.clone()
+        };
+        let fits = |there: &CurvePoint<M::Evaluation>| {
+            method
+                .error_ratio(&there.local, self.parameter_scale())
+                .is_ok_and(|excess| excess <= 1.0)
+        };
         Ok(closer.carried(method, &place).filter(fits).unwrap_or(place))
     }
 
@@ -47,8 +57,15 @@ impl BranchTracer {
         let mut found: Other<M> = None;
         let mut next = method.finer();
         while let Some(finer) = next.filter(|_| excess > 1.0) {
-            let (Some(there), Some(back)) = (self.carried(&finer, rough), self.carried(&finer, from)) else { break };
-            let before = std::mem::replace(&mut excess, finer.error_ratio(&there.local, self.parameter_scale())?);
+            let (Some(there), Some(back)) =
+                (self.carried(&finer, rough), self.carried(&finer, from))
+            else {
+                break;
+            };
+            let before = std::mem::replace(
+                &mut excess,
+                finer.error_ratio(&there.local, self.parameter_scale())?,
+            );
             if excess > MIN_ERROR_REDUCTION * before {
                 break;
             }
@@ -66,14 +83,18 @@ impl BranchTracer {
         place: &CurvePoint<M::Evaluation>,
         spare: &mut f64,
     ) -> Result<Other<M>, M::Error> {
-        let Some(coarser) = method.coarser() else { return Ok(None) };
+        let Some(coarser) = method.coarser() else {
+            return Ok(None);
+        };
         let excess = method.error_ratio(&place.local, self.parameter_scale())?;
         if excess > *spare {
             return Ok(None);
         }
         let there = self.carried(&coarser, place);
         let fits = |there: &CurvePoint<M::Evaluation>| {
-            coarser.error_ratio(&there.local, self.parameter_scale()).is_ok_and(|excess| excess < MAX_COARSER_ERROR)
+            coarser
+                .error_ratio(&there.local, self.parameter_scale())
+                .is_ok_and(|excess| excess < MAX_COARSER_ERROR)
         };
         match there.filter(fits) {
             Some(there) => Ok(Some((coarser, there))),
@@ -85,15 +106,40 @@ impl BranchTracer {
     }
 
     /// A place of another method, corrected by this one.
-    fn carried<M: OrbitMethod>(&self, method: &M, step: &CurvePoint<M::Evaluation>) -> Option<CurvePoint<M::Evaluation>> {
-        let guess = Position { unknown: method.carried(&step.position.unknown), parameter: step.position.parameter };
+    fn carried<M: OrbitMethod>(
+        &self,
+        method: &M,
+        step: &CurvePoint<M::Evaluation>,
+    ) -> Option<CurvePoint<M::Evaluation>> {
+        let guess = Position {
+            unknown: method.carried(&step.position.unknown),
+            parameter: step.position.parameter,
+        };
         let metric = Metric::at(&guess, self.parameter_scale());
-        let ahead = Direction { unknown: method.carried(&step.tangent.unknown), parameter: step.tangent.parameter };
+        let ahead = Direction {
+            unknown: method.carried(&step.tangent.unknown),
+            parameter: step.tangent.parameter,
+        };
         // What lies on an edge of the range stays there.
         let at_edge = guess.parameter == self.range.0 || guess.parameter == self.range.1;
-        let upright = Direction { unknown: vec![0.0; guess.unknown.len()], parameter: metric.parameter };
-        let found = correct(method, &self.corrector, &metric, if at_edge { &upright } else { &ahead }, guess).ok()?;
+        let upright = Direction {
+            unknown: vec![0.0; guess.unknown.len()],
+            parameter: metric.parameter,
+        };
+        let found = correct(
+            method,
+            &self.corrector,
+            &metric,
+            if at_edge { &upright } else { &ahead },
+            guess,
+        )
+        .ok()?;
         let tangent = tangent(&found.local, &metric, &ahead)?;
-        Some(CurvePoint { position: found.position, tangent, local: found.local, error: found.error })
+        Some(CurvePoint {
+            position: found.position,
+            tangent,
+            local: found.local,
+            error: found.error,
+        })
     }
 }

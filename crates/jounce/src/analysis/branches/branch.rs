@@ -101,15 +101,27 @@ pub enum Termination {
 
 /// State on the chord between two points.
 fn between(a: &BranchPoint, b: &BranchPoint, share: f64) -> Vec<f64> {
-    a.orbit.start().iter().zip(b.orbit.start()).map(|(a, b)| a + share * (b - a)).collect()
+    a.orbit
+        .start()
+        .iter()
+        .zip(b.orbit.start())
+        .map(|(a, b)| a + share * (b - a))
+        .collect()
 }
 
 impl Bifurcation {
     /// A grazing, with the stop whose surface a turning point lies nearest to.
     pub(super) fn grazing(at: BranchPoint, shot: &ShootingEvaluation) -> Self {
         let stops = &shot.kernel.plant.system.stops;
-        let stop = nearest_turn(shot).and_then(|turn| stops.get(turn.port)).map(|stop| stop.name.clone());
-        Self { kind: BranchKind::Grazing, level: None, stop, at }
+        let stop = nearest_turn(shot)
+            .and_then(|turn| stops.get(turn.port))
+            .map(|stop| stop.name.clone());
+        Self {
+            kind: BranchKind::Grazing,
+            level: None,
+            stop,
+            at,
+        }
     }
 }
 
@@ -132,7 +144,12 @@ impl Branch {
     /// A branch of which one orbit is known and none was followed, for want of budget.
     pub(super) fn of_one(orbit: Orbit, parameter: f64) -> Self {
         let (period_cycles, endings) = (orbit.period_cycles, vec![Termination::Points; 2]);
-        Self { period_cycles, points: vec![BranchPoint { parameter, orbit }], endings, ..Self::default() }
+        Self {
+            period_cycles,
+            points: vec![BranchPoint { parameter, orbit }],
+            endings,
+            ..Self::default()
+        }
     }
 
     /// Drive cycles of its orbits: the work that following it has cost.
@@ -143,7 +160,9 @@ impl Branch {
     /// Area below the mean power over the key, W times the unit of the key; parts at the same value of the key all count.
     pub(super) fn area_w(&self) -> f64 {
         let below = |pair: &[BranchPoint]| {
-            (pair[1].parameter - pair[0].parameter).abs() * 0.5 * (pair[0].orbit.mean_power_w + pair[1].orbit.mean_power_w)
+            (pair[1].parameter - pair[0].parameter).abs()
+                * 0.5
+                * (pair[0].orbit.mean_power_w + pair[1].orbit.mean_power_w)
         };
         self.points.windows(2).map(below).sum()
     }
@@ -151,7 +170,10 @@ impl Branch {
     /// Points where the branch passes a value of the key, states and power interpolated linearly.
     pub fn crossings(&self, parameter: f64) -> Vec<(Vec<f64>, f64)> {
         let read = |(a, b, t): (&BranchPoint, &BranchPoint, f64)| {
-            (between(a, b, t), a.orbit.mean_power_w + t * (b.orbit.mean_power_w - a.orbit.mean_power_w))
+            (
+                between(a, b, t),
+                a.orbit.mean_power_w + t * (b.orbit.mean_power_w - a.orbit.mean_power_w),
+            )
         };
         self.passing(parameter).map(read).collect()
     }
@@ -162,12 +184,21 @@ impl Branch {
             let (a, b) = (&pair[0], &pair[1]);
             let (low, high) = (a.parameter.min(b.parameter), a.parameter.max(b.parameter));
             let passes = (low..=high).contains(&parameter) && low < high;
-            passes.then(|| (a, b, (parameter - a.parameter) / (b.parameter - a.parameter)))
+            passes.then(|| {
+                (
+                    a,
+                    b,
+                    (parameter - a.parameter) / (b.parameter - a.parameter),
+                )
+            })
         })
     }
 
     /// Between two neighbouring points, the bifurcation nearest to their chord at which stability may be lost.
-    pub(in crate::analysis) fn bifurcation_between(&self, [a, b]: [&BranchPoint; 2]) -> Option<&BranchPoint> {
+    pub(in crate::analysis) fn bifurcation_between(
+        &self,
+        [a, b]: [&BranchPoint; 2],
+    ) -> Option<&BranchPoint> {
         let [from, to] = [a, b].map(|point| ColRef::from_slice(point.orbit.start()));
         let chord = to - from;
         let off = |at: &BranchPoint| {
@@ -176,15 +207,24 @@ impl Branch {
             let off = (way - faer::Scale(share) * &chord).norm_l2();
             ((0.0..=1.0).contains(&share) && off < chord.norm_l2()).then_some(off)
         };
-        let found =
-            self.bifurcations.iter().filter(|found| !matches!(found.kind, BranchKind::Grazing | BranchKind::Sticking | BranchKind::Level));
+        let found = self.bifurcations.iter().filter(|found| {
+            !matches!(
+                found.kind,
+                BranchKind::Grazing | BranchKind::Sticking | BranchKind::Level
+            )
+        });
         let found = found.filter_map(|found| Some((off(&found.at)?, &found.at)));
-        found.min_by(|one, two| one.0.total_cmp(&two.0)).map(|(_, at)| at)
+        found
+            .min_by(|one, two| one.0.total_cmp(&two.0))
+            .map(|(_, at)| at)
     }
 
     /// True when none of its ends is one where it could not be followed.
     pub fn is_complete(&self) -> bool {
-        !self.endings.iter().any(|ending| matches!(ending, Termination::Failed { .. } | Termination::Points))
+        !self
+            .endings
+            .iter()
+            .any(|ending| matches!(ending, Termination::Failed { .. } | Termination::Points))
     }
 
     /// Joins a walk in the other direction from the same first point.

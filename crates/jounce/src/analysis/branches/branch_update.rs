@@ -10,7 +10,9 @@ use super::branch::{Bifurcation, Branch, BranchPoint};
 use super::orbit_point::OrbitPoint;
 use super::tracer::BranchTracer;
 use crate::analysis::Parameter;
-use crate::continuation::{Corrector, CurvePoint, Direction, Metric, Position, StepControl, correct, tangent};
+use crate::continuation::{
+    Corrector, CurvePoint, Direction, Metric, Position, StepControl, correct, tangent,
+};
 use crate::integrate::Kernel;
 use crate::orbit::{OrbitMethod, Shooting};
 use rayon::prelude::*;
@@ -55,7 +57,10 @@ pub struct UpdatedBranches {
 impl BranchUpdate<'_> {
     /// Carries them over.
     pub fn run(&self, known: &[Branch]) -> UpdatedBranches {
-        let corrector = Corrector { goal: self.accuracy, most: 6 };
+        let corrector = Corrector {
+            goal: self.accuracy,
+            most: 6,
+        };
         let following = BranchTracer {
             range: self.range,
             corrector,
@@ -75,36 +80,71 @@ impl BranchUpdate<'_> {
         carried
     }
 
-    fn carry(&self, following: &BranchTracer, branch: &Branch, likely: Option<&[Position]>, carried: &mut UpdatedBranches) {
-        let shooting = Shooting::new(self.harvester, self.kernel, branch.period_cycles, self.tolerance);
-        if branch.points.iter().any(|point| point.orbit.start().len() != shooting.scale.len()) {
+    fn carry(
+        &self,
+        following: &BranchTracer,
+        branch: &Branch,
+        likely: Option<&[Position]>,
+        carried: &mut UpdatedBranches,
+    ) {
+        let shooting = Shooting::new(
+            self.harvester,
+            self.kernel,
+            branch.period_cycles,
+            self.tolerance,
+        );
+        if branch
+            .points
+            .iter()
+            .any(|point| point.orbit.start().len() != shooting.scale.len())
+        {
             carried.lost += branch.points.len();
             return;
         }
-        let place = |index: usize, guess: Option<Position>| self.place(following, &shooting, &branch.points, (index, guess));
+        let place = |index: usize, guess: Option<Position>| {
+            self.place(following, &shooting, &branch.points, (index, guess))
+        };
         let count = branch.points.len();
-        let first = |index: usize| likely.and_then(|likely| place(index, Some(likely[index].clone()))).or_else(|| place(index, None));
+        let first = |index: usize| {
+            likely
+                .and_then(|likely| place(index, Some(likely[index].clone())))
+                .or_else(|| place(index, None))
+        };
         let mut found: Vec<_> = (0..count).into_par_iter().map(first).collect();
         // What was too far away, as it is about a fold, moves as its neighbours did.
         loop {
             let again = |index: usize| {
-                let beside = [index.wrapping_sub(1), index + 1].into_iter().filter(|other| *other < count);
-                let (other, moved) = beside.filter(|_| found[index].is_none()).find_map(|other| Some((other, found[other].as_ref()?)))?;
-                let guess = at(&branch.points[index]).moved(&at(&branch.points[other]).to(&moved.step.position), 1.0);
+                let beside = [index.wrapping_sub(1), index + 1]
+                    .into_iter()
+                    .filter(|other| *other < count);
+                let (other, moved) = beside
+                    .filter(|_| found[index].is_none())
+                    .find_map(|other| Some((other, found[other].as_ref()?)))?;
+                let guess = at(&branch.points[index])
+                    .moved(&at(&branch.points[other]).to(&moved.step.position), 1.0);
                 Some((index, place(index, Some(guess))?))
             };
             let more: Vec<_> = (0..count).into_par_iter().filter_map(again).collect();
             if more.is_empty() {
                 break;
             }
-            more.into_iter().for_each(|(index, place)| found[index] = Some(place));
+            more.into_iter()
+                .for_each(|(index, place)| found[index] = Some(place));
         }
         carried.lost += found.iter().filter(|place| place.is_none()).count();
         let is_inside = |value: f64| (self.range.0..=self.range.1).contains(&value);
-        let ends = |place: &Option<_>| !place.as_ref().is_some_and(|place: &OrbitPoint<_>| is_inside(place.step.position.parameter));
+        let ends = |place: &Option<_>| {
+            !place
+                .as_ref()
+                .is_some_and(|place: &OrbitPoint<_>| is_inside(place.step.position.parameter))
+        };
         for run in found.split(ends).filter(|run| run.len() > 1) {
             let places: Vec<_> = run.iter().flatten().collect();
-            let between = places.par_windows(2).map(|pair| following.between(&shooting, pair[0], pair[1]).unwrap_or_default());
+            let between = places.par_windows(2).map(|pair| {
+                following
+                    .between(&shooting, pair[0], pair[1])
+                    .unwrap_or_default()
+            });
             let bifurcations: Vec<Vec<Bifurcation>> = between.collect();
             carried.branches.push(Branch {
                 period_cycles: branch.period_cycles,
@@ -127,16 +167,34 @@ impl BranchUpdate<'_> {
     ) -> Option<OrbitPoint<M>> {
         let here = at(&points[index]);
         let metric = Metric::at(&here, following.parameter_scale());
-        let chord = metric.unit(at(&points[index.saturating_sub(1)]).to(&at(&points[(index + 1).min(points.len() - 1)])));
+        let chord = metric.unit(
+            at(&points[index.saturating_sub(1)])
+                .to(&at(&points[(index + 1).min(points.len() - 1)])),
+        );
         let at_edge = here.parameter == self.range.0 || here.parameter == self.range.1;
-        let upright = Direction { unknown: vec![0.0; here.unknown.len()], parameter: metric.parameter };
+        let upright = Direction {
+            unknown: vec![0.0; here.unknown.len()],
+            parameter: metric.parameter,
+        };
         let mut guess = guess.unwrap_or_else(|| here.clone());
         if at_edge {
             guess.parameter = here.parameter;
         }
-        let found = correct(method, &following.corrector, &metric, if at_edge { &upright } else { &chord }, guess).ok()?;
+        let found = correct(
+            method,
+            &following.corrector,
+            &metric,
+            if at_edge { &upright } else { &chord },
+            guess,
+        )
+        .ok()?;
         let tangent = tangent(&found.local, &metric, &chord)?;
-        let step = CurvePoint { position: found.position, tangent, local: found.local, error: found.error };
+        let step = CurvePoint {
+            position: found.position,
+            tangent,
+            local: found.local,
+            error: found.error,
+        };
         OrbitPoint::new(method, step).ok()
     }
 }
@@ -144,13 +202,23 @@ impl BranchUpdate<'_> {
 impl Extrapolation<'_> {
     /// Where the points of a branch are likely to go, where each of them is known to have come from one.
     fn likely(&self, index: usize, branch: &Branch) -> Option<Vec<Position>> {
-        let before = self.before.get(index).filter(|before| before.points.len() == branch.points.len())?;
+        let before = self
+            .before
+            .get(index)
+            .filter(|before| before.points.len() == branch.points.len())?;
         let pairs = before.points.iter().zip(&branch.points);
-        Some(pairs.map(|(before, point)| at(point).moved(&at(before).to(&at(point)), self.reach)).collect())
+        Some(
+            pairs
+                .map(|(before, point)| at(point).moved(&at(before).to(&at(point)), self.reach))
+                .collect(),
+        )
     }
 }
 
 /// The position of a point.
 fn at(point: &BranchPoint) -> Position {
-    Position { unknown: point.orbit.start().to_vec(), parameter: point.parameter }
+    Position {
+        unknown: point.orbit.start().to_vec(),
+        parameter: point.parameter,
+    }
 }

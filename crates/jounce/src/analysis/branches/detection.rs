@@ -5,7 +5,10 @@ use super::events::{Extremum, extrema};
 use super::orbit_point::{OrbitPoint, point};
 use super::tracer::BranchTracer;
 use crate::continuation::{CurvePoint, Metric, Position, locate};
-use crate::orbit::{Orbit, OrbitMethod, ShootingEvaluation, determinant_at, multipliers, nearest_pair_to_circle, pairs_outside};
+use crate::orbit::{
+    Orbit, OrbitMethod, ShootingEvaluation, determinant_at, multipliers, nearest_pair_to_circle,
+    pairs_outside,
+};
 
 /// What two neighbouring orbits have between them.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -38,8 +41,17 @@ impl BranchTracer {
     ///
     /// # Errors
     /// As [`BranchTracer::walk`].
-    pub(super) fn between<M: OrbitMethod>(&self, method: &M, a: &OrbitPoint<M>, b: &OrbitPoint<M>) -> Result<Vec<Bifurcation>, M::Error> {
-        Ok(self.on_the_way(method, a, b)?.into_iter().map(|(_, found)| found).collect())
+    pub(super) fn between<M: OrbitMethod>(
+        &self,
+        method: &M,
+        a: &OrbitPoint<M>,
+        b: &OrbitPoint<M>,
+    ) -> Result<Vec<Bifurcation>, M::Error> {
+        Ok(self
+            .on_the_way(method, a, b)?
+            .into_iter()
+            .map(|(_, found)| found)
+            .collect())
     }
 
     /// The same without what lies beyond a place between the two points.
@@ -53,44 +65,83 @@ impl BranchTracer {
         end: &Position,
     ) -> Result<Vec<Bifurcation>, M::Error> {
         let end = self.along(&a.step, &b.step, end);
-        let found = self.on_the_way(method, a, b)?.into_iter().filter(|(along, _)| *along <= end);
+        let found = self
+            .on_the_way(method, a, b)?
+            .into_iter()
+            .filter(|(along, _)| *along <= end);
         Ok(found.map(|(_, found)| found).collect())
     }
 
     /// How far along the chord of a step a place lies, in the metric.
     fn along<L>(&self, from: &CurvePoint<L>, to: &CurvePoint<L>, place: &Position) -> f64 {
         let metric = Metric::at(&from.position, self.parameter_scale());
-        metric.inner(&metric.unit(from.position.to(&to.position)), &from.position.to(place))
+        metric.inner(
+            &metric.unit(from.position.to(&to.position)),
+            &from.position.to(place),
+        )
     }
 
-    fn on_the_way<M: OrbitMethod>(&self, method: &M, a: &OrbitPoint<M>, b: &OrbitPoint<M>) -> Result<Vec<(f64, Bifurcation)>, M::Error> {
+    fn on_the_way<M: OrbitMethod>(
+        &self,
+        method: &M,
+        a: &OrbitPoint<M>,
+        b: &OrbitPoint<M>,
+    ) -> Result<Vec<(f64, Bifurcation)>, M::Error> {
         let turns = a.step.tangent.parameter * b.step.tangent.parameter < 0.0;
         let length = self.along(&a.step, &b.step, &b.step.position);
         let mut found = Vec::new();
-        for passed in passed(&a.point.orbit, &b.point.orbit, turns).into_iter().chain(self.read_between(method, a, b)) {
-            let share = |step: &CurvePoint<M::Evaluation>| self.along(&a.step, &b.step, &step.position) / length;
-            let value = |step: &CurvePoint<M::Evaluation>| match (passed, method.shot(&step.local)) {
+        for passed in passed(&a.point.orbit, &b.point.orbit, turns)
+            .into_iter()
+            .chain(self.read_between(method, a, b))
+        {
+            let share = |step: &CurvePoint<M::Evaluation>| {
+                self.along(&a.step, &b.step, &step.position) / length
+            };
+            let value = |step: &CurvePoint<M::Evaluation>| match (passed, method.shot(&step.local))
+            {
                 (DetectedEvent::Fold, _) => step.tangent.parameter,
                 (_, Err(_)) => 0.0,
                 (DetectedEvent::Grazing(turn), Ok(shot)) => turn.past_m(shot, share(step)),
                 (DetectedEvent::Level(number), Ok(shot)) => self.levels[number].off(shot),
                 (_, Ok(shot)) => of_multipliers(passed, step, (shot, &a.point.orbit)),
             };
-            let place = locate(method, &self.corrector, self.parameter_scale(), (&a.step, &b.step), self.resolution, value);
+            let place = locate(
+                method,
+                &self.corrector,
+                self.parameter_scale(),
+                (&a.step, &b.step),
+                self.resolution,
+                value,
+            );
             let Some(place) = place else { continue };
             let at = point(method, &place)?;
             // Two real multipliers that meet outside the circle are no torus.
-            let on_circle = at.orbit.multipliers.iter().any(|value| value.im > 1e-9 && (value.norm() - 1.0).abs() < 1e-4);
+            let on_circle = at
+                .orbit
+                .multipliers
+                .iter()
+                .any(|value| value.im > 1e-9 && (value.norm() - 1.0).abs() < 1e-4);
             if passed == DetectedEvent::NeimarkSacker && !on_circle {
                 continue;
             }
             let stops = &method.shot(&place.local)?.kernel.plant.system.stops;
             let (level, stop) = match passed {
                 DetectedEvent::Level(number) => (Some(self.levels[number].text.clone()), None),
-                DetectedEvent::Grazing(turn) => (None, stops.get(turn.from.port).map(|stop| stop.name.clone())),
+                DetectedEvent::Grazing(turn) => (
+                    None,
+                    stops.get(turn.from.port).map(|stop| stop.name.clone()),
+                ),
                 _ => (None, None),
             };
-            found.push((self.along(&a.step, &b.step, &place.position), Bifurcation { kind: passed.kind(), level, stop, at }));
+            found.push((
+                self.along(&a.step, &b.step, &place.position),
+                Bifurcation {
+                    kind: passed.kind(),
+                    level,
+                    stop,
+                    at,
+                },
+            ));
         }
         // By the key alone what lies about a fold has no order.
         found.sort_by(|x, y| x.0.total_cmp(&y.0));
@@ -98,21 +149,45 @@ impl BranchTracer {
     }
 
     /// Grazings and levels between two points, by the signs of their test functions.
-    fn read_between<M: OrbitMethod>(&self, method: &M, a: &OrbitPoint<M>, b: &OrbitPoint<M>) -> Vec<DetectedEvent> {
-        let Some(ends) = self.ends(method, a, b) else { return Vec::new() };
+    fn read_between<M: OrbitMethod>(
+        &self,
+        method: &M,
+        a: &OrbitPoint<M>,
+        b: &OrbitPoint<M>,
+    ) -> Vec<DetectedEvent> {
+        let Some(ends) = self.ends(method, a, b) else {
+            return Vec::new();
+        };
         let [one, two] = ends.map(|end| &end.readings.here.levels);
-        let levels = (0..self.levels.len()).filter(|k| (one[*k] > 0.0) != (two[*k] > 0.0)).map(DetectedEvent::Level);
-        extrema(ends).into_iter().filter(Extremum::grazes).map(DetectedEvent::Grazing).chain(levels).collect()
+        let levels = (0..self.levels.len())
+            .filter(|k| (one[*k] > 0.0) != (two[*k] > 0.0))
+            .map(DetectedEvent::Level);
+        extrema(ends)
+            .into_iter()
+            .filter(Extremum::grazes)
+            .map(DetectedEvent::Grazing)
+            .chain(levels)
+            .collect()
     }
 }
 
 /// Adds what was passed between the last point of a branch and another one: where a bifurcation lies nearer than the accuracy, the other
 /// method may have the place on its other side.
 pub(super) fn add_passed(turns: bool, at: &BranchPoint, branch: &mut Branch) {
-    let Some(last) = branch.points.last() else { return };
+    let Some(last) = branch.points.last() else {
+        return;
+    };
     let grazes = (last.orbit.contacts != at.orbit.contacts).then_some(BranchKind::Grazing);
-    let kinds = passed(&last.orbit, &at.orbit, turns).into_iter().map(DetectedEvent::kind).chain(grazes);
-    branch.bifurcations.extend(kinds.map(|kind| Bifurcation { kind, level: None, stop: None, at: at.clone() }));
+    let kinds = passed(&last.orbit, &at.orbit, turns)
+        .into_iter()
+        .map(DetectedEvent::kind)
+        .chain(grazes);
+    branch.bifurcations.extend(kinds.map(|kind| Bifurcation {
+        kind,
+        level: None,
+        stop: None,
+        at: at.clone(),
+    }));
 }
 
 /// What must lie between two orbits of a branch that turns between them, or does not.
@@ -122,21 +197,38 @@ fn passed(one: &Orbit, two: &Orbit, turns: bool) -> Vec<DetectedEvent> {
         (DetectedEvent::Fold, turns),
         (DetectedEvent::BranchPoint, passes(1.0) != turns),
         (DetectedEvent::PeriodDoubling, passes(-1.0)),
-        (DetectedEvent::NeimarkSacker, one.pairs_outside() != two.pairs_outside()),
+        (
+            DetectedEvent::NeimarkSacker,
+            one.pairs_outside() != two.pairs_outside(),
+        ),
     ];
-    found.into_iter().filter(|(_, is_there)| *is_there).map(|(passed, _)| passed).collect()
+    found
+        .into_iter()
+        .filter(|(_, is_there)| *is_there)
+        .map(|(passed, _)| passed)
+        .collect()
 }
 
 /// The function of the multipliers that is zero at a bifurcation, for two points on its two sides.
-fn of_multipliers<L>(passed: DetectedEvent, step: &CurvePoint<L>, (shot, before): (&ShootingEvaluation, &Orbit)) -> f64 {
+fn of_multipliers<L>(
+    passed: DetectedEvent,
+    step: &CurvePoint<L>,
+    (shot, before): (&ShootingEvaluation, &Orbit),
+) -> f64 {
     let map = &shot.block_map;
     match passed {
         DetectedEvent::PeriodDoubling => determinant_at(map, -1.0),
         DetectedEvent::NeimarkSacker => {
             // The count decides on the sign: where real multipliers meet on the way, that of any product says nothing.
-            let Some(values) = multipliers(map) else { return 0.0 };
+            let Some(values) = multipliers(map) else {
+                return 0.0;
+            };
             let distance = nearest_pair_to_circle(&values);
-            if pairs_outside(&values) == before.pairs_outside() { -distance } else { distance }
+            if pairs_outside(&values) == before.pairs_outside() {
+                -distance
+            } else {
+                distance
+            }
         }
         _ => determinant_at(map, 1.0) * step.tangent.parameter.signum(),
     }

@@ -32,15 +32,25 @@ enum HalfPeriods {
 
 impl HalfPeriods {
     fn between(one: &Orbit, two: &Orbit) -> Self {
-        let (Some(from), Some(to)) = (one.halves_apart(), two.halves_apart()) else { return Self::Apart };
+        let (Some(from), Some(to)) = (one.halves_apart(), two.halves_apart()) else {
+            return Self::Apart;
+        };
         if inner(&from, &to) >= 0.0 {
             return Self::Apart;
         }
         let chord: Vec<f64> = to.iter().zip(&from).map(|(to, from)| to - from).collect();
         let share = -inner(&from, &chord) / inner(&chord, &chord);
-        let nearest: Vec<f64> = from.iter().zip(&chord).map(|(from, chord)| from + share * chord).collect();
+        let nearest: Vec<f64> = from
+            .iter()
+            .zip(&chord)
+            .map(|(from, chord)| from + share * chord)
+            .collect();
         let least = inner(&from, &from).min(inner(&to, &to));
-        if inner(&nearest, &nearest) < MAX_CHORD_DISTANCE * MAX_CHORD_DISTANCE * least { Self::PassThrough(share) } else { Self::TurnRound }
+        if inner(&nearest, &nearest) < MAX_CHORD_DISTANCE * MAX_CHORD_DISTANCE * least {
+            Self::PassThrough(share)
+        } else {
+            Self::TurnRound
+        }
     }
 }
 
@@ -49,7 +59,10 @@ fn inner(one: &[f64], two: &[f64]) -> f64 {
 }
 
 /// The place on a step at which a doubled branch merges with the branch that it left.
-pub(super) fn merge<M: OrbitMethod>(before: &OrbitPoint<M>, after: &OrbitPoint<M>) -> Option<Position> {
+pub(super) fn merge<M: OrbitMethod>(
+    before: &OrbitPoint<M>,
+    after: &OrbitPoint<M>,
+) -> Option<Position> {
     let (from, to) = (&before.step.position, &after.step.position);
     match HalfPeriods::between(&before.point.orbit, &after.point.orbit) {
         HalfPeriods::PassThrough(share) => Some(from.moved(&from.to(to), share)),
@@ -58,15 +71,26 @@ pub(super) fn merge<M: OrbitMethod>(before: &OrbitPoint<M>, after: &OrbitPoint<M
 }
 
 /// True where the halves turn round on one of the steps between places: a shorter step decides whether they pass through each other.
-pub(super) fn turns_round<M: OrbitMethod>(before: &OrbitPoint<M>, places: &[OrbitPoint<M>]) -> bool {
-    let orbits: Vec<&Orbit> = [before].into_iter().chain(places).map(|place| &place.point.orbit).collect();
-    orbits.windows(2).any(|pair| HalfPeriods::between(pair[0], pair[1]) == HalfPeriods::TurnRound)
+pub(super) fn turns_round<M: OrbitMethod>(
+    before: &OrbitPoint<M>,
+    places: &[OrbitPoint<M>],
+) -> bool {
+    let orbits: Vec<&Orbit> = [before]
+        .into_iter()
+        .chain(places)
+        .map(|place| &place.point.orbit)
+        .collect();
+    orbits
+        .windows(2)
+        .any(|pair| HalfPeriods::between(pair[0], pair[1]) == HalfPeriods::TurnRound)
 }
 
 /// True where an orbit and the same half a period on come so near to each other, or part so, that their distance changes by half or passes zero.
 /// There a doubled branch meets the one that it left: it turns, and the square of the distance is a factor of its distance from +1.
 pub(super) fn meets_halves(one: &Orbit, two: &Orbit) -> bool {
-    let (Some(one), Some(two)) = (one.halves_apart(), two.halves_apart()) else { return false };
+    let (Some(one), Some(two)) = (one.halves_apart(), two.halves_apart()) else {
+        return false;
+    };
     let [from, to] = [&one, &two].map(|apart| inner(apart, apart).sqrt());
     inner(&one, &two) <= 0.0 || from.min(to) < 0.5 * from.max(to)
 }
@@ -76,8 +100,11 @@ pub(super) fn meets_halves(one: &Orbit, two: &Orbit) -> bool {
 pub(super) fn drop_doubling(branch: &mut Branch) {
     let is_doubling = |found: &Bifurcation| {
         let orbit = &found.at.orbit;
-        let apart = orbit.halves_apart().map_or(f64::INFINITY, |apart| apart.iter().map(|d| d * d).sum::<f64>().sqrt());
-        matches!(found.kind, BranchKind::Fold | BranchKind::BranchPoint) && apart < MAX_HALF_DISTANCE * orbit.size()
+        let apart = orbit.halves_apart().map_or(f64::INFINITY, |apart| {
+            apart.iter().map(|d| d * d).sum::<f64>().sqrt()
+        });
+        matches!(found.kind, BranchKind::Fold | BranchKind::BranchPoint)
+            && apart < MAX_HALF_DISTANCE * orbit.size()
     };
     while branch.bifurcations.last().is_some_and(is_doubling) {
         branch.bifurcations.pop();
@@ -90,7 +117,10 @@ mod tests {
 
     fn orbit(apart: [f64; 2]) -> Orbit {
         let looks = vec![vec![0.0; 2], apart.to_vec(), vec![0.0; 2]];
-        Orbit { strobe_states: looks, ..Orbit::of_cycles(2) }
+        Orbit {
+            strobe_states: looks,
+            ..Orbit::of_cycles(2)
+        }
     }
 
     #[test]
@@ -98,7 +128,13 @@ mod tests {
         let halves = |from, to| HalfPeriods::between(&orbit(from), &orbit(to));
         assert_eq!(halves([1.0, 0.0], [0.5, 0.1]), HalfPeriods::Apart);
         assert_eq!(halves([1.0, 0.0], [-1.0, 0.8]), HalfPeriods::TurnRound);
-        assert_eq!(halves([1.0, 0.0], [-3.0, 0.0]), HalfPeriods::PassThrough(0.25));
-        assert_eq!(HalfPeriods::between(&Orbit::of_cycles(1), &Orbit::of_cycles(1)), HalfPeriods::Apart);
+        assert_eq!(
+            halves([1.0, 0.0], [-3.0, 0.0]),
+            HalfPeriods::PassThrough(0.25)
+        );
+        assert_eq!(
+            HalfPeriods::between(&Orbit::of_cycles(1), &Orbit::of_cycles(1)),
+            HalfPeriods::Apart
+        );
     }
 }

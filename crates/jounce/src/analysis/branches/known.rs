@@ -54,7 +54,12 @@ impl Chord {
         let metric = Metric::at(&from, parameter_scale);
         let way = from.to(&to);
         let length = metric.length(&way);
-        Self { metric, from, ahead: metric.unit(way), length }
+        Self {
+            metric,
+            from,
+            ahead: metric.unit(way),
+            length,
+        }
     }
 
     /// The foot of an orbit that may lie on this part of the curve. At an end of the branch the foot may lie one chord beyond.
@@ -65,18 +70,32 @@ impl Chord {
         let high = self.length + if is_last { self.length } else { slack };
         let at = self.from.moved(&self.ahead, along);
         let off = self.metric.length(&at.to(&orbit));
-        ((low..=high).contains(&along) && off <= slack).then_some(ChordProjection { at, orbit, off })
+        ((low..=high).contains(&along) && off <= slack).then_some(ChordProjection {
+            at,
+            orbit,
+            off,
+        })
     }
 }
 
 fn position(point: &BranchPoint) -> Position {
-    Position { unknown: point.orbit.start().to_vec(), parameter: point.parameter }
+    Position {
+        unknown: point.orbit.start().to_vec(),
+        parameter: point.parameter,
+    }
 }
 
 /// An orbit at each of its drive cycles.
 fn compared_positions(orbit: &Orbit, parameter: f64) -> impl Iterator<Item = Position> {
     let cycles = orbit.period_cycles as usize;
-    orbit.strobe_states.iter().take(cycles).map(move |look| Position { unknown: look.clone(), parameter })
+    orbit
+        .strobe_states
+        .iter()
+        .take(cycles)
+        .map(move |look| Position {
+            unknown: look.clone(),
+            parameter,
+        })
 }
 
 impl Branch {
@@ -94,27 +113,47 @@ impl Branch {
         if let [only] = &self.points[..] {
             let only = position(only);
             let metric = Metric::at(&only, following.parameter_scale());
-            return compared_positions(orbit, parameter).any(|look| metric.length(&only.to(&look)) < same);
+            return compared_positions(orbit, parameter)
+                .any(|look| metric.length(&only.to(&look)) < same);
         }
         let last = self.points.len().saturating_sub(2);
         let mut feet: Vec<(Rc<Chord>, ChordProjection)> = Vec::new();
         for (k, pair) in self.points.windows(2).enumerate() {
-            let chord = Rc::new(Chord::between(&pair[0], &pair[1], following.parameter_scale()));
-            let near = compared_positions(orbit, parameter).filter_map(|look| chord.foot(look, k == 0, k == last));
+            let chord = Rc::new(Chord::between(
+                &pair[0],
+                &pair[1],
+                following.parameter_scale(),
+            ));
+            let near = compared_positions(orbit, parameter)
+                .filter_map(|look| chord.foot(look, k == 0, k == last));
             feet.extend(near.map(|foot| (Rc::clone(&chord), foot)));
         }
         feet.sort_by(|one, two| (one.1.off / one.0.length).total_cmp(&(two.1.off / two.0.length)));
         feet.into_iter().any(|(chord, foot)| {
-            let found = correct(shooting, &following.corrector, &chord.metric, &chord.ahead, foot.at);
+            let found = correct(
+                shooting,
+                &following.corrector,
+                &chord.metric,
+                &chord.ahead,
+                foot.at,
+            );
             found.is_ok_and(|found| chord.metric.length(&found.position.to(&foot.orbit)) < same)
         })
     }
 
     /// True when all of a branch lies on another one.
-    pub(super) fn is_part_of<H: ParametricModel>(&self, whole: &Branch, following: &BranchTracer, shooting: &Shooting<'_, H>) -> bool {
+    pub(super) fn is_part_of<H: ParametricModel>(
+        &self,
+        whole: &Branch,
+        following: &BranchTracer,
+        shooting: &Shooting<'_, H>,
+    ) -> bool {
         let last = self.points.len() - 1;
-        let mut compared = (0..COMPARED_POINTS).map(|k| &self.points[k * last / (COMPARED_POINTS - 1)]);
-        self.period_cycles == whole.period_cycles && compared.all(|point| whole.holds(following, shooting, (&point.orbit, point.parameter)))
+        let mut compared =
+            (0..COMPARED_POINTS).map(|k| &self.points[k * last / (COMPARED_POINTS - 1)]);
+        self.period_cycles == whole.period_cycles
+            && compared
+                .all(|point| whole.holds(following, shooting, (&point.orbit, point.parameter)))
     }
 
     /// Ends at which the branch merges with one of half its period, each with the last chord.
@@ -123,13 +162,19 @@ impl Branch {
         let ends = match (&self.endings[..], count) {
             (_, ..2) => Vec::new(),
             ([first, last], _) => vec![(first, [1, 0]), (last, [count - 2, count - 1])],
-            (ends, _) => ends.iter().map(|last| (last, [count - 2, count - 1])).collect(),
+            (ends, _) => ends
+                .iter()
+                .map(|last| (last, [count - 2, count - 1]))
+                .collect(),
         };
-        let merged = ends.into_iter().filter(|(ending, _)| **ending == Termination::Merged);
+        let merged = ends
+            .into_iter()
+            .filter(|(ending, _)| **ending == Termination::Merged);
         let place = |(_, pair): (&Termination, [usize; 2])| {
             let [a, b] = pair.map(|k| &self.points[k]);
             let (from, to) = (a.orbit.halves_apart()?, b.orbit.halves_apart()?);
-            let inner = |one: &[f64], two: &[f64]| one.iter().zip(two).map(|(x, y)| x * y).sum::<f64>();
+            let inner =
+                |one: &[f64], two: &[f64]| one.iter().zip(two).map(|(x, y)| x * y).sum::<f64>();
             // The distance of the halves is linear along the curve near its zero.
             let share = inner(&from, &from) / (inner(&from, &from) - inner(&from, &to));
             let chord = Chord::between(a, b, following.parameter_scale());
@@ -141,17 +186,31 @@ impl Branch {
 }
 
 /// True when a branch ends at this period doubling, the nearest one to its end.
-pub(super) fn is_end_of_one(branches: &[Branch], doubling: &BranchPoint, following: &BranchTracer) -> bool {
+pub(super) fn is_end_of_one(
+    branches: &[Branch],
+    doubling: &BranchPoint,
+    following: &BranchTracer,
+) -> bool {
     let cycles = doubling.orbit.period_cycles;
-    let ends = branches.iter().filter(|branch| branch.period_cycles == 2 * cycles).flat_map(|branch| branch.merged(following));
-    let parents = branches.iter().filter(|branch| branch.period_cycles == cycles);
-    let doublings = parents.flat_map(|branch| &branch.bifurcations).filter(|found| found.kind == BranchKind::PeriodDoubling);
+    let ends = branches
+        .iter()
+        .filter(|branch| branch.period_cycles == 2 * cycles)
+        .flat_map(|branch| branch.merged(following));
+    let parents = branches
+        .iter()
+        .filter(|branch| branch.period_cycles == cycles);
+    let doublings = parents
+        .flat_map(|branch| &branch.bifurcations)
+        .filter(|found| found.kind == BranchKind::PeriodDoubling);
     let doublings: Vec<&BranchPoint> = doublings.map(|found| &found.at).collect();
     let away = |(chord, end): &(Chord, Position), at: &BranchPoint| {
-        compared_positions(&at.orbit, at.parameter).map(|look| chord.metric.length(&end.to(&look))).fold(f64::INFINITY, f64::min)
+        compared_positions(&at.orbit, at.parameter)
+            .map(|look| chord.metric.length(&end.to(&look)))
+            .fold(f64::INFINITY, f64::min)
     };
     ends.into_iter().any(|end| {
         let own = away(&end, doubling);
-        own < MAX_DISTANCE_AT_MERGE * end.0.length && doublings.iter().all(|other| own <= away(&end, other))
+        own < MAX_DISTANCE_AT_MERGE * end.0.length
+            && doublings.iter().all(|other| own <= away(&end, other))
     })
 }

@@ -19,6 +19,10 @@ pub struct BranchOptions {
 
 impl Default for BranchOptions {
     fn default() -> Self {
-        Self { largest_step: StepControl::default().longest, budget: DEFAULT_BUDGET_CYCLES, levels: Vec::new() }
+        Self {
+            largest_step: StepControl::default().longest,
+            budget: DEFAULT_BUDGET_CYCLES,
+            levels: Vec::new(),
+        }
     }
 }

@@ -18,23 +18,42 @@ pub(super) struct OrbitPoint<M: OrbitMethod> {
 impl<M: OrbitMethod> OrbitPoint<M> {
     /// Computes the orbit at a step.
     pub fn new(method: &M, step: CurvePoint<M::Evaluation>) -> Result<Self, M::Error> {
-        Ok(Self { point: point(method, &step)?, step, readings: OnceLock::new(), eigenbasis: OnceLock::new() })
+        Ok(Self {
+            point: point(method, &step)?,
+            step,
+            readings: OnceLock::new(),
+            eigenbasis: OnceLock::new(),
+        })
     }
 
     /// What its test functions are made of, here and ahead; made when first asked for.
     pub fn readings(&self, method: &M, following: &BranchTracer) -> Option<&TestDataPair> {
-        let make = || TestDataPair::of(method, (&self.step, &self.point.orbit), following.parameter_scale(), &following.levels);
+        let make = || {
+            TestDataPair::of(
+                method,
+                (&self.step, &self.point.orbit),
+                following.parameter_scale(),
+                &following.levels,
+            )
+        };
         self.readings.get_or_init(make).as_ref()
     }
 
     /// Eigenvectors of its period map; made when first asked for.
     pub fn eigenbasis(&self, method: &M) -> &Option<Eigenbasis> {
-        self.eigenbasis.get_or_init(|| Eigenbasis::of(&method.shot(&self.step.local).ok()?.block_map))
+        self.eigenbasis
+            .get_or_init(|| Eigenbasis::of(&method.shot(&self.step.local).ok()?.block_map))
     }
 }
 
 /// The point of a branch at a step.
-pub(super) fn point<M: OrbitMethod>(method: &M, step: &CurvePoint<M::Evaluation>) -> Result<BranchPoint, M::Error> {
+pub(super) fn point<M: OrbitMethod>(
+    method: &M,
+    step: &CurvePoint<M::Evaluation>,
+) -> Result<BranchPoint, M::Error> {
     let orbit = method.orbit(&step.local, step.error)?;
-    Ok(BranchPoint { parameter: step.position.parameter, orbit })
+    Ok(BranchPoint {
+        parameter: step.position.parameter,
+        orbit,
+    })
 }

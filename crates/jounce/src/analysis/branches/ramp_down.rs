@@ -20,10 +20,20 @@ pub fn eased(kernel: &Kernel, tolerance: f64) -> Option<Vec<f64>> {
     for step in 0..RAMP_STEPS {
         let stronger = INITIAL_DRIVE_FACTOR.powf(1.0 - f64::from(step) / f64::from(RAMP_STEPS));
         let mut drives = kernel.plant.system.drives.clone();
-        drives.iter_mut().for_each(|drive| drive.amplitude_n *= stronger);
+        drives
+            .iter_mut()
+            .for_each(|drive| drive.amplitude_n *= stronger);
         let strong = kernel.with_drives(drives).ok()?;
-        let mut integrator = Integrator::new(&strong, &strong.plant.from_physical(&state, 0.0), 0.0, tolerance).ok()?;
-        integrator.advance_to(f64::from(CYCLES_PER_STEP) * cycle_s).ok()?;
+        let mut integrator = Integrator::new(
+            &strong,
+            &strong.plant.from_physical(&state, 0.0),
+            0.0,
+            tolerance,
+        )
+        .ok()?;
+        integrator
+            .advance_to(f64::from(CYCLES_PER_STEP) * cycle_s)
+            .ok()?;
         state = strong.plant.to_physical(&integrator.state(), 0.0);
     }
     Some(state)

@@ -40,11 +40,30 @@ impl BranchTracer {
         branch: &mut Branch,
     ) -> Result<RangeCrossing, M::Error> {
         let beyond = self.beyond(method, &before.step, step);
-        if let Some(outside) = if self.is_outside(step.position.parameter) { Some(step) } else { beyond.as_ref() } {
-            let Some(last) = self.on_edge(method, &before.step, outside) else { return Ok(RangeCrossing::Lost) };
-            let places = self.resolved(method, before, OrbitPoint::new(method, last)?, &mut branch.not_proved)?;
+        if let Some(outside) = if self.is_outside(step.position.parameter) {
+            Some(step)
+        } else {
+            beyond.as_ref()
+        } {
+            let Some(last) = self.on_edge(method, &before.step, outside) else {
+                return Ok(RangeCrossing::Lost);
+            };
+            let places = self.resolved(
+                method,
+                before,
+                OrbitPoint::new(method, last)?,
+                &mut branch.not_proved,
+            )?;
             for (index, after) in places.iter().enumerate() {
-                branch.bifurcations.extend(self.between(method, if index == 0 { before } else { &places[index - 1] }, after)?);
+                branch.bifurcations.extend(self.between(
+                    method,
+                    if index == 0 {
+                        before
+                    } else {
+                        &places[index - 1]
+                    },
+                    after,
+                )?);
                 branch.points.push(after.point.clone());
             }
         } else if self.is_at_edge(&step.position, step.tangent.parameter) {
@@ -62,7 +81,11 @@ impl BranchTracer {
 
     /// True where a walk in a direction has come as near to the end of the range as matters.
     fn is_at_edge(&self, position: &Position, sense: f64) -> bool {
-        let edge = if sense < 0.0 { self.range.0 } else { self.range.1 };
+        let edge = if sense < 0.0 {
+            self.range.0
+        } else {
+            self.range.1
+        };
         (position.parameter - edge).abs() < RANGE_END_DISTANCE * (self.range.1 - self.range.0)
     }
 
@@ -76,14 +99,25 @@ impl BranchTracer {
         let metric = Metric::at(&before.position, self.parameter_scale());
         let length = metric.length(&before.position.to(&after.position));
         // No curve that bends back goes farther than its tangents.
-        let reach =
-            |step: &CurvePoint<M::Evaluation>, sign: f64| self.is_outside(step.position.parameter + sign * length * step.tangent.parameter);
+        let reach = |step: &CurvePoint<M::Evaluation>, sign: f64| {
+            self.is_outside(step.position.parameter + sign * length * step.tangent.parameter)
+        };
         let turns = before.tangent.parameter * after.tangent.parameter < 0.0;
-        if !turns || self.is_outside(after.position.parameter) || !(reach(before, 1.0) && reach(after, -1.0)) {
+        if !turns
+            || self.is_outside(after.position.parameter)
+            || !(reach(before, 1.0) && reach(after, -1.0))
+        {
             return None;
         }
         let value = |step: &CurvePoint<M::Evaluation>| step.tangent.parameter;
-        let fold = locate(method, &self.corrector, self.parameter_scale(), (before, after), self.resolution, value)?;
+        let fold = locate(
+            method,
+            &self.corrector,
+            self.parameter_scale(),
+            (before, after),
+            self.resolution,
+            value,
+        )?;
         self.is_outside(fold.position.parameter).then_some(fold)
     }
 
@@ -94,17 +128,37 @@ impl BranchTracer {
         before: &CurvePoint<M::Evaluation>,
         outside: &CurvePoint<M::Evaluation>,
     ) -> Option<CurvePoint<M::Evaluation>> {
-        let edge = if outside.position.parameter < self.range.0 { self.range.0 } else { self.range.1 };
+        let edge = if outside.position.parameter < self.range.0 {
+            self.range.0
+        } else {
+            self.range.1
+        };
         let value = |step: &CurvePoint<M::Evaluation>| step.position.parameter - edge;
-        let near = locate(method, &self.corrector, self.parameter_scale(), (before, outside), self.resolution, value)?;
+        let near = locate(
+            method,
+            &self.corrector,
+            self.parameter_scale(),
+            (before, outside),
+            self.resolution,
+            value,
+        )?;
         let metric = Metric::at(&near.position, self.parameter_scale());
-        let guess = Position { parameter: edge, ..near.position.clone() };
+        let guess = Position {
+            parameter: edge,
+            ..near.position.clone()
+        };
         let found = correct_at(method, &self.corrector, &metric, guess).ok()?;
         let ahead = tangent(&found.local, &metric, &near.tangent)?;
         let length = metric.length(&before.position.to(&outside.position));
-        let is_near = metric.length(&near.position.to(&found.position)) <= MAX_DISTANCE_TO_ORBIT * length;
+        let is_near =
+            metric.length(&near.position.to(&found.position)) <= MAX_DISTANCE_TO_ORBIT * length;
         // On the other side of a fold the curve goes the other way.
         let is_same_side = ahead.parameter * near.tangent.parameter > 0.0;
-        (is_near && is_same_side).then(|| CurvePoint { position: found.position, tangent: ahead, local: found.local, error: found.error })
+        (is_near && is_same_side).then(|| CurvePoint {
+            position: found.position,
+            tangent: ahead,
+            local: found.local,
+            error: found.error,
+        })
     }
 }

@@ -10,8 +10,12 @@ use super::known::is_end_of_one;
 use super::options::BranchOptions;
 use super::tracer::{BranchTracer, RESOLUTION, newton_goal};
 use crate::analysis::{AnalysisError, Model, Parameter};
-use crate::continuation::{CorrectedPoint, Corrector, Direction, Metric, Position, Problem, StepControl, correct, tangent};
-use crate::orbit::{HarmonicBalance, Orbit, OrbitError, OrbitMethod, ParametricModel, Shooting, null_vector};
+use crate::continuation::{
+    CorrectedPoint, Corrector, Direction, Metric, Position, Problem, StepControl, correct, tangent,
+};
+use crate::orbit::{
+    HarmonicBalance, Orbit, OrbitError, OrbitMethod, ParametricModel, Shooting, null_vector,
+};
 use faer::Mat;
 
 /// How orbits are computed.
@@ -60,8 +64,14 @@ impl BranchSearch<'_> {
     fn following(&self, options: &BranchOptions) -> BranchTracer {
         BranchTracer {
             range: self.range,
-            corrector: Corrector { goal: newton_goal(self.tolerance), most: 8 },
-            control: StepControl { longest: options.largest_step, ..StepControl::default() },
+            corrector: Corrector {
+                goal: newton_goal(self.tolerance),
+                most: 8,
+            },
+            control: StepControl {
+                longest: options.largest_step,
+                ..StepControl::default()
+            },
             most_points: MAX_POINTS,
             budget: options.budget,
             resolution: RESOLUTION,
@@ -88,10 +98,17 @@ impl BranchSearch<'_> {
     pub fn run_with(&self, options: &BranchOptions) -> Result<Vec<Branch>, Failure> {
         let following = self.following(options);
         match self.method {
-            OrbitMethodKind::Shooting => self.run_by(&following, |cycles| Ok(self.shooting(cycles))),
+            OrbitMethodKind::Shooting => {
+                self.run_by(&following, |cycles| Ok(self.shooting(cycles)))
+            }
             OrbitMethodKind::HarmonicBalance { harmonics } => self.run_by(&following, |cycles| {
                 let accuracy = POWER_ERROR_FACTOR * self.tolerance;
-                HarmonicBalance::new(self.shooting(cycles), &self.base.kernel, harmonics * cycles as usize, accuracy)
+                HarmonicBalance::new(
+                    self.shooting(cycles),
+                    &self.base.kernel,
+                    harmonics * cycles as usize,
+                    accuracy,
+                )
             }),
         }
     }
@@ -108,11 +125,18 @@ impl BranchSearch<'_> {
         let starts = self.starts();
         control.expect(starts.len());
         for (orbit, parameter) in starts {
-            if orbit.period_cycles <= self.longest_period && !self.is_known(&branches, following, (&orbit, parameter)) {
+            if orbit.period_cycles <= self.longest_period
+                && !self.is_known(&branches, following, (&orbit, parameter))
+            {
                 match following.within(&branches, orbit.period_cycles) {
                     Some(within) => {
-                        let found = within.both_ways(&make(orbit.period_cycles)?, orbit.start(), parameter);
-                        branches.extend(if control.is_stopped() { found.unwrap_or(None) } else { found? });
+                        let found =
+                            within.both_ways(&make(orbit.period_cycles)?, orbit.start(), parameter);
+                        branches.extend(if control.is_stopped() {
+                            found.unwrap_or(None)
+                        } else {
+                            found?
+                        });
                     }
                     None => branches.push(Branch::of_one(orbit, parameter)),
                 }
@@ -131,18 +155,31 @@ impl BranchSearch<'_> {
         Parameter::check_key(self.parameter.key()).map_err(OrbitError::Harvester)?;
         let between = self.range.0 + GOLDEN_SHARE * (self.range.1 - self.range.0);
         for value in [self.range.0, self.range.1, between] {
-            let kernel = self.parameter.at(value).map_err(OrbitError::Harvester)?.kernel;
+            let kernel = self
+                .parameter
+                .at(value)
+                .map_err(OrbitError::Harvester)?
+                .kernel;
             if kernel.plant.period_s().is_none() {
-                return Err(OrbitError::Frequencies { frequencies: kernel.plant.tones.len() });
+                return Err(OrbitError::Frequencies {
+                    frequencies: kernel.plant.tones.len(),
+                });
             }
         }
         Ok(())
     }
 
     /// True when an orbit lies on one of the branches.
-    fn is_known(&self, branches: &[Branch], following: &BranchTracer, orbit: (&Orbit, f64)) -> bool {
+    fn is_known(
+        &self,
+        branches: &[Branch],
+        following: &BranchTracer,
+        orbit: (&Orbit, f64),
+    ) -> bool {
         let shooting = self.shooting(orbit.0.period_cycles);
-        branches.iter().any(|branch| branch.holds(following, &shooting, orbit))
+        branches
+            .iter()
+            .any(|branch| branch.holds(following, &shooting, orbit))
     }
 
     /// The branches without those that are parts of others. Two walks may have followed the same curve from different points.
@@ -150,9 +187,11 @@ impl BranchSearch<'_> {
         let mut k = 0;
         while k < branches.len() {
             let (part, shooting) = (&branches[k], self.shooting(branches[k].period_cycles));
-            let is_longer = |other: usize| (branches[other].points.len(), k) > (part.points.len(), other);
+            let is_longer =
+                |other: usize| (branches[other].points.len(), k) > (part.points.len(), other);
             let mut others = (0..branches.len()).filter(|other| *other != k && is_longer(*other));
-            let whole = others.find(|other| part.is_part_of(&branches[*other], following, &shooting));
+            let whole =
+                others.find(|other| part.is_part_of(&branches[*other], following, &shooting));
             match whole {
                 Some(whole) => {
                     branches[whole].not_followed += branches[k].not_followed;
@@ -175,7 +214,10 @@ impl BranchSearch<'_> {
         while let Some(parent) = self.next_parent(branches, &entered) {
             entered[parent] = true;
             let cycles = 2 * branches[parent].period_cycles;
-            let doublings = branches[parent].bifurcations.iter().filter(|found| found.kind == BranchKind::PeriodDoubling);
+            let doublings = branches[parent]
+                .bifurcations
+                .iter()
+                .filter(|found| found.kind == BranchKind::PeriodDoubling);
             let doublings: Vec<BranchPoint> = doublings.map(|found| found.at.clone()).collect();
             for at in doublings {
                 if is_end_of_one(branches, &at, following) {
@@ -208,10 +250,13 @@ impl BranchSearch<'_> {
 
     /// The branch whose doublings come next: of the shortest period, and among those of the largest area below its power.
     fn next_parent(&self, branches: &[Branch], entered: &[bool]) -> Option<usize> {
-        let left = (0..branches.len()).filter(|k| !entered[*k] && 2 * branches[*k].period_cycles <= self.longest_period);
+        let left = (0..branches.len())
+            .filter(|k| !entered[*k] && 2 * branches[*k].period_cycles <= self.longest_period);
         left.min_by(|one, two| {
             let [one, two] = [one, two].map(|k| &branches[*k]);
-            one.period_cycles.cmp(&two.period_cycles).then(two.area_w().total_cmp(&one.area_w()))
+            one.period_cycles
+                .cmp(&two.period_cycles)
+                .then(two.area_w().total_cmp(&one.area_w()))
         })
     }
 
@@ -223,18 +268,39 @@ impl BranchSearch<'_> {
         at: &BranchPoint,
     ) -> Option<(CorrectedPoint<M::Evaluation>, Direction)> {
         let state = at.orbit.start();
-        let shot = self.shooting(method.cycles() / 2).at(state, at.parameter).ok()?;
+        let shot = self
+            .shooting(method.cycles() / 2)
+            .at(state, at.parameter)
+            .ok()?;
         let map = shot.map();
         let n = state.len();
-        let vector = null_vector(&Mat::from_fn(n, n, |i, j| map[(i, j)] + if i == j { 1.0 } else { 0.0 }));
+        let vector = null_vector(&Mat::from_fn(n, n, |i, j| {
+            map[(i, j)] + if i == j { 1.0 } else { 0.0 }
+        }));
         let size = at.orbit.size();
-        let origin = Position { unknown: method.unknown_of(state, at.parameter).ok()?, parameter: at.parameter };
+        let origin = Position {
+            unknown: method.unknown_of(state, at.parameter).ok()?,
+            parameter: at.parameter,
+        };
         let metric = Metric::at(&origin, following.parameter_scale());
         [1e-2, 3e-3, 3e-2].into_iter().find_map(|length| {
-            let moved: Vec<f64> = (0..n).map(|i| state[i] + length * size * vector[i]).collect();
-            let guess = Position { unknown: method.unknown_of(&moved, at.parameter).ok()?, parameter: at.parameter };
-            let apart = guess.unknown.iter().zip(&origin.unknown).map(|(a, b)| a - b).collect();
-            let ahead = metric.unit(Direction { unknown: apart, parameter: 0.0 });
+            let moved: Vec<f64> = (0..n)
+                .map(|i| state[i] + length * size * vector[i])
+                .collect();
+            let guess = Position {
+                unknown: method.unknown_of(&moved, at.parameter).ok()?,
+                parameter: at.parameter,
+            };
+            let apart = guess
+                .unknown
+                .iter()
+                .zip(&origin.unknown)
+                .map(|(a, b)| a - b)
+                .collect();
+            let ahead = metric.unit(Direction {
+                unknown: apart,
+                parameter: 0.0,
+            });
             let found = correct(method, &following.corrector, &metric, &ahead, guess).ok()?;
             let ahead = tangent(&found.local, &metric, &ahead)?;
             Some((found, ahead))

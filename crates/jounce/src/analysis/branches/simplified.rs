@@ -24,20 +24,40 @@ impl Branch {
             stretches.push((0, last));
         }
         while let Some((first, last)) = stretches.pop() {
-            let far = |k: usize| curves.iter().map(|y| distance([&x, y], (first, k, last))).fold(0.0, f64::max);
-            let farthest = (first + 1..last).map(|k| (far(k), k)).max_by(|a, b| a.0.total_cmp(&b.0));
+            let far = |k: usize| {
+                curves
+                    .iter()
+                    .map(|y| distance([&x, y], (first, k, last)))
+                    .fold(0.0, f64::max)
+            };
+            let farthest = (first + 1..last)
+                .map(|k| (far(k), k))
+                .max_by(|a, b| a.0.total_cmp(&b.0));
             if let Some((_, k)) = farthest.filter(|(far, _)| *far > share) {
                 kept[k] = true;
                 stretches.extend([(first, k), (k, last)]);
             }
         }
-        let points = self.points.iter().zip(kept).filter(|(_, kept)| *kept).map(|(point, _)| point.clone()).collect();
-        Branch { points, ..self.clone() }
+        let points = self
+            .points
+            .iter()
+            .zip(kept)
+            .filter(|(_, kept)| *kept)
+            .map(|(point, _)| point.clone())
+            .collect();
+        Branch {
+            points,
+            ..self.clone()
+        }
     }
 
     fn scaled(&self, shown: fn(&BranchPoint) -> f64) -> Vec<f64> {
         let values: Vec<f64> = self.points.iter().map(shown).collect();
-        let (low, high) = values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(*value), high.max(*value)));
+        let (low, high) = values
+            .iter()
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
+                (low.min(*value), high.max(*value))
+            });
         let width = if high > low { high - low } else { 1.0 };
         values.iter().map(|value| (value - low) / width).collect()
     }
@@ -45,8 +65,15 @@ impl Branch {
 
 /// Distance of a point of a curve from the chord between two others.
 fn distance([x, y]: [&Vec<f64>; 2], (first, k, last): (usize, usize, usize)) -> f64 {
-    let (chord, way) = ((x[last] - x[first], y[last] - y[first]), (x[k] - x[first], y[k] - y[first]));
+    let (chord, way) = (
+        (x[last] - x[first], y[last] - y[first]),
+        (x[k] - x[first], y[k] - y[first]),
+    );
     let square = chord.0 * chord.0 + chord.1 * chord.1;
-    let along = if square > 0.0 { ((way.0 * chord.0 + way.1 * chord.1) / square).clamp(0.0, 1.0) } else { 0.0 };
+    let along = if square > 0.0 {
+        ((way.0 * chord.0 + way.1 * chord.1) / square).clamp(0.0, 1.0)
+    } else {
+        0.0
+    };
     (way.0 - along * chord.0).hypot(way.1 - along * chord.1)
 }

@@ -29,26 +29,36 @@ impl BranchSearch<'_> {
     /// Settled orbits, shorter periods first: of the lower end, the upper end, then across the range.
     pub(super) fn starts(&self) -> Vec<(Orbit, f64)> {
         let (low, high) = self.range;
-        let inner = (1..=self.seeds).map(|k| low + (high - low) * k as f64 / (self.seeds + 1) as f64);
+        let inner =
+            (1..=self.seeds).map(|k| low + (high - low) * k as f64 / (self.seeds + 1) as f64);
         let values: Vec<f64> = [low, high].into_iter().chain(inner).collect();
-        let kinds = [SearchStart::Rest, SearchStart::Steady, SearchStart::Kicked, SearchStart::Eased];
+        let kinds = [
+            SearchStart::Rest,
+            SearchStart::Steady,
+            SearchStart::Kicked,
+            SearchStart::Eased,
+        ];
         // Without seeds only what a plain integration reaches.
         let kinds = &kinds[..if self.seeds > 0 { 4 } else { 3 }];
         let control = &self.base.kernel.control;
         control.expect(values.len());
         let settled = |value: &f64| -> Vec<(SearchStart, (Orbit, f64))> {
-            let starts = kinds.iter().filter_map(|kind| Some((*kind, self.start(*value, *kind)?)));
+            let starts = kinds
+                .iter()
+                .filter_map(|kind| Some((*kind, self.start(*value, *kind)?)));
             let (kinds, starts): (Vec<SearchStart>, Vec<Vec<f64>>) = starts.unzip();
             let orbits = settled_orbits(self.parameter, *value, &starts, self.tolerance);
             control.count();
             let mut found: Vec<(SearchStart, (Orbit, f64))> = Vec::new();
             for (kind, orbit) in kinds.into_iter().zip(orbits) {
-                let fresh = orbit.filter(|orbit| !found.iter().any(|(_, (known, _))| known == orbit));
+                let fresh =
+                    orbit.filter(|orbit| !found.iter().any(|(_, (known, _))| known == orbit));
                 found.extend(fresh.map(|orbit| (kind, (orbit, *value))));
             }
             found
         };
-        let mut found: Vec<(SearchStart, (Orbit, f64))> = values.par_iter().flat_map_iter(settled).collect();
+        let mut found: Vec<(SearchStart, (Orbit, f64))> =
+            values.par_iter().flat_map_iter(settled).collect();
         // The eased starts last, so that they only add to what the others find.
         found.sort_by_key(|(kind, (orbit, _))| (orbit.period_cycles, *kind == SearchStart::Eased));
         found.into_iter().map(|(_, found)| found).collect()
@@ -70,7 +80,10 @@ impl BranchSearch<'_> {
                 // Towards every stop at once.
                 for stop in &plant.system.stops {
                     let square: f64 = stop.shape.iter().map(|s| s * s).sum();
-                    stop.shape.iter().enumerate().for_each(|(i, s)| state[n + i] += s / square * speed);
+                    stop.shape
+                        .iter()
+                        .enumerate()
+                        .for_each(|(i, s)| state[n + i] += s / square * speed);
                 }
             }
         }

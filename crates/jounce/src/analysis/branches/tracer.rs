@@ -9,8 +9,8 @@ use super::noncontact::NoncontactEnd;
 use super::orbit_point::{OrbitPoint, point};
 use super::range_end::RangeCrossing;
 use crate::continuation::{
-    Checkpoint, Continuation, ContinuationError, CorrectedPoint, Corrector, CurvePoint, Direction, Metric, Position, StepControl,
-    correct_at, passes, tangent,
+    Checkpoint, Continuation, ContinuationError, CorrectedPoint, Corrector, CurvePoint, Direction,
+    Metric, Position, StepControl, correct_at, passes, tangent,
 };
 use crate::integrate::SensitivityError;
 use crate::orbit::{OrbitError, OrbitMethod, nearest_extremum_m};
@@ -29,7 +29,8 @@ const NEWTON_GOAL_LIMITS: (f64, f64) = (1e-11, 1e-6);
 
 /// Newton's goal for marches of a tolerance.
 pub(super) fn newton_goal(tolerance: f64) -> f64 {
-    (NEWTON_GOAL_FACTOR * tolerance).clamp(NEWTON_GOAL_LIMITS.0, NEWTON_GOAL_LIMITS.1.max(tolerance))
+    (NEWTON_GOAL_FACTOR * tolerance)
+        .clamp(NEWTON_GOAL_LIMITS.0, NEWTON_GOAL_LIMITS.1.max(tolerance))
 }
 
 /// How branches are followed.
@@ -54,9 +55,14 @@ pub struct BranchTracer {
 impl BranchTracer {
     /// The same for one more branch of a period, with as many points as the budget leaves; `None` where that is not one step.
     pub(super) fn within(&self, branches: &[Branch], cycles: u32) -> Option<Self> {
-        let left = self.budget.saturating_sub(branches.iter().map(Branch::work).sum());
+        let left = self
+            .budget
+            .saturating_sub(branches.iter().map(Branch::work).sum());
         let most_points = self.most_points.min(left / cycles as usize);
-        (most_points > 1).then(|| Self { most_points, ..self.clone() })
+        (most_points > 1).then(|| Self {
+            most_points,
+            ..self.clone()
+        })
     }
 
     /// Scale of the parameter in the metric.
@@ -68,18 +74,40 @@ impl BranchTracer {
     ///
     /// # Errors
     /// As [`BranchTracer::walk`].
-    pub(super) fn both_ways<M: OrbitMethod>(&self, method: &M, state: &[f64], parameter: f64) -> Result<Option<Branch>, M::Error> {
-        let position = Position { unknown: method.unknown_of(state, parameter)?, parameter };
+    pub(super) fn both_ways<M: OrbitMethod>(
+        &self,
+        method: &M,
+        state: &[f64],
+        parameter: f64,
+    ) -> Result<Option<Branch>, M::Error> {
+        let position = Position {
+            unknown: method.unknown_of(state, parameter)?,
+            parameter,
+        };
         let metric = Metric::at(&position, self.parameter_scale());
-        let up = Direction { unknown: vec![0.0; position.unknown.len()], parameter: 1.0 };
+        let up = Direction {
+            unknown: vec![0.0; position.unknown.len()],
+            parameter: 1.0,
+        };
         let mut ways = Vec::new();
         for sign in [-1.0, 1.0] {
-            let at_edge = parameter == if sign < 0.0 { self.range.0 } else { self.range.1 };
-            let Ok(first) = correct_at(method, &self.corrector, &metric, position.clone()) else { return Ok(None) };
-            let Some(mut ahead) = tangent(&first.local, &metric, &up) else { return Ok(None) };
+            let at_edge = parameter
+                == if sign < 0.0 {
+                    self.range.0
+                } else {
+                    self.range.1
+                };
+            let Ok(first) = correct_at(method, &self.corrector, &metric, position.clone()) else {
+                return Ok(None);
+            };
+            let Some(mut ahead) = tangent(&first.local, &metric, &up) else {
+                return Ok(None);
+            };
             ahead.unknown.iter_mut().for_each(|d| *d *= sign);
             ahead.parameter *= sign;
-            let closed = ways.last().is_some_and(|way: &Branch| way.endings.contains(&Termination::Closed));
+            let closed = ways
+                .last()
+                .is_some_and(|way: &Branch| way.endings.contains(&Termination::Closed));
             if !at_edge && !closed {
                 ways.push(self.walk(method, first, ahead)?);
             }
@@ -95,12 +123,25 @@ impl BranchTracer {
     ///
     /// # Errors
     /// An orbit whose multipliers cannot be computed, or a harvester that cannot be made.
-    pub fn walk<M: OrbitMethod>(&self, method: &M, first: CorrectedPoint<M::Evaluation>, direction: Direction) -> Result<Branch, M::Error> {
+    pub fn walk<M: OrbitMethod>(
+        &self,
+        method: &M,
+        first: CorrectedPoint<M::Evaluation>,
+        direction: Direction,
+    ) -> Result<Branch, M::Error> {
         let metric = Metric::at(&first.position, self.parameter_scale());
         let tangent = metric.unit(direction);
         let sense = tangent.parameter;
-        let start = CurvePoint { position: first.position, tangent, local: first.local, error: first.error };
-        let mut branch = Branch { period_cycles: method.cycles(), ..Branch::default() };
+        let start = CurvePoint {
+            position: first.position,
+            tangent,
+            local: first.local,
+            error: first.error,
+        };
+        let mut branch = Branch {
+            period_cycles: method.cycles(),
+            ..Branch::default()
+        };
         if let Some((finer, start)) = self.finer(method, &start, &start)? {
             branch.points.push(point(&finer, &start)?);
             let beginning = TracerStart::of(&finer, &branch.points[0], sense)?;
@@ -124,7 +165,11 @@ impl BranchTracer {
         let mut walk = self.resumed(method, &start, mark.as_ref());
         let mut before = OrbitPoint::new(method, start)?;
         if let Some(mark) = &mark {
-            add_passed(mark.tangent().parameter * before.step.tangent.parameter < 0.0, &before.point, branch);
+            add_passed(
+                mark.tangent().parameter * before.step.tangent.parameter < 0.0,
+                &before.point,
+                branch,
+            );
         }
         let (mut mark, mut spare) = (walk.mark(), COARSER_BELOW_ERROR);
         while let Some(next) = walk.next() {
@@ -144,7 +189,12 @@ impl BranchTracer {
             }
             let step = self.polished(method, step)?;
             if let Some((finer, start)) = self.finer(method, &step, &before.step)? {
-                return self.walk_on(&finer, start, (beginning.carried(&finer), Some(mark)), branch);
+                return self.walk_on(
+                    &finer,
+                    start,
+                    (beginning.carried(&finer), Some(mark)),
+                    branch,
+                );
             }
             let after = OrbitPoint::new(method, step)?;
             if self.may_be_astray(&before, &after) && walk.retreat(mark.clone()) {
@@ -173,7 +223,12 @@ impl BranchTracer {
             }
             mark = walk.mark();
             if let Some((coarser, start)) = self.coarser(method, &before.step, &mut spare)? {
-                return self.walk_on(&coarser, start, (beginning.carried(&coarser), Some(mark)), branch);
+                return self.walk_on(
+                    &coarser,
+                    start,
+                    (beginning.carried(&coarser), Some(mark)),
+                    branch,
+                );
             }
         }
         Ok(())
@@ -187,7 +242,14 @@ impl BranchTracer {
         mark: Option<&Checkpoint>,
     ) -> Continuation<'m, M> {
         let (position, tangent) = (start.position.clone(), start.tangent.clone());
-        let mut walk = Continuation::new(method, self.corrector, self.control, self.parameter_scale(), position, tangent);
+        let mut walk = Continuation::new(
+            method,
+            self.corrector,
+            self.control,
+            self.parameter_scale(),
+            position,
+            tangent,
+        );
         if let Some(mark) = mark {
             walk.resume(mark, |unknown| method.carried(unknown));
         }
@@ -202,22 +264,33 @@ impl BranchTracer {
         (before, after): (&OrbitPoint<M>, &OrbitPoint<M>),
         branch: &mut Branch,
     ) -> Result<bool, M::Error> {
-        beginning.left = NoncontactEnd::between(&before.point, &after.point, branch).or(beginning.left);
+        beginning.left =
+            NoncontactEnd::between(&before.point, &after.point, branch).or(beginning.left);
         let points = branch.points.len() + 1;
         let home = self.home(beginning, before, after, points);
-        let merge = if home.is_none() && points > 3 { merge(before, after) } else { None };
+        let merge = if home.is_none() && points > 3 {
+            merge(before, after)
+        } else {
+            None
+        };
         branch.bifurcations.extend(match home.or(merge.as_ref()) {
             // What lies beyond its start was listed when it set out; beyond a merge its other half repeats what was listed before.
             Some(end) => self.until(method, (before, after), end)?,
             None => self.between(method, before, after)?,
         });
         branch.points.push(after.point.clone());
-        if let Some((left, back_at)) = beginning.left.and_then(|left| Some((left, left.comes_back(branch)?))) {
+        if let Some((left, back_at)) = beginning
+            .left
+            .and_then(|left| Some((left, left.comes_back(branch)?)))
+        {
             left.end(branch, back_at);
             return Ok(true);
         }
         let last = (points >= self.most_points).then_some(Termination::Points);
-        let ending = home.map(|_| Termination::Closed).or(merge.map(|_| Termination::Merged)).or(last);
+        let ending = home
+            .map(|_| Termination::Closed)
+            .or(merge.map(|_| Termination::Merged))
+            .or(last);
         let ends = ending.is_some();
         ending.into_iter().for_each(|ending| end(ending, branch));
         Ok(ends)
@@ -235,11 +308,23 @@ impl BranchTracer {
         let shot = method.shot(&last.step.local)?;
         let distance_m = nearest_extremum_m(shot).map_or(f64::INFINITY, f64::abs);
         let (parameter, why) = (last.point.parameter, error.to_string());
-        if let ContinuationError::Family(OrbitError::March(SensitivityError::Rests { stop, .. })) = error {
-            branch.bifurcations.push(Bifurcation { kind: BranchKind::Sticking, level: None, stop: Some(stop), at: last.point });
-            branch.endings.push(Termination::Sticking { why, parameter });
+        if let ContinuationError::Family(OrbitError::March(SensitivityError::Rests {
+            stop, ..
+        })) = error
+        {
+            branch.bifurcations.push(Bifurcation {
+                kind: BranchKind::Sticking,
+                level: None,
+                stop: Some(stop),
+                at: last.point,
+            });
+            branch
+                .endings
+                .push(Termination::Sticking { why, parameter });
         } else if distance_m < GRAZING_DISTANCE * shot.kernel.plant.scale_m() {
-            branch.bifurcations.push(Bifurcation::grazing(last.point, shot));
+            branch
+                .bifurcations
+                .push(Bifurcation::grazing(last.point, shot));
             branch.endings.push(Termination::Grazing { why, parameter });
         } else {
             branch.endings.push(Termination::Failed { why, parameter });
@@ -258,8 +343,14 @@ impl BranchTracer {
         let metric = Metric::at(&after.step.position, self.parameter_scale());
         // Another sheet of the curve may pass near by, in the other sense.
         let goes_alike = beginning.sense * after.step.tangent.parameter > 0.0;
-        let closes = |origin: &&Position| passes(&metric, origin, &before.step.position, &after.step.position);
-        if points > 4 && goes_alike { beginning.origins.iter().find(closes) } else { None }
+        let closes = |origin: &&Position| {
+            passes(&metric, origin, &before.step.position, &after.step.position)
+        };
+        if points > 4 && goes_alike {
+            beginning.origins.iter().find(closes)
+        } else {
+            None
+        }
     }
 }
 
@@ -289,13 +380,28 @@ impl TracerStart {
     fn of<M: OrbitMethod>(method: &M, first: &BranchPoint, sense: f64) -> Result<Self, M::Error> {
         let cycles = first.orbit.period_cycles as usize;
         let looks = first.orbit.strobe_states.iter().take(cycles);
-        let origin = |look: &Vec<f64>| Ok(Position { unknown: method.unknown_of(look, first.parameter)?, parameter: first.parameter });
-        Ok(Self { origins: looks.map(origin).collect::<Result<_, M::Error>>()?, sense, left: None })
+        let origin = |look: &Vec<f64>| {
+            Ok(Position {
+                unknown: method.unknown_of(look, first.parameter)?,
+                parameter: first.parameter,
+            })
+        };
+        Ok(Self {
+            origins: looks.map(origin).collect::<Result<_, M::Error>>()?,
+            sense,
+            left: None,
+        })
     }
 
     /// In the unknown of another method.
     fn carried<M: OrbitMethod>(self, method: &M) -> Self {
-        let carried = |origin: Position| Position { unknown: method.carried(&origin.unknown), ..origin };
-        Self { origins: self.origins.into_iter().map(carried).collect(), ..self }
+        let carried = |origin: Position| Position {
+            unknown: method.carried(&origin.unknown),
+            ..origin
+        };
+        Self {
+            origins: self.origins.into_iter().map(carried).collect(),
+            ..self
+        }
     }
 }

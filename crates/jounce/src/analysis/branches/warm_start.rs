@@ -57,17 +57,33 @@ impl WarmStart<'_> {
         let mut branches: Vec<Branch> = Vec::new();
         for orbit in known {
             let parameter = orbit.parameter.clamp(self.range.0, self.range.1);
-            let shooting = Shooting::new(self.harvester, self.kernel, orbit.period_cycles, self.tolerance);
+            let shooting = Shooting::new(
+                self.harvester,
+                self.kernel,
+                orbit.period_cycles,
+                self.tolerance,
+            );
             if orbit.state.len() != shooting.scale.len() {
                 continue;
             }
-            let position = Position { unknown: orbit.state.clone(), parameter };
-            let Ok(found) = correct_at(&shooting, &following.corrector, &Metric::at(&position, following.parameter_scale()), position)
-            else {
+            let position = Position {
+                unknown: orbit.state.clone(),
+                parameter,
+            };
+            let Ok(found) = correct_at(
+                &shooting,
+                &following.corrector,
+                &Metric::at(&position, following.parameter_scale()),
+                position,
+            ) else {
                 continue;
             };
             let there = shooting.orbit(&found.local, found.error)?;
-            if there.repeats_early() || branches.iter().any(|branch| branch.holds(&following, &shooting, (&there, parameter))) {
+            if there.repeats_early()
+                || branches
+                    .iter()
+                    .any(|branch| branch.holds(&following, &shooting, (&there, parameter)))
+            {
                 continue;
             }
             branches.extend(following.both_ways(&shooting, there.start(), parameter)?);

@@ -41,46 +41,92 @@ impl Diagram<'_> {
     /// # Errors
     /// A harvester that cannot be made.
     pub fn history(&self, visits: &[DiagramPoint]) -> Result<AttractorTracks, AnalysisError> {
-        let mut history = AttractorTracks { attractors: Vec::new(), homes: vec![None; visits.len()] };
+        let mut history = AttractorTracks {
+            attractors: Vec::new(),
+            homes: vec![None; visits.len()],
+        };
         let mut before: Vec<(VisitGroup, usize)> = Vec::new();
         for (step, value) in self.values.iter().enumerate() {
             let mut here = groups(visits, *value);
             let forward = self.followed(&before, *value)?;
             for (visit, _) in &forward {
-                if visit.motion != AttractorKind::Lost && !here.iter().any(|group| group.first.is_of(visit)) {
-                    here.push(VisitGroup { first: visit.clone(), visits: Vec::new() });
+                if visit.motion != AttractorKind::Lost
+                    && !here.iter().any(|group| group.first.is_of(visit))
+                {
+                    here.push(VisitGroup {
+                        first: visit.clone(),
+                        visits: Vec::new(),
+                    });
                 }
             }
             let backward = match step {
                 0 => Vec::new(),
                 _ => self.reached(here.iter().map(|group| &group.first), self.values[step - 1])?,
             };
-            let lands = |visit: &DiagramPoint| here.iter().position(|group| group.first.is_of(visit));
-            let ahead: Vec<(Option<usize>, bool)> = forward.iter().map(|(visit, bridged)| (lands(visit), *bridged)).collect();
-            let comes = |visit: &DiagramPoint| before.iter().position(|(group, _)| group.first.is_of(visit));
+            let lands =
+                |visit: &DiagramPoint| here.iter().position(|group| group.first.is_of(visit));
+            let ahead: Vec<(Option<usize>, bool)> = forward
+                .iter()
+                .map(|(visit, bridged)| (lands(visit), *bridged))
+                .collect();
+            let comes = |visit: &DiagramPoint| {
+                before
+                    .iter()
+                    .position(|(group, _)| group.first.is_of(visit))
+            };
             let behind: Vec<Option<usize>> = backward.iter().map(comes).collect();
             let partners = partners(&before, &here, &ahead, &behind);
             let mut homes = Vec::with_capacity(here.len());
             for (j, group) in here.iter().enumerate() {
-                let other = || behind.get(j).copied().flatten().map(|i| history.attractors[before[i].1].id.clone());
-                let born = || (step > 0).then(|| Transition { parameter: *value, other: other() });
-                let known = partners.iter().find(|(_, partner)| *partner == j).map(|(i, _)| before[*i].1);
+                let other = || {
+                    behind
+                        .get(j)
+                        .copied()
+                        .flatten()
+                        .map(|i| history.attractors[before[i].1].id.clone())
+                };
+                let born = || {
+                    (step > 0).then(|| Transition {
+                        parameter: *value,
+                        other: other(),
+                    })
+                };
+                let known = partners
+                    .iter()
+                    .find(|(_, partner)| *partner == j)
+                    .map(|(i, _)| before[*i].1);
                 let born = if known.is_none() { born() } else { None };
                 homes.push(known.unwrap_or_else(|| history.begin(&group.first, born)));
             }
-            for (i, (_, home)) in before.iter().enumerate().filter(|(_, (_, home))| !homes.contains(home)) {
+            for (i, (_, home)) in before
+                .iter()
+                .enumerate()
+                .filter(|(_, (_, home))| !homes.contains(home))
+            {
                 let other = ahead[i].0.map(|j| history.attractors[homes[j]].id.clone());
-                history.attractors[*home].died = Some(Transition { parameter: *value, other });
+                history.attractors[*home].died = Some(Transition {
+                    parameter: *value,
+                    other,
+                });
             }
-            let of = visits.iter().filter(|visit| visit.parameter == *value && visit.motion != AttractorKind::Lost).count();
-            here.iter().zip(&homes).for_each(|(group, home)| history.see(group, *home, of));
+            let of = visits
+                .iter()
+                .filter(|visit| visit.parameter == *value && visit.motion != AttractorKind::Lost)
+                .count();
+            here.iter()
+                .zip(&homes)
+                .for_each(|(group, home)| history.see(group, *home, of));
             before = here.into_iter().zip(homes).collect();
         }
         Ok(history)
     }
 
     /// Where attractors go at the next value, and whether shorter steps led there because a single one leads away.
-    fn followed(&self, before: &[(VisitGroup, usize)], value: f64) -> Result<Vec<(DiagramPoint, bool)>, AnalysisError> {
+    fn followed(
+        &self,
+        before: &[(VisitGroup, usize)],
+        value: f64,
+    ) -> Result<Vec<(DiagramPoint, bool)>, AnalysisError> {
         let follow = |(group, _): &(VisitGroup, usize)| {
             let at_once = self.bridge(&group.first, value, 1)?;
             if let Some(visit) = at_once.1 {
@@ -97,12 +143,30 @@ impl Diagram<'_> {
     }
 
     /// The way of an attractor to another value in so many steps: the last visit, and the same where no step leads away from it.
-    fn bridge(&self, from: &DiagramPoint, value: f64, steps: u32) -> Result<(DiagramPoint, Option<DiagramPoint>), AnalysisError> {
+    fn bridge(
+        &self,
+        from: &DiagramPoint,
+        value: f64,
+        steps: u32,
+    ) -> Result<(DiagramPoint, Option<DiagramPoint>), AnalysisError> {
         let mut last = from.clone();
         for step in 1..=steps {
-            let parameter = from.parameter + (value - from.parameter) * f64::from(step) / f64::from(steps);
-            let next = self.visit(SectionState { index: 0, parameter, direction: SweepDirection::Independent, start: 0 }, &last.end)?;
-            if !alike(&last, &next) || last.apart(&next).is_none_or(|apart| apart >= MAX_SINGLE_STEP_DISTANCE) {
+            let parameter =
+                from.parameter + (value - from.parameter) * f64::from(step) / f64::from(steps);
+            let next = self.visit(
+                SectionState {
+                    index: 0,
+                    parameter,
+                    direction: SweepDirection::Independent,
+                    start: 0,
+                },
+                &last.end,
+            )?;
+            if !alike(&last, &next)
+                || last
+                    .apart(&next)
+                    .is_none_or(|apart| apart >= MAX_SINGLE_STEP_DISTANCE)
+            {
                 return Ok((next, None));
             }
             last = next;
@@ -111,9 +175,21 @@ impl Diagram<'_> {
     }
 
     /// Where marches at a value from the ends of other visits end.
-    fn reached<'v>(&self, from: impl Iterator<Item = &'v DiagramPoint>, value: f64) -> Result<Vec<DiagramPoint>, AnalysisError> {
-        let place = SectionState { index: 0, parameter: value, direction: SweepDirection::Independent, start: 0 };
-        from.collect::<Vec<_>>().into_par_iter().map(|visit| self.visit(place, &visit.end)).collect()
+    fn reached<'v>(
+        &self,
+        from: impl Iterator<Item = &'v DiagramPoint>,
+        value: f64,
+    ) -> Result<Vec<DiagramPoint>, AnalysisError> {
+        let place = SectionState {
+            index: 0,
+            parameter: value,
+            direction: SweepDirection::Independent,
+            start: 0,
+        };
+        from.collect::<Vec<_>>()
+            .into_par_iter()
+            .map(|visit| self.visit(place, &visit.end))
+            .collect()
     }
 }
 
@@ -121,12 +197,22 @@ impl AttractorTracks {
     fn begin(&mut self, first: &DiagramPoint, born: Option<Transition>) -> usize {
         let id = AttractorTrack::name(&self.attractors, first);
         let (motion, period_cycles) = (first.motion, first.period_cycles);
-        self.attractors.push(AttractorTrack { id, motion, period_cycles, born, died: None, seen: Vec::new() });
+        self.attractors.push(AttractorTrack {
+            id,
+            motion,
+            period_cycles,
+            born,
+            died: None,
+            seen: Vec::new(),
+        });
         self.attractors.len() - 1
     }
 
     fn see(&mut self, group: &VisitGroup, home: usize, of: usize) {
-        group.visits.iter().for_each(|visit| self.homes[*visit] = Some(home));
+        group
+            .visits
+            .iter()
+            .for_each(|visit| self.homes[*visit] = Some(home));
         let share = wilson(group.visits.len(), of);
         self.attractors[home].seen.push(TrackPoint {
             parameter: group.first.parameter,
@@ -158,10 +244,17 @@ fn partners(
             let apart = match (lands, behind.get(j) == Some(&Some(i))) {
                 (true, true) => Some(0.0),
                 (true, false) if bridged => Some(0.0),
-                (true, false) | (false, true) => one.first.apart(&two.first).filter(|apart| *apart < MAX_SINGLE_STEP_DISTANCE),
+                (true, false) | (false, true) => one
+                    .first
+                    .apart(&two.first)
+                    .filter(|apart| *apart < MAX_SINGLE_STEP_DISTANCE),
                 (false, false) => None,
             };
-            pairs.extend(apart.filter(|_| alike(&one.first, &two.first)).map(|apart| (apart, i, j)));
+            pairs.extend(
+                apart
+                    .filter(|_| alike(&one.first, &two.first))
+                    .map(|apart| (apart, i, j)),
+            );
         }
     }
     pairs.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -177,13 +270,22 @@ fn partners(
 /// Visits at a value by attractor, by period and falling power.
 fn groups(visits: &[DiagramPoint], value: f64) -> Vec<VisitGroup> {
     let mut groups: Vec<VisitGroup> = Vec::new();
-    let own = visits.iter().enumerate().filter(|(_, visit)| visit.parameter == value && visit.motion != AttractorKind::Lost);
+    let own = visits
+        .iter()
+        .enumerate()
+        .filter(|(_, visit)| visit.parameter == value && visit.motion != AttractorKind::Lost);
     for (k, visit) in own {
         match groups.iter_mut().find(|group| group.first.is_of(visit)) {
             Some(group) => group.visits.push(k),
-            None => groups.push(VisitGroup { first: visit.clone(), visits: vec![k] }),
+            None => groups.push(VisitGroup {
+                first: visit.clone(),
+                visits: vec![k],
+            }),
         }
     }
-    groups.sort_by(|a, b| (a.first.period_cycles.cmp(&b.first.period_cycles)).then(b.first.mean_power_w.total_cmp(&a.first.mean_power_w)));
+    groups.sort_by(|a, b| {
+        (a.first.period_cycles.cmp(&b.first.period_cycles))
+            .then(b.first.mean_power_w.total_cmp(&a.first.mean_power_w))
+    });
     groups
 }

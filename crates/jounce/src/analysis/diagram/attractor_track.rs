@@ -50,7 +50,9 @@ pub struct AttractorTrack {
 impl AttractorTrack {
     /// A name that is not taken yet.
     pub(super) fn name(known: &[AttractorTrack], of: &DiagramPoint) -> String {
-        let alike = |known: &&AttractorTrack| known.motion == of.motion && known.period_cycles == of.period_cycles;
+        let alike = |known: &&AttractorTrack| {
+            known.motion == of.motion && known.period_cycles == of.period_cycles
+        };
         let letters = crate::analysis::basins::letters(known.iter().filter(alike).count());
         match of.motion {
             AttractorKind::Orbit => format!("{}{letters}", of.period_cycles),

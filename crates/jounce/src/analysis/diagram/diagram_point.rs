@@ -1,7 +1,10 @@
 //! Where one march at one value of the key ends.
 
 use super::SectionPoint;
-use crate::analysis::{AnalysisError, AttractorKind, Model, Parameter, Recognition, Recognizer, SteadyState, SweepDirection};
+use crate::analysis::{
+    AnalysisError, AttractorKind, Model, Parameter, Recognition, Recognizer, SteadyState,
+    SweepDirection,
+};
 use crate::integrate::{IntegrationError, Integrator, Kernel};
 use crate::orbit::ParametricModel;
 use serde::{Deserialize, Serialize};
@@ -52,7 +55,12 @@ impl DiagramPoint {
         (cycles, tolerance): (u32, f64),
     ) -> Result<Self, AnalysisError> {
         let kernel = parameter.at(place.parameter)?.kernel;
-        let SectionState { index, parameter: value, direction, start: number } = place;
+        let SectionState {
+            index,
+            parameter: value,
+            direction,
+            start: number,
+        } = place;
         let mut visit = Self {
             index,
             parameter: value,
@@ -66,26 +74,42 @@ impl DiagramPoint {
             end: vec![0.0; start.len()],
         };
         let options = Recognition::at(tolerance);
-        let found = Recognizer { harvester: parameter, kernel: &kernel, parameter: value, options }.settle(start, &[]);
+        let found = Recognizer {
+            harvester: parameter,
+            kernel: &kernel,
+            parameter: value,
+            options,
+        }
+        .settle(start, &[]);
         visit.motion = found.kind();
         match found {
             SteadyState::Periodic(found) => {
                 let orbit = &found.orbit;
-                let shooting = crate::orbit::Shooting::new(parameter, &base.kernel, orbit.period_cycles, tolerance);
+                let shooting = crate::orbit::Shooting::new(
+                    parameter,
+                    &base.kernel,
+                    orbit.period_cycles,
+                    tolerance,
+                );
                 visit.period_cycles = orbit.period_cycles;
                 visit.contacts_per_period = orbit.contacts;
                 visit.mean_power_w = orbit.mean_power_w;
                 visit.end = shooting.physical(orbit.start());
                 visit.section = SectionPoint::of_orbit(base, parameter, value, orbit)?;
             }
-            SteadyState::Aperiodic(found) => match strobe_states(&kernel, &found.state, cycles, tolerance) {
-                Ok(states) => {
-                    visit.mean_power_w = found.mean_power_w;
-                    visit.section = states.iter().map(|state| SectionPoint::of(&kernel.plant.system, state)).collect();
-                    visit.end = states.into_iter().next_back().unwrap_or(visit.end);
+            SteadyState::Aperiodic(found) => {
+                match strobe_states(&kernel, &found.state, cycles, tolerance) {
+                    Ok(states) => {
+                        visit.mean_power_w = found.mean_power_w;
+                        visit.section = states
+                            .iter()
+                            .map(|state| SectionPoint::of(&kernel.plant.system, state))
+                            .collect();
+                        visit.end = states.into_iter().next_back().unwrap_or(visit.end);
+                    }
+                    Err(_) => visit.motion = AttractorKind::Lost,
                 }
-                Err(_) => visit.motion = AttractorKind::Lost,
-            },
+            }
             SteadyState::Failed(_) => {}
         }
         Ok(visit)
@@ -94,7 +118,10 @@ impl DiagramPoint {
     /// True when both end on the same attractor: one orbit, or motions of one kind.
     pub(super) fn is_of(&self, other: &DiagramPoint) -> bool {
         self.motion == other.motion
-            && (self.motion != AttractorKind::Orbit || self.apart(other).is_some_and(|apart| apart < SAME_ORBIT_DISTANCE))
+            && (self.motion != AttractorKind::Orbit
+                || self
+                    .apart(other)
+                    .is_some_and(|apart| apart < SAME_ORBIT_DISTANCE))
     }
 
     /// Distance of the sections of two orbits of one period beside the larger of them, at the best order of their points; `None`
@@ -105,21 +132,43 @@ impl DiagramPoint {
             return None;
         }
         let largest = |read: fn(&SectionPoint) -> f64| {
-            self.section.iter().chain(&other.section).map(|point| read(point).abs()).fold(f64::MIN_POSITIVE, f64::max)
+            self.section
+                .iter()
+                .chain(&other.section)
+                .map(|point| read(point).abs())
+                .fold(f64::MIN_POSITIVE, f64::max)
         };
-        let (far_m, fast_m_per_s) = (largest(|point| point.displacement_m), largest(|point| point.velocity_m_per_s));
+        let (far_m, fast_m_per_s) = (
+            largest(|point| point.displacement_m),
+            largest(|point| point.velocity_m_per_s),
+        );
         let between = |a: &SectionPoint, b: &SectionPoint| {
-            ((a.displacement_m - b.displacement_m) / far_m).hypot((a.velocity_m_per_s - b.velocity_m_per_s) / fast_m_per_s)
+            ((a.displacement_m - b.displacement_m) / far_m)
+                .hypot((a.velocity_m_per_s - b.velocity_m_per_s) / fast_m_per_s)
         };
-        let turned = |by: usize| (0..cycles).map(|k| between(&self.section[k], &other.section[(k + by) % cycles])).fold(0.0, f64::max);
+        let turned = |by: usize| {
+            (0..cycles)
+                .map(|k| between(&self.section[k], &other.section[(k + by) % cycles]))
+                .fold(0.0, f64::max)
+        };
         (0..cycles).map(turned).min_by(f64::total_cmp)
     }
 }
 
 /// Physical states at the start of drive cycles, the given one first.
-fn strobe_states(kernel: &Kernel, start: &[f64], cycles: u32, tolerance: f64) -> Result<Vec<Vec<f64>>, IntegrationError> {
+fn strobe_states(
+    kernel: &Kernel,
+    start: &[f64],
+    cycles: u32,
+    tolerance: f64,
+) -> Result<Vec<Vec<f64>>, IntegrationError> {
     let cycle_s = kernel.plant.period_s().unwrap_or(1.0);
-    let mut integrator = Integrator::new(kernel, &kernel.plant.from_physical(start, 0.0), 0.0, tolerance)?;
+    let mut integrator = Integrator::new(
+        kernel,
+        &kernel.plant.from_physical(start, 0.0),
+        0.0,
+        tolerance,
+    )?;
     let mut states = vec![start.to_vec()];
     for cycle in 1..cycles.max(1) {
         integrator.advance_to(f64::from(cycle) * cycle_s)?;

@@ -1,7 +1,9 @@
 //! Marches at every value of a key: stepped up or down with the state carried over, or from a cloud of starts.
 
 use super::diagram_point::{DiagramPoint, SectionState};
-use crate::analysis::{AnalysisError, AttractorKind, Cloud, Journal, Model, Parameter, SweepDirection};
+use crate::analysis::{
+    AnalysisError, AttractorKind, Cloud, Journal, Model, Parameter, SweepDirection,
+};
 use crate::orbit::ParametricModel;
 use rayon::prelude::*;
 
@@ -69,14 +71,20 @@ impl Diagram<'_> {
         };
         let mut visits = match self.order {
             DiagramOrder::Starts(cloud) => self.scattered(cloud, found, &finish)?,
-            DiagramOrder::Up | DiagramOrder::Down | DiagramOrder::Both => self.stepped(found, &finish)?,
+            DiagramOrder::Up | DiagramOrder::Down | DiagramOrder::Both => {
+                self.stepped(found, &finish)?
+            }
         };
         visits.sort_by_key(|visit| visit.index);
         Ok(visits)
     }
 
     /// A march that is finished; `None` where it was stopped on its way.
-    fn finished(&self, place: SectionState, start: &[f64]) -> Result<Option<DiagramPoint>, AnalysisError> {
+    fn finished(
+        &self,
+        place: SectionState,
+        start: &[f64],
+    ) -> Result<Option<DiagramPoint>, AnalysisError> {
         let stopped = || self.base.kernel.control.is_stopped();
         if stopped() {
             return Ok(None);
@@ -86,24 +94,44 @@ impl Diagram<'_> {
     }
 
     /// A march at a value from a physical start.
-    pub(super) fn visit(&self, place: SectionState, start: &[f64]) -> Result<DiagramPoint, AnalysisError> {
-        DiagramPoint::march((self.base, self.parameter), place, start, (self.cycles, self.tolerance))
+    pub(super) fn visit(
+        &self,
+        place: SectionState,
+        start: &[f64],
+    ) -> Result<DiagramPoint, AnalysisError> {
+        DiagramPoint::march(
+            (self.base, self.parameter),
+            place,
+            start,
+            (self.cycles, self.tolerance),
+        )
     }
 
     fn places(&self) -> Vec<SectionState> {
         let way = |direction: SweepDirection| move |parameter: &f64| (*parameter, direction, 0);
-        let (up, down) = (self.values.iter().map(way(SweepDirection::Up)), self.values.iter().rev().map(way(SweepDirection::Down)));
+        let (up, down) = (
+            self.values.iter().map(way(SweepDirection::Up)),
+            self.values.iter().rev().map(way(SweepDirection::Down)),
+        );
         let all: Vec<(f64, SweepDirection, usize)> = match self.order {
             DiagramOrder::Up => up.collect(),
             DiagramOrder::Down => down.collect(),
             DiagramOrder::Both => up.chain(down).collect(),
             DiagramOrder::Starts(cloud) => {
-                let starts =
-                    |value: &f64| (0..cloud.starts).map(move |start| (*value, SweepDirection::Independent, start)).collect::<Vec<_>>();
+                let starts = |value: &f64| {
+                    (0..cloud.starts)
+                        .map(move |start| (*value, SweepDirection::Independent, start))
+                        .collect::<Vec<_>>()
+                };
                 self.values.iter().flat_map(starts).collect()
             }
         };
-        let place = |(index, (parameter, direction, start))| SectionState { index, parameter, direction, start };
+        let place = |(index, (parameter, direction, start))| SectionState {
+            index,
+            parameter,
+            direction,
+            start,
+        };
         all.into_iter().enumerate().map(place).collect()
     }
 
@@ -123,7 +151,9 @@ impl Diagram<'_> {
                     return Ok(None);
                 }
                 let kernel = self.parameter.at(place.parameter)?.kernel;
-                self.finished(place, &cloud.start(&kernel.plant, place.start))?.map(finish).transpose()
+                self.finished(place, &cloud.start(&kernel.plant, place.start))?
+                    .map(finish)
+                    .transpose()
             })
             .filter_map(Result::transpose)
             .collect()
@@ -137,8 +167,14 @@ impl Diagram<'_> {
         let rest = vec![0.0; self.base.kernel.plant.len()];
         let mut visits = found.to_vec();
         for place in self.places().into_iter().skip(found.len()) {
-            let start = visits.last().filter(|last| last.motion != AttractorKind::Lost).map_or(&rest, |last| &last.end).clone();
-            let Some(visit) = self.finished(place, &start)? else { break };
+            let start = visits
+                .last()
+                .filter(|last| last.motion != AttractorKind::Lost)
+                .map_or(&rest, |last| &last.end)
+                .clone();
+            let Some(visit) = self.finished(place, &start)? else {
+                break;
+            };
             visits.push(finish(visit)?);
         }
         Ok(visits)

@@ -21,7 +21,9 @@ impl SectionPoint {
     pub fn of(system: &System, state: &[f64]) -> Self {
         let n = system.modes.len();
         let stop = system.stops.first().map(|stop| &stop.shape);
-        let shape: &[f64] = stop.or(system.drives.first().map(|drive| &drive.shape)).map_or(&[], |shape| shape);
+        let shape: &[f64] = stop
+            .or(system.drives.first().map(|drive| &drive.shape))
+            .map_or(&[], |shape| shape);
         let along = |part: &[f64]| shape.iter().zip(part).map(|(s, q)| s * q).sum();
         Self {
             displacement_m: along(&state[..n]),
@@ -34,10 +36,20 @@ impl SectionPoint {
     ///
     /// # Errors
     /// A harvester that cannot be made.
-    pub fn of_orbit(base: &Model, parameter: &Parameter, value: f64, orbit: &Orbit) -> Result<Vec<Self>, AnalysisError> {
+    pub fn of_orbit(
+        base: &Model,
+        parameter: &Parameter,
+        value: f64,
+        orbit: &Orbit,
+    ) -> Result<Vec<Self>, AnalysisError> {
         let kernel = parameter.at(value)?.kernel;
         let shooting = Shooting::new(parameter, &base.kernel, orbit.period_cycles, 1e-9);
-        let looks = orbit.strobe_states.iter().take(orbit.period_cycles as usize);
-        Ok(looks.map(|look| Self::of(&kernel.plant.system, &shooting.physical(look))).collect())
+        let looks = orbit
+            .strobe_states
+            .iter()
+            .take(orbit.period_cycles as usize);
+        Ok(looks
+            .map(|look| Self::of(&kernel.plant.system, &shooting.physical(look)))
+            .collect())
     }
 }

@@ -53,7 +53,9 @@ pub struct MemberStop {
 
 impl MemberStop {
     fn total(&self) -> ContactCount {
-        self.batches.iter().fold(ContactCount::default(), |sum, batch| sum.and(batch))
+        self.batches
+            .iter()
+            .fold(ContactCount::default(), |sum, batch| sum.and(batch))
     }
 }
 
@@ -86,18 +88,32 @@ impl StopEstimates {
         let interval = IntervalOver::of(members.len());
         let own = || members.iter().map(move |member| &member.stops[index]);
         let (counts, length_s): (Vec<ContactCount>, f64) = match interval {
-            IntervalOver::Members => (own().map(MemberStop::total).collect(), batch_s * super::member::BATCHES as f64),
-            IntervalOver::Batches => (own().flat_map(|stop| stop.batches.iter().copied()).collect(), batch_s),
+            IntervalOver::Members => (
+                own().map(MemberStop::total).collect(),
+                batch_s * super::member::BATCHES as f64,
+            ),
+            IntervalOver::Batches => (
+                own()
+                    .flat_map(|stop| stop.batches.iter().copied())
+                    .collect(),
+                batch_s,
+            ),
         };
         let over = |value: fn(&ContactCount) -> f64, of: fn(&ContactCount, f64) -> f64| {
-            let pairs: Vec<[f64; 2]> = counts.iter().map(|count| [value(count), of(count, length_s)]).collect();
+            let pairs: Vec<[f64; 2]> = counts
+                .iter()
+                .map(|count| [value(count), of(count, length_s)])
+                .collect();
             Estimate::of_ratio(&pairs, interval)
         };
         let largest = |value: fn(&MemberStop) -> f64| own().map(value).fold(0.0, f64::max);
         Self {
             name: name.to_owned(),
             contact_rate_hz: over(|count| count.contacts as f64, |_, length_s| length_s),
-            mean_impact_velocity_m_s: over(|count| count.strike_sum_m_s, |count, _| count.contacts as f64),
+            mean_impact_velocity_m_s: over(
+                |count| count.strike_sum_m_s,
+                |count, _| count.contacts as f64,
+            ),
             max_impact_velocity_m_s: largest(|stop| stop.max_impact_velocity_m_s),
             mean_contact_duration_s: over(|count| count.time_s, |count, _| count.contacts as f64),
             max_contact_duration_s: largest(|stop| stop.max_contact_duration_s),

@@ -29,7 +29,11 @@ pub enum IntervalOver {
 impl IntervalOver {
     /// What an interval is taken over with a number of members.
     pub(super) fn of(members: usize) -> Self {
-        if members >= MIN_MEMBERS_FOR_INTERVAL { Self::Members } else { Self::Batches }
+        if members >= MIN_MEMBERS_FOR_INTERVAL {
+            Self::Members
+        } else {
+            Self::Batches
+        }
     }
 }
 
@@ -50,7 +54,10 @@ impl Estimate {
         let interval = IntervalOver::of(members.len());
         let values: Vec<f64> = match interval {
             IntervalOver::Members => members.iter().map(|member| member.mean_power_w).collect(),
-            IntervalOver::Batches => members.iter().flat_map(|member| member.batches_w.iter().copied()).collect(),
+            IntervalOver::Batches => members
+                .iter()
+                .flat_map(|member| member.batches_w.iter().copied())
+                .collect(),
         };
         Self::of(&values, interval)
     }
@@ -59,9 +66,21 @@ impl Estimate {
     pub(super) fn of(values: &[f64], interval: IntervalOver) -> Self {
         let count = values.len() as f64;
         let mean = values.iter().sum::<f64>() / count;
-        let variance = values.iter().map(|value| (value - mean).powi(2)).sum::<f64>() / (count - 1.0);
-        let half_width = if values.len() < 2 { f64::INFINITY } else { student_95(count - 1.0) * (variance / count).sqrt() };
-        Self { mean, half_width, interval }
+        let variance = values
+            .iter()
+            .map(|value| (value - mean).powi(2))
+            .sum::<f64>()
+            / (count - 1.0);
+        let half_width = if values.len() < 2 {
+            f64::INFINITY
+        } else {
+            student_95(count - 1.0) * (variance / count).sqrt()
+        };
+        Self {
+            mean,
+            half_width,
+            interval,
+        }
     }
 
     /// Of independent values, by their number, sum and sum of squares.
@@ -69,27 +88,56 @@ impl Estimate {
         let number = count as f64;
         let mean = sum / number;
         let variance = ((squares - number * mean * mean) / (number - 1.0)).max(0.0);
-        let half_width = if count < 2 { f64::INFINITY } else { student_95(number - 1.0) * (variance / number).sqrt() };
-        Self { mean, half_width, interval: IntervalOver::Members }
+        let half_width = if count < 2 {
+            f64::INFINITY
+        } else {
+            student_95(number - 1.0) * (variance / number).sqrt()
+        };
+        Self {
+            mean,
+            half_width,
+            interval: IntervalOver::Members,
+        }
     }
 
     /// Sum of the first over sum of the second numbers of independent pairs, with the interval of the jackknife; 0, with an infinite
     /// interval, where the second are all 0. Source: B. Efron, C. Stein, Ann. Stat. 9 (1981) 586.
     pub(super) fn of_ratio(pairs: &[[f64; 2]], interval: IntervalOver) -> Self {
-        let [above, below] = pairs.iter().fold([0.0; 2], |[a, b], pair| [a + pair[0], b + pair[1]]);
+        let [above, below] = pairs
+            .iter()
+            .fold([0.0; 2], |[a, b], pair| [a + pair[0], b + pair[1]]);
         if below == 0.0 {
-            return Self { mean: 0.0, half_width: f64::INFINITY, interval };
+            return Self {
+                mean: 0.0,
+                half_width: f64::INFINITY,
+                interval,
+            };
         }
         let (count, mean) = (pairs.len() as f64, above / below);
-        let left_out: Vec<f64> = pairs.iter().map(|pair| count * mean - (count - 1.0) * (above - pair[0]) / (below - pair[1])).collect();
+        let left_out: Vec<f64> = pairs
+            .iter()
+            .map(|pair| count * mean - (count - 1.0) * (above - pair[0]) / (below - pair[1]))
+            .collect();
         let spread = Self::of(&left_out, interval);
-        let half_width = if spread.half_width.is_finite() { spread.half_width } else { f64::INFINITY };
-        Self { mean, half_width, interval }
+        let half_width = if spread.half_width.is_finite() {
+            spread.half_width
+        } else {
+            f64::INFINITY
+        };
+        Self {
+            mean,
+            half_width,
+            interval,
+        }
     }
 
     /// Half width over mean; infinite where the mean is 0 and the width is not.
     pub fn relative_width(&self) -> f64 {
-        if self.half_width == 0.0 { 0.0 } else { self.half_width / self.mean.abs() }
+        if self.half_width == 0.0 {
+            0.0
+        } else {
+            self.half_width / self.mean.abs()
+        }
     }
 }
 
@@ -110,8 +158,17 @@ mod tests {
     /// Table of Student's distribution, two-sided 95 %.
     #[test]
     fn quantiles_are_those_of_the_table() {
-        for (freedom, quantile) in [(7.0, 2.364_624), (15.0, 2.131_450), (31.0, 2.039_513), (120.0, 1.979_930)] {
-            assert!((student_95(freedom) - quantile).abs() < 1e-4, "{freedom}: {}", student_95(freedom));
+        for (freedom, quantile) in [
+            (7.0, 2.364_624),
+            (15.0, 2.131_450),
+            (31.0, 2.039_513),
+            (120.0, 1.979_930),
+        ] {
+            assert!(
+                (student_95(freedom) - quantile).abs() < 1e-4,
+                "{freedom}: {}",
+                student_95(freedom)
+            );
         }
     }
 
@@ -123,16 +180,29 @@ mod tests {
             Estimate::of_ratio(&values.map(|value| [value, 0.5]), IntervalOver::Members),
             Estimate::of(&values.map(|value| 2.0 * value), IntervalOver::Members),
         ];
-        assert!((ratio.mean - mean.mean).abs() < 1e-12 && (ratio.half_width - mean.half_width).abs() < 1e-12, "{ratio:?} {mean:?}");
+        assert!(
+            (ratio.mean - mean.mean).abs() < 1e-12
+                && (ratio.half_width - mean.half_width).abs() < 1e-12,
+            "{ratio:?} {mean:?}"
+        );
         let sums = Estimate::of_sums(4, [2.0 * 8.5, 4.0 * (1.0 + 9.0 + 4.0 + 6.25)]);
         assert!((sums.half_width - mean.half_width).abs() < 1e-12);
-        assert_eq!(Estimate::of_ratio(&[[0.0, 0.0]; 3], IntervalOver::Members).half_width, f64::INFINITY);
+        assert_eq!(
+            Estimate::of_ratio(&[[0.0, 0.0]; 3], IntervalOver::Members).half_width,
+            f64::INFINITY
+        );
     }
 
     #[test]
     fn the_mean_of_two_values_has_a_wide_interval() {
         let estimate = Estimate::of(&[1.0, 3.0, 2.0, 2.0], IntervalOver::Members);
-        assert!((estimate.mean - 2.0).abs() < 1e-15 && (estimate.half_width - student_95(3.0) * (2.0_f64 / 12.0).sqrt()).abs() < 1e-12);
-        assert_eq!(Estimate::of(&[1.0], IntervalOver::Members).half_width, f64::INFINITY);
+        assert!(
+            (estimate.mean - 2.0).abs() < 1e-15
+                && (estimate.half_width - student_95(3.0) * (2.0_f64 / 12.0).sqrt()).abs() < 1e-12
+        );
+        assert_eq!(
+            Estimate::of(&[1.0], IntervalOver::Members).half_width,
+            f64::INFINITY
+        );
     }
 }

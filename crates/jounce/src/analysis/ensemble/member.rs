@@ -1,7 +1,9 @@
 //! One march of an ensemble.
 
 use super::contacts::{ContactCount, MemberStop};
-use crate::integrate::{ContactStatistics, Energies, IntegrationError, Integrator, Kernel, Trajectory};
+use crate::integrate::{
+    ContactStatistics, Energies, IntegrationError, Integrator, Kernel, Trajectory,
+};
 use crate::run::{ExceededLimit, Limits, RunPlan, StartState, WorstExcess};
 use serde::Serialize;
 
@@ -58,16 +60,30 @@ impl Member {
         index: usize,
         mut sampling: Option<&mut Sampling>,
     ) -> Result<Self, IntegrationError> {
-        let mut integrator = Integrator::new(kernel, &kernel.plant.from_physical(&start.physical(), 0.0), 0.0, plan.tolerance)?;
+        let mut integrator = Integrator::new(
+            kernel,
+            &kernel.plant.from_physical(&start.physical(), 0.0),
+            0.0,
+            plan.tolerance,
+        )?;
         let (begin_s, window_s) = (plan.duration_s - plan.average_over_s, plan.average_over_s);
         integrator.advance_to(begin_s)?;
         integrator.reset_statistics();
         let opened = integrator.energies();
-        let mut stops = vec![(ContactCount::default(), Vec::with_capacity(BATCHES)); kernel.plant.system.stops.len()];
+        let mut stops = vec![
+            (ContactCount::default(), Vec::with_capacity(BATCHES));
+            kernel.plant.system.stops.len()
+        ];
         let (mut batches_w, mut before_j) = (Vec::with_capacity(BATCHES), opened.delivered_j());
         let mut passed: Vec<Vec<ExceededLimit>> = Vec::new();
         for batch in 1..=BATCHES {
-            let end = |batch: usize| if batch == BATCHES { plan.duration_s } else { begin_s + window_s * batch as f64 / BATCHES as f64 };
+            let end = |batch: usize| {
+                if batch == BATCHES {
+                    plan.duration_s
+                } else {
+                    begin_s + window_s * batch as f64 / BATCHES as f64
+                }
+            };
             let records = sampling.is_some() || !limits.is_empty();
             if records {
                 integrator.start_record();
@@ -90,9 +106,21 @@ impl Member {
             }
         }
         let counts = stops.into_iter().map(|(_, counts)| counts);
-        let stops = counts.zip(integrator.statistics_by_stop()).map(|(batches, own)| member_stop(batches, &own)).collect();
-        let exceeded = WorstExcess::of(passed.iter().map(Vec::as_slice)).into_iter().map(|worst| worst.exceeded).collect();
-        let told = Self::told(index, window_s, [&opened, &integrator.energies()], (batches_w, stops), &integrator.statistics());
+        let stops = counts
+            .zip(integrator.statistics_by_stop())
+            .map(|(batches, own)| member_stop(batches, &own))
+            .collect();
+        let exceeded = WorstExcess::of(passed.iter().map(Vec::as_slice))
+            .into_iter()
+            .map(|worst| worst.exceeded)
+            .collect();
+        let told = Self::told(
+            index,
+            window_s,
+            [&opened, &integrator.energies()],
+            (batches_w, stops),
+            &integrator.statistics(),
+        );
         Ok(Self { exceeded, ..told })
     }
 
@@ -104,10 +132,22 @@ impl Member {
         statistics: &ContactStatistics,
     ) -> Self {
         let delivered = |energies: &Energies| {
-            let rectified = energies.rectified.iter().map(|own| own.load_j + own.battery_j);
-            energies.loads_j.iter().copied().chain(rectified).collect::<Vec<f64>>()
+            let rectified = energies
+                .rectified
+                .iter()
+                .map(|own| own.load_j + own.battery_j);
+            energies
+                .loads_j
+                .iter()
+                .copied()
+                .chain(rectified)
+                .collect::<Vec<f64>>()
         };
-        let loads_w: Vec<f64> = delivered(energies).iter().zip(delivered(opened)).map(|(end, start)| (end - start) / window_s).collect();
+        let loads_w: Vec<f64> = delivered(energies)
+            .iter()
+            .zip(delivered(opened))
+            .map(|(end, start)| (end - start) / window_s)
+            .collect();
         Self {
             index,
             mean_power_w: loads_w.iter().fold(0.0, |sum, own| sum + own),
@@ -139,10 +179,17 @@ fn member_stop(batches: Vec<ContactCount>, own: &ContactStatistics) -> MemberSto
 impl Sampling {
     /// Reads a recorded batch.
     fn read(&mut self, kernel: &Kernel, record: &Trajectory, [from_s, to_s]: [f64; 2]) {
-        let times_s: Vec<f64> = (0..self.per_batch).map(|k| from_s + (to_s - from_s) * k as f64 / self.per_batch as f64).collect();
+        let times_s: Vec<f64> = (0..self.per_batch)
+            .map(|k| from_s + (to_s - from_s) * k as f64 / self.per_batch as f64)
+            .collect();
         for at in record.at(kernel, &times_s) {
-            let voltages = kernel.plant.patch_voltages_v(&kernel.plant.to_physical(&at.state, at.time_s));
-            self.voltages_v.iter_mut().zip(voltages).for_each(|(own, voltage)| own.push(voltage));
+            let voltages = kernel
+                .plant
+                .patch_voltages_v(&kernel.plant.to_physical(&at.state, at.time_s));
+            self.voltages_v
+                .iter_mut()
+                .zip(voltages)
+                .for_each(|(own, voltage)| own.push(voltage));
         }
     }
 }

@@ -44,7 +44,10 @@ impl PeriodogramSums {
         for (sums, others) in self.lines.iter_mut().zip(&other.lines) {
             (sums[0], sums[1]) = (sums[0] + sign * others[0], sums[1] + sign * others[1]);
         }
-        (self.whole[0], self.whole[1]) = (self.whole[0] + sign * other.whole[0], self.whole[1] + sign * other.whole[1]);
+        (self.whole[0], self.whole[1]) = (
+            self.whole[0] + sign * other.whole[0],
+            self.whole[1] + sign * other.whole[1],
+        );
     }
 
     /// `B` in lines.
@@ -79,7 +82,8 @@ pub struct VoltageSpectrum {
 impl VoltagePeriodograms {
     /// Adds the next member.
     pub fn add(&mut self, density: &[f64]) {
-        self.groups.resize_with(MAX_JACKKNIFE_GROUPS, PeriodogramSums::default);
+        self.groups
+            .resize_with(MAX_JACKKNIFE_GROUPS, PeriodogramSums::default);
         self.groups[self.members % MAX_JACKKNIFE_GROUPS].add(density);
         let per_bin = density.len().div_ceil(MAX_BINS);
         self.bins.resize(density.len().div_ceil(per_bin), [0.0; 2]);
@@ -101,13 +105,21 @@ impl VoltagePeriodograms {
         VoltageSpectrum {
             patch,
             frequency_hz: (0..self.bins.len()).map(middle).collect(),
-            density: self.bins.iter().map(|sums| Estimate::of_sums(self.members, *sums)).collect(),
+            density: self
+                .bins
+                .iter()
+                .map(|sums| Estimate::of_sums(self.members, *sums))
+                .collect(),
             bandwidth_hz: self.bandwidth(resolution_hz),
         }
     }
 
     fn bandwidth(&self, resolution_hz: f64) -> Estimate {
-        let groups: Vec<&PeriodogramSums> = self.groups.iter().filter(|group| !group.lines.is_empty()).collect();
+        let groups: Vec<&PeriodogramSums> = self
+            .groups
+            .iter()
+            .filter(|group| !group.lines.is_empty())
+            .collect();
         let mut all = PeriodogramSums::default();
         groups.iter().for_each(|group| all.merge(group, 1.0));
         let whole = all.bandwidth();
@@ -118,7 +130,15 @@ impl VoltagePeriodograms {
             resolution_hz * (count * whole - (count - 1.0) * rest.bandwidth())
         });
         let spread = Estimate::of(&left_out.collect::<Vec<f64>>(), IntervalOver::Members);
-        let half_width = if spread.half_width.is_finite() { spread.half_width } else { f64::INFINITY };
-        Estimate { mean: resolution_hz * whole, half_width, ..spread }
+        let half_width = if spread.half_width.is_finite() {
+            spread.half_width
+        } else {
+            f64::INFINITY
+        };
+        Estimate {
+            mean: resolution_hz * whole,
+            half_width,
+            ..spread
+        }
     }
 }

@@ -50,7 +50,10 @@ impl AdaptedNorm {
     /// The Euclidean norm.
     pub fn euclidean(states: usize) -> Self {
         let identity = Mat::identity(states, states);
-        Self { factor: identity.clone(), inverse: identity }
+        Self {
+            factor: identity.clone(),
+            inverse: identity,
+        }
     }
 
     /// Length of a vector.
@@ -62,7 +65,12 @@ impl AdaptedNorm {
     /// Largest factor by which a map stretches a vector; `None` where it is not finite.
     pub fn stretch(&self, map: &Mat<f64>) -> Option<f64> {
         let moved = &self.factor * map * &self.inverse;
-        moved.singular_values().ok()?.first().copied().filter(|largest| largest.is_finite())
+        moved
+            .singular_values()
+            .ok()?
+            .first()
+            .copied()
+            .filter(|largest| largest.is_finite())
     }
 }
 
@@ -87,7 +95,10 @@ mod tests {
     fn the_sum_is_the_geometric_series() {
         let map = Mat::from_fn(1, 1, |_, _| 0.5);
         let length = AdaptedNorm::of(&map, 0.75).map_or(0.0, |norm| norm.length(&[1.0]));
-        assert!((length * length - 1.0 / (1.0 - (0.5_f64 / 0.75).powi(2))).abs() < 1e-12, "{length}");
+        assert!(
+            (length * length - 1.0 / (1.0 - (0.5_f64 / 0.75).powi(2))).abs() < 1e-12,
+            "{length}"
+        );
         assert!(AdaptedNorm::of(&map, 0.4).is_none());
     }
 }

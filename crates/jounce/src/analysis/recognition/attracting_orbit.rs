@@ -76,14 +76,21 @@ impl AttractingOrbit {
         let bound = |radius: f64| -> Option<(f64, f64)> {
             let mut worst = (norm.stretch(&still.derivative)?, norm.length(&still.error));
             for direction in &directions {
-                let found = period(&direction.iter().map(|d| radius * d).collect::<Vec<_>>()).ok()?;
-                worst = (worst.0.max(norm.stretch(&found.derivative)?), worst.1.max(norm.length(&found.error)));
+                let found =
+                    period(&direction.iter().map(|d| radius * d).collect::<Vec<_>>()).ok()?;
+                worst = (
+                    worst.0.max(norm.stretch(&found.derivative)?),
+                    worst.1.max(norm.length(&found.error)),
+                );
             }
             (worst.0 + worst.1 / radius < 1.0).then_some(worst)
         };
         let size = orbit.size().max(f64::MIN_POSITIVE);
         let least = (norm.length(&still.error) / (1.0 - rate)).max(f64::EPSILON * size);
-        let mut radius = norm.length(displacement).max(2.0 * least).max(FIRST_RADIUS * size);
+        let mut radius = norm
+            .length(displacement)
+            .max(2.0 * least)
+            .max(FIRST_RADIUS * size);
         let mut found = bound(radius);
         while found.is_none() && radius > least {
             radius *= 0.5;
@@ -91,23 +98,47 @@ impl AttractingOrbit {
         }
         let (mut rate, mut error) = found?;
         for _ in 0..MAX_ENLARGEMENTS {
-            let Some(wider) = bound(2.0 * radius) else { break };
+            let Some(wider) = bound(2.0 * radius) else {
+                break;
+            };
             (rate, error) = wider;
             radius *= 2.0;
         }
-        Some(Self { orbit, keeps_charge, ball: ContractionBall { norm, rate, error, radius } })
+        Some(Self {
+            orbit,
+            keeps_charge,
+            ball: ContractionBall {
+                norm,
+                rate,
+                error,
+                radius,
+            },
+        })
     }
 
     /// An orbit without a derivative, as one that rests on a rigid stop, to which a motion was seen to contract.
     pub(super) fn observed(orbit: Orbit) -> Self {
         let reached = REACHED_DISTANCE * orbit.size().max(f64::MIN_POSITIVE);
         let norm = AdaptedNorm::euclidean(orbit.start().len());
-        Self { orbit, keeps_charge: false, ball: ContractionBall { norm, rate: 0.0, error: reached, radius: reached } }
+        Self {
+            orbit,
+            keeps_charge: false,
+            ball: ContractionBall {
+                norm,
+                rate: 0.0,
+                error: reached,
+                radius: reached,
+            },
+        }
     }
 
     /// Distance of a state (energy coordinates) at the start of the period; `None` outside the ball.
     pub(super) fn distance(&self, state: &[f64]) -> Option<f64> {
-        let away: Vec<f64> = state.iter().zip(self.orbit.start()).map(|(u, start)| u - start).collect();
+        let away: Vec<f64> = state
+            .iter()
+            .zip(self.orbit.start())
+            .map(|(u, start)| u - start)
+            .collect();
         // The norm is nowhere shorter than the Euclidean one.
         if ColRef::from_slice(&away).norm_l2() > self.ball.radius {
             return None;
@@ -129,14 +160,18 @@ impl AttractingOrbit {
         }
         if self.keeps_charge && other.keeps_charge {
             let apart_w = (one.mean_power_w - two.mean_power_w).abs();
-            return one.contacts == two.contacts && apart_w <= SAME_POWER_DISTANCE * one.mean_power_w.abs().max(two.mean_power_w.abs());
+            return one.contacts == two.contacts
+                && apart_w
+                    <= SAME_POWER_DISTANCE * one.mean_power_w.abs().max(two.mean_power_w.abs());
         }
         self.holds(two) || other.holds(one)
     }
 
     /// True when an orbit passes the ball, where there is one orbit of the period only; of a family over a charge there are more.
     pub(super) fn holds(&self, orbit: &Orbit) -> bool {
-        !self.keeps_charge && self.orbit.period_cycles == orbit.period_cycles && self.passes(&orbit.strobe_states)
+        !self.keeps_charge
+            && self.orbit.period_cycles == orbit.period_cycles
+            && self.passes(&orbit.strobe_states)
     }
 
     /// True when one of the states (energy coordinates at the start of a drive cycle) is one of the orbit.
@@ -151,11 +186,14 @@ fn directions(norm: &AdaptedNorm, map: &Mat<f64>, displacement: &[f64]) -> Vec<V
     let mut directions = vec![displacement.to_vec()];
     if let Ok(eigen) = map.eigen() {
         let values = eigen.S().column_vector();
-        let leading = (0..values.nrows()).max_by(|a, b| values[*a].norm().total_cmp(&values[*b].norm()));
-        for part in leading
-            .into_iter()
-            .flat_map(|k| [eigen.U().col(k).iter().map(|u| u.re).collect::<Vec<f64>>(), eigen.U().col(k).iter().map(|u| u.im).collect()])
-        {
+        let leading =
+            (0..values.nrows()).max_by(|a, b| values[*a].norm().total_cmp(&values[*b].norm()));
+        for part in leading.into_iter().flat_map(|k| {
+            [
+                eigen.U().col(k).iter().map(|u| u.re).collect::<Vec<f64>>(),
+                eigen.U().col(k).iter().map(|u| u.im).collect(),
+            ]
+        }) {
             directions.push(part.iter().map(|d| -d).collect());
             directions.push(part);
         }

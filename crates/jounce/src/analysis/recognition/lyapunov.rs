@@ -42,7 +42,12 @@ impl Lyapunov {
 ///
 /// # Errors
 /// [`SensitivityError`].
-pub fn largest_exponent(kernel: &Kernel, y: &[f64], cycles: usize, tolerance: f64) -> Result<Lyapunov, SensitivityError> {
+pub fn largest_exponent(
+    kernel: &Kernel,
+    y: &[f64],
+    cycles: usize,
+    tolerance: f64,
+) -> Result<Lyapunov, SensitivityError> {
     let cycle_s = kernel.plant.period_s().unwrap_or(1.0);
     let per_block = cycles.div_ceil(EXPONENT_BLOCKS).max(1);
     let mut y = y.to_vec();
@@ -52,21 +57,44 @@ pub fn largest_exponent(kernel: &Kernel, y: &[f64], cycles: usize, tolerance: f6
     for block in 0..=EXPONENT_BLOCKS {
         let mut growth = 0.0;
         for _ in 0..per_block {
-            let step = FlowSensitivity::march(kernel, &y, 0.0, cycle_s, tolerance, &ParameterSensitivity::default())?;
+            let step = FlowSensitivity::march(
+                kernel,
+                &y,
+                0.0,
+                cycle_s,
+                tolerance,
+                &ParameterSensitivity::default(),
+            )?;
             let n = y.len();
-            let moved: Vec<f64> = (0..n).map(|i| (0..n).map(|j| step.jacobian[(i, j)] * direction[j]).sum()).collect();
-            let length = moved.iter().map(|v| v * v).sum::<f64>().sqrt().max(f64::MIN_POSITIVE);
+            let moved: Vec<f64> = (0..n)
+                .map(|i| (0..n).map(|j| step.jacobian[(i, j)] * direction[j]).sum())
+                .collect();
+            let length = moved
+                .iter()
+                .map(|v| v * v)
+                .sum::<f64>()
+                .sqrt()
+                .max(f64::MIN_POSITIVE);
             direction = moved.into_iter().map(|v| v / length).collect();
             growth += length.ln();
             y = step.end;
-            energy_j += if block > 0 { step.delivered_j.iter().sum::<f64>() } else { 0.0 };
+            energy_j += if block > 0 {
+                step.delivered_j.iter().sum::<f64>()
+            } else {
+                0.0
+            };
         }
         if block > 0 {
             means.push(growth / (per_block as f64 * cycle_s));
         }
     }
     let mean = means.iter().sum::<f64>() / EXPONENT_BLOCKS as f64;
-    let variance = means.iter().map(|m| (m - mean).powi(2)).sum::<f64>() / (EXPONENT_BLOCKS - 1) as f64;
+    let variance =
+        means.iter().map(|m| (m - mean).powi(2)).sum::<f64>() / (EXPONENT_BLOCKS - 1) as f64;
     let mean_power_w = energy_j / (EXPONENT_BLOCKS * per_block) as f64 / cycle_s;
-    Ok(Lyapunov { exponent_per_s: mean, error_per_s: (variance / EXPONENT_BLOCKS as f64).sqrt(), mean_power_w })
+    Ok(Lyapunov {
+        exponent_per_s: mean,
+        error_per_s: (variance / EXPONENT_BLOCKS as f64).sqrt(),
+        mean_power_w,
+    })
 }

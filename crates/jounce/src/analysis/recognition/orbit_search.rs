@@ -2,7 +2,9 @@
 
 use super::attracting_orbit::{AttractingOrbit, PeriodRun};
 use super::transient::Transient;
-use crate::continuation::{ContinuationError, CorrectedPoint, Corrector, Metric, Position, correct_at};
+use crate::continuation::{
+    ContinuationError, CorrectedPoint, Corrector, Metric, Position, correct_at,
+};
 use crate::integrate::{IntegrationError, Integrator, Kernel, SensitivityError};
 use crate::orbit::{Orbit, OrbitError, OrbitMethod, ParametricModel, Shooting, ShootingEvaluation};
 use std::sync::Arc;
@@ -45,7 +47,11 @@ type Failure<H> = ContinuationError<OrbitError<<H as ParametricModel>::Error>>;
 
 impl<H: ParametricModel> OrbitSearch<'_, H> {
     /// The orbit near a motion, over the periods after which it nearly returns; `None` without a stable one that is not known.
-    pub fn near(&self, motion: &mut Transient<'_>, known: &[Arc<AttractingOrbit>]) -> Option<SearchOutcome> {
+    pub fn near(
+        &self,
+        motion: &mut Transient<'_>,
+        known: &[Arc<AttractingOrbit>],
+    ) -> Option<SearchOutcome> {
         let mut weak = None;
         for cycles in motion.returns.periods() {
             let cost = motion.search_cost_cycles + SEARCH_COST * cycles;
@@ -54,7 +60,9 @@ impl<H: ParametricModel> OrbitSearch<'_, H> {
             }
             motion.search_cost_cycles = cost;
             match self.of_period(motion, cycles, known) {
-                Some(SearchOutcome::Attracting(orbit)) => return Some(SearchOutcome::Attracting(orbit)),
+                Some(SearchOutcome::Attracting(orbit)) => {
+                    return Some(SearchOutcome::Attracting(orbit));
+                }
                 Some(SearchOutcome::Weak) => weak = Some(SearchOutcome::Weak),
                 None => {}
             }
@@ -62,55 +70,112 @@ impl<H: ParametricModel> OrbitSearch<'_, H> {
         weak
     }
 
-    fn of_period(&self, motion: &Transient<'_>, cycles: u32, known: &[Arc<AttractingOrbit>]) -> Option<SearchOutcome> {
+    fn of_period(
+        &self,
+        motion: &Transient<'_>,
+        cycles: u32,
+        known: &[Arc<AttractingOrbit>],
+    ) -> Option<SearchOutcome> {
         let (tolerance, physical) = (motion.tolerance, motion.physical());
-        let shooting = Shooting::new(self.harvester, self.kernel, cycles, tolerance).charged_as(&physical);
+        let shooting =
+            Shooting::new(self.harvester, self.kernel, cycles, tolerance).charged_as(&physical);
         let (shooting, orbit, shot) = match self.newton(shooting, &motion.state) {
             Ok(found) => found,
             // The flow has no derivative where a point comes to rest, or where two rigid stops are struck together.
-            Err(ContinuationError::Family(OrbitError::March(SensitivityError::Rests { .. } | SensitivityError::StruckTogether { .. }))) => {
-                return self.observed(motion, cycles).map(|orbit| SearchOutcome::Attracting(Arc::new(orbit)));
+            Err(ContinuationError::Family(OrbitError::March(
+                SensitivityError::Rests { .. } | SensitivityError::StruckTogether { .. },
+            ))) => {
+                return self
+                    .observed(motion, cycles)
+                    .map(|orbit| SearchOutcome::Attracting(Arc::new(orbit)));
             }
             Err(_) => return None,
         };
         if !orbit.is_stable() || known.iter().any(|known| known.holds(&orbit)) {
             return None;
         }
-        let displacement: Vec<f64> = motion.state.iter().zip(orbit.start()).map(|(state, start)| state - start).collect();
+        let displacement: Vec<f64> = motion
+            .state
+            .iter()
+            .zip(orbit.start())
+            .map(|(state, start)| state - start)
+            .collect();
         let start = orbit.start().to_vec();
         let period = |away: &[f64]| -> Result<PeriodRun, Failure<H>> {
             let from: Vec<f64> = start.iter().zip(away).map(|(x, d)| x + d).collect();
-            let (moved, _) = shooting.shoot(&from, self.parameter).map_err(ContinuationError::Family)?;
-            let ends = [tolerance, TOLERANCE_REDUCTION * tolerance].map(|tolerance| self.end(&shooting, &from, tolerance));
-            let [coarse, fine] = ends.map(|end| end.map_err(|error| ContinuationError::Family(OrbitError::March(error.into()))));
+            let (moved, _) = shooting
+                .shoot(&from, self.parameter)
+                .map_err(ContinuationError::Family)?;
+            let ends = [tolerance, TOLERANCE_REDUCTION * tolerance]
+                .map(|tolerance| self.end(&shooting, &from, tolerance));
+            let [coarse, fine] = ends.map(|end| {
+                end.map_err(|error| ContinuationError::Family(OrbitError::March(error.into())))
+            });
             let error = coarse?.iter().zip(fine?).map(|(a, b)| a - b).collect();
-            Ok(PeriodRun { derivative: moved.map().clone(), error })
+            Ok(PeriodRun {
+                derivative: moved.map().clone(),
+                error,
+            })
         };
         let found = AttractingOrbit::prove(orbit, shot.keeps_charge, &displacement, period);
-        Some(found.map_or(SearchOutcome::Weak, |orbit| SearchOutcome::Attracting(Arc::new(orbit))))
+        Some(found.map_or(SearchOutcome::Weak, |orbit| {
+            SearchOutcome::Attracting(Arc::new(orbit))
+        }))
     }
 
     /// The orbit that Newton finds, of the least period that divides the given one.
-    fn newton<'s>(&'s self, shooting: Shooting<'s, H>, state: &[f64]) -> Result<(Shooting<'s, H>, Orbit, ShootingEvaluation), Failure<H>> {
-        let position = Position { unknown: state.to_vec(), parameter: self.parameter };
+    fn newton<'s>(
+        &'s self,
+        shooting: Shooting<'s, H>,
+        state: &[f64],
+    ) -> Result<(Shooting<'s, H>, Orbit, ShootingEvaluation), Failure<H>> {
+        let position = Position {
+            unknown: state.to_vec(),
+            parameter: self.parameter,
+        };
         let metric = Metric::at(&position, 1.0);
-        let corrector = Corrector { goal: self.goal, most: MAX_EVALUATIONS };
-        let CorrectedPoint { local: shot, error, .. } = correct_at(&shooting, &corrector, &metric, position)?;
-        let orbit = shooting.orbit(&shot, error).map_err(ContinuationError::Family)?;
+        let corrector = Corrector {
+            goal: self.goal,
+            most: MAX_EVALUATIONS,
+        };
+        let CorrectedPoint {
+            local: shot, error, ..
+        } = correct_at(&shooting, &corrector, &metric, position)?;
+        let orbit = shooting
+            .orbit(&shot, error)
+            .map_err(ContinuationError::Family)?;
         if let Some(cycles) = orbit.shorter_period() {
-            let shorter = Shooting { cycles, charged: shooting.charged.clone(), scale: shooting.scale.clone(), ..shooting };
+            let shorter = Shooting {
+                cycles,
+                charged: shooting.charged.clone(),
+                scale: shooting.scale.clone(),
+                ..shooting
+            };
             // Just after a doubling both orbits lie close to each other, and the shorter one is unstable.
-            let found = self.newton(shorter, orbit.start()).ok().filter(|(_, orbit, _)| orbit.is_stable());
+            let found = self
+                .newton(shorter, orbit.start())
+                .ok()
+                .filter(|(_, orbit, _)| orbit.is_stable());
             return Ok(found.unwrap_or((shooting, orbit, shot)));
         }
         Ok((shooting, orbit, shot))
     }
 
     /// State after a period integrated without its derivative, energy coordinates.
-    fn end(&self, shooting: &Shooting<'_, H>, from: &[f64], tolerance: f64) -> Result<Vec<f64>, IntegrationError> {
+    fn end(
+        &self,
+        shooting: &Shooting<'_, H>,
+        from: &[f64],
+        tolerance: f64,
+    ) -> Result<Vec<f64>, IntegrationError> {
         let plant = &self.kernel.plant;
         let cycle_s = plant.period_s().unwrap_or(1.0);
-        let mut integrator = Integrator::new(self.kernel, &plant.from_physical(&shooting.physical(from), 0.0), 0.0, tolerance)?;
+        let mut integrator = Integrator::new(
+            self.kernel,
+            &plant.from_physical(&shooting.physical(from), 0.0),
+            0.0,
+            tolerance,
+        )?;
         integrator.advance_to(f64::from(shooting.cycles) * cycle_s)?;
         Ok(shooting.unknown(&plant.to_physical(&integrator.state(), 0.0)))
     }
@@ -122,12 +187,20 @@ impl<H: ParametricModel> OrbitSearch<'_, H> {
         let [now, before] = [change(0)?, change(1)?];
         let rate = now / before;
         // The changes to come are a geometric series, down to what the integration leaves.
-        let left = if rate < 1.0 { now * rate / (1.0 - rate) } else { f64::INFINITY };
-        if now > SETTLED_CHANGE * size || left > SETTLED_CHANGE * size && now > SETTLED_CHANGE * TOLERANCE_REDUCTION * size {
+        let left = if rate < 1.0 {
+            now * rate / (1.0 - rate)
+        } else {
+            f64::INFINITY
+        };
+        if now > SETTLED_CHANGE * size
+            || left > SETTLED_CHANGE * size && now > SETTLED_CHANGE * TOLERANCE_REDUCTION * size
+        {
             return None;
         }
         let shooting = Shooting::new(self.harvester, self.kernel, cycles, motion.tolerance);
-        let orbit = shooting.marched_orbit(&motion.physical(), self.parameter).ok()?;
+        let orbit = shooting
+            .marched_orbit(&motion.physical(), self.parameter)
+            .ok()?;
         Some(AttractingOrbit::observed(orbit))
     }
 }

@@ -56,7 +56,12 @@ pub struct Recognition {
 impl Recognition {
     /// The defaults at a tolerance.
     pub fn at(tolerance: f64) -> Self {
-        Self { tolerance, goal: 10.0 * tolerance, longest_period: 64, max_cycles: 20_000 }
+        Self {
+            tolerance,
+            goal: 10.0 * tolerance,
+            longest_period: 64,
+            max_cycles: 20_000,
+        }
     }
 }
 
@@ -76,15 +81,35 @@ pub struct Recognizer<'h, H: ParametricModel> {
 impl<H: ParametricModel> Recognizer<'_, H> {
     /// Where a physical start ends. Of the `known` orbits those are tried first.
     pub fn settle(&self, start: &[f64], known: &[Arc<AttractingOrbit>]) -> SteadyState {
-        self.integrate(start, known).unwrap_or_else(|error| SteadyState::Failed(error.to_string()))
+        self.integrate(start, known)
+            .unwrap_or_else(|error| SteadyState::Failed(error.to_string()))
     }
 
-    fn integrate(&self, start: &[f64], known: &[Arc<AttractingOrbit>]) -> Result<SteadyState, SensitivityError> {
-        let Recognition { tolerance, goal, longest_period, max_cycles } = self.options;
+    fn integrate(
+        &self,
+        start: &[f64],
+        known: &[Arc<AttractingOrbit>],
+    ) -> Result<SteadyState, SensitivityError> {
+        let Recognition {
+            tolerance,
+            goal,
+            longest_period,
+            max_cycles,
+        } = self.options;
         let scale = Shooting::new(self.harvester, self.kernel, 1, tolerance).scale;
         let cycle_s = self.kernel.plant.period_s().unwrap_or(1.0);
-        let mut motion = Transient::from(self.kernel, start, (&scale, cycle_s), (tolerance, longest_period))?;
-        let mut search = OrbitSearch { harvester: self.harvester, kernel: self.kernel, parameter: self.parameter, goal };
+        let mut motion = Transient::from(
+            self.kernel,
+            start,
+            (&scale, cycle_s),
+            (tolerance, longest_period),
+        )?;
+        let mut search = OrbitSearch {
+            harvester: self.harvester,
+            kernel: self.kernel,
+            parameter: self.parameter,
+            goal,
+        };
         let mut orbits = known.to_vec();
         let (mut entry, mut next_search): (Option<BallEntry>, u32) = (None, FIRST_SEARCH_CYCLES);
         while motion.cycles < max_cycles {
@@ -116,35 +141,73 @@ impl<H: ParametricModel> Recognizer<'_, H> {
             exponent = self.exponent(&motion, CONFIRMATION_CYCLES)?;
         }
         let is_chaos = exponent.kind() == AttractorKind::Chaos;
-        Ok(aperiodic(if is_chaos { AttractorKind::Chaos } else { AttractorKind::Undecided }, Some(exponent), &motion))
+        Ok(aperiodic(
+            if is_chaos {
+                AttractorKind::Chaos
+            } else {
+                AttractorKind::Undecided
+            },
+            Some(exponent),
+            &motion,
+        ))
     }
 
-    fn exponent(&self, motion: &Transient<'_>, cycles: usize) -> Result<Lyapunov, SensitivityError> {
+    fn exponent(
+        &self,
+        motion: &Transient<'_>,
+        cycles: usize,
+    ) -> Result<Lyapunov, SensitivityError> {
         largest_exponent(self.kernel, &motion.block_state(), cycles, motion.tolerance)
     }
 }
 
 /// The orbit that a motion has reached: it entered the ball of the orbit, and a period later it has contracted as the bound says.
-fn arrived(motion: &Transient<'_>, orbits: &[Arc<AttractingOrbit>], entry: &mut Option<BallEntry>) -> Option<Arc<AttractingOrbit>> {
-    if let Some(BallEntry { orbit, distance, until }) = *entry {
+fn arrived(
+    motion: &Transient<'_>,
+    orbits: &[Arc<AttractingOrbit>],
+    entry: &mut Option<BallEntry>,
+) -> Option<Arc<AttractingOrbit>> {
+    if let Some(BallEntry {
+        orbit,
+        distance,
+        until,
+    }) = *entry
+    {
         if motion.cycles < until {
             return None;
         }
         *entry = None;
         let reached = &orbits[orbit];
-        if reached.distance(&motion.state).is_some_and(|now| reached.contracts(distance, now)) {
+        if reached
+            .distance(&motion.state)
+            .is_some_and(|now| reached.contracts(distance, now))
+        {
             return Some(Arc::clone(reached));
         }
     }
     // The latest first: it was found from this very motion.
     *entry = orbits.iter().enumerate().rev().find_map(|(orbit, own)| {
         let distance = own.distance(&motion.state)?;
-        Some(BallEntry { orbit, distance, until: motion.cycles + own.orbit.period_cycles })
+        Some(BallEntry {
+            orbit,
+            distance,
+            until: motion.cycles + own.orbit.period_cycles,
+        })
     });
     None
 }
 
-fn aperiodic(kind: AttractorKind, exponent: Option<Lyapunov>, motion: &Transient<'_>) -> SteadyState {
+fn aperiodic(
+    kind: AttractorKind,
+    exponent: Option<Lyapunov>,
+    motion: &Transient<'_>,
+) -> SteadyState {
     let (mean_power_w, state, cycles) = (motion.mean_power_w(), motion.physical(), motion.cycles);
-    SteadyState::Aperiodic(Aperiodic { kind, exponent, mean_power_w, state, cycles })
+    SteadyState::Aperiodic(Aperiodic {
+        kind,
+        exponent,
+        mean_power_w,
+        state,
+        cycles,
+    })
 }

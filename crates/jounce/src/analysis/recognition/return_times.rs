@@ -17,7 +17,10 @@ pub struct ReturnTimes {
 impl ReturnTimes {
     /// For returns after up to `longest` cycles.
     pub fn up_to(longest: u32) -> Self {
-        Self { states: VecDeque::new(), longest: longest as usize }
+        Self {
+            states: VecDeque::new(),
+            longest: longest as usize,
+        }
     }
 
     /// Adds the state one cycle after the last one.
@@ -31,16 +34,29 @@ impl ReturnTimes {
 
     /// Distance of the state `back` cycles ago from the state `cycles` before that; `None` where one of them is not kept.
     pub fn distance(&self, back: usize, cycles: u32) -> Option<f64> {
-        let (now, before) = (self.states.get(back)?, self.states.get(back + cycles as usize)?);
+        let (now, before) = (
+            self.states.get(back)?,
+            self.states.get(back + cycles as usize)?,
+        );
         Some((ColRef::from_slice(now) - ColRef::from_slice(before)).norm_l2())
     }
 
     /// Periods worth a trial, at most two: the shortest return that is nearly as near as the nearest, and the nearest.
     pub fn periods(&self) -> Vec<u32> {
-        let distances: Vec<f64> = (1..=self.longest as u32).map_while(|cycles| self.distance(0, cycles)).collect();
+        let distances: Vec<f64> = (1..=self.longest as u32)
+            .map_while(|cycles| self.distance(0, cycles))
+            .collect();
         let nearest = distances.iter().copied().fold(f64::INFINITY, f64::min);
-        let first = |bound: f64| distances.iter().position(|distance| *distance <= bound).map(|place| place as u32 + 1);
-        let mut periods: Vec<u32> = [first(COMPARABLE_RETURN_RATIO * nearest), first(nearest)].into_iter().flatten().collect();
+        let first = |bound: f64| {
+            distances
+                .iter()
+                .position(|distance| *distance <= bound)
+                .map(|place| place as u32 + 1)
+        };
+        let mut periods: Vec<u32> = [first(COMPARABLE_RETURN_RATIO * nearest), first(nearest)]
+            .into_iter()
+            .flatten()
+            .collect();
         periods.dedup();
         periods
     }
@@ -69,7 +85,12 @@ mod tests {
     #[test]
     fn a_long_period_is_found_at_once() {
         let mut times = ReturnTimes::up_to(64);
-        (0..100).for_each(|k| times.push(vec![(f64::from(k % 18) * 1.7).sin(), 1e-6 * 0.5_f64.powi(k)]));
+        (0..100).for_each(|k| {
+            times.push(vec![
+                (f64::from(k % 18) * 1.7).sin(),
+                1e-6 * 0.5_f64.powi(k),
+            ])
+        });
         assert_eq!(times.periods(), [18]);
     }
 }

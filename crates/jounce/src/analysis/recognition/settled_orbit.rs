@@ -17,30 +17,66 @@ const MAX_EVALUATIONS: u32 = 12;
 
 /// The stable orbit that the motion from `start` (physical) reaches, of those that can be followed: it does not rest on a rigid stop.
 /// `None` where none is proved to be reached. `goal` is Newton's, relative to the state.
-pub fn settled_orbit<H: ParametricModel>(harvester: &H, parameter: f64, start: &[f64], tolerance: f64, goal: f64) -> Option<Orbit> {
+pub fn settled_orbit<H: ParametricModel>(
+    harvester: &H,
+    parameter: f64,
+    start: &[f64],
+    tolerance: f64,
+    goal: f64,
+) -> Option<Orbit> {
     let found = settled_orbits(harvester, parameter, &[start.to_vec()], tolerance).pop()??;
     let setting = harvester.at(parameter).ok()?;
     let physical = Shooting::new(harvester, &setting.kernel, 1, tolerance).physical(found.start());
-    let shooting = Shooting::new(harvester, &setting.kernel, found.period_cycles, tolerance).charged_as(&physical);
-    let position = Position { unknown: found.start().to_vec(), parameter };
+    let shooting = Shooting::new(harvester, &setting.kernel, found.period_cycles, tolerance)
+        .charged_as(&physical);
+    let position = Position {
+        unknown: found.start().to_vec(),
+        parameter,
+    };
     let metric = Metric::at(&position, 1.0);
-    let corrected = correct_at(&shooting, &Corrector { goal, most: MAX_EVALUATIONS }, &metric, position).ok()?;
+    let corrected = correct_at(
+        &shooting,
+        &Corrector {
+            goal,
+            most: MAX_EVALUATIONS,
+        },
+        &metric,
+        position,
+    )
+    .ok()?;
     shooting.orbit(&corrected.local, corrected.error).ok()
 }
 
 /// For each physical start the stable orbit that it reaches, of those that can be followed and that no start before it has reached.
-pub fn settled_orbits<H: ParametricModel>(harvester: &H, parameter: f64, starts: &[Vec<f64>], tolerance: f64) -> Vec<Option<Orbit>> {
+pub fn settled_orbits<H: ParametricModel>(
+    harvester: &H,
+    parameter: f64,
+    starts: &[Vec<f64>],
+    tolerance: f64,
+) -> Vec<Option<Orbit>> {
     let none = vec![None; starts.len()];
-    let Ok(setting) = harvester.at(parameter) else { return none };
+    let Ok(setting) = harvester.at(parameter) else {
+        return none;
+    };
     if setting.kernel.plant.period_s().is_none() {
         return none;
     }
-    let options = Recognition { max_cycles: MAX_CYCLES, ..Recognition::at(tolerance.max(RECOGNITION_TOLERANCE)) };
-    let recognizer = Recognizer { harvester, kernel: &setting.kernel, parameter, options };
+    let options = Recognition {
+        max_cycles: MAX_CYCLES,
+        ..Recognition::at(tolerance.max(RECOGNITION_TOLERANCE))
+    };
+    let recognizer = Recognizer {
+        harvester,
+        kernel: &setting.kernel,
+        parameter,
+        options,
+    };
     let mut known: Vec<Arc<AttractingOrbit>> = Vec::new();
     let mut settled = |start: &Vec<f64>| {
         let end = recognizer.settle(start, &known);
-        let found = end.orbit().filter(|found| !known.iter().any(|known| known.is_same(found)))?;
+        let found = end
+            .orbit()
+            .filter(|found| !known.iter().any(|known| known.is_same(found)))?;
         known.push(Arc::clone(found));
         Some(found.orbit.clone()).filter(|orbit| !orbit.multipliers.is_empty())
     };

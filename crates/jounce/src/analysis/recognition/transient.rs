@@ -43,7 +43,12 @@ impl<'k> Transient<'k> {
         (scale, cycle_s): (&[f64], f64),
         (tolerance, longest): (f64, u32),
     ) -> Result<Self, IntegrationError> {
-        let integrator = Integrator::new(kernel, &kernel.plant.from_physical(physical, 0.0), 0.0, tolerance)?;
+        let integrator = Integrator::new(
+            kernel,
+            &kernel.plant.from_physical(physical, 0.0),
+            0.0,
+            tolerance,
+        )?;
         Ok(Self {
             kernel,
             integrator,
@@ -67,13 +72,19 @@ impl<'k> Transient<'k> {
         }
         self.since += 1;
         self.cycles += 1;
-        self.integrator.advance_to(f64::from(self.since) * self.cycle_s)?;
+        self.integrator
+            .advance_to(f64::from(self.since) * self.cycle_s)?;
         if self.cycles > RESTART_CYCLES {
             let delivered_j = self.integrator.energies().delivered_j();
             self.energies_j.push(delivered_j - self.delivered_j);
             self.delivered_j = delivered_j;
         }
-        self.state = self.physical().iter().zip(&self.scale).map(|(x, w)| x * w).collect();
+        self.state = self
+            .physical()
+            .iter()
+            .zip(&self.scale)
+            .map(|(x, w)| x * w)
+            .collect();
         self.returns.push(self.state.clone());
         Ok(())
     }
@@ -107,6 +118,7 @@ impl<'k> Transient<'k> {
 
     /// True when the averages of the power over the second half of the cycles have converged as those of a quasi-periodic motion do.
     pub fn is_quasi_periodic(&self) -> bool {
-        half_difference(&self.energies_j[self.energies_j.len() / 2..]).is_some_and(|difference| difference < CONVERGED_DIFFERENCE)
+        half_difference(&self.energies_j[self.energies_j.len() / 2..])
+            .is_some_and(|difference| difference < CONVERGED_DIFFERENCE)
     }
 }

@@ -16,10 +16,14 @@ pub fn weighted_average(samples: &[f64]) -> f64 {
         let t = (k as f64 + 0.5) / count;
         (-1.0 / (t * (1.0 - t))).exp()
     };
-    let (sum, weights) = samples.iter().enumerate().fold((0.0, 0.0), |(sum, weights), (k, sample)| {
-        let own = weight(k);
-        (sum + own * sample, weights + own)
-    });
+    let (sum, weights) =
+        samples
+            .iter()
+            .enumerate()
+            .fold((0.0, 0.0), |(sum, weights), (k, sample)| {
+                let own = weight(k);
+                (sum + own * sample, weights + own)
+            });
     sum / weights
 }
 
@@ -28,7 +32,12 @@ pub fn weighted_average(samples: &[f64]) -> f64 {
 pub fn half_difference(samples: &[f64]) -> Option<f64> {
     let count = samples.len() as f64;
     let mean = samples.iter().sum::<f64>() / count;
-    let deviation = (samples.iter().map(|sample| (sample - mean).powi(2)).sum::<f64>() / count).sqrt();
+    let deviation = (samples
+        .iter()
+        .map(|sample| (sample - mean).powi(2))
+        .sum::<f64>()
+        / count)
+        .sqrt();
     let (first, second) = samples.split_at(samples.len() / 2);
     let difference = (weighted_average(first) - weighted_average(second)).abs();
     (deviation > 1e-9 * mean.abs()).then(|| difference / deviation)
@@ -42,12 +51,20 @@ mod tests {
     #[test]
     fn averages_over_a_rotation_converge_and_over_chaos_do_not() {
         let golden = 0.5 * (5.0_f64.sqrt() - 1.0) * std::f64::consts::TAU;
-        let rotation: Vec<f64> =
-            (0..1024).map(|k| 1.0 + (golden * f64::from(k)).cos() + 0.3 * (2.0 * golden * f64::from(k)).sin()).collect();
+        let rotation: Vec<f64> = (0..1024)
+            .map(|k| {
+                1.0 + (golden * f64::from(k)).cos() + 0.3 * (2.0 * golden * f64::from(k)).sin()
+            })
+            .collect();
         assert!((weighted_average(&rotation) - 1.0).abs() < 1e-12);
         assert!(half_difference(&rotation).is_some_and(|difference| difference < 1e-8));
-        let chaos: Vec<f64> = std::iter::successors(Some(0.3), |x: &f64| Some(4.0 * x * (1.0 - x))).take(1024).collect();
-        assert!((weighted_average(&chaos) - 0.5).abs() < 0.05 && half_difference(&chaos).is_some_and(|difference| difference > 1e-3));
+        let chaos: Vec<f64> = std::iter::successors(Some(0.3), |x: &f64| Some(4.0 * x * (1.0 - x)))
+            .take(1024)
+            .collect();
+        assert!(
+            (weighted_average(&chaos) - 0.5).abs() < 0.05
+                && half_difference(&chaos).is_some_and(|difference| difference > 1e-3)
+        );
         assert!(half_difference(&[2.0; 16]).is_none());
     }
 }

@@ -45,16 +45,32 @@ impl SpeedBound {
     pub fn of(plant: &Plant, layout: &StateLayout, tones: &[Phasor], port: usize) -> Option<Self> {
         let block = &plant.diagonal.block;
         let grows = |pair: &BlockPair| matches!(pair, BlockPair::Jordan { .. });
-        let is_rigid = plant.system.stops.iter().any(|stop| matches!(stop.law, Law::Rigid(_)));
-        let is_simple = plant.forcings.is_empty() && plant.system.bridges.is_empty() && !is_rigid && !block.pairs.iter().any(grows);
+        let is_rigid = plant
+            .system
+            .stops
+            .iter()
+            .any(|stop| matches!(stop.law, Law::Rigid(_)));
+        let is_simple = plant.forcings.is_empty()
+            && plant.system.bridges.is_empty()
+            && !is_rigid
+            && !block.pairs.iter().any(grows);
         if plant.ports.len() < 2 || !is_simple {
             return None;
         }
         let sizes = magnitudes(block, &plant.ports[port].velocity);
-        let pushed = |other: &Port| sizes.iter().zip(&other.force).map(|(c, b)| c * b.abs()).sum();
+        let pushed = |other: &Port| {
+            sizes
+                .iter()
+                .zip(&other.force)
+                .map(|(c, b)| c * b.abs())
+                .sum()
+        };
         Some(Self {
             row: layout.pack(&sizes),
-            tones_m_s: tones.iter().map(|tone| tone.displacement_m[port].norm() * tone.angular_frequency_rad_s).sum(),
+            tones_m_s: tones
+                .iter()
+                .map(|tone| tone.displacement_m[port].norm() * tone.angular_frequency_rad_s)
+                .sum(),
             per_impulse: plant.ports.iter().map(pushed).collect(),
         })
     }
@@ -63,14 +79,25 @@ impl SpeedBound {
 /// Bound on what each state does to an output while its block decays: a pair turns.
 fn magnitudes(block: &BlockDiagonal, row: &[f64]) -> Vec<f64> {
     let paired = 2 * block.pairs.len();
-    let size = |(k, c): (usize, &f64)| if k < paired { c.hypot(row[k ^ 1]) } else { c.abs() };
+    let size = |(k, c): (usize, &f64)| {
+        if k < paired {
+            c.hypot(row[k ^ 1])
+        } else {
+            c.abs()
+        }
+    };
     row.iter().enumerate().map(size).collect()
 }
 
 impl Integrator<'_> {
     /// True when no port in flight can touch within a time, under an impulse of another port; they are left unseen.
     #[inline(always)]
-    pub(in crate::integrate) fn all_stay_clear<W: Simd>(&mut self, w: W, length_s: f64, push: (usize, f64)) -> bool {
+    pub(in crate::integrate) fn all_stay_clear<W: Simd>(
+        &mut self,
+        w: W,
+        length_s: f64,
+        push: (usize, f64),
+    ) -> bool {
         let mut all = true;
         for q in 0..self.kernel.plant.ports.len() {
             if self.ports[q].regime == ContactState::Flight {
@@ -82,16 +109,33 @@ impl Integrator<'_> {
 
     /// True when a port in flight cannot touch within a time, under an impulse of another port; it is left unseen.
     #[inline(always)]
-    pub(super) fn stays_clear<W: Simd>(&mut self, w: W, q: usize, length_s: f64, push: Option<(usize, f64)>) -> bool {
-        let Some(bound) = &self.ports[q].rows.speed_bound else { return false };
-        let gain_m_s = push.map_or(0.0, |(p, impulse_n_s)| IMPULSE_MARGIN * bound.per_impulse[p] * impulse_n_s);
+    pub(super) fn stays_clear<W: Simd>(
+        &mut self,
+        w: W,
+        q: usize,
+        length_s: f64,
+        push: Option<(usize, f64)>,
+    ) -> bool {
+        let Some(bound) = &self.ports[q].rows.speed_bound else {
+            return false;
+        };
+        let gain_m_s = push.map_or(0.0, |(p, impulse_n_s)| {
+            IMPULSE_MARGIN * bound.per_impulse[p] * impulse_n_s
+        });
         let end_s = self.time_s + length_s;
-        let holds = |known: &Clearance| (known.speed_m_s + gain_m_s) * (end_s - known.since_s) < known.distance_m;
+        let holds = |known: &Clearance| {
+            (known.speed_m_s + gain_m_s) * (end_s - known.since_s) < known.distance_m
+        };
         if !holds(&self.ports[q].clearance) {
             let speed_m_s = dot_abs(w, &bound.row, &self.y) + bound.tones_m_s;
             self.update_free_port(w, q);
             let port = &mut self.ports[q];
-            port.clearance = Clearance { since_s: self.time_s, distance_m: -port.penetration_m, speed_m_s, is_unseen: false };
+            port.clearance = Clearance {
+                since_s: self.time_s,
+                distance_m: -port.penetration_m,
+                speed_m_s,
+                is_unseen: false,
+            };
             if !holds(&port.clearance) {
                 return false;
             }
@@ -113,7 +157,9 @@ impl Integrator<'_> {
     /// Forgets what was known of the ports in flight: they have been pushed by what was not counted.
     #[inline(always)]
     pub(super) fn forget_clearances(&mut self) {
-        self.ports.iter_mut().for_each(|port| port.clearance.distance_m = 0.0);
+        self.ports
+            .iter_mut()
+            .for_each(|port| port.clearance.distance_m = 0.0);
     }
 }
 
@@ -124,14 +170,40 @@ mod tests {
     /// The largest speed over a long time stays below the bound, and is more than half of it.
     #[test]
     fn no_motion_is_faster_than_its_bound() {
-        let pairs = vec![BlockPair::Oscillatory { decay: -0.01, frequency: 3.0 }, BlockPair::Oscillatory { decay: -0.02, frequency: 7.1 }];
-        let block = BlockDiagonal { pairs, reals: vec![-0.5] };
+        let pairs = vec![
+            BlockPair::Oscillatory {
+                decay: -0.01,
+                frequency: 3.0,
+            },
+            BlockPair::Oscillatory {
+                decay: -0.02,
+                frequency: 7.1,
+            },
+        ];
+        let block = BlockDiagonal {
+            pairs,
+            reals: vec![-0.5],
+        };
         let (row, start) = ([0.3, -0.4, 0.1, 0.2, -0.6], [1.0_f64, 0.5, -0.2, 0.3, 0.4]);
         let sizes = magnitudes(&block, &row);
-        assert_eq!(sizes, vec![0.5, 0.5, 0.1_f64.hypot(0.2), 0.1_f64.hypot(0.2), 0.6]);
+        assert_eq!(
+            sizes,
+            vec![0.5, 0.5, 0.1_f64.hypot(0.2), 0.1_f64.hypot(0.2), 0.6]
+        );
         let bound: f64 = sizes.iter().zip(&start).map(|(c, y)| c * y.abs()).sum();
-        let speed = |t: f64| row.iter().zip(block.flow(t, &start)).map(|(c, y)| c * y).sum::<f64>().abs();
-        let fastest = (0..20_000).map(|k| speed(0.001 * f64::from(k))).fold(0.0, f64::max);
-        assert!(fastest < bound && fastest > 0.5 * bound, "{fastest} {bound}");
+        let speed = |t: f64| {
+            row.iter()
+                .zip(block.flow(t, &start))
+                .map(|(c, y)| c * y)
+                .sum::<f64>()
+                .abs()
+        };
+        let fastest = (0..20_000)
+            .map(|k| speed(0.001 * f64::from(k)))
+            .fold(0.0, f64::max);
+        assert!(
+            fastest < bound && fastest > 0.5 * bound,
+            "{fastest} {bound}"
+        );
     }
 }

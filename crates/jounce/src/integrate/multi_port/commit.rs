@@ -32,10 +32,21 @@ impl Integrator<'_> {
     }
 
     #[inline(always)]
-    fn take_all<W: Simd>(&mut self, w: W, length: StepLength, steps: &[ContactStep], solved: &[SolvedStep], tables: Option<&JointTables>) {
+    fn take_all<W: Simd>(
+        &mut self,
+        w: W,
+        length: StepLength,
+        steps: &[ContactStep],
+        solved: &[SolvedStep],
+        tables: Option<&JointTables>,
+    ) {
         let forces: SmallList<F64x8> = solved.iter().map(|own| nodal(&own.force)).collect();
         if self.record.is_some() {
-            let noted: Vec<PortForce> = steps.iter().zip(&forces).map(|(step, force)| PortForce::new(step, force)).collect();
+            let noted: Vec<PortForce> = steps
+                .iter()
+                .zip(&forces)
+                .map(|(step, force)| PortForce::new(step, force))
+                .collect();
             self.note(length.seconds(), &noted);
         }
         for (step, force) in steps.iter().zip(&forces) {
@@ -47,7 +58,8 @@ impl Integrator<'_> {
         }
         std::mem::swap(&mut self.y, &mut self.next);
         self.time_s += length.seconds();
-        self.excitation.pass(self.kernel, length.seconds(), self.time_s, &mut self.y);
+        self.excitation
+            .pass(self.kernel, length.seconds(), self.time_s, &mut self.y);
         let first = steps[0].port;
         for tone in &mut self.tones {
             tone.turn *= tone.swing[first].end();
@@ -63,7 +75,13 @@ impl Integrator<'_> {
 
     /// Every port in contact comes to the end of the step.
     #[inline(always)]
-    fn arrive_all<W: Simd>(&mut self, w: W, level: i32, steps: &[ContactStep], solved: &[SolvedStep]) {
+    fn arrive_all<W: Simd>(
+        &mut self,
+        w: W,
+        level: i32,
+        steps: &[ContactStep],
+        solved: &[SolvedStep],
+    ) {
         let allowed = self.allowed_beside_n_s(steps, solved);
         for (step, own) in steps.iter().zip(solved) {
             let p = step.port;
@@ -76,7 +94,8 @@ impl Integrator<'_> {
             }
             self.arrive(w, self.law(p), step, own);
             let entering = std::mem::take(&mut self.ports[p].entering);
-            self.ports[p].level = self.next_level(self.law(p), level, step, own, (allowed, entering));
+            self.ports[p].level =
+                self.next_level(self.law(p), level, step, own, (allowed, entering));
         }
     }
 

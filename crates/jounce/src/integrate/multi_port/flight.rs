@@ -25,9 +25,13 @@ impl StepOutcome {
     pub fn and(self, p: usize, verdict: FlightVerdict) -> Self {
         match (self, verdict) {
             (StepOutcome::Unclear(a), FlightVerdict::Unclear(b)) => StepOutcome::Unclear(a.max(b)),
-            (StepOutcome::Unclear(down), _) | (_, FlightVerdict::Unclear(down)) => StepOutcome::Unclear(down),
+            (StepOutcome::Unclear(down), _) | (_, FlightVerdict::Unclear(down)) => {
+                StepOutcome::Unclear(down)
+            }
             (outcome, FlightVerdict::Clear) => outcome,
-            (StepOutcome::Clear, FlightVerdict::Strike(crossing)) => StepOutcome::Strikes(vec![(p, crossing)]),
+            (StepOutcome::Clear, FlightVerdict::Strike(crossing)) => {
+                StepOutcome::Strikes(vec![(p, crossing)])
+            }
             (StepOutcome::Strikes(mut strikes), FlightVerdict::Strike(crossing)) => {
                 strikes.push((p, crossing));
                 StepOutcome::Strikes(strikes)
@@ -42,16 +46,31 @@ impl Integrator<'_> {
     pub(super) fn fly<W: Simd>(&mut self, w: W, end_s: f64) -> Result<(), IntegrationError> {
         let mut grow = LEVELS_PER_OCTAVE;
         while self.time_s < end_s {
-            let (level, remaining_s) = (self.flight_level, self.excitation.remaining_s(self.time_s, end_s));
+            let (level, remaining_s) = (
+                self.flight_level,
+                self.excitation.remaining_s(self.time_s, end_s),
+            );
             let landing = Kernel::length_s(level) >= remaining_s;
-            let length_s = if landing { remaining_s } else { Kernel::length_s(level) };
+            let length_s = if landing {
+                remaining_s
+            } else {
+                Kernel::length_s(level)
+            };
             // Of a step that ends early, the shortest level that bounds it from above.
-            let tight = if landing { level.max(Kernel::level_within(remaining_s) - 1) } else { level };
+            let tight = if landing {
+                level.max(Kernel::level_within(remaining_s) - 1)
+            } else {
+                level
+            };
             match self.attempt_all(w, tight, length_s, landing) {
                 StepOutcome::Clear => {
                     let start_s = self.time_s;
                     self.move_on(length_s, if landing { end_s } else { start_s + length_s });
-                    for port in self.ports.iter_mut().filter(|port| !port.clearance.is_unseen) {
+                    for port in self
+                        .ports
+                        .iter_mut()
+                        .filter(|port| !port.clearance.is_unseen)
+                    {
                         [port.penetration_m, port.rate_m_s] = port.ahead;
                     }
                     self.work.flight_steps += 1;
@@ -67,8 +86,14 @@ impl Integrator<'_> {
                     // The step after the next would fail as this one did.
                     grow = 0;
                     self.flight_level = (tight + down).min(Kernel::finest());
-                    if self.ports.iter().any(|port| !port.penetration_m.is_finite()) {
-                        return Err(IntegrationError::NotFinite { time_s: self.time_s });
+                    if self
+                        .ports
+                        .iter()
+                        .any(|port| !port.penetration_m.is_finite())
+                    {
+                        return Err(IntegrationError::NotFinite {
+                            time_s: self.time_s,
+                        });
                     }
                 }
             }
@@ -78,7 +103,13 @@ impl Integrator<'_> {
 
     /// Looks at a step: the state at its end is in `next`, the motion of each port there in `ahead`.
     #[inline(always)]
-    fn attempt_all<W: Simd>(&mut self, w: W, level: i32, length_s: f64, landing: bool) -> StepOutcome {
+    fn attempt_all<W: Simd>(
+        &mut self,
+        w: W,
+        level: i32,
+        length_s: f64,
+        landing: bool,
+    ) -> StepOutcome {
         if landing {
             self.propagate_to(w, length_s);
         } else {
@@ -90,9 +121,16 @@ impl Integrator<'_> {
                 continue;
             }
             self.update_free_port(w, p);
-            let drive = if landing { self.drive_after(p, length_s) } else { self.drive_after_level(p, level) };
+            let drive = if landing {
+                self.drive_after(p, length_s)
+            } else {
+                self.drive_after_level(p, level)
+            };
             let rows = &self.ports[p].rows;
-            let motion = [dot(w, &rows.displacement, &self.next) + drive[0] - rows.gap_m, dot(w, &rows.velocity, &self.next) + drive[1]];
+            let motion = [
+                dot(w, &rows.displacement, &self.next) + drive[0] - rows.gap_m,
+                dot(w, &rows.velocity, &self.next) + drive[1],
+            ];
             self.ports[p].ahead = motion;
             let step = self.step_of(w, p, level, length_s, motion, drive);
             outcome = outcome.and(p, self.judge_beside(w, p, &step, motion[0]));
@@ -103,9 +141,17 @@ impl Integrator<'_> {
     /// Judges the flight of one port beside others. What is shallower than the roundoff of its displacement cannot be resolved: two
     /// bodies that touch far from the origin have neither gap nor relative motion as a scale.
     #[inline(always)]
-    pub(super) fn judge_beside<W: Simd>(&self, w: W, p: usize, step: &FlightStep, displacement_m: f64) -> FlightVerdict {
+    pub(super) fn judge_beside<W: Simd>(
+        &self,
+        w: W,
+        p: usize,
+        step: &FlightStep,
+        displacement_m: f64,
+    ) -> FlightVerdict {
         match self.judge_flight(p, step, displacement_m) {
-            FlightVerdict::Unclear(_) if step.uncertainty_m() <= RESOLVED_UNCERTAINTY * self.terms_m(w, p) => {
+            FlightVerdict::Unclear(_)
+                if step.uncertainty_m() <= RESOLVED_UNCERTAINTY * self.terms_m(w, p) =>
+            {
                 by_interpolant(step, self.leaves_from_rest(p))
             }
             verdict => verdict,

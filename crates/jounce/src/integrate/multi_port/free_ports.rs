@@ -17,7 +17,13 @@ use crate::simd::{F64x8, Simd};
 impl Integrator<'_> {
     /// Judges the flight of every other port over a solved step; the free motion to its end is left in `next`.
     #[inline(always)]
-    pub(super) fn watch<W: Simd>(&mut self, w: W, length: StepLength, steps: &[ContactStep], solved: &[SolvedStep]) -> StepOutcome {
+    pub(super) fn watch<W: Simd>(
+        &mut self,
+        w: W,
+        length: StepLength,
+        steps: &[ContactStep],
+        solved: &[SolvedStep],
+    ) -> StepOutcome {
         w.apart(
             #[inline(always)]
             || self.watch_all(w, length, steps, solved),
@@ -25,7 +31,13 @@ impl Integrator<'_> {
     }
 
     #[inline(always)]
-    fn watch_all<W: Simd>(&mut self, w: W, length: StepLength, steps: &[ContactStep], solved: &[SolvedStep]) -> StepOutcome {
+    fn watch_all<W: Simd>(
+        &mut self,
+        w: W,
+        length: StepLength,
+        steps: &[ContactStep],
+        solved: &[SolvedStep],
+    ) -> StepOutcome {
         steps[0].table.flow.apply(w, &self.y, &mut self.next);
         let forces: SmallList<F64x8> = solved.iter().map(|own| nodal(&own.force)).collect();
         let mut outcome = StepOutcome::Clear;
@@ -40,7 +52,14 @@ impl Integrator<'_> {
 
     /// The verdict on one port.
     #[inline(always)]
-    fn watch_one<W: Simd>(&self, w: W, length: StepLength, steps: &[ContactStep], forces: &[F64x8], p: usize) -> FlightVerdict {
+    fn watch_one<W: Simd>(
+        &self,
+        w: W,
+        length: StepLength,
+        steps: &[ContactStep],
+        forces: &[F64x8],
+        p: usize,
+    ) -> FlightVerdict {
         let flight = |step: &ContactStep| length.flight(self.kernel, (step.port, step.shape), p);
         let flights: SmallList<_> = steps.iter().map(flight).collect();
         let mut forced = w.zero();
@@ -51,7 +70,10 @@ impl Integrator<'_> {
         let [rest_m, rest_m_s] = rest_bounds(w, &flights, forces);
         let drive = self.drive_at_end(p, steps[0].port, length);
         let rows = &self.ports[p].rows;
-        let free = [dot(w, &rows.displacement, &self.next) + drive[0] - rows.gap_m, dot(w, &rows.velocity, &self.next) + drive[1]];
+        let free = [
+            dot(w, &rows.displacement, &self.next) + drive[0] - rows.gap_m,
+            dot(w, &rows.velocity, &self.next) + drive[1],
+        ];
         let mut step = self.step_of(w, p, length.level(), length.seconds(), free, drive);
         step.distance_m[1] += forced[0];
         step.speed_m_s[0] += forced[2];
@@ -60,22 +82,50 @@ impl Integrator<'_> {
         step.fast_bound_m_s += rest_m_s;
         let end_m = free[0] + forced[0];
         // A point that touches and is pushed in strikes now: in contact the law itself decides.
-        let touches = end_m > 0.0 && self.ports[p].penetration_m.abs() <= self.touch_m(p) && !self.is_rigid(p) && !self.is_guard(p);
-        let now = Crossing { from_s: 0.0, guess_s: 0.0, to_s: step.length_s };
-        if touches { FlightVerdict::Strike(now) } else { self.judge_beside(w, p, &step, end_m) }
+        let touches = end_m > 0.0
+            && self.ports[p].penetration_m.abs() <= self.touch_m(p)
+            && !self.is_rigid(p)
+            && !self.is_guard(p);
+        let now = Crossing {
+            from_s: 0.0,
+            guess_s: 0.0,
+            to_s: step.length_s,
+        };
+        if touches {
+            FlightVerdict::Strike(now)
+        } else {
+            self.judge_beside(w, p, &step, end_m)
+        }
     }
 
     /// Motion of a port in flight at the end of a solved step: distance past the stop, m, and its rate, m/s.
     #[inline(always)]
-    pub(super) fn flown<W: Simd>(&mut self, w: W, joint: &JointStep, solved: &[SolvedStep], p: usize) -> [f64; 2] {
+    pub(super) fn flown<W: Simd>(
+        &mut self,
+        w: W,
+        joint: &JointStep,
+        solved: &[SolvedStep],
+        p: usize,
+    ) -> [f64; 2] {
         let table = joint.steps[0].table;
         table.flow.apply(w, &self.y, &mut self.next);
         for (step, own) in joint.steps.iter().zip(solved) {
             self.push_on(w, step, &nodal(&own.force));
         }
-        let (rows, drive) = (&self.ports[p].rows, self.drive_at_end(p, joint.steps[0].port, joint.tables.length));
-        let at_once: f64 = joint.steps.iter().zip(solved).map(|(step, own)| self.kernel.directly(step.port, p) * own.force.0[NODES]).sum();
-        [dot(w, &rows.displacement, &self.next) + drive[0] - rows.gap_m, dot(w, &rows.velocity, &self.next) + drive[1] + at_once]
+        let (rows, drive) = (
+            &self.ports[p].rows,
+            self.drive_at_end(p, joint.steps[0].port, joint.tables.length),
+        );
+        let at_once: f64 = joint
+            .steps
+            .iter()
+            .zip(solved)
+            .map(|(step, own)| self.kernel.directly(step.port, p) * own.force.0[NODES])
+            .sum();
+        [
+            dot(w, &rows.displacement, &self.next) + drive[0] - rows.gap_m,
+            dot(w, &rows.velocity, &self.next) + drive[1] + at_once,
+        ]
     }
 
     /// Displacement and velocity of a port under the drive at the end of a step of another one in contact.

@@ -20,7 +20,8 @@ const MAX_IMPACTS_PER_INSTANT: usize = 10_000;
 impl Integrator<'_> {
     /// A touched rigid stop is moved into.
     pub(super) fn hits_rigid_stop(&self) -> bool {
-        self.in_regime(ContactState::Contact).any(|p| self.is_rigid(p) && self.moves_in(p))
+        self.in_regime(ContactState::Contact)
+            .any(|p| self.is_rigid(p) && self.moves_in(p))
     }
 
     fn moves_in(&self, p: usize) -> bool {
@@ -37,23 +38,40 @@ impl Integrator<'_> {
     /// [`IntegrationError::ImpactsWithoutEnd`].
     #[inline(always)]
     pub(super) fn collide<W: Simd>(&mut self, w: W) -> Result<(), IntegrationError> {
-        let touching: Vec<usize> = self.in_regime(ContactState::Contact).filter(|p| self.is_rigid(*p)).collect();
+        let touching: Vec<usize> = self
+            .in_regime(ContactState::Contact)
+            .filter(|p| self.is_rigid(*p))
+            .collect();
         for _ in 0..MAX_IMPACTS_PER_INSTANT {
-            let struck: Vec<usize> = touching.iter().copied().filter(|p| self.moves_in(*p)).collect();
+            let struck: Vec<usize> = touching
+                .iter()
+                .copied()
+                .filter(|p| self.moves_in(*p))
+                .collect();
             let Some(first) = struck.first() else {
                 self.settle(&touching);
                 return Ok(());
             };
-            let pushed = self.impact_together(&struck).unwrap_or_else(|| self.impact_alone(*first));
+            let pushed = self
+                .impact_together(&struck)
+                .unwrap_or_else(|| self.impact_alone(*first));
             for q in (0..self.kernel.plant.ports.len()).filter(|q| !pushed.contains(q)) {
-                let touches = self.ports[q].regime == ContactState::Contact || touching.contains(&q);
+                let touches =
+                    self.ports[q].regime == ContactState::Contact || touching.contains(&q);
                 let kept_m = touches.then_some(self.ports[q].penetration_m);
                 self.update_port(w, q);
                 self.ports[q].penetration_m = kept_m.unwrap_or(self.ports[q].penetration_m);
             }
         }
-        let stops = touching.iter().map(|p| self.kernel.plant.system.stops[*p].name.clone()).collect();
-        Err(IntegrationError::ImpactsWithoutEnd { time_s: self.time_s, stops, impacts: MAX_IMPACTS_PER_INSTANT })
+        let stops = touching
+            .iter()
+            .map(|p| self.kernel.plant.system.stops[*p].name.clone())
+            .collect();
+        Err(IntegrationError::ImpactsWithoutEnd {
+            time_s: self.time_s,
+            stops,
+            impacts: MAX_IMPACTS_PER_INSTANT,
+        })
     }
 
     /// One stop by itself; the ports pushed.
@@ -69,7 +87,11 @@ impl Integrator<'_> {
         for p in touching {
             let leaves = self.ports[*p].rate_m_s < -self.still_m_s(*p);
             let port = &mut self.ports[*p];
-            port.regime = if leaves { ContactState::Flight } else { ContactState::Contact };
+            port.regime = if leaves {
+                ContactState::Flight
+            } else {
+                ContactState::Contact
+            };
             port.rate_m_s = if leaves { port.rate_m_s } else { 0.0 };
         }
     }

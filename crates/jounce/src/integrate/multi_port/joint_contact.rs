@@ -36,13 +36,24 @@ impl Integrator<'_> {
             {
                 continue;
             }
-            let Some(mut level) = ports.iter().map(|(p, _)| self.ports[*p].level).max() else { return Ok(()) };
+            let Some(mut level) = ports.iter().map(|(p, _)| self.ports[*p].level).max() else {
+                return Ok(());
+            };
             loop {
                 let remaining_s = self.excitation.remaining_s(self.time_s, end_s);
                 let landing = Kernel::length_s(level) >= remaining_s;
-                let length = if landing { StepLength::Odd { length_s: remaining_s, level } } else { StepLength::Level(level) };
+                let length = if landing {
+                    StepLength::Odd {
+                        length_s: remaining_s,
+                        level,
+                    }
+                } else {
+                    StepLength::Level(level)
+                };
                 let outcome = match ports.as_slice() {
-                    [(p, shape)] if !self.is_rigid(*p) => self.attempt_alone(w, (*p, *shape), length, level >= safe),
+                    [(p, shape)] if !self.is_rigid(*p) => {
+                        self.attempt_alone(w, (*p, *shape), length, level >= safe)
+                    }
                     several => self.joint_attempt(w, several, length, level >= safe),
                 };
                 match outcome {
@@ -52,9 +63,19 @@ impl Integrator<'_> {
                         }
                         break;
                     }
-                    StepOutcome::Strikes(strikes) if self.land_on_first(w, &ports, &strikes, level) => break,
+                    StepOutcome::Strikes(strikes)
+                        if self.land_on_first(w, &ports, &strikes, level) =>
+                    {
+                        break;
+                    }
                     StepOutcome::Strikes(_) => level += LEVELS_PER_OCTAVE,
-                    StepOutcome::Unclear(down) => level = if landing { Kernel::level_within(remaining_s) + down } else { level + down },
+                    StepOutcome::Unclear(down) => {
+                        level = if landing {
+                            Kernel::level_within(remaining_s) + down
+                        } else {
+                            level + down
+                        }
+                    }
                 }
                 self.work.contact_rejections += 1;
                 if level > Kernel::finest() {
@@ -68,15 +89,31 @@ impl Integrator<'_> {
     /// The ports in contact, each with the basis of its next step.
     fn ports_with_bases(&self) -> SmallList<(usize, ForceBasis)> {
         // The force of a port at rest follows the others at once: their onset would have to be in its basis too.
-        let rests = self.in_regime(ContactState::Contact).any(|p| self.is_rigid(p));
+        let rests = self
+            .in_regime(ContactState::Contact)
+            .any(|p| self.is_rigid(p));
         let strikes = |p: usize| self.ports[p].entering && self.ports[p].rate_m_s > 0.0 && !rests;
-        let shape = |p: usize| if strikes(p) { self.kernel.first_shape(p) } else { ForceBasis::Smooth };
-        self.in_regime(ContactState::Contact).map(|p| (p, shape(p))).collect()
+        let shape = |p: usize| {
+            if strikes(p) {
+                self.kernel.first_shape(p)
+            } else {
+                ForceBasis::Smooth
+            }
+        };
+        self.in_regime(ContactState::Contact)
+            .map(|p| (p, shape(p)))
+            .collect()
     }
 
     /// Tries a step; taken when it is accurate for all ports in contact and clear for all in flight.
     #[inline(always)]
-    fn joint_attempt<W: Simd>(&mut self, w: W, ports: &[(usize, ForceBasis)], length: StepLength, is_short: bool) -> StepOutcome {
+    fn joint_attempt<W: Simd>(
+        &mut self,
+        w: W,
+        ports: &[(usize, ForceBasis)],
+        length: StepLength,
+        is_short: bool,
+    ) -> StepOutcome {
         let tables = JointTables::new(self.kernel, ports, length);
         let joint = self.joint_step(w, &tables);
         let resting = StickingPorts::new(self, &tables);
@@ -94,19 +131,36 @@ impl Integrator<'_> {
 
     /// Accurate and sound at every port.
     #[inline(always)]
-    pub(super) fn is_fine(&self, steps: &[ContactStep], solved: &[SolvedStep], is_short: bool) -> bool {
+    pub(super) fn is_fine(
+        &self,
+        steps: &[ContactStep],
+        solved: &[SolvedStep],
+        is_short: bool,
+    ) -> bool {
         let allowed_n_s = self.allowed_beside_n_s(steps, solved);
         steps.iter().zip(solved).all(|(step, own)| {
-            let needs_no_look = self.is_rigid(step.port) || self.law(step.port).acts_on_both_sides();
-            own.error_n_s <= share(step.shape) * allowed_n_s && (needs_no_look || own.is_sound(step.shape, is_short))
+            let needs_no_look =
+                self.is_rigid(step.port) || self.law(step.port).acts_on_both_sides();
+            own.error_n_s <= share(step.shape) * allowed_n_s
+                && (needs_no_look || own.is_sound(step.shape, is_short))
         })
     }
 
     /// Ends the step at the first of several strikes; false when it cannot be met.
     #[inline(always)]
-    fn land_on_first<W: Simd>(&mut self, w: W, ports: &[(usize, ForceBasis)], strikes: &[(usize, Crossing)], level: i32) -> bool {
-        let first = strikes.iter().min_by(|a, b| a.1.guess_s.total_cmp(&b.1.guess_s));
-        let Some((striker, crossing)) = first else { return false };
+    fn land_on_first<W: Simd>(
+        &mut self,
+        w: W,
+        ports: &[(usize, ForceBasis)],
+        strikes: &[(usize, Crossing)],
+        level: i32,
+    ) -> bool {
+        let first = strikes
+            .iter()
+            .min_by(|a, b| a.1.guess_s.total_cmp(&b.1.guess_s));
+        let Some((striker, crossing)) = first else {
+            return false;
+        };
         let scale_s = Kernel::length_s(self.ports[*striker].entry_level);
         let mut length_s = crossing.guess_s;
         for _ in 0..MAX_LANDING_ITERATIONS {
@@ -118,7 +172,9 @@ impl Integrator<'_> {
             let tables = JointTables::new(self.kernel, ports, length);
             let joint = self.joint_step(w, &tables);
             let resting = StickingPorts::new(self, &tables);
-            let Some(solved) = self.solve_joint(w, &joint, &resting) else { return false };
+            let Some(solved) = self.solve_joint(w, &joint, &resting) else {
+                return false;
+            };
             let [distance_m, speed_m_s] = self.flown(w, &joint, &solved, *striker);
             let change_s = -distance_m / speed_m_s;
             // No time is told better than the roundoff of the distance allows.

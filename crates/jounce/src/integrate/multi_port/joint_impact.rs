@@ -45,26 +45,44 @@ impl JointImpact {
 
     /// Impulses at some stops only, where these answer for all.
     fn by(&self, chosen: &[usize]) -> Option<Vec<f64>> {
-        let matrix = Mat::from_fn(chosen.len(), chosen.len(), |a, b| self.mobility[(chosen[a], chosen[b])]);
+        let matrix = Mat::from_fn(chosen.len(), chosen.len(), |a, b| {
+            self.mobility[(chosen[a], chosen[b])]
+        });
         let eigen = matrix.self_adjoint_eigen(Side::Lower).ok()?;
         let (vectors, values) = (eigen.U(), eigen.S());
         let largest = (0..chosen.len()).map(|k| values[k]).fold(0.0, f64::max);
         let mut impulses = vec![0.0; self.speeds_m_s.len()];
         for k in (0..chosen.len()).filter(|k| values[*k] > MIN_RELATIVE_MOBILITY * largest) {
-            let wanted = chosen.iter().enumerate().map(|(a, p)| vectors[(a, k)] * (1.0 + self.rebounds[*p]) * self.speeds_m_s[*p]);
+            let wanted = chosen
+                .iter()
+                .enumerate()
+                .map(|(a, p)| vectors[(a, k)] * (1.0 + self.rebounds[*p]) * self.speeds_m_s[*p]);
             let size = wanted.sum::<f64>() / values[k];
-            chosen.iter().enumerate().for_each(|(a, p)| impulses[*p] += size * vectors[(a, k)]);
+            chosen
+                .iter()
+                .enumerate()
+                .for_each(|(a, p)| impulses[*p] += size * vectors[(a, k)]);
         }
-        self.answers(&impulses, chosen).then(|| impulses.into_iter().map(|impulse: f64| impulse.max(0.0)).collect())
+        self.answers(&impulses, chosen).then(|| {
+            impulses
+                .into_iter()
+                .map(|impulse: f64| impulse.max(0.0))
+                .collect()
+        })
     }
 
     fn answers(&self, impulses: &[f64], chosen: &[usize]) -> bool {
         let fastest = self.speeds_m_s.iter().fold(0.0, |max: f64, v| max.max(*v));
         let strongest = impulses.iter().fold(0.0, |max: f64, p| max.max(p.abs()));
         (0..impulses.len()).all(|a| {
-            let lost: f64 = impulses.iter().enumerate().map(|(b, p)| self.mobility[(a, b)] * p).sum();
+            let lost: f64 = impulses
+                .iter()
+                .enumerate()
+                .map(|(b, p)| self.mobility[(a, b)] * p)
+                .sum();
             let beyond = (1.0 + self.rebounds[a]) * self.speeds_m_s[a] - lost;
-            let meets = beyond <= IMPULSE_ROUNDOFF * fastest && (!chosen.contains(&a) || beyond >= -IMPULSE_ROUNDOFF * fastest);
+            let meets = beyond <= IMPULSE_ROUNDOFF * fastest
+                && (!chosen.contains(&a) || beyond >= -IMPULSE_ROUNDOFF * fastest);
             meets && impulses[a] >= -IMPULSE_ROUNDOFF * strongest
         })
     }
@@ -76,17 +94,30 @@ impl Integrator<'_> {
         if !(2..=MAX_SIMULTANEOUS_IMPACTS).contains(&struck.len()) {
             return None;
         }
-        let rebound = |p: &usize| if let Law::Rigid(law) = self.law(*p) { self.rebound(*p, law) } else { 0.0 };
+        let rebound = |p: &usize| {
+            if let Law::Rigid(law) = self.law(*p) {
+                self.rebound(*p, law)
+            } else {
+                0.0
+            }
+        };
         let together = JointImpact {
             speeds_m_s: struck.iter().map(|p| self.ports[*p].rate_m_s).collect(),
             rebounds: struck.iter().map(rebound).collect(),
-            mobility: Mat::from_fn(struck.len(), struck.len(), |a, b| self.mobility_per_kg(struck[a], struck[b])),
+            mobility: Mat::from_fn(struck.len(), struck.len(), |a, b| {
+                self.mobility_per_kg(struck[a], struck[b])
+            }),
         };
         let impulses = together.impulses_n_s()?;
         let pushed: Vec<usize> = (0..struck.len()).filter(|a| impulses[*a] > 0.0).collect();
-        pushed.iter().for_each(|a| self.push_by(struck[*a], impulses[*a]));
+        pushed
+            .iter()
+            .for_each(|a| self.push_by(struck[*a], impulses[*a]));
         for a in &pushed {
-            let (before, after) = (together.speeds_m_s[*a], -together.rebounds[*a] * together.speeds_m_s[*a]);
+            let (before, after) = (
+                together.speeds_m_s[*a],
+                -together.rebounds[*a] * together.speeds_m_s[*a],
+            );
             self.integrals.loss_j += 0.5 * impulses[*a] * (before + after);
             self.rebounds(struck[*a], after);
         }

@@ -2,7 +2,9 @@
 
 use super::sticking::StickingPorts;
 use crate::contact::{ContactLaw, Law};
-use crate::integrate::contact_step::{ContactStep, MAX_FIXED_POINT_ITERATIONS, SolvedStep, judge, largest};
+use crate::integrate::contact_step::{
+    ContactStep, MAX_FIXED_POINT_ITERATIONS, SolvedStep, judge, largest,
+};
 use crate::integrate::integrator::Integrator;
 use crate::integrate::joint_tables::{JointTables, StepLength};
 use crate::integrate::small_list::SmallList;
@@ -43,7 +45,11 @@ enum Convergence {
 impl<'k> Integrator<'k> {
     /// The step laid out.
     #[inline(always)]
-    pub(super) fn joint_step<'t, W: Simd>(&mut self, w: W, tables: &'t JointTables<'k>) -> JointStep<'t, 'k>
+    pub(super) fn joint_step<'t, W: Simd>(
+        &mut self,
+        w: W,
+        tables: &'t JointTables<'k>,
+    ) -> JointStep<'t, 'k>
     where
         'k: 't,
     {
@@ -58,17 +64,32 @@ impl<'k> Integrator<'k> {
     where
         'k: 't,
     {
-        let (level, odd) = (tables.length.level(), matches!(tables.length, StepLength::Odd { .. }));
+        let (level, odd) = (
+            tables.length.level(),
+            matches!(tables.length, StepLength::Odd { .. }),
+        );
         let mut steps = SmallList::new();
         for (place, (port, shape)) in tables.ports.iter().enumerate() {
-            steps.push(self.step_in_contact(w, self.law(*port), (tables.own(place), *port), *shape, level, odd));
+            steps.push(self.step_in_contact(
+                w,
+                self.law(*port),
+                (tables.own(place), *port),
+                *shape,
+                level,
+                odd,
+            ));
         }
         JointStep { tables, steps }
     }
 
     /// Solves a step for the nodal forces of all its ports; `None` when the fixed point does not converge.
     #[inline(always)]
-    pub(super) fn solve_joint<W: Simd>(&mut self, w: W, joint: &JointStep, resting: &StickingPorts) -> Option<SmallList<SolvedStep>> {
+    pub(super) fn solve_joint<W: Simd>(
+        &mut self,
+        w: W,
+        joint: &JointStep,
+        resting: &StickingPorts,
+    ) -> Option<SmallList<SolvedStep>> {
         w.apart(
             #[inline(always)]
             || self.iterate(w, joint, resting),
@@ -76,7 +97,12 @@ impl<'k> Integrator<'k> {
     }
 
     #[inline(always)]
-    fn iterate<W: Simd>(&mut self, w: W, joint: &JointStep, resting: &StickingPorts) -> Option<SmallList<SolvedStep>> {
+    fn iterate<W: Simd>(
+        &mut self,
+        w: W,
+        joint: &JointStep,
+        resting: &StickingPorts,
+    ) -> Option<SmallList<SolvedStep>> {
         let mut iterates = self.first_guess(w, joint);
         let goal = (0.1 * self.tolerance).clamp(4e-15, 1e-5);
         for iteration in 1..=MAX_FIXED_POINT_ITERATIONS {
@@ -111,14 +137,32 @@ impl<'k> Integrator<'k> {
         let mut iterates = SmallList::new();
         for step in &joint.steps {
             let (law, port, table) = (self.law(step.port), &self.ports[step.port], step.table);
-            let free = columns(w, &self.layout, &self.y, &table.displacement.columns, w.load(&step.drive));
+            let free = columns(
+                w,
+                &self.layout,
+                &self.y,
+                &table.displacement.columns,
+                w.load(&step.drive),
+            );
             let mut free_rate = w.zero();
             if law.is_rate_dependent() {
-                free_rate = columns(w, &self.layout, &self.y, &table.velocity.columns, w.load(&step.drive_rate));
+                free_rate = columns(
+                    w,
+                    &self.layout,
+                    &self.y,
+                    &table.velocity.columns,
+                    w.load(&step.drive_rate),
+                );
             }
             let at_start_n = law.force_n(port.penetration_m, port.rate_m_s);
-            let rise = law.slopes(port.penetration_m, port.rate_m_s).stiffness_n_m * port.rate_m_s * table.length_s;
-            let penetration = w.fma(w.splat(at_start_n), w.load(&table.constant), w.fma(w.splat(rise), w.load(&table.ramp), free));
+            let rise = law.slopes(port.penetration_m, port.rate_m_s).stiffness_n_m
+                * port.rate_m_s
+                * table.length_s;
+            let penetration = w.fma(
+                w.splat(at_start_n),
+                w.load(&table.constant),
+                w.fma(w.splat(rise), w.load(&table.ramp), free),
+            );
             iterates.push(PortIterate {
                 law,
                 free: w.store(free),
@@ -158,24 +202,42 @@ impl PortIterate {
     /// Penetration, rate and force as they stand.
     #[inline(always)]
     fn registers<W: Simd>(&self, w: W) -> [W::Register; 3] {
-        [w.load(&self.penetration), w.load(&self.rate), w.load(&self.force)]
+        [
+            w.load(&self.penetration),
+            w.load(&self.rate),
+            w.load(&self.force),
+        ]
     }
 
     /// New forces by the law; a resting port has its forces from elsewhere.
     #[inline(always)]
-    fn renew<W: Simd>(&mut self, w: W, tables: &JointTables, (place, iteration): (usize, u32), goal: f64) -> Convergence {
+    fn renew<W: Simd>(
+        &mut self,
+        w: W,
+        tables: &JointTables,
+        (place, iteration): (usize, u32),
+        goal: f64,
+    ) -> Convergence {
         if matches!(self.law, Law::Rigid(_)) {
             return Convergence::Converged;
         }
         let penetration = w.load(&self.penetration);
         let new = self.law.forces_n(w, penetration, w.load(&self.rate));
-        let (change, size) = (w.largest(w.abs(w.sub(new, w.load(&self.force)))), largest(w, self.law, new));
+        let (change, size) = (
+            w.largest(w.abs(w.sub(new, w.load(&self.force)))),
+            largest(w, self.law, new),
+        );
         self.force = w.store(new);
         self.deepest_m = self.deepest_m.max(largest(w, self.law, penetration));
         // What is still to come: at most the contraction seen so far, or foretold by the slope of the law.
         let slopes = self.law.steepest(self.deepest_m);
-        let foretold = slopes.stiffness_n_m * tables.reach_m_n(place) + slopes.damping_n_s_m * tables.reach_m_n_s(place);
-        let seen = if iteration == 1 { 1.0 } else { (change / self.last_change_n).min(1.0) };
+        let foretold = slopes.stiffness_n_m * tables.reach_m_n(place)
+            + slopes.damping_n_s_m * tables.reach_m_n_s(place);
+        let seen = if iteration == 1 {
+            1.0
+        } else {
+            (change / self.last_change_n).min(1.0)
+        };
         let diverges = iteration > 4 && change > self.last_change_n;
         self.last_change_n = change;
         if change * foretold.min(seen) <= goal * size {

@@ -105,7 +105,9 @@ impl Integrator<'_> {
 
     /// Distance at which a point touches, m: what the fastest striker goes in no time at all.
     fn touch_m(&self, p: usize) -> f64 {
-        self.ports.iter().fold(0.0_f64, |max, port| max.max(port.impact_velocity_m_s))
+        self.ports
+            .iter()
+            .fold(0.0_f64, |max, port| max.max(port.impact_velocity_m_s))
             * SIMULTANEOUS_CONTACT
             * Kernel::length_s(self.ports[p].entry_level)
     }
@@ -114,8 +116,13 @@ impl Integrator<'_> {
     #[inline(always)]
     fn allowed_beside_n_s(&self, steps: &[ContactStep], solved: &[SolvedStep]) -> f64 {
         let fastest = |port: &PortState| port.impact_velocity_m_s / port.rows.mobility_per_kg;
-        let struck = self.tolerance * IMPULSE_ERROR_SHARE * self.ports.iter().map(fastest).fold(0.0, f64::max);
-        let own = steps.iter().zip(solved).map(|(step, own)| self.allowed_n_s(self.law(step.port), step, Some(own)));
+        let struck = self.tolerance
+            * IMPULSE_ERROR_SHARE
+            * self.ports.iter().map(fastest).fold(0.0, f64::max);
+        let own = steps
+            .iter()
+            .zip(solved)
+            .map(|(step, own)| self.allowed_n_s(self.law(step.port), step, Some(own)));
         own.fold(struck, f64::max)
     }
 
@@ -140,7 +147,11 @@ impl Integrator<'_> {
         self.enter(p);
         for q in 0..self.kernel.plant.system.stops.len() {
             // Rigid stops struck together share one instant, as well as their distances tell it.
-            let roundoff_m = if self.is_rigid(q) { RESOLVED_DISTANCE * self.terms_m(w, q) } else { 0.0 };
+            let roundoff_m = if self.is_rigid(q) {
+                RESOLVED_DISTANCE * self.terms_m(w, q)
+            } else {
+                0.0
+            };
             let port = &self.ports[q];
             let touches = port.penetration_m.abs() <= self.touch_m(q).max(roundoff_m);
             if port.regime == ContactState::Flight && port.rate_m_s > 0.0 && touches {
@@ -151,7 +162,8 @@ impl Integrator<'_> {
 
     fn enter(&mut self, p: usize) {
         // Beside a stop that is struck at the same instant, a port may be let go by roundoff and come back at once: that is one contact.
-        let at_once_s = (SIMULTANEOUS_CONTACT * Kernel::length_s(self.ports[p].entry_level)).max(RESOLVED_DISTANCE * self.time_s.abs());
+        let at_once_s = (SIMULTANEOUS_CONTACT * Kernel::length_s(self.ports[p].entry_level))
+            .max(RESOLVED_DISTANCE * self.time_s.abs());
         if self.time_s - self.ports[p].entered_s <= at_once_s && !self.is_rigid(p) {
             (self.ports[p].penetration_m, self.ports[p].regime) = (0.0, ContactState::Contact);
         } else {

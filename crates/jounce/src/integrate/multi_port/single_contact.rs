@@ -11,7 +11,12 @@ use crate::simd::Simd;
 impl Integrator<'_> {
     /// Goes on as if there were no other port, for as long as none of them needs to be watched; false when that is not even a step.
     #[inline(always)]
-    pub(super) fn stay_alone<W: Simd>(&mut self, w: W, p: usize, end_s: f64) -> Result<bool, IntegrationError> {
+    pub(super) fn stay_alone<W: Simd>(
+        &mut self,
+        w: W,
+        p: usize,
+        end_s: f64,
+    ) -> Result<bool, IntegrationError> {
         let (start_s, port) = (self.time_s, &self.ports[p]);
         if port.rows.speed_bound.is_none() {
             return Ok(false);
@@ -38,7 +43,9 @@ impl Integrator<'_> {
         let (law, table) = (self.law(p), length.table(self.kernel, (p, shape)));
         let is_odd = matches!(length, StepLength::Odd { .. });
         let step = [self.step_in_contact(w, law, (&table, p), shape, length.level(), is_odd)];
-        let Some(solved) = self.solve(w, law, &step[0]) else { return StepOutcome::Unclear(LEVELS_PER_OCTAVE) };
+        let Some(solved) = self.solve(w, law, &step[0]) else {
+            return StepOutcome::Unclear(LEVELS_PER_OCTAVE);
+        };
         let solved = [solved];
         if !self.is_fine(&step, &solved, is_short) {
             return StepOutcome::Unclear(LEVELS_PER_OCTAVE);

@@ -49,7 +49,9 @@ pub struct StickingPorts {
 impl StickingPorts {
     /// For the ports at rest among those of a step.
     pub fn new(integrator: &Integrator, tables: &JointTables) -> Self {
-        let places: Vec<usize> = (0..tables.ports.len()).filter(|place| integrator.is_rigid(tables.ports[*place].0)).collect();
+        let places: Vec<usize> = (0..tables.ports.len())
+            .filter(|place| integrator.is_rigid(tables.ports[*place].0))
+            .collect();
         let mut resting = Self {
             free: Vec::new(),
             answers: Vec::new(),
@@ -68,10 +70,28 @@ impl StickingPorts {
                     &odd
                 }
             };
-            resting.free.push(integrator.free_acceleration(sticking, port, tables.length.seconds()));
-            let answer = |from: usize| if from == place { sticking.acceleration.push } else { tables.cross(from, place).acceleration };
-            resting.answers.push((0..tables.ports.len()).map(answer).collect());
-            resting.mobility.push(tables.ports.iter().map(|(other, _)| integrator.mobility_per_kg(port, *other)).collect());
+            resting.free.push(integrator.free_acceleration(
+                sticking,
+                port,
+                tables.length.seconds(),
+            ));
+            let answer = |from: usize| {
+                if from == place {
+                    sticking.acceleration.push
+                } else {
+                    tables.cross(from, place).acceleration
+                }
+            };
+            resting
+                .answers
+                .push((0..tables.ports.len()).map(answer).collect());
+            resting.mobility.push(
+                tables
+                    .ports
+                    .iter()
+                    .map(|(other, _)| integrator.mobility_per_kg(port, *other))
+                    .collect(),
+            );
         }
         resting.invert();
         resting
@@ -96,16 +116,31 @@ impl StickingPorts {
         for (a, free) in self.free.iter().enumerate() {
             for i in 0..NODES {
                 let mut sum = free.0[i];
-                for (place, other) in iterates.iter().enumerate().filter(|(place, _)| !self.places.contains(place)) {
+                for (place, other) in iterates
+                    .iter()
+                    .enumerate()
+                    .filter(|(place, _)| !self.places.contains(place))
+                {
                     sum -= self.mobility[a][place] * other.force.0[i];
-                    sum += (0..NODES).map(|j| self.answers[a][place][j].0[i] * other.force.0[j]).sum::<f64>();
+                    sum += (0..NODES)
+                        .map(|j| self.answers[a][place][j].0[i] * other.force.0[j])
+                        .sum::<f64>();
                 }
                 right.push(sum);
             }
         }
         for (a, place) in self.places.iter().enumerate() {
-            let force = |i: usize| right.iter().enumerate().map(|(k, right)| self.inverse[(a * NODES + i, k)] * right).sum();
-            iterates[*place].force = F64x8(std::array::from_fn(|i| if i < NODES { force(i) } else { 0.0 }));
+            let force = |i: usize| {
+                right
+                    .iter()
+                    .enumerate()
+                    .map(|(k, right)| self.inverse[(a * NODES + i, k)] * right)
+                    .sum()
+            };
+            iterates[*place].force =
+                F64x8(std::array::from_fn(
+                    |i| if i < NODES { force(i) } else { 0.0 },
+                ));
         }
     }
 
@@ -114,22 +149,42 @@ impl StickingPorts {
         if self.places.is_empty() {
             return;
         }
-        let at_end: Vec<f64> = solved.iter().map(|own| (0..NODES).map(|j| SMOOTH_BASIS.at_end.0[j] * own.force.0[j]).sum()).collect();
+        let at_end: Vec<f64> = solved
+            .iter()
+            .map(|own| {
+                (0..NODES)
+                    .map(|j| SMOOTH_BASIS.at_end.0[j] * own.force.0[j])
+                    .sum()
+            })
+            .collect();
         let allowed_n_s = integrator.allowed_beside_n_s(&joint.steps, solved);
         for (a, place) in self.places.iter().enumerate() {
             let mut mismatch = self.free[a].0[NODES];
             for (from, other) in solved.iter().enumerate() {
                 mismatch -= self.mobility[a][from] * at_end[from];
-                mismatch += (0..NODES).map(|j| self.answers[a][from][j].0[NODES] * other.force.0[j]).sum::<f64>();
+                mismatch += (0..NODES)
+                    .map(|j| self.answers[a][from][j].0[NODES] * other.force.0[j])
+                    .sum::<f64>();
             }
-            let (size, mobility) = (integrator.largest(&solved[*place].force), self.mobility[a][*place]);
+            let (size, mobility) = (
+                integrator.largest(&solved[*place].force),
+                self.mobility[a][*place],
+            );
             let length_s = joint.tables.length.seconds();
-            let own_n_s = integrator.tolerance * IMPULSE_ERROR_SHARE * integrator.speed_m_s(joint.tables.ports[*place].0) / mobility;
+            let own_n_s = integrator.tolerance
+                * IMPULSE_ERROR_SHARE
+                * integrator.speed_m_s(joint.tables.ports[*place].0)
+                / mobility;
             let negligible = size * length_s <= HOLDING_FORCE_TOLERANCE * allowed_n_s.max(own_n_s);
             let pulls = solved[*place].force.0.iter().any(|force| *force < 0.0);
-            let allowed = (self.allowed * mobility * size).max(integrator.acceleration_roundoff_m_s2(joint.tables.ports[*place].0));
+            let allowed = (self.allowed * mobility * size)
+                .max(integrator.acceleration_roundoff_m_s2(joint.tables.ports[*place].0));
             let is_good = mismatch.abs() <= allowed && !pulls;
-            solved[*place].error_n_s = if is_good || negligible { 0.0 } else { f64::INFINITY };
+            solved[*place].error_n_s = if is_good || negligible {
+                0.0
+            } else {
+                f64::INFINITY
+            };
             solved[*place].force = F64x8(solved[*place].force.0.map(|force| force.max(0.0)));
         }
     }
@@ -139,21 +194,36 @@ impl Integrator<'_> {
     /// Velocity that one port loses per unit impulse at another, 1/kg.
     pub(super) fn mobility_per_kg(&self, port: usize, other: usize) -> f64 {
         let stops = &self.kernel.plant.system.stops;
-        stops[port].shape.iter().zip(&stops[other].shape).map(|(a, b)| a * b).sum()
+        stops[port]
+            .shape
+            .iter()
+            .zip(&stops[other].shape)
+            .map(|(a, b)| a * b)
+            .sum()
     }
 
     fn largest(&self, force: &F64x8) -> f64 {
-        force.0[..NODES].iter().fold(0.0, |max, force| max.max(force.abs()))
+        force.0[..NODES]
+            .iter()
+            .fold(0.0, |max, force| max.max(force.abs()))
     }
 
     /// Relative acceleration of a port without any contact force on the step, at its nodes and its end, m/s^2.
     fn free_acceleration(&self, sticking: &StickingTable, port: usize, length_s: f64) -> F64x8 {
         let w = Portable::new();
-        let mut free = w.store(columns(w, &self.layout, &self.y, &sticking.acceleration.columns, w.zero()));
+        let mut free = w.store(columns(
+            w,
+            &self.layout,
+            &self.y,
+            &sticking.acceleration.columns,
+            w.zero(),
+        ));
         for tone in &self.tones {
             let swing = &tone.swing[port];
             for i in 0..LANES {
-                let turned = tone.displacement_m[port] * tone.turn * c64::new(swing.cos.0[i], swing.sin.0[i]);
+                let turned = tone.displacement_m[port]
+                    * tone.turn
+                    * c64::new(swing.cos.0[i], swing.sin.0[i]);
                 free.0[i] += acceleration(turned, tone.angular_frequency_rad_s);
             }
         }
@@ -169,8 +239,13 @@ impl Integrator<'_> {
     /// [`IntegrationError::RestsTwice`] where two stops hold the same motion.
     pub(super) fn let_go(&mut self) -> Result<(), IntegrationError> {
         loop {
-            let resting: Vec<usize> = self.in_regime(ContactState::Contact).filter(|p| self.is_rigid(*p)).collect();
-            let Some(forces) = self.holding_forces(&resting)? else { return Ok(()) };
+            let resting: Vec<usize> = self
+                .in_regime(ContactState::Contact)
+                .filter(|p| self.is_rigid(*p))
+                .collect();
+            let Some(forces) = self.holding_forces(&resting)? else {
+                return Ok(());
+            };
             let weakest = (0..resting.len()).min_by(|a, b| forces[*a].total_cmp(&forces[*b]));
             match weakest.filter(|place| self.pulls(resting[*place], forces[*place])) {
                 Some(place) => self.ports[resting[place]].regime = ContactState::Flight,
@@ -192,17 +267,36 @@ impl Integrator<'_> {
         }
         let pressed = self.forces_n();
         let count = resting.len();
-        let matrix = Mat::from_fn(count, count, |a, b| self.mobility_per_kg(resting[a], resting[b]));
+        let matrix = Mat::from_fn(count, count, |a, b| {
+            self.mobility_per_kg(resting[a], resting[b])
+        });
         let lu = matrix.full_piv_lu();
         let (largest, smallest) = (lu.U()[(0, 0)].abs(), lu.U()[(count - 1, count - 1)].abs());
         if smallest <= MIN_RELATIVE_MOBILITY * largest {
-            let stops = resting.iter().map(|p| self.kernel.plant.system.stops[*p].name.clone()).collect();
-            return Err(IntegrationError::RestsTwice { time_s: self.time_s, stops });
+            let stops = resting
+                .iter()
+                .map(|p| self.kernel.plant.system.stops[*p].name.clone())
+                .collect();
+            return Err(IntegrationError::RestsTwice {
+                time_s: self.time_s,
+                stops,
+            });
         }
         let inverse = lu.inverse();
         let right: Vec<f64> = (resting.iter())
-            .map(|a| self.acceleration_m_s2(*a) - pressed.iter().enumerate().map(|(c, f)| self.mobility_per_kg(*a, c) * f).sum::<f64>())
+            .map(|a| {
+                self.acceleration_m_s2(*a)
+                    - pressed
+                        .iter()
+                        .enumerate()
+                        .map(|(c, f)| self.mobility_per_kg(*a, c) * f)
+                        .sum::<f64>()
+            })
             .collect();
-        Ok(Some((0..count).map(|a| (0..count).map(|b| inverse[(a, b)] * right[b]).sum()).collect()))
+        Ok(Some(
+            (0..count)
+                .map(|a| (0..count).map(|b| inverse[(a, b)] * right[b]).sum())
+                .collect(),
+        ))
     }
 }

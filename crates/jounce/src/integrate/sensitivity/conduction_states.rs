@@ -39,34 +39,52 @@ impl ConductionRoute<'_> {
     pub fn tangents(&self) -> Result<Tangents, SensitivityError> {
         let changes = self.trajectory.changes();
         let mut tangents = Tangents::identity(self.base.plant.len());
-        let first = changes.first().map_or(self.end_regime, |change| change.regime);
+        let first = changes
+            .first()
+            .map_or(self.end_regime, |change| change.regime);
         self.carry(&mut tangents, 0, first)?;
         let (mut from, mut cause) = (0, None);
         for (k, change) in changes.iter().enumerate() {
             let own = self.kernel(change.regime)?;
             let end = own.plant.from_physical(&change.state, change.time_s);
-            let passed = self.stretch(own, (from, change.after), (change.time_s, &end), tangents)?;
+            let passed =
+                self.stretch(own, (from, change.after), (change.time_s, &end), tangents)?;
             // What an impact or a switch brings about falls with it.
             let cause_s = passed.delay_s.or(cause.filter(|_| change.after == from));
-            let next = changes.get(k + 1).map_or(self.end_regime, |next| next.regime);
+            let next = changes
+                .get(k + 1)
+                .map_or(self.end_regime, |next| next.regime);
             (tangents, cause) = self.change(passed.tangents, cause_s, change, next)?;
             from = change.after;
         }
         let own = self.kernel(self.end_regime)?;
         let all = self.trajectory.segments().len();
-        let LinearizedSegment { mut tangents, .. } = self.stretch(own, (from, all), (self.end_s, &self.end), tangents)?;
+        let LinearizedSegment { mut tangents, .. } =
+            self.stretch(own, (from, all), (self.end_s, &self.end), tangents)?;
         self.carry(&mut tangents, self.end_regime, 0)?;
         Ok(tangents)
     }
 
     fn kernel(&self, regime: usize) -> Result<&Kernel, SensitivityError> {
-        Ok(self.base.in_regime(regime).map_err(crate::integrate::IntegrationError::from)?)
+        Ok(self
+            .base
+            .in_regime(regime)
+            .map_err(crate::integrate::IntegrationError::from)?)
     }
 
     /// From the block coordinates of one regime to those of another.
-    fn carry(&self, tangents: &mut Tangents, from: usize, to: usize) -> Result<(), SensitivityError> {
+    fn carry(
+        &self,
+        tangents: &mut Tangents,
+        from: usize,
+        to: usize,
+    ) -> Result<(), SensitivityError> {
         if from != to {
-            tangents.transform((&self.kernel(to)?.plant.diagonal.from_physical * &self.kernel(from)?.plant.diagonal.to_physical).as_ref());
+            tangents.transform(
+                (&self.kernel(to)?.plant.diagonal.from_physical
+                    * &self.kernel(from)?.plant.diagonal.to_physical)
+                    .as_ref(),
+            );
         }
         Ok(())
     }
@@ -82,12 +100,28 @@ impl ConductionRoute<'_> {
         let segments = &self.trajectory.segments()[from..to];
         // An impact after which a bridge changed belongs to the steps before it.
         let is_own = |impact: &&Impact| impact.after <= to && (impact.after > from || from == 0);
-        let impacts: Vec<Impact> = self.trajectory.impacts().iter().filter(is_own).copied().collect();
-        let sizes = segments.first().map_or_else(|| sizes(own, end_s), |first| first.sizes.clone());
+        let impacts: Vec<Impact> = self
+            .trajectory
+            .impacts()
+            .iter()
+            .filter(is_own)
+            .copied()
+            .collect();
+        let sizes = segments
+            .first()
+            .map_or_else(|| sizes(own, end_s), |first| first.sizes.clone());
         let held = own.plant.forced(&sizes, 0.0);
         let end: Vec<f64> = end.iter().zip(held).map(|(y, held)| y - held).collect();
-        let stretch = ConductionSegment { segments, first: from, impacts: &impacts, end_s, end: &end };
-        widest(Linearization::new(own, self.drift, stretch, sizes, tangents))
+        let stretch = ConductionSegment {
+            segments,
+            first: from,
+            impacts: &impacts,
+            end_s,
+            end: &end,
+        };
+        widest(Linearization::new(
+            own, self.drift, stretch, sizes, tangents,
+        ))
     }
 
     /// Through a change into the next regime; `cause_s` is how much later its cause falls, where it has one but itself. With how much later
@@ -105,9 +139,16 @@ impl ConductionRoute<'_> {
         }
         let (own, other) = (self.kernel(change.regime)?, self.kernel(next)?);
         let before = rate(own, &change.state, change.time_s, &change.forces_n);
-        let (mut state, mut slopes) = (change.state.clone(), Mat::identity(change.state.len(), change.state.len()));
+        let (mut state, mut slopes) = (
+            change.state.clone(),
+            Mat::identity(change.state.len(), change.state.len()),
+        );
         tangents.transform(own.plant.diagonal.to_physical.as_ref());
-        let delay_s = cause_s.unwrap_or_else(|| change.flipped.map_or_else(Vec::new, |bridge| self.delay_s(&tangents, bridge, &before)));
+        let delay_s = cause_s.unwrap_or_else(|| {
+            change
+                .flipped
+                .map_or_else(Vec::new, |bridge| self.delay_s(&tangents, bridge, &before))
+        });
         if let Some(bridge) = change.flipped {
             let flip = SwitchMap::of(&self.base.plant, bridge, &change.state);
             flip.enter(&self.base.plant, bridge, &mut state);
@@ -115,7 +156,11 @@ impl ConductionRoute<'_> {
             tangents.transform(slopes.as_ref());
         }
         let after = rate(other, &state, change.time_s, &change.forces_n);
-        let jump: Vec<f64> = product(&slopes, &before).iter().zip(after).map(|(carried, after)| carried - after).collect();
+        let jump: Vec<f64> = product(&slopes, &before)
+            .iter()
+            .zip(after)
+            .map(|(carried, after)| carried - after)
+            .collect();
         tangents.add_product(Portable::new(), &jump, 1.0, &delay_s);
         tangents.transform(other.plant.diagonal.from_physical.as_ref());
         Ok((tangents, Some(delay_s)))
@@ -124,7 +169,8 @@ impl ConductionRoute<'_> {
     /// How much later the current of a bridge passes zero, s; `rate` is that of the physical state.
     fn delay_s(&self, tangents: &Tangents, bridge: usize, rate: &[f64]) -> Vec<F64x8> {
         let (plant, w) = (&self.base.plant, Portable::new());
-        let coupling = &plant.electrical.nodes[plant.electrical.bridges[bridge].terminal].coupling_n_per_v;
+        let coupling =
+            &plant.electrical.nodes[plant.electrical.bridges[bridge].terminal].coupling_n_per_v;
         let n = coupling.len();
         let mut row = vec![0.0; plant.len()];
         row[n..2 * n].copy_from_slice(coupling);
@@ -138,7 +184,8 @@ impl ConductionRoute<'_> {
     fn slopes(&self, bridge: usize, flip: &SwitchMap) -> Mat<f64> {
         let (plant, nodes) = (&self.base.plant, self.base.plant.electrical.bridges[bridge]);
         let first = 2 * plant.system.modes.len();
-        let places = [Some(nodes.terminal), nodes.storage].map(|node| node.map(|node| first + node));
+        let places =
+            [Some(nodes.terminal), nodes.storage].map(|node| node.map(|node| first + node));
         let mut slopes = Mat::identity(plant.len(), plant.len());
         for (i, row) in places.iter().enumerate() {
             for (j, column) in places.iter().enumerate() {
@@ -153,23 +200,41 @@ impl ConductionRoute<'_> {
 
 /// Size of each signal of a kernel at a time.
 pub fn sizes(kernel: &Kernel, time_s: f64) -> Vec<SignalSample> {
-    let of = |signal: &crate::plant::Signal| [signal.wave.piece(signal.wave.index_at(time_s)).size_at(time_s), 0.0];
+    let of = |signal: &crate::plant::Signal| {
+        [
+            signal
+                .wave
+                .piece(signal.wave.index_at(time_s))
+                .size_at(time_s),
+            0.0,
+        ]
+    };
     kernel.plant.system.signals.iter().map(of).collect()
 }
 
 /// Rate of a physical state under the drives, the signals and the forces of stops.
 pub fn rate(kernel: &Kernel, state: &[f64], time_s: f64, forces_n: &[f64]) -> Vec<f64> {
     let plant = &kernel.plant;
-    let mut rate = plant.diagonal.block.apply(&plant.from_physical(state, time_s));
+    let mut rate = plant
+        .diagonal
+        .block
+        .apply(&plant.from_physical(state, time_s));
     for (forcing, [size, _]) in plant.forcings.iter().zip(sizes(kernel, time_s)) {
-        rate.iter_mut().zip(&forcing.column).for_each(|(rate, b)| *rate += b * size);
+        rate.iter_mut()
+            .zip(&forcing.column)
+            .for_each(|(rate, b)| *rate += b * size);
     }
     for (port, force_n) in plant.ports.iter().zip(forces_n) {
-        rate.iter_mut().zip(&port.force).for_each(|(rate, b)| *rate += b * force_n);
+        rate.iter_mut()
+            .zip(&port.force)
+            .for_each(|(rate, b)| *rate += b * force_n);
     }
     for tone in &plant.tones {
-        let turn = c64::new(0.0, tone.angular_frequency_rad_s) * c64::cis(tone.angular_frequency_rad_s * time_s);
-        rate.iter_mut().zip(&tone.steady).for_each(|(rate, steady)| *rate += (turn * steady).re);
+        let turn = c64::new(0.0, tone.angular_frequency_rad_s)
+            * c64::cis(tone.angular_frequency_rad_s * time_s);
+        rate.iter_mut()
+            .zip(&tone.steady)
+            .for_each(|(rate, steady)| *rate += (turn * steady).re);
     }
     product(&plant.diagonal.to_physical, &rate)
 }

@@ -30,11 +30,26 @@ impl Linearization<'_> {
     #[inline(always)]
     pub(super) fn contact<W: Simd>(&mut self, w: W, segment: &TrajectorySegment, after: &[f64]) {
         let kernel = self.kernel;
-        let ports: Vec<(usize, ForceBasis)> = segment.forces.iter().map(|force| (force.port, force.shape)).collect();
+        let ports: Vec<(usize, ForceBasis)> = segment
+            .forces
+            .iter()
+            .map(|force| (force.port, force.shape))
+            .collect();
         let level = Kernel::level_within(segment.length_s);
         let is_level = Kernel::length_s(level) == segment.length_s;
-        let odd = StepLength::Odd { length_s: segment.length_s, level };
-        let tables = JointTables::new(kernel, &ports, if is_level { StepLength::Level(level) } else { odd });
+        let odd = StepLength::Odd {
+            length_s: segment.length_s,
+            level,
+        };
+        let tables = JointTables::new(
+            kernel,
+            &ports,
+            if is_level {
+                StepLength::Level(level)
+            } else {
+                odd
+            },
+        );
         if self.system.ports() != ports.len() {
             self.system = NodeSystem::new(ports.len(), self.tangents.width);
         }
@@ -60,13 +75,28 @@ impl Linearization<'_> {
 
     /// The equations of the nodes of a place.
     #[inline(always)]
-    fn rows<W: Simd>(&mut self, w: W, tables: &JointTables, (place, port): (usize, usize), nodes: &LawNodes, shift_s: Option<&[F64x8]>) {
-        let (stiffness, damping, driven) = (w.load(&nodes.stiffness_n_m), w.load(&nodes.damping_n_s_m), &nodes.driven);
+    fn rows<W: Simd>(
+        &mut self,
+        w: W,
+        tables: &JointTables,
+        (place, port): (usize, usize),
+        nodes: &LawNodes,
+        shift_s: Option<&[F64x8]>,
+    ) {
+        let (stiffness, damping, driven) = (
+            w.load(&nodes.stiffness_n_m),
+            w.load(&nodes.damping_n_s_m),
+            &nodes.driven,
+        );
         let force_relative = self.drift.force_relative_of(port);
         let by_force = w.mul(w.splat(force_relative), w.load(&nodes.force_n));
         let moved = w.fma(stiffness, w.load(&driven.penetration_drift_m), by_force);
         let own = w.store(w.fma(damping, w.load(&driven.rate_drift_m_s), moved));
-        let passed = w.fma(stiffness, w.load(&driven.velocity_m_s), w.mul(damping, w.load(&driven.acceleration_m_s2)));
+        let passed = w.fma(
+            stiffness,
+            w.load(&driven.velocity_m_s),
+            w.mul(damping, w.load(&driven.acceleration_m_s2)),
+        );
         let passed = w.store(passed);
         for i in 0..NODES {
             let right = self.system.right(place * NODES + i);
@@ -75,7 +105,12 @@ impl Linearization<'_> {
                 add_scaled(w, right, passed.0[i], shift_s);
             }
             for from in 0..tables.ports.len() {
-                let mut row = row(tables.answers(from, place), i, nodes.stiffness_n_m.0[i], nodes.damping_n_s_m.0[i]);
+                let mut row = row(
+                    tables.answers(from, place),
+                    i,
+                    nodes.stiffness_n_m.0[i],
+                    nodes.damping_n_s_m.0[i],
+                );
                 row.0[i] += if from == place { 1.0 } else { 0.0 };
                 *self.system.matrix(place * NODES + i, from) = row;
             }
@@ -84,7 +119,13 @@ impl Linearization<'_> {
 
     /// The law at the nodes of a step of a place.
     #[inline(always)]
-    fn nodes<W: Simd>(&mut self, w: W, tables: &JointTables, segment: &TrajectorySegment, place: usize) -> LawNodes {
+    fn nodes<W: Simd>(
+        &mut self,
+        w: W,
+        tables: &JointTables,
+        segment: &TrajectorySegment,
+        place: usize,
+    ) -> LawNodes {
         let (kernel, layout) = (self.kernel, self.kernel.layout);
         let port = tables.ports[place].0;
         let (law, table) = (self.law(port), tables.own(place));
@@ -95,7 +136,13 @@ impl Linearization<'_> {
         let mut depth = columns(w, &layout, &self.packed, &table.displacement.columns, start);
         let mut rate = w.zero();
         if law.is_rate_dependent() {
-            rate = columns(w, &layout, &self.packed, &table.velocity.columns, w.add(w.load(&driven.velocity_m_s), w.load(&carried)));
+            rate = columns(
+                w,
+                &layout,
+                &self.packed,
+                &table.velocity.columns,
+                w.add(w.load(&driven.velocity_m_s), w.load(&carried)),
+            );
         }
         let mut force_n = F64x8::ZERO;
         for (from, force) in segment.forces.iter().enumerate() {
@@ -109,12 +156,21 @@ impl Linearization<'_> {
             force_n = if from == place { nodal_n } else { force_n };
         }
         let (depth, rate) = (w.store(depth), w.store(rate));
-        let mut nodes = LawNodes { driven, stiffness_n_m: F64x8::ZERO, damping_n_s_m: F64x8::ZERO, force_n };
+        let mut nodes = LawNodes {
+            driven,
+            stiffness_n_m: F64x8::ZERO,
+            damping_n_s_m: F64x8::ZERO,
+            force_n,
+        };
         for i in 0..NODES {
             // Past the surface the force is zero whatever the state.
             if law.acts_on_both_sides() || depth.0[i] > 0.0 {
-                let Slopes { stiffness_n_m, damping_n_s_m } = law.slopes(depth.0[i], rate.0[i]);
-                (nodes.stiffness_n_m.0[i], nodes.damping_n_s_m.0[i]) = (stiffness_n_m, damping_n_s_m);
+                let Slopes {
+                    stiffness_n_m,
+                    damping_n_s_m,
+                } = law.slopes(depth.0[i], rate.0[i]);
+                (nodes.stiffness_n_m.0[i], nodes.damping_n_s_m.0[i]) =
+                    (stiffness_n_m, damping_n_s_m);
             }
         }
         nodes
@@ -125,7 +181,9 @@ impl Linearization<'_> {
     #[inline(always)]
     fn held(&self, (port, shape): (usize, ForceBasis), length_s: f64) -> [F64x8; 2] {
         let mut held = [F64x8::ZERO; 2];
-        let Some(series) = self.forced.get(port) else { return held };
+        let Some(series) = self.forced.get(port) else {
+            return held;
+        };
         for (i, place) in self.kernel.basis(port, shape).places.iter().enumerate() {
             [held[0].0[i], held[1].0[i]] = series.motion(place * length_s);
         }
@@ -136,7 +194,10 @@ impl Linearization<'_> {
     #[inline(always)]
     fn right_sides<W: Simd>(&mut self, w: W, tables: &JointTables, place: usize, nodes: &LawNodes) {
         let layout = self.kernel.layout;
-        let (table, needs_rate) = (tables.own(place), self.law(tables.ports[place].0).is_rate_dependent());
+        let (table, needs_rate) = (
+            tables.own(place),
+            self.law(tables.ports[place].0).is_rate_dependent(),
+        );
         let (stiffness, damping) = (w.load(&nodes.stiffness_n_m), w.load(&nodes.damping_n_s_m));
         for (state, factor) in self.factors.iter_mut().enumerate() {
             let column = layout.column(state);
@@ -148,7 +209,10 @@ impl Linearization<'_> {
         }
         for (lane, group) in self.tangents.groups().enumerate() {
             // All at once they would not fit into the registers of most machines.
-            let sums = [sums(w, &self.factors, group, 0), sums(w, &self.factors, group, NODES_PER_PASS)];
+            let sums = [
+                sums(w, &self.factors, group, 0),
+                sums(w, &self.factors, group, NODES_PER_PASS),
+            ];
             for (i, sum) in sums.into_iter().flatten().take(NODES).enumerate() {
                 self.system.right(place * NODES + i)[lane] = w.store(sum);
             }
@@ -159,7 +223,11 @@ impl Linearization<'_> {
     #[inline(always)]
     fn advance<W: Simd>(&mut self, w: W, tables: &JointTables) {
         let (layout, table) = (self.kernel.layout, tables.own(0));
-        let pushes = |place: usize| tables.own(place).push(&self.kernel.vectors[tables.ports[place].0].column);
+        let pushes = |place: usize| {
+            tables
+                .own(place)
+                .push(&self.kernel.vectors[tables.ports[place].0].column)
+        };
         let push = pushes(0);
         for (lane, group) in self.tangents.groups_mut().enumerate() {
             let solution = self.system.column(w, 0, lane);
@@ -201,7 +269,12 @@ impl Linearization<'_> {
 
 /// Sums of a group of tangents by the factors of some nodes, from `first` on.
 #[inline(always)]
-fn sums<W: Simd>(w: W, factors: &[F64x8], group: &[F64x8], first: usize) -> [W::Register; NODES_PER_PASS] {
+fn sums<W: Simd>(
+    w: W,
+    factors: &[F64x8],
+    group: &[F64x8],
+    first: usize,
+) -> [W::Register; NODES_PER_PASS] {
     let mut sums = [w.zero(); NODES_PER_PASS];
     for (factor, value) in factors.iter().zip(group) {
         let value = w.load(value);
@@ -214,7 +287,12 @@ fn sums<W: Simd>(w: W, factors: &[F64x8], group: &[F64x8], first: usize) -> [W::
 
 /// A row of `-J D - J' D'`.
 #[inline(always)]
-fn row([displacement, velocity]: [&[F64x8; NODES]; 2], i: usize, stiffness_n_m: f64, damping_n_s_m: f64) -> F64x8 {
+fn row(
+    [displacement, velocity]: [&[F64x8; NODES]; 2],
+    i: usize,
+    stiffness_n_m: f64,
+    damping_n_s_m: f64,
+) -> F64x8 {
     let mut row = F64x8::ZERO;
     for j in 0..NODES {
         row.0[j] = -stiffness_n_m * displacement[j].0[i] - damping_n_s_m * velocity[j].0[i];

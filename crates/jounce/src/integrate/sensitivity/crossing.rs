@@ -10,7 +10,12 @@ impl Linearization<'_> {
     /// Counts the time of the tangents from the start of a contact of a port: `Dy = dy + y' s`. Returns `s`; `None` where the point
     /// does not move into the stop.
     #[inline(always)]
-    pub(super) fn onset_shift<W: Simd>(&mut self, w: W, segment: &TrajectorySegment, port: usize) -> Option<Vec<F64x8>> {
+    pub(super) fn onset_shift<W: Simd>(
+        &mut self,
+        w: W,
+        segment: &TrajectorySegment,
+        port: usize,
+    ) -> Option<Vec<F64x8>> {
         let plant = &self.kernel.plant;
         let row = &plant.ports[port];
         let driven = self.drift.driven(plant, port, segment.start_s);
@@ -18,7 +23,9 @@ impl Linearization<'_> {
         if speed <= 0.0 {
             return None;
         }
-        let mut shift_s = self.tangents.along(w, &row.displacement, driven.penetration_drift_m);
+        let mut shift_s = self
+            .tangents
+            .along(w, &row.displacement, driven.penetration_drift_m);
         scale(w, &mut shift_s, -1.0 / speed);
         let rate = self.rate(segment.start_s, &segment.state, &segment.forces);
         self.tangents.add_product(w, &rate, 1.0, &shift_s);
@@ -30,27 +37,49 @@ impl Linearization<'_> {
         let plant = &self.kernel.plant;
         let mut rate = plant.diagonal.block.apply(state);
         for (forcing, [size, _]) in plant.forcings.iter().zip(&self.sizes) {
-            rate.iter_mut().zip(&forcing.local).for_each(|(rate, b)| *rate += b * size);
+            rate.iter_mut()
+                .zip(&forcing.local)
+                .for_each(|(rate, b)| *rate += b * size);
         }
         for force in forces {
-            let (port, driven) = (&plant.ports[force.port], self.drift.driven(plant, force.port, time_s));
-            let held_m = self.forced.get(force.port).map_or(0.0, |series| series.value(0.0));
-            let depth_m = dot(&port.displacement, state) + driven.displacement_m + held_m - plant.system.stops[force.port].gap_m;
-            let force_n = self.law(force.port).force_n(depth_m, dot(&port.velocity, state) + driven.velocity_m_s);
-            rate.iter_mut().zip(&port.force).for_each(|(rate, b)| *rate += b * force_n);
+            let (port, driven) = (
+                &plant.ports[force.port],
+                self.drift.driven(plant, force.port, time_s),
+            );
+            let held_m = self
+                .forced
+                .get(force.port)
+                .map_or(0.0, |series| series.value(0.0));
+            let depth_m = dot(&port.displacement, state) + driven.displacement_m + held_m
+                - plant.system.stops[force.port].gap_m;
+            let force_n = self
+                .law(force.port)
+                .force_n(depth_m, dot(&port.velocity, state) + driven.velocity_m_s);
+            rate.iter_mut()
+                .zip(&port.force)
+                .for_each(|(rate, b)| *rate += b * force_n);
         }
         rate
     }
 
     /// A contact whose force starts with a jump, at the end of a step.
     #[inline(always)]
-    pub(super) fn strike<W: Simd>(&mut self, w: W, law: Law, port: usize, (time_s, before): (f64, &[f64])) {
+    pub(super) fn strike<W: Simd>(
+        &mut self,
+        w: W,
+        law: Law,
+        port: usize,
+        (time_s, before): (f64, &[f64]),
+    ) {
         let plant = &self.kernel.plant;
         let row = &plant.ports[port];
         let driven = self.drift.driven(plant, port, time_s);
         let rate = dot(&row.velocity, before) + driven.velocity_m_s;
-        let struck = self.tangents.along(w, &row.displacement, driven.penetration_drift_m);
-        self.tangents.add_product(w, &row.force, law.force_n(0.0, rate) / rate, &struck);
+        let struck = self
+            .tangents
+            .along(w, &row.displacement, driven.penetration_drift_m);
+        self.tangents
+            .add_product(w, &row.force, law.force_n(0.0, rate) / rate, &struck);
     }
 
     /// An impact on a rigid stop after a step, given the state that follows; how much later it falls, s.
@@ -65,19 +94,38 @@ impl Linearization<'_> {
         let plant = &self.kernel.plant;
         let port = &plant.ports[impact.port];
         let impulse = impact.impulse_n_s;
-        let before: Vec<f64> = after.iter().zip(&port.force).map(|(y, b)| y - b * impulse).collect();
+        let before: Vec<f64> = after
+            .iter()
+            .zip(&port.force)
+            .map(|(y, b)| y - b * impulse)
+            .collect();
         let driven = self.drift.driven(plant, impact.port, time_s);
         let fast = dot(&port.velocity, &before) + driven.velocity_m_s;
         let gain = impulse / fast;
         // Forces of compliant contacts act on both sides of the impact; those that feel the rate differ.
         let forces = earlier.map_or(&[][..], |earlier| &earlier.forces);
-        let (rate_before, rate_after) = (self.rate(time_s, &before, forces), self.rate(time_s, after, forces));
+        let (rate_before, rate_after) = (
+            self.rate(time_s, &before, forces),
+            self.rate(time_s, after, forces),
+        );
         let pushed = dot(&port.velocity, &rate_before);
         let acceleration = pushed + driven.acceleration_m_s2;
-        let mut struck = self.tangents.along(w, &port.displacement, driven.penetration_drift_m);
-        let hastened = self.tangents.along(w, &port.velocity, driven.rate_drift_m_s);
-        let kicked = rate_after.iter().zip(&rate_before).map(|(after, before)| after - before);
-        let late: Vec<f64> = port.force.iter().zip(kicked).map(|(b, kick)| -(b * gain * acceleration - kick) / fast).collect();
+        let mut struck = self
+            .tangents
+            .along(w, &port.displacement, driven.penetration_drift_m);
+        let hastened = self
+            .tangents
+            .along(w, &port.velocity, driven.rate_drift_m_s);
+        let kicked = rate_after
+            .iter()
+            .zip(&rate_before)
+            .map(|(after, before)| after - before);
+        let late: Vec<f64> = port
+            .force
+            .iter()
+            .zip(kicked)
+            .map(|(b, kick)| -(b * gain * acceleration - kick) / fast)
+            .collect();
         self.tangents.add_product(w, &port.force, gain, &hastened);
         self.tangents.add_product(w, &late, 1.0, &struck);
         scale(w, &mut struck, -1.0 / fast);

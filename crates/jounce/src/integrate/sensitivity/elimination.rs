@@ -16,7 +16,11 @@ pub struct NodeSystem {
 impl NodeSystem {
     /// Room for a number of ports and right sides of a number of lanes.
     pub fn new(ports: usize, width: usize) -> Self {
-        Self { ports, stride: width + ports, rows: vec![F64x8::ZERO; ports * NODES * (width + ports)] }
+        Self {
+            ports,
+            stride: width + ports,
+            rows: vec![F64x8::ZERO; ports * NODES * (width + ports)],
+        }
     }
 
     /// Number of ports.
@@ -54,7 +58,9 @@ impl NodeSystem {
             let (at, place) = (k / NODES, k % NODES);
             let mut pivot = k;
             for i in k + 1..count {
-                if self.rows[i * stride + at].0[place].abs() > self.rows[pivot * stride + at].0[place].abs() {
+                if self.rows[i * stride + at].0[place].abs()
+                    > self.rows[pivot * stride + at].0[place].abs()
+                {
                     pivot = i;
                 }
             }
@@ -66,7 +72,10 @@ impl NodeSystem {
             scale(w, &mut self.rows[k * stride..(k + 1) * stride], inverse);
             let (below, rest) = self.rows.split_at_mut(k * stride);
             let (own, above) = rest.split_at_mut(stride);
-            for row in below.chunks_exact_mut(stride).chain(above.chunks_exact_mut(stride)) {
+            for row in below
+                .chunks_exact_mut(stride)
+                .chain(above.chunks_exact_mut(stride))
+            {
                 add_scaled(w, row, -row[at].0[place], own);
             }
         }
@@ -80,17 +89,34 @@ mod tests {
 
     #[test]
     fn solves_a_matrix_that_needs_its_rows_exchanged() {
-        let entry = |i: usize, j: usize| if (i + j) % NODES == 1 { 3.0 } else { 0.1 * (i * j) as f64 / 40.0 };
+        let entry = |i: usize, j: usize| {
+            if (i + j) % NODES == 1 {
+                3.0
+            } else {
+                0.1 * (i * j) as f64 / 40.0
+            }
+        };
         let solution = |j: usize| F64x8(std::array::from_fn(|c| (j * 3 + c) as f64 - 4.0));
         let mut system = NodeSystem::new(1, 1);
         for i in 0..NODES {
-            *system.matrix(i, 0) = F64x8(std::array::from_fn(|j| if j < NODES { entry(i, j) } else { 0.0 }));
-            system.right(i)[0] = (0..NODES).fold(F64x8::ZERO, |sum, j| sum.add_scaled(entry(i, j), &solution(j)));
+            *system.matrix(i, 0) = F64x8(std::array::from_fn(|j| {
+                if j < NODES { entry(i, j) } else { 0.0 }
+            }));
+            system.right(i)[0] = (0..NODES).fold(F64x8::ZERO, |sum, j| {
+                sum.add_scaled(entry(i, j), &solution(j))
+            });
         }
         system.solve(Portable::new());
         for j in 0..NODES {
             let found = system.right(j)[0];
-            assert!(found.0.iter().zip(solution(j).0).all(|(a, b)| (a - b).abs() < 1e-12), "row {j}: {found:?}");
+            assert!(
+                found
+                    .0
+                    .iter()
+                    .zip(solution(j).0)
+                    .all(|(a, b)| (a - b).abs() < 1e-12),
+                "row {j}: {found:?}"
+            );
         }
     }
 }

@@ -66,12 +66,36 @@ impl<'a> Linearization<'a> {
         sizes: Vec<SignalSample>,
         tangents: Tangents,
     ) -> Self {
-        let (system, factors) = (NodeSystem::new(1, tangents.width), vec![F64x8::ZERO; kernel.plant.len()]);
-        let tones = (0..kernel.plant.tones.len()).map(|index| Phasor::new(&kernel.plant, index, 0.0)).collect();
+        let (system, factors) = (
+            NodeSystem::new(1, tangents.width),
+            vec![F64x8::ZERO; kernel.plant.len()],
+        );
+        let tones = (0..kernel.plant.tones.len())
+            .map(|index| Phasor::new(&kernel.plant, index, 0.0))
+            .collect();
         let packed = vec![F64x8::ZERO; kernel.layout.lanes()];
-        let series = |port: &Port| ExcitationRow::of(&kernel.plant, &port.displacement).series(&sizes);
-        let forced = kernel.plant.ports.iter().filter(|_| !sizes.is_empty()).map(series).collect();
-        Self { kernel, drift, stretch, tangents, system, factors, packed, tones, sizes, forced, pending_s: 0.0 }
+        let series =
+            |port: &Port| ExcitationRow::of(&kernel.plant, &port.displacement).series(&sizes);
+        let forced = kernel
+            .plant
+            .ports
+            .iter()
+            .filter(|_| !sizes.is_empty())
+            .map(series)
+            .collect();
+        Self {
+            kernel,
+            drift,
+            stretch,
+            tangents,
+            system,
+            factors,
+            packed,
+            tones,
+            sizes,
+            forced,
+            pending_s: 0.0,
+        }
     }
 
     /// Passes one step; `after` is the state at its end, `next` the step that follows.
@@ -86,18 +110,35 @@ impl<'a> Linearization<'a> {
         if segment.forces.is_empty() {
             self.pending_s += segment.length_s;
         } else {
-            if let Some(held) = segment.forces.iter().find(|force| matches!(self.law(force.port), Law::Rigid(_))) {
+            if let Some(held) = segment
+                .forces
+                .iter()
+                .find(|force| matches!(self.law(force.port), Law::Rigid(_)))
+            {
                 let stop = self.kernel.plant.system.stops[held.port].name.clone();
-                return Err(SensitivityError::Rests { stop, time_s: segment.start_s });
+                return Err(SensitivityError::Rests {
+                    stop,
+                    time_s: segment.start_s,
+                });
             }
             self.fly(w);
             self.contact(w, segment, after);
         }
         let starts = next.map_or(&[][..], |next| &next.forces);
-        for force in starts.iter().filter(|force| !segment.forces.iter().any(|before| before.port == force.port)) {
+        for force in starts.iter().filter(|force| {
+            !segment
+                .forces
+                .iter()
+                .any(|before| before.port == force.port)
+        }) {
             if let law @ Law::KelvinVoigt(_) = self.law(force.port) {
                 self.fly(w);
-                self.strike(w, law, force.port, (segment.start_s + segment.length_s, after));
+                self.strike(
+                    w,
+                    law,
+                    force.port,
+                    (segment.start_s + segment.length_s, after),
+                );
             }
         }
         Ok(())
@@ -120,21 +161,36 @@ impl<'a> Linearization<'a> {
             self.tangents.turn(w, k, pair.flow(self.pending_s));
         }
         for (k, rate) in block.reals.iter().enumerate() {
-            self.tangents.decay(w, 2 * block.pairs.len() + k, (rate * self.pending_s).exp());
+            self.tangents
+                .decay(w, 2 * block.pairs.len() + k, (rate * self.pending_s).exp());
         }
         self.pending_s = 0.0;
     }
 
     /// Passes the impacts after a number of steps of the march, given the state after them; how much later they fall, s.
     #[inline(always)]
-    fn impacts<W: Simd>(&mut self, w: W, index: usize, time_s: f64, after: &[f64]) -> Result<Option<Vec<F64x8>>, SensitivityError> {
-        let mut own = self.stretch.impacts.iter().filter(|impact| impact.after == index);
-        let Some(impact) = own.next() else { return Ok(None) };
+    fn impacts<W: Simd>(
+        &mut self,
+        w: W,
+        index: usize,
+        time_s: f64,
+        after: &[f64],
+    ) -> Result<Option<Vec<F64x8>>, SensitivityError> {
+        let mut own = self
+            .stretch
+            .impacts
+            .iter()
+            .filter(|impact| impact.after == index);
+        let Some(impact) = own.next() else {
+            return Ok(None);
+        };
         if own.next().is_some() {
             return Err(SensitivityError::StruckTogether { time_s });
         }
         self.fly(w);
-        let earlier = index.checked_sub(self.stretch.first + 1).and_then(|before| self.stretch.segments.get(before));
+        let earlier = index
+            .checked_sub(self.stretch.first + 1)
+            .and_then(|before| self.stretch.segments.get(before));
         Ok(Some(self.impact(w, impact, earlier, (time_s, after))))
     }
 }
@@ -144,7 +200,13 @@ impl Task for Linearization<'_> {
 
     #[inline(always)]
     fn run<W: Simd>(mut self, w: W) -> Self::Output {
-        let ConductionSegment { segments, first, end_s, end, .. } = self.stretch;
+        let ConductionSegment {
+            segments,
+            first,
+            end_s,
+            end,
+            ..
+        } = self.stretch;
         for (index, segment) in segments.iter().enumerate() {
             self.impacts(w, first + index, segment.start_s, &segment.state)?;
             let next = segments.get(index + 1);
@@ -153,6 +215,9 @@ impl Task for Linearization<'_> {
         }
         let delay_s = self.impacts(w, first + segments.len(), end_s, end)?;
         self.fly(w);
-        Ok(LinearizedSegment { tangents: self.tangents, delay_s })
+        Ok(LinearizedSegment {
+            tangents: self.tangents,
+            delay_s,
+        })
     }
 }

@@ -104,18 +104,49 @@ impl FlowSensitivity {
         integrator.resolve_derivative();
         integrator.start_record();
         integrator.advance_to(start_s + duration_s)?;
-        let (end, statistics, energies) = (integrator.state(), integrator.statistics(), integrator.energies());
-        let rectified = energies.rectified.iter().map(|own| own.load_j + own.battery_j);
+        let (end, statistics, energies) = (
+            integrator.state(),
+            integrator.statistics(),
+            integrator.energies(),
+        );
+        let rectified = energies
+            .rectified
+            .iter()
+            .map(|own| own.load_j + own.battery_j);
         let delivered_j = energies.loads_j.iter().copied().chain(rectified).collect();
-        let rate = conduction_states::rate(integrator.kernel, &integrator.physical(), integrator.time_s(), &integrator.forces_n());
+        let rate = conduction_states::rate(
+            integrator.kernel,
+            &integrator.physical(),
+            integrator.time_s(),
+            &integrator.forces_n(),
+        );
         let rate = kernel.plant.moving(&rate, integrator.time_s());
-        let (end_s, end_regime, own_end) = (integrator.time_s(), integrator.switching.regime, integrator.own_state());
+        let (end_s, end_regime, own_end) = (
+            integrator.time_s(),
+            integrator.switching.regime,
+            integrator.own_state(),
+        );
         let trajectory = integrator.take_record();
-        let route = ConductionRoute { base: kernel, drift, trajectory: &trajectory, end_s, end_regime, end: own_end };
+        let route = ConductionRoute {
+            base: kernel,
+            drift,
+            trajectory: &trajectory,
+            end_s,
+            end_regime,
+            end: own_end,
+        };
         let tangents = route.tangents()?;
         let n = end.len();
         let jacobian = Mat::from_fn(n, n, |i, j| tangents.entry(i, j));
         let drift = (0..n).map(|i| tangents.entry(i, n)).collect();
-        Ok(Self { end, jacobian, drift, rate, statistics, delivered_j, trajectory })
+        Ok(Self {
+            end,
+            jacobian,
+            drift,
+            rate,
+            statistics,
+            delivered_j,
+            trajectory,
+        })
     }
 }

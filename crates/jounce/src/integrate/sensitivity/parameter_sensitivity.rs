@@ -54,7 +54,11 @@ impl Linearization<'_> {
     ) -> DrivenNodeMotion {
         let kernel = self.kernel;
         let basis = kernel.basis(port, shape);
-        let time_s = w.fma(w.splat(segment.length_s), w.load(&F64x8(basis.places)), w.splat(segment.start_s));
+        let time_s = w.fma(
+            w.splat(segment.length_s),
+            w.load(&F64x8(basis.places)),
+            w.splat(segment.start_s),
+        );
         let (mut displacement, mut velocity, mut acceleration) = (w.zero(), w.zero(), w.zero());
         let (mut penetration_drift, mut rate_drift) = (w.splat(-self.drift.gap_of(port)), w.zero());
         for (k, tone) in self.tones.iter_mut().enumerate() {
@@ -62,7 +66,9 @@ impl Linearization<'_> {
             tone.set(segment.start_s);
             match length {
                 StepLength::Level(level) => tone.swing_over(kernel, port, shape, level),
-                StepLength::Odd { length_s, .. } => tone.swing[port] = PhasorSamples::over(frequency, basis, length_s),
+                StepLength::Odd { length_s, .. } => {
+                    tone.swing[port] = PhasorSamples::over(frequency, basis, length_s)
+                }
             }
             let (swing, i) = (tone.swing[port], c64::new(0.0, 1.0));
             let z = tone.displacement_m[port] * tone.turn;
@@ -72,7 +78,11 @@ impl Linearization<'_> {
             if let Some((ds, dw)) = self.drift.tone_of(k, port) {
                 let change = ds * tone.turn;
                 let later = w.mul(w.splat(dw), time_s);
-                penetration_drift = swing.real(w, change, w.fma(later, swing.real(w, z * i, w.zero()), penetration_drift));
+                penetration_drift = swing.real(
+                    w,
+                    change,
+                    w.fma(later, swing.real(w, z * i, w.zero()), penetration_drift),
+                );
                 rate_drift = swing.real(w, change * i * frequency + z * i * dw, rate_drift);
                 rate_drift = w.fma(later, swing.real(w, -z * frequency, w.zero()), rate_drift);
             }
@@ -90,7 +100,12 @@ impl Linearization<'_> {
 impl ParameterSensitivity {
     /// Change of the complex displacement of a port under a tone (m) and of the tone's angular frequency (rad/s).
     pub fn tone_of(&self, tone: usize, port: usize) -> Option<(c64, f64)> {
-        self.tones.get(tone).map(|(displaced_m, frequency)| (displaced_m.get(port).copied().unwrap_or_default(), *frequency))
+        self.tones.get(tone).map(|(displaced_m, frequency)| {
+            (
+                displaced_m.get(port).copied().unwrap_or_default(),
+                *frequency,
+            )
+        })
     }
 
     /// Change of the gap of a port, m.
@@ -105,8 +120,16 @@ impl ParameterSensitivity {
 
     /// A port under the drives of a plant.
     pub(super) fn driven(&self, plant: &Plant, port: usize, time_s: f64) -> DrivenMotion {
-        let mut driven = DrivenMotion { penetration_drift_m: -self.gap_of(port), ..DrivenMotion::default() };
-        for (k, (tone, s)) in plant.tones.iter().zip(&plant.ports[port].steady_m).enumerate() {
+        let mut driven = DrivenMotion {
+            penetration_drift_m: -self.gap_of(port),
+            ..DrivenMotion::default()
+        };
+        for (k, (tone, s)) in plant
+            .tones
+            .iter()
+            .zip(&plant.ports[port].steady_m)
+            .enumerate()
+        {
             let w = tone.angular_frequency_rad_s;
             let turn = c64::cis(w * time_s);
             let turned = s * turn;

@@ -21,7 +21,11 @@ impl Tangents {
         let width = (states + 1).div_ceil(LANES);
         let mut lanes = vec![F64x8::ZERO; states * width];
         (0..states).for_each(|i| lanes[i / LANES * states + i].0[i % LANES] = 1.0);
-        Self { states, width, lanes }
+        Self {
+            states,
+            width,
+            lanes,
+        }
     }
 
     /// Derivative of a state by a start state, or by the parameter.
@@ -74,7 +78,12 @@ impl Tangents {
     /// Turns the two rows of pair `k`.
     #[inline(always)]
     pub fn turn<W: Simd>(&mut self, w: W, k: usize, entries: [f64; 4]) {
-        let [a, b, c, d] = [w.splat(entries[0]), w.splat(entries[1]), w.splat(entries[2]), w.splat(entries[3])];
+        let [a, b, c, d] = [
+            w.splat(entries[0]),
+            w.splat(entries[1]),
+            w.splat(entries[2]),
+            w.splat(entries[3]),
+        ];
         for group in self.lanes.chunks_exact_mut(self.states.max(1)) {
             let (x, y) = (w.load(&group[2 * k]), w.load(&group[2 * k + 1]));
             group[2 * k] = w.store(w.fma(a, x, w.mul(b, y)));
@@ -88,7 +97,8 @@ impl Tangents {
         for group in self.lanes.chunks_exact_mut(self.states.max(1)) {
             before.copy_from_slice(group);
             for (i, own) in group.iter_mut().enumerate() {
-                let add = |sum: F64x8, (j, lane): (usize, &F64x8)| sum.add_scaled(matrix[(i, j)], lane);
+                let add =
+                    |sum: F64x8, (j, lane): (usize, &F64x8)| sum.add_scaled(matrix[(i, j)], lane);
                 *own = before.iter().enumerate().fold(F64x8::ZERO, add);
             }
         }

@@ -19,16 +19,25 @@ pub struct Angles {
 
 /// Numbers in lanes, filled up with zeros.
 pub fn lanes(values: &[f64]) -> Vec<F64x8> {
-    let lane = |values: &[f64]| F64x8(std::array::from_fn(|i| values.get(i).copied().unwrap_or(0.0)));
+    let lane = |values: &[f64]| {
+        F64x8(std::array::from_fn(|i| {
+            values.get(i).copied().unwrap_or(0.0)
+        }))
+    };
     values.chunks(LANES).map(lane).collect()
 }
 
 impl Angles {
     /// Of angles in rad.
     pub fn new(angles: &[f64]) -> Self {
-        let mut turns = Self { count: angles.len(), cos: Vec::new(), sin: Vec::new() };
+        let mut turns = Self {
+            count: angles.len(),
+            cos: Vec::new(),
+            sin: Vec::new(),
+        };
         for angles in angles.chunks(LANES) {
-            let turn: [(f64, f64); LANES] = std::array::from_fn(|i| angles.get(i).copied().unwrap_or(0.0).sin_cos());
+            let turn: [(f64, f64); LANES] =
+                std::array::from_fn(|i| angles.get(i).copied().unwrap_or(0.0).sin_cos());
             turns.sin.push(F64x8(turn.map(|(sin, _)| sin)));
             turns.cos.push(F64x8(turn.map(|(_, cos)| cos)));
         }
@@ -38,13 +47,19 @@ impl Angles {
     /// Values of several sums of as many harmonics each.
     pub fn values<const K: usize>(&self, sums: [&[c64]; K]) -> [Vec<f64>; K] {
         let mut values = widest(HarmonicSums { angles: self, sums });
-        values.iter_mut().for_each(|values| values.truncate(self.count));
+        values
+            .iter_mut()
+            .for_each(|values| values.truncate(self.count));
         values
     }
 
     /// Moments `n = 0..=highest` of weights, one for each angle.
     pub fn moments(&self, weights: &[f64], highest: usize) -> Vec<c64> {
-        widest(AngleMoments { angles: self, weights: lanes(weights), highest })
+        widest(AngleMoments {
+            angles: self,
+            weights: lanes(weights),
+            highest,
+        })
     }
 }
 
@@ -59,7 +74,8 @@ impl<const K: usize> Task for HarmonicSums<'_, K> {
 
     #[inline(always)]
     fn run<W: Simd>(self, w: W) -> Self::Output {
-        let mut out: [Vec<f64>; K] = std::array::from_fn(|_| Vec::with_capacity(LANES * self.angles.cos.len()));
+        let mut out: [Vec<f64>; K] =
+            std::array::from_fn(|_| Vec::with_capacity(LANES * self.angles.cos.len()));
         let most = self.sums.iter().map(|sum| sum.len()).min().unwrap_or(0);
         for (cos, sin) in self.angles.cos.iter().zip(&self.angles.sin) {
             let (cos, sin) = (w.load(cos), w.load(sin));
@@ -93,14 +109,23 @@ impl Task for AngleMoments<'_> {
     #[inline(always)]
     fn run<W: Simd>(self, w: W) -> Self::Output {
         let mut sums = vec![(F64x8::ZERO, F64x8::ZERO); self.highest + 1];
-        for ((cos, sin), weight) in self.angles.cos.iter().zip(&self.angles.sin).zip(&self.weights) {
+        for ((cos, sin), weight) in self
+            .angles
+            .cos
+            .iter()
+            .zip(&self.angles.sin)
+            .zip(&self.weights)
+        {
             let (cos, sin) = (w.load(cos), w.load(sin));
             let back = w.sub(w.zero(), sin);
             let (mut re, mut im) = (w.load(weight), w.zero());
             for sum in &mut sums {
                 sum.0 = w.store(w.add(w.load(&sum.0), re));
                 sum.1 = w.store(w.add(w.load(&sum.1), im));
-                (re, im) = (w.fma(re, cos, w.mul(im, back)), w.fma(re, sin, w.mul(im, cos)));
+                (re, im) = (
+                    w.fma(re, cos, w.mul(im, back)),
+                    w.fma(re, sin, w.mul(im, cos)),
+                );
             }
         }
         let mut moments = Vec::with_capacity(sums.len());
@@ -132,7 +157,11 @@ mod tests {
         }
         assert!(values == same && values.len() == 19);
         for (n, moment) in moments.iter().enumerate() {
-            let exact: c64 = angles.iter().zip(&weights).map(|(x, w)| c64::cis(n as f64 * x) * *w).sum();
+            let exact: c64 = angles
+                .iter()
+                .zip(&weights)
+                .map(|(x, w)| c64::cis(n as f64 * x) * *w)
+                .sum();
             assert!((moment - exact).norm() < 1e-11, "{n}: {moment} {exact}");
         }
     }

@@ -27,9 +27,20 @@ impl PortCompliance {
     pub fn new(plant: &Plant, step_rad_s: f64, harmonics: usize) -> Self {
         let stops = plant.system.stops.len();
         let ports = &plant.ports[..stops];
-        let from = |row| move |b: &crate::plant::Port| TransferFunction::new(plant, row, &b.force, step_rad_s, harmonics);
-        let transfers = ports.iter().flat_map(|a| ports.iter().map(from(&a.displacement))).collect();
-        Self { count: stops.max(1), harmonics, transfers }
+        let from = |row| {
+            move |b: &crate::plant::Port| {
+                TransferFunction::new(plant, row, &b.force, step_rad_s, harmonics)
+            }
+        };
+        let transfers = ports
+            .iter()
+            .flat_map(|a| ports.iter().map(from(&a.displacement)))
+            .collect();
+        Self {
+            count: stops.max(1),
+            harmonics,
+            transfers,
+        }
     }
 
     /// Harmonics of the displacements under those of the forces.
@@ -39,16 +50,25 @@ impl PortCompliance {
 
     /// Their change where the frequency `w / p` changes by a rate (rad/s), the harmonics of the forces being held.
     pub fn frequency_derivative(&self, forces: &[Vec<c64>], rate_rad_s: f64) -> Vec<f64> {
-        self.summed(forces, |transfer, n| transfer.slopes[n] * c64::new(0.0, n as f64 * rate_rad_s))
+        self.summed(forces, |transfer, n| {
+            transfer.slopes[n] * c64::new(0.0, n as f64 * rate_rad_s)
+        })
     }
 
-    fn summed(&self, forces: &[Vec<c64>], factor: impl Fn(&TransferFunction, usize) -> c64) -> Vec<f64> {
+    fn summed(
+        &self,
+        forces: &[Vec<c64>],
+        factor: impl Fn(&TransferFunction, usize) -> c64,
+    ) -> Vec<f64> {
         let mut moved = Vec::with_capacity(self.count * (2 * self.harmonics + 1));
         for a in 0..self.count {
             let mut sum = vec![c64::new(0.0, 0.0); self.harmonics + 1];
             for (b, force) in forces.iter().enumerate() {
                 let transfer = self.transfer(a, b);
-                sum.iter_mut().zip(force).enumerate().for_each(|(n, (sum, f))| *sum += factor(transfer, n) * f);
+                sum.iter_mut()
+                    .zip(force)
+                    .enumerate()
+                    .for_each(|(n, (sum, f))| *sum += factor(transfer, n) * f);
             }
             moved.extend(real(&sum));
         }
@@ -57,12 +77,17 @@ impl PortCompliance {
 
     /// The transpose of [`Self::apply`]: `c_n` that a row over all displacements gives at the port of each force.
     pub fn apply_adjoint(&self, row: &[f64]) -> Vec<Vec<c64>> {
-        let rows: Vec<Vec<c64>> = row.chunks_exact(row.len() / self.count).map(complex).collect();
+        let rows: Vec<Vec<c64>> = row
+            .chunks_exact(row.len() / self.count)
+            .map(complex)
+            .collect();
         let back = |b: usize| {
             let mut sum = vec![c64::new(0.0, 0.0); self.harmonics + 1];
             for (a, row) in rows.iter().enumerate() {
                 let values = &self.transfer(a, b).values;
-                sum.iter_mut().zip(row.iter().zip(values)).for_each(|(sum, (r, g))| *sum += r * g.conj());
+                sum.iter_mut()
+                    .zip(row.iter().zip(values))
+                    .for_each(|(sum, (r, g))| *sum += r * g.conj());
             }
             sum
         };
@@ -71,7 +96,10 @@ impl PortCompliance {
 
     /// Tables of the responses, row by row.
     pub fn responses(&self, grid: &FourierGrid) -> Vec<ComplianceTable> {
-        self.transfers.iter().map(|transfer| ComplianceTable::new(&transfer.values, grid)).collect()
+        self.transfers
+            .iter()
+            .map(|transfer| ComplianceTable::new(&transfer.values, grid))
+            .collect()
     }
 
     /// Harmonics of one port, as real numbers.

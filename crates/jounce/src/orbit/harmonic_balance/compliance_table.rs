@@ -33,12 +33,21 @@ impl ComplianceTable {
         let mut places = vec![[0.0; SERIES_TERMS]; grid.samples + 1];
         for term in 0..SERIES_TERMS {
             let values = grid.values(&spectrum);
-            places.iter_mut().zip(values).for_each(|(place, value)| place[term] = value);
+            places
+                .iter_mut()
+                .zip(values)
+                .for_each(|(place, value)| place[term] = value);
             let share = width / (term + 1) as f64;
-            spectrum.iter_mut().enumerate().for_each(|(n, g)| *g *= c64::new(0.0, n as f64 * share));
+            spectrum
+                .iter_mut()
+                .enumerate()
+                .for_each(|(n, g)| *g *= c64::new(0.0, n as f64 * share));
         }
         places[grid.samples] = places[0];
-        Self { places, per_radian: 1.0 / width }
+        Self {
+            places,
+            per_radian: 1.0 / width,
+        }
     }
 
     /// An angle counted in places, within the period.
@@ -48,7 +57,13 @@ impl ComplianceTable {
 
     /// What a unit of force at a place makes a stop feel at its nodes, times a factor.
     pub fn column(&self, force: f64, factor: f64, nodes: &NodePlaces, column: &mut [f64]) {
-        widest(ComplianceColumn { response: self, force, factor, nodes, column });
+        widest(ComplianceColumn {
+            response: self,
+            force,
+            factor,
+            nodes,
+            column,
+        });
     }
 
     fn count(&self) -> f64 {
@@ -58,9 +73,16 @@ impl ComplianceTable {
     /// The series of the nearest place, and the way from there, in widths.
     #[inline(always)]
     fn near(&self, apart: f64) -> (&[f64; SERIES_TERMS], f64) {
-        let apart = if apart < 0.0 { apart + self.count() } else { apart };
+        let apart = if apart < 0.0 {
+            apart + self.count()
+        } else {
+            apart
+        };
         let nearest = (apart + 0.5) as u32 as usize;
-        (&self.places[nearest.min(self.places.len() - 1)], apart - nearest as f64)
+        (
+            &self.places[nearest.min(self.places.len() - 1)],
+            apart - nearest as f64,
+        )
     }
 }
 
@@ -89,15 +111,31 @@ impl Task for ComplianceColumn<'_> {
 
     #[inline(always)]
     fn run<W: Simd>(self, w: W) {
-        let Self { response, force, factor, nodes, column } = self;
-        for ((entry, place), stiffness_n_m) in column.iter_mut().zip(&nodes.at).zip(&nodes.stiffness_n_m) {
+        let Self {
+            response,
+            force,
+            factor,
+            nodes,
+            column,
+        } = self;
+        for ((entry, place), stiffness_n_m) in
+            column.iter_mut().zip(&nodes.at).zip(&nodes.stiffness_n_m)
+        {
             let ([a, b, c, d, e, f], x) = response.near(place - force);
             // In pairs: a chain of six would wait for every link.
-            let (first, second, third) = (w.fma_one(*b, x, *a), w.fma_one(*d, x, *c), w.fma_one(*f, x, *e));
+            let (first, second, third) = (
+                w.fma_one(*b, x, *a),
+                w.fma_one(*d, x, *c),
+                w.fma_one(*f, x, *e),
+            );
             let square = x * x;
-            *entry = factor * stiffness_n_m * w.fma_one(third, square * square, w.fma_one(second, square, first));
+            *entry = factor
+                * stiffness_n_m
+                * w.fma_one(third, square * square, w.fma_one(second, square, first));
         }
-        for ((entry, place), damping_n_m) in column.iter_mut().zip(&nodes.at).zip(&nodes.damping_n_m) {
+        for ((entry, place), damping_n_m) in
+            column.iter_mut().zip(&nodes.at).zip(&nodes.damping_n_m)
+        {
             let (series, x) = response.near(place - force);
             let mut slope = 0.0;
             for r in (1..SERIES_TERMS).rev() {
@@ -131,8 +169,14 @@ mod tests {
             });
             let x: f64 = displacement - force;
             let below = 1.0 - 2.0 * r * x.cos() + r * r;
-            let exact = [(1.0 - r * r) / below, -(1.0 - r * r) * 2.0 * r * x.sin() / (below * below)];
-            assert!((value - exact[0]).abs() < 2e-5 && (slope - exact[1]).abs() < 1e-3, "{x}: {value} {slope}, {exact:?}");
+            let exact = [
+                (1.0 - r * r) / below,
+                -(1.0 - r * r) * 2.0 * r * x.sin() / (below * below),
+            ];
+            assert!(
+                (value - exact[0]).abs() < 2e-5 && (slope - exact[1]).abs() < 1e-3,
+                "{x}: {value} {slope}, {exact:?}"
+            );
         }
     }
 }

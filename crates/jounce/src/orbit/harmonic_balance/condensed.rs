@@ -39,7 +39,11 @@ impl CoupledNodes<'_> {
     /// Forces at the nodes per harmonics of the displacements, `J phi + J' phi'`.
     fn felt(&self, harmonics: &[f64]) -> Vec<f64> {
         let mut felt = Vec::with_capacity(self.count());
-        for (side, own) in self.each.iter().zip(harmonics.chunks_exact(self.between.size())) {
+        for (side, own) in self
+            .each
+            .iter()
+            .zip(harmonics.chunks_exact(self.between.size()))
+        {
             let own = complex(own);
             let (values, rates) = if is_damped(side) {
                 let [values, rates] = side.angles.values([&own, &turned(&own, self.step_rad_s)]);
@@ -50,28 +54,51 @@ impl CoupledNodes<'_> {
                 (values, none)
             };
             let forces = values.iter().zip(&rates).zip(&side.nodes);
-            felt.extend(forces.map(|((value, rate), node)| node.slopes.stiffness_n_m * value + node.slopes.damping_n_s_m * rate));
+            felt.extend(forces.map(|((value, rate), node)| {
+                node.slopes.stiffness_n_m * value + node.slopes.damping_n_s_m * rate
+            }));
         }
         felt
     }
 
     /// The nodes of a stop as a response counts them.
     fn places(&self, side: &ContactQuadrature, response: &ComplianceTable) -> NodePlaces {
-        let damped = if is_damped(side) { &side.nodes[..] } else { &[] };
+        let damped = if is_damped(side) {
+            &side.nodes[..]
+        } else {
+            &[]
+        };
         NodePlaces {
-            at: side.nodes.iter().map(|node| response.place(node.angle)).collect(),
-            stiffness_n_m: side.nodes.iter().map(|node| node.slopes.stiffness_n_m).collect(),
-            damping_n_m: damped.iter().map(|node| node.slopes.damping_n_s_m * self.step_rad_s).collect(),
+            at: side
+                .nodes
+                .iter()
+                .map(|node| response.place(node.angle))
+                .collect(),
+            stiffness_n_m: side
+                .nodes
+                .iter()
+                .map(|node| node.slopes.stiffness_n_m)
+                .collect(),
+            damping_n_m: damped
+                .iter()
+                .map(|node| node.slopes.damping_n_s_m * self.step_rad_s)
+                .collect(),
         }
     }
 
     /// Harmonics of the displacements per forces at the nodes, `G phi^T w`.
     fn apply(&self, mut forces_n: impl Iterator<Item = f64>) -> Vec<f64> {
         let mut own = |side: &ContactQuadrature| {
-            let weights: Vec<f64> = side.nodes.iter().zip(&mut forces_n).map(|(node, force_n)| force_n * node.share).collect();
+            let weights: Vec<f64> = side
+                .nodes
+                .iter()
+                .zip(&mut forces_n)
+                .map(|(node, force_n)| force_n * node.share)
+                .collect();
             side.gathered(&weights, self.between.harmonics())
         };
-        self.between.apply(&self.each.iter().map(&mut own).collect::<Vec<_>>())
+        self.between
+            .apply(&self.each.iter().map(&mut own).collect::<Vec<_>>())
     }
 
     /// The transpose of [`Self::apply`].
@@ -79,7 +106,12 @@ impl CoupledNodes<'_> {
         let mut pulled = Vec::with_capacity(self.count());
         for (side, back) in self.each.iter().zip(self.between.apply_adjoint(row)) {
             let [values] = side.angles.values([&back]);
-            pulled.extend(values.iter().zip(&side.nodes).map(|(value, node)| value * node.share));
+            pulled.extend(
+                values
+                    .iter()
+                    .zip(&side.nodes)
+                    .map(|(value, node)| value * node.share),
+            );
         }
         pulled
     }
@@ -87,25 +119,44 @@ impl CoupledNodes<'_> {
 
 /// True where the force of a stop depends on the rate.
 fn is_damped(side: &ContactQuadrature) -> bool {
-    side.nodes.iter().any(|node| node.slopes.damping_n_s_m != 0.0)
+    side.nodes
+        .iter()
+        .any(|node| node.slopes.damping_n_s_m != 0.0)
 }
 
 impl Condensed {
     /// At nodes between which the plant responds by tables of every pair of ports, row by row, with the border `[R_u by; row corner]`;
     /// `None` where that is not finite.
-    pub fn new(sides: CoupledNodes<'_>, responses: &[ComplianceTable], by: &[f64], (row, corner): (&[f64], f64)) -> Option<Self> {
+    pub fn new(
+        sides: CoupledNodes<'_>,
+        responses: &[ComplianceTable],
+        by: &[f64],
+        (row, corner): (&[f64], f64),
+    ) -> Option<Self> {
         let (count, stops) = (sides.count(), sides.each.len());
         let (felt, pulled) = (sides.felt(by), sides.apply_adjoint(row));
         let first = Border::new((row, corner));
         let bottom = first.along(by) + corner;
-        let largest = |values: &[f64], least: f64| values.iter().fold(least, |max, value| max.max(value.abs()));
+        let largest = |values: &[f64], least: f64| {
+            values.iter().fold(least, |max, value| max.max(value.abs()))
+        };
         let column_size = largest(&felt, f64::MIN_POSITIVE).max(if count == 0 { 1.0 } else { 0.0 });
         let row_size = largest(&pulled, (bottom / column_size).abs());
-        let places: Vec<NodePlaces> = sides.each.iter().zip(responses).map(|(side, response)| sides.places(side, response)).collect();
+        let places: Vec<NodePlaces> = sides
+            .each
+            .iter()
+            .zip(responses)
+            .map(|(side, response)| sides.places(side, response))
+            .collect();
         let mut matrix = Mat::<f64>::zeros(count + 1, count + 1);
         let pushing = sides.each.iter().zip(&places).enumerate();
-        let pushing =
-            pushing.flat_map(|(b, (side, places))| places.at.iter().zip(&side.nodes).map(move |(place, node)| (b, *place, node.share)));
+        let pushing = pushing.flat_map(|(b, (side, places))| {
+            places
+                .at
+                .iter()
+                .zip(&side.nodes)
+                .map(move |(place, node)| (b, *place, node.share))
+        });
         for (p, ((b, force, share), pulled)) in pushing.zip(&pulled).enumerate() {
             let column: &mut [f64] = matrix.col_as_slice_mut(p);
             let mut rest = &mut column[..];
@@ -118,28 +169,60 @@ impl Condensed {
             column[count] = pulled / row_size;
         }
         let border: &mut [f64] = matrix.col_as_slice_mut(count);
-        border.iter_mut().zip(&felt).for_each(|(entry, felt)| *entry = -felt / column_size);
+        border
+            .iter_mut()
+            .zip(&felt)
+            .for_each(|(entry, felt)| *entry = -felt / column_size);
         border[count] = bottom / (column_size * row_size);
         let is_finite = row_size.is_finite() && column_size.is_finite();
-        is_finite.then(|| Self { factors: LuFactors::of(matrix), first, row_size, column_size })
+        is_finite.then(|| Self {
+            factors: LuFactors::of(matrix),
+            first,
+            row_size,
+            column_size,
+        })
     }
 
     /// Solves `[R_u by; row corner] (du, dp) = (right, last)` with `R_u = push feel^T - I`.
     ///
     /// The factors are those of the border that came first.
-    pub fn bordered(&self, sides: CoupledNodes<'_>, by: &[f64], border: (&[f64], f64), right: (&[f64], f64)) -> BorderedSolution {
-        self.first.other(border, right, |right, last| self.solve(sides, by, right, last))
+    pub fn bordered(
+        &self,
+        sides: CoupledNodes<'_>,
+        by: &[f64],
+        border: (&[f64], f64),
+        right: (&[f64], f64),
+    ) -> BorderedSolution {
+        self.first.other(border, right, |right, last| {
+            self.solve(sides, by, right, last)
+        })
     }
 
-    fn solve(&self, sides: CoupledNodes<'_>, by: &[f64], right: &[f64], last: f64) -> BorderedSolution {
+    fn solve(
+        &self,
+        sides: CoupledNodes<'_>,
+        by: &[f64],
+        right: &[f64],
+        last: f64,
+    ) -> BorderedSolution {
         let count = sides.count();
-        let felt = if right.iter().all(|r| *r == 0.0) { vec![0.0; count] } else { sides.felt(right) };
+        let felt = if right.iter().all(|r| *r == 0.0) {
+            vec![0.0; count]
+        } else {
+            sides.felt(right)
+        };
         let bottom = (last + self.first.along(right)) / self.row_size;
         let mut solution: Vec<f64> = felt.iter().map(|felt| -felt).chain([bottom]).collect();
         self.factors.solve(&mut solution);
         let parameter = solution[count] / self.column_size;
         let pushed = sides.apply(solution[..count].iter().copied());
-        let unknown: Vec<f64> = pushed.iter().zip(by).zip(right).map(|((pushed, by), right)| pushed + by * parameter - right).collect();
-        (parameter.is_finite() && unknown.iter().all(|u| u.is_finite())).then_some((unknown, parameter))
+        let unknown: Vec<f64> = pushed
+            .iter()
+            .zip(by)
+            .zip(right)
+            .map(|((pushed, by), right)| pushed + by * parameter - right)
+            .collect();
+        (parameter.is_finite() && unknown.iter().all(|u| u.is_finite()))
+            .then_some((unknown, parameter))
     }
 }

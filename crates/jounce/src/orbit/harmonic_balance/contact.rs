@@ -40,8 +40,15 @@ pub fn contacts(motion: &PortMotion, grid: &FourierGrid) -> Vec<ContactInterval>
     };
     let mut found = Vec::new();
     let mut from = None;
-    let again = looks.iter().map(|look| MotionSample { angle: look.angle + TAU, ..*look });
-    let round: Vec<MotionSample> = looks[first..].iter().copied().chain(again.take(first + 1)).collect();
+    let again = looks.iter().map(|look| MotionSample {
+        angle: look.angle + TAU,
+        ..*look
+    });
+    let round: Vec<MotionSample> = looks[first..]
+        .iter()
+        .copied()
+        .chain(again.take(first + 1))
+        .collect();
     for pair in round.windows(2) {
         match (pair[0].touches, pair[1].touches) {
             (false, true) => from = Some(edge(motion, pair[0].angle, pair[1].angle)),
@@ -58,7 +65,10 @@ pub fn contacts(motion: &PortMotion, grid: &FourierGrid) -> Vec<ContactInterval>
 /// The same contact, beginning in the period.
 fn within(contact: ContactInterval) -> ContactInterval {
     let turns = if contact.from >= TAU { TAU } else { 0.0 };
-    ContactInterval { from: contact.from - turns, to: contact.to - turns }
+    ContactInterval {
+        from: contact.from - turns,
+        to: contact.to - turns,
+    }
 }
 
 /// Looks on the grid, and at the turning points between them that may reach through the surface.
@@ -67,12 +77,18 @@ fn motion_samples(motion: &PortMotion, grid: &FourierGrid) -> Vec<MotionSample> 
     spectrum[0] *= 2.0;
     spectrum.resize(grid.samples / 2 + 1, c64::new(0.0, 0.0));
     let depths = grid.values(&spectrum);
-    spectrum.iter_mut().enumerate().for_each(|(n, c)| *c *= c64::new(0.0, n as f64 * motion.step_rad_s));
+    spectrum
+        .iter_mut()
+        .enumerate()
+        .for_each(|(n, c)| *c *= c64::new(0.0, n as f64 * motion.step_rad_s));
     let rates = grid.values(&spectrum);
     let (count, width) = (grid.samples, TAU / grid.samples as f64);
     let mut looks = Vec::with_capacity(count + 8);
     for k in 0..count {
-        let (here, next) = ((depths[k], rates[k]), (depths[(k + 1) % count], rates[(k + 1) % count]));
+        let (here, next) = (
+            (depths[k], rates[k]),
+            (depths[(k + 1) % count], rates[(k + 1) % count]),
+        );
         let (angle, touches) = (k as f64 * width, motion.touches(here));
         looks.push(MotionSample { angle, touches });
         let side = here.0.signum();
@@ -80,7 +96,10 @@ fn motion_samples(motion: &PortMotion, grid: &FourierGrid) -> Vec<MotionSample> 
         let reach_m = (here.1.abs().max(next.1.abs())) * width / motion.step_rad_s;
         if turns_back && here.0.abs().min(next.0.abs()) < reach_m {
             let angle = turning(motion, angle, angle + width);
-            looks.push(MotionSample { angle, touches: motion.touches(motion.at(angle)) });
+            looks.push(MotionSample {
+                angle,
+                touches: motion.touches(motion.at(angle)),
+            });
         }
     }
     looks

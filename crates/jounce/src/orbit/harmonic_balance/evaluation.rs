@@ -44,28 +44,63 @@ pub struct BalanceEvaluation {
 
 impl BalanceEvaluation {
     /// With the harmonics of the displacement of each port, over a period of `cycles` of the drive.
-    pub(super) fn new(kernel: Kernel, parameter: f64, unknown: &[f64], cycles: u32, grid: &FourierGrid, rules: &QuadratureRules) -> Self {
+    pub(super) fn new(
+        kernel: Kernel,
+        parameter: f64,
+        unknown: &[f64],
+        cycles: u32,
+        grid: &FourierGrid,
+        rules: &QuadratureRules,
+    ) -> Self {
         let plant = &kernel.plant;
         let tone = plant.tones.first();
         let step_rad_s = tone.map_or(1.0, |tone| tone.angular_frequency_rad_s) / f64::from(cycles);
         let harmonics = unknown.len() / plant.system.stops.len().max(1) / 2;
         let between = PortCompliance::new(plant, step_rad_s, harmonics);
-        let sides = ContactQuadrature::all(plant, unknown, step_rad_s, (grid, rules), harmonics as f64);
-        let forces: Vec<Vec<c64>> = sides.iter().map(|side| side.harmonics(harmonics, |node| node.force_n)).collect();
+        let sides =
+            ContactQuadrature::all(plant, unknown, step_rad_s, (grid, rules), harmonics as f64);
+        let forces: Vec<Vec<c64>> = sides
+            .iter()
+            .map(|side| side.harmonics(harmonics, |node| node.force_n))
+            .collect();
         let mut residual = between.apply(&forces);
-        residual.iter_mut().zip(unknown).for_each(|(pushed, u)| *pushed -= u);
+        residual
+            .iter_mut()
+            .zip(unknown)
+            .for_each(|(pushed, u)| *pushed -= u);
         if tone.is_some() {
-            own_of(&plant.ports, &mut residual, &between).for_each(|(_, port, own)| add_tone(port.steady_m[0], cycles, own));
+            own_of(&plant.ports, &mut residual, &between)
+                .for_each(|(_, port, own)| add_tone(port.steady_m[0], cycles, own));
         }
         if !plant.system.signals.is_empty() {
             let resting = plant.resting();
             own_of(&plant.ports, &mut residual, &between).for_each(|(_, port, own)| {
-                own[0] += port.displacement.iter().zip(&resting).map(|(c, y)| c * y).sum::<f64>();
+                own[0] += port
+                    .displacement
+                    .iter()
+                    .zip(&resting)
+                    .map(|(c, y)| c * y)
+                    .sum::<f64>();
             });
         }
-        let (by_parameter, unknown, grid) = (vec![0.0; unknown.len()], unknown.to_vec(), grid.clone());
+        let (by_parameter, unknown, grid) =
+            (vec![0.0; unknown.len()], unknown.to_vec(), grid.clone());
         let (shot, excess, condensed) = (OnceCell::new(), OnceCell::new(), OnceCell::new());
-        Self { parameter, kernel, forces, step_rad_s, shot, excess, by_parameter, unknown, grid, between, sides, residual, condensed }
+        Self {
+            parameter,
+            kernel,
+            forces,
+            step_rad_s,
+            shot,
+            excess,
+            by_parameter,
+            unknown,
+            grid,
+            between,
+            sides,
+            residual,
+            condensed,
+        }
     }
 
     /// Nodes in contact: the size of Newton's linear system.
@@ -77,21 +112,36 @@ impl BalanceEvaluation {
     /// frequency, and of the force at each node.
     pub(super) fn changed(&mut self, change: &ParameterDerivatives, cycles: u32) {
         let (drift, highest) = (&change.drift, self.between.harmonics());
-        let frequency_rad_s = drift.tone_of(0, 0).map_or(0.0, |(_, frequency_rad_s)| frequency_rad_s);
+        let frequency_rad_s = drift
+            .tone_of(0, 0)
+            .map_or(0.0, |(_, frequency_rad_s)| frequency_rad_s);
         let hastened = frequency_rad_s / (self.step_rad_s * f64::from(cycles));
         let own_n = |stop: usize, node: &ContactNode| {
             let slopes = node.slopes;
-            slopes.damping_n_s_m * node.rate_m_s * hastened - slopes.stiffness_n_m * drift.gap_of(stop)
+            slopes.damping_n_s_m * node.rate_m_s * hastened
+                - slopes.stiffness_n_m * drift.gap_of(stop)
                 + drift.force_relative_of(stop) * node.force_n
         };
-        let mut moved = self.between.frequency_derivative(&self.forces, frequency_rad_s / f64::from(cycles));
+        let mut moved = self
+            .between
+            .frequency_derivative(&self.forces, frequency_rad_s / f64::from(cycles));
         let sides = || self.sides.iter().enumerate();
         if sides().any(|(stop, side)| side.nodes.iter().any(|node| own_n(stop, node) != 0.0)) {
-            let own: Vec<Vec<c64>> = sides().map(|(stop, side)| side.harmonics(highest, |node| own_n(stop, node))).collect();
-            moved.iter_mut().zip(self.between.apply(&own)).for_each(|(moved, own)| *moved += own);
+            let own: Vec<Vec<c64>> = sides()
+                .map(|(stop, side)| side.harmonics(highest, |node| own_n(stop, node)))
+                .collect();
+            moved
+                .iter_mut()
+                .zip(self.between.apply(&own))
+                .for_each(|(moved, own)| *moved += own);
         }
-        let tone = |stop: usize| drift.tone_of(0, stop).map_or(c64::new(0.0, 0.0), |(displaced_m, _)| displaced_m);
-        own_of(&self.kernel.plant.ports, &mut moved, &self.between).for_each(|(stop, _, own)| add_tone(tone(stop), cycles, own));
+        let tone = |stop: usize| {
+            drift
+                .tone_of(0, stop)
+                .map_or(c64::new(0.0, 0.0), |(displaced_m, _)| displaced_m)
+        };
+        own_of(&self.kernel.plant.ports, &mut moved, &self.between)
+            .for_each(|(stop, _, own)| add_tone(tone(stop), cycles, own));
         self.by_parameter = moved;
     }
 
@@ -105,35 +155,76 @@ impl BalanceEvaluation {
     pub(super) fn state(&self, rules: &QuadratureRules) -> Vec<f64> {
         let plant = &self.kernel.plant;
         let block = &plant.diagonal.block;
-        let orders = block.pairs.iter().map(|pair| pair.eigenvalue().norm() / self.step_rad_s);
+        let orders = block
+            .pairs
+            .iter()
+            .map(|pair| pair.eigenvalue().norm() / self.step_rad_s);
         let harmonics = self.between.harmonics() as f64;
         let most = MAX_MODE_HARMONIC.max(harmonics);
         let fastest = orders.fold(harmonics, f64::max).min(most);
         let period_s = TAU / self.step_rad_s;
         let mut state = vec![0.0; plant.len()];
-        let sides = ContactQuadrature::all(plant, &self.unknown, self.step_rad_s, (&self.grid, rules), fastest);
+        let sides = ContactQuadrature::all(
+            plant,
+            &self.unknown,
+            self.step_rad_s,
+            (&self.grid, rules),
+            fastest,
+        );
         for (port, ContactQuadrature { nodes, .. }) in plant.ports.iter().zip(sides) {
-            let left_s: Vec<f64> = nodes.iter().map(|node| period_s * (1.0 - (node.angle / TAU).rem_euclid(1.0))).collect();
-            let impulses_n_s: Vec<f64> = nodes.iter().map(|node| node.share * period_s * node.force_n).collect();
-            let left = after_impulses(block, &port.force, most * self.step_rad_s, &left_s, &impulses_n_s);
+            let left_s: Vec<f64> = nodes
+                .iter()
+                .map(|node| period_s * (1.0 - (node.angle / TAU).rem_euclid(1.0)))
+                .collect();
+            let impulses_n_s: Vec<f64> = nodes
+                .iter()
+                .map(|node| node.share * period_s * node.force_n)
+                .collect();
+            let left = after_impulses(
+                block,
+                &port.force,
+                most * self.step_rad_s,
+                &left_s,
+                &impulses_n_s,
+            );
             state.iter_mut().zip(left).for_each(|(sum, y)| *sum += y);
         }
         let free = block.free();
-        for ((pair, y), free) in block.pairs.iter().zip(state.chunks_exact_mut(2)).zip(free.chunks_exact(2)) {
+        for ((pair, y), free) in block
+            .pairs
+            .iter()
+            .zip(state.chunks_exact_mut(2))
+            .zip(free.chunks_exact(2))
+        {
             if free[0] {
                 (y[0], y[1]) = (0.0, 0.0);
                 continue;
             }
             let [a, b, c, d] = pair.flow(period_s);
             let det = (1.0 - a) * (1.0 - d) - b * c;
-            (y[0], y[1]) = (((1.0 - d) * y[0] + b * y[1]) / det, (c * y[0] + (1.0 - a) * y[1]) / det);
+            (y[0], y[1]) = (
+                ((1.0 - d) * y[0] + b * y[1]) / det,
+                (c * y[0] + (1.0 - a) * y[1]) / det,
+            );
         }
         let paired = 2 * block.pairs.len();
-        for ((rate, y), free) in block.reals.iter().zip(&mut state[paired..]).zip(&free[paired..]) {
-            *y = if *free { 0.0 } else { *y / -(rate * period_s).exp_m1() };
+        for ((rate, y), free) in block
+            .reals
+            .iter()
+            .zip(&mut state[paired..])
+            .zip(&free[paired..])
+        {
+            *y = if *free {
+                0.0
+            } else {
+                *y / -(rate * period_s).exp_m1()
+            };
         }
         if !plant.system.signals.is_empty() {
-            state.iter_mut().zip(plant.resting()).for_each(|(y, resting)| *y += resting);
+            state
+                .iter_mut()
+                .zip(plant.resting())
+                .for_each(|(y, resting)| *y += resting);
         }
         state
     }
@@ -146,7 +237,11 @@ fn own_of<'h>(
     between: &PortCompliance,
 ) -> impl Iterator<Item = (usize, &'h Port, &'h mut [f64])> {
     let own = harmonics.chunks_exact_mut(between.size());
-    ports.iter().zip(own).enumerate().map(|(stop, (port, own))| (stop, port, own))
+    ports
+        .iter()
+        .zip(own)
+        .enumerate()
+        .map(|(stop, (port, own))| (stop, port, own))
 }
 
 impl Linearization for BalanceEvaluation {
@@ -157,20 +252,60 @@ impl Linearization for BalanceEvaluation {
     /// By harmonic of the drive, m rms.
     fn parts(&self) -> ResidualReport {
         let plant = &self.kernel.plant;
-        let cycles = plant.tones.first().map_or(1.0, |tone| (tone.angular_frequency_rad_s / self.step_rad_s).round());
-        let several = plant.system.stops.len() > 1;
-        let sizes = self.residual.chunks_exact(self.between.size()).zip(&plant.system.stops).flat_map(|(own, stop)| {
-            let of = if several { format!(" of stop.{}", stop.name) } else { String::new() };
-            let mean = (format!("the mean{of}"), own[0].abs());
-            let name = move |n: usize| format!("harmonic {}{of}", n as f64 / cycles);
-            std::iter::once(mean).chain(own[1..].chunks_exact(2).enumerate().map(move |(k, pair)| (name(k + 1), pair[0].hypot(pair[1]))))
+        let cycles = plant.tones.first().map_or(1.0, |tone| {
+            (tone.angular_frequency_rad_s / self.step_rad_s).round()
         });
-        ResidualReport { unit: "m rms", sizes: sizes.collect() }
+        let several = plant.system.stops.len() > 1;
+        let sizes = self
+            .residual
+            .chunks_exact(self.between.size())
+            .zip(&plant.system.stops)
+            .flat_map(|(own, stop)| {
+                let of = if several {
+                    format!(" of stop.{}", stop.name)
+                } else {
+                    String::new()
+                };
+                let mean = (format!("the mean{of}"), own[0].abs());
+                let name = move |n: usize| format!("harmonic {}{of}", n as f64 / cycles);
+                std::iter::once(mean).chain(
+                    own[1..]
+                        .chunks_exact(2)
+                        .enumerate()
+                        .map(move |(k, pair)| (name(k + 1), pair[0].hypot(pair[1]))),
+                )
+            });
+        ResidualReport {
+            unit: "m rms",
+            sizes: sizes.collect(),
+        }
     }
 
-    fn bordered(&self, row: &[f64], corner: f64, right: &[f64], last: f64) -> Option<(Vec<f64>, f64)> {
-        let sides = CoupledNodes { each: &self.sides, between: &self.between, step_rad_s: self.step_rad_s };
-        let make = || Condensed::new(sides, &self.between.responses(&self.grid), &self.by_parameter, (row, corner));
-        self.condensed.get_or_init(make).as_ref()?.bordered(sides, &self.by_parameter, (row, corner), (right, last))
+    fn bordered(
+        &self,
+        row: &[f64],
+        corner: f64,
+        right: &[f64],
+        last: f64,
+    ) -> Option<(Vec<f64>, f64)> {
+        let sides = CoupledNodes {
+            each: &self.sides,
+            between: &self.between,
+            step_rad_s: self.step_rad_s,
+        };
+        let make = || {
+            Condensed::new(
+                sides,
+                &self.between.responses(&self.grid),
+                &self.by_parameter,
+                (row, corner),
+            )
+        };
+        self.condensed.get_or_init(make).as_ref()?.bordered(
+            sides,
+            &self.by_parameter,
+            (row, corner),
+            (right, last),
+        )
     }
 }

@@ -17,7 +17,13 @@ use faer::c64;
 const SERIES_TERMS: usize = 10;
 
 /// Block coordinates after the impulses on a column `b`; 0 for pairs that turn faster than `fastest_rad_s`.
-pub fn after_impulses(block: &BlockDiagonal, column: &[f64], fastest_rad_s: f64, left_s: &[f64], impulses_n_s: &[f64]) -> Vec<f64> {
+pub fn after_impulses(
+    block: &BlockDiagonal,
+    column: &[f64],
+    fastest_rad_s: f64,
+    left_s: &[f64],
+    impulses_n_s: &[f64],
+) -> Vec<f64> {
     let (times, impulses) = (lanes(left_s), lanes(impulses_n_s));
     let longest_s = left_s.iter().fold(0.0_f64, |max, time| max.max(*time));
     let mut state = Vec::with_capacity(column.len());
@@ -28,7 +34,12 @@ pub fn after_impulses(block: &BlockDiagonal, column: &[f64], fastest_rad_s: f64,
             _ if rate.norm() > fastest_rad_s => state.extend([0.0; 2]),
             BlockPair::Oscillatory { .. } => {
                 let squarings = (8.0 * rate.norm() * longest_s).max(1.0).log2().ceil() as u32;
-                let sum = widest(ImpulseSum { times: &times, impulses: &impulses, rate, squarings }) * c64::new(b[0], b[1]);
+                let sum = widest(ImpulseSum {
+                    times: &times,
+                    impulses: &impulses,
+                    rate,
+                    squarings,
+                }) * c64::new(b[0], b[1]);
                 state.extend([sum.re, sum.im]);
             }
             BlockPair::Jordan { .. } => {
@@ -42,8 +53,20 @@ pub fn after_impulses(block: &BlockDiagonal, column: &[f64], fastest_rad_s: f64,
             }
         }
     }
-    let decayed = |rate: f64| -> f64 { left_s.iter().zip(impulses_n_s).map(|(time_s, impulse)| impulse * (rate * time_s).exp()).sum() };
-    state.extend(block.reals.iter().zip(single).map(|(rate, b)| b * decayed(*rate)));
+    let decayed = |rate: f64| -> f64 {
+        left_s
+            .iter()
+            .zip(impulses_n_s)
+            .map(|(time_s, impulse)| impulse * (rate * time_s).exp())
+            .sum()
+    };
+    state.extend(
+        block
+            .reals
+            .iter()
+            .zip(single)
+            .map(|(rate, b)| b * decayed(*rate)),
+    );
     state
 }
 
@@ -61,7 +84,11 @@ impl Task for ImpulseSum<'_> {
     #[inline(always)]
     fn run<W: Simd>(self, w: W) -> c64 {
         let scale = 0.5_f64.powi(self.squarings as i32);
-        let (decay, turn, one) = (w.splat(self.rate.re * scale), w.splat(self.rate.im * scale), w.splat(1.0));
+        let (decay, turn, one) = (
+            w.splat(self.rate.re * scale),
+            w.splat(self.rate.im * scale),
+            w.splat(1.0),
+        );
         let (mut sum_re, mut sum_im) = (w.zero(), w.zero());
         for (time, impulse) in self.times.iter().zip(self.impulses) {
             let (x, y) = (w.mul(decay, w.load(time)), w.mul(turn, w.load(time)));
@@ -92,15 +119,26 @@ mod tests {
     #[test]
     fn impulses_flow_as_the_blocks_do() {
         let oscillatory = |decay: f64, frequency: f64| BlockPair::Oscillatory { decay, frequency };
-        let pairs = vec![oscillatory(-0.1, 3.0), oscillatory(-20.0, 1e4), oscillatory(-2.0, 1e-3), BlockPair::Jordan { rate: -0.5 }];
-        let block = BlockDiagonal { pairs, reals: vec![-3.0, 0.0] };
+        let pairs = vec![
+            oscillatory(-0.1, 3.0),
+            oscillatory(-20.0, 1e4),
+            oscillatory(-2.0, 1e-3),
+            BlockPair::Jordan { rate: -0.5 },
+        ];
+        let block = BlockDiagonal {
+            pairs,
+            reals: vec![-3.0, 0.0],
+        };
         let column: Vec<f64> = (0..block.len()).map(|i| 1.0 + 0.1 * i as f64).collect();
         let left_s: Vec<f64> = (0..21).map(|q| 0.004 * f64::from(q) + 0.02).collect();
         let impulses_n_s: Vec<f64> = (0..21).map(|q| (0.3 * f64::from(q)).sin()).collect();
         let found = after_impulses(&block, &column, f64::INFINITY, &left_s, &impulses_n_s);
         let mut exact = vec![0.0; block.len()];
         for (time_s, impulse) in left_s.iter().zip(&impulses_n_s) {
-            exact.iter_mut().zip(block.flow(*time_s, &column)).for_each(|(sum, y)| *sum += impulse * y);
+            exact
+                .iter_mut()
+                .zip(block.flow(*time_s, &column))
+                .for_each(|(sum, y)| *sum += impulse * y);
         }
         for (i, (found, exact)) in found.iter().zip(&exact).enumerate() {
             assert!((found - exact).abs() < 1e-11, "state {i}: {found} {exact}");

@@ -8,7 +8,9 @@ use crate::contact::Law;
 use crate::continuation::{Linearization, Position, Problem};
 use crate::integrate::{IntegrationError, Kernel, SensitivityError};
 use crate::orbit::compliance::{FourierGrid, TransferFunction, moves_without_end};
-use crate::orbit::{ModelInstance, Orbit, OrbitError, OrbitMethod, ParametricModel, Shooting, ShootingEvaluation};
+use crate::orbit::{
+    ModelInstance, Orbit, OrbitError, OrbitMethod, ParametricModel, Shooting, ShootingEvaluation,
+};
 use faer::c64;
 use std::sync::Arc;
 
@@ -41,24 +43,54 @@ impl<'h, H: ParametricModel> HarmonicBalance<'h, H> {
     ///
     /// # Errors
     /// [`OrbitError::Rectified`], [`OrbitError::Impulsive`] for a rigid stop, [`OrbitError::Free`].
-    pub fn new(shooting: Shooting<'h, H>, kernel: &Kernel, harmonics: usize, accuracy: f64) -> Result<Self, OrbitError<H::Error>> {
+    pub fn new(
+        shooting: Shooting<'h, H>,
+        kernel: &Kernel,
+        harmonics: usize,
+        accuracy: f64,
+    ) -> Result<Self, OrbitError<H::Error>> {
         let stops = &kernel.plant.system.stops;
         if let Some(bridge) = kernel.plant.system.bridges.first() {
-            return Err(OrbitError::Rectified { circuit: bridge.name.clone() });
+            return Err(OrbitError::Rectified {
+                circuit: bridge.name.clone(),
+            });
         }
         match stops.iter().find(|stop| matches!(stop.law, Law::Rigid(_))) {
-            Some(stop) => Err(OrbitError::Impulsive { stop: stop.name.clone() }),
+            Some(stop) => Err(OrbitError::Impulsive {
+                stop: stop.name.clone(),
+            }),
             None if moves_without_end(&kernel.plant) => Err(OrbitError::Free),
-            None => Ok(Self { shooting, harmonics, accuracy, stops: stops.len().max(1), grid: grid(harmonics), rules: Arc::default() }),
+            None => Ok(Self {
+                shooting,
+                harmonics,
+                accuracy,
+                stops: stops.len().max(1),
+                grid: grid(harmonics),
+                rules: Arc::default(),
+            }),
         }
     }
 
-    fn balance(&self, setting: ModelInstance, unknown: &[f64], parameter: f64) -> Result<BalanceEvaluation, OrbitError<H::Error>> {
+    fn balance(
+        &self,
+        setting: ModelInstance,
+        unknown: &[f64],
+        parameter: f64,
+    ) -> Result<BalanceEvaluation, OrbitError<H::Error>> {
         if setting.kernel.control.is_stopped() {
-            return Err(OrbitError::March(SensitivityError::March(IntegrationError::Stopped { time_s: 0.0 })));
+            return Err(OrbitError::March(SensitivityError::March(
+                IntegrationError::Stopped { time_s: 0.0 },
+            )));
         }
         match setting.kernel.plant.tones.len() {
-            1 => Ok(BalanceEvaluation::new(setting.kernel, parameter, unknown, self.shooting.cycles, &self.grid, &self.rules)),
+            1 => Ok(BalanceEvaluation::new(
+                setting.kernel,
+                parameter,
+                unknown,
+                self.shooting.cycles,
+                &self.grid,
+                &self.rules,
+            )),
             0 => Err(OrbitError::Frequencies { frequencies: 0 }),
             frequencies => Err(OrbitError::Summed { frequencies }),
         }
@@ -66,21 +98,52 @@ impl<'h, H: ParametricModel> HarmonicBalance<'h, H> {
 
     /// The same with other harmonics.
     fn with(&self, harmonics: usize) -> Self {
-        let Shooting { harvester, cycles, tolerance, ref scale, ref charged } = self.shooting;
-        let shooting = Shooting { harvester, cycles, tolerance, scale: scale.clone(), charged: charged.clone() };
-        Self { shooting, harmonics, accuracy: self.accuracy, stops: self.stops, grid: grid(harmonics), rules: Arc::clone(&self.rules) }
+        let Shooting {
+            harvester,
+            cycles,
+            tolerance,
+            ref scale,
+            ref charged,
+        } = self.shooting;
+        let shooting = Shooting {
+            harvester,
+            cycles,
+            tolerance,
+            scale: scale.clone(),
+            charged: charged.clone(),
+        };
+        Self {
+            shooting,
+            harmonics,
+            accuracy: self.accuracy,
+            stops: self.stops,
+            grid: grid(harmonics),
+            rules: Arc::clone(&self.rules),
+        }
     }
 
     /// Of the mean power beside the accuracy, or of the state beside `STATE_ERROR_FACTOR` times that, the larger one.
-    fn excess_of(&self, local: &BalanceEvaluation, parameter_scale: f64) -> Result<f64, OrbitError<H::Error>> {
+    fn excess_of(
+        &self,
+        local: &BalanceEvaluation,
+        parameter_scale: f64,
+    ) -> Result<f64, OrbitError<H::Error>> {
         let shot = self.shot(local)?;
-        let Some((across, length)) = shot.across(local.parameter, parameter_scale) else { return Ok(f64::INFINITY) };
+        let Some((across, length)) = shot.across(local.parameter, parameter_scale) else {
+            return Ok(f64::INFINITY);
+        };
         let state = length / (STATE_ERROR_FACTOR * self.accuracy);
         if state > 1.0 {
             return Ok(state);
         }
-        let there = Position { unknown: shot.strobe_states[0].clone(), parameter: local.parameter }.moved(&across, 1.0);
-        let exact_w = self.shooting.mean_power_w(&there.unknown, there.parameter)?;
+        let there = Position {
+            unknown: shot.strobe_states[0].clone(),
+            parameter: local.parameter,
+        }
+        .moved(&across, 1.0);
+        let exact_w = self
+            .shooting
+            .mean_power_w(&there.unknown, there.parameter)?;
         let apart_w = (self.loads_w(local).iter().sum::<f64>() - exact_w).abs();
         Ok(state.max(apart_w / (self.accuracy * exact_w.abs()).max(f64::MIN_POSITIVE)))
     }
@@ -95,8 +158,17 @@ impl<'h, H: ParametricModel> HarmonicBalance<'h, H> {
                 let row = plant.load_voltage_row(index);
                 let mut voltage = vec![c64::new(0.0, 0.0); self.harmonics + 1];
                 for (port, force) in plant.ports.iter().zip(&local.forces) {
-                    let transfer = TransferFunction::new(plant, &row, &port.force, local.step_rad_s, self.harmonics);
-                    voltage.iter_mut().zip(transfer.values.iter().zip(force)).for_each(|(v, (g, f))| *v += g * f);
+                    let transfer = TransferFunction::new(
+                        plant,
+                        &row,
+                        &port.force,
+                        local.step_rad_s,
+                        self.harmonics,
+                    );
+                    voltage
+                        .iter_mut()
+                        .zip(transfer.values.iter().zip(force))
+                        .for_each(|(v, (g, f))| *v += g * f);
                 }
                 voltage[cycles as usize] += plant.steady_output(&row).iter().sum::<c64>();
                 let square: f64 = voltage[1..].iter().map(|v| 0.5 * v.norm_sqr()).sum();
@@ -111,16 +183,29 @@ impl<H: ParametricModel> Problem for HarmonicBalance<'_, H> {
     type Error = OrbitError<H::Error>;
 
     fn at(&self, unknown: &[f64], parameter: f64) -> Result<BalanceEvaluation, Self::Error> {
-        let mut setting = self.shooting.harvester.at(parameter).map_err(OrbitError::Harvester)?;
+        let mut setting = self
+            .shooting
+            .harvester
+            .at(parameter)
+            .map_err(OrbitError::Harvester)?;
         let change = setting.change.take();
         let mut local = self.balance(setting, unknown, parameter)?;
         if let Some(change) = change {
             local.changed(&change, self.shooting.cycles);
         } else {
             let step = self.shooting.harvester.difference();
-            let ahead = self.shooting.harvester.at(parameter + step).map_err(OrbitError::Harvester)?;
+            let ahead = self
+                .shooting
+                .harvester
+                .at(parameter + step)
+                .map_err(OrbitError::Harvester)?;
             let ahead = self.balance(ahead, unknown, parameter + step)?;
-            local.by_parameter = ahead.residual().iter().zip(local.residual()).map(|(a, b)| (a - b) / step).collect();
+            local.by_parameter = ahead
+                .residual()
+                .iter()
+                .zip(local.residual())
+                .map(|(a, b)| (a - b) / step)
+                .collect();
         }
         Ok(local)
     }
@@ -139,24 +224,36 @@ impl<H: ParametricModel> OrbitMethod for HarmonicBalance<'_, H> {
         let loads_w = self.loads_w(local);
         orbit.mean_power_w = loads_w.iter().sum::<f64>() + 0.0;
         let first = loads_w.first().zip(local.kernel.plant.system.loads.first());
-        orbit.voltage_rms_v = first.map_or(f64::NAN, |(power_w, load)| (power_w * load.resistance_ohm).sqrt());
+        orbit.voltage_rms_v = first.map_or(f64::NAN, |(power_w, load)| {
+            (power_w * load.resistance_ohm).sqrt()
+        });
         orbit.error_estimate = error + self.shooting.estimate(shot, &orbit);
         Ok(orbit)
     }
 
-    fn shot<'b>(&self, local: &'b BalanceEvaluation) -> Result<&'b ShootingEvaluation, Self::Error> {
+    fn shot<'b>(
+        &self,
+        local: &'b BalanceEvaluation,
+    ) -> Result<&'b ShootingEvaluation, Self::Error> {
         if let Some(shot) = local.shot.get() {
             return Ok(shot);
         }
-        let state = local.kernel.plant.to_physical(&local.state(&self.rules), 0.0);
-        let shot = self.shooting.at(&self.shooting.unknown(&state), local.parameter)?;
+        let state = local
+            .kernel
+            .plant
+            .to_physical(&local.state(&self.rules), 0.0);
+        let shot = self
+            .shooting
+            .at(&self.shooting.unknown(&state), local.parameter)?;
         Ok(local.shot.get_or_init(|| shot))
     }
 
     fn unknown_of(&self, state: &[f64], parameter: f64) -> Result<Vec<f64>, Self::Error> {
         let shot = self.shooting.at(state, parameter)?;
         let own = |stop: usize| {
-            let mut spectrum = self.grid.coefficients(&shot.displacements_m(stop, self.grid.samples));
+            let mut spectrum = self
+                .grid
+                .coefficients(&shot.displacements_m(stop, self.grid.samples));
             spectrum.truncate(self.harmonics + 1);
             spectrum[1..].iter_mut().for_each(|c| *c *= 2.0);
             real(&spectrum)
@@ -164,7 +261,11 @@ impl<H: ParametricModel> OrbitMethod for HarmonicBalance<'_, H> {
         Ok((0..self.stops).flat_map(own).collect())
     }
 
-    fn error_ratio(&self, local: &BalanceEvaluation, parameter_scale: f64) -> Result<f64, Self::Error> {
+    fn error_ratio(
+        &self,
+        local: &BalanceEvaluation,
+        parameter_scale: f64,
+    ) -> Result<f64, Self::Error> {
         if let Some(excess) = local.excess.get() {
             return Ok(*excess);
         }
@@ -188,6 +289,9 @@ impl<H: ParametricModel> OrbitMethod for HarmonicBalance<'_, H> {
             own.resize(2 * self.harmonics + 1, 0.0);
             own
         };
-        unknown.chunks_exact(unknown.len() / self.stops).flat_map(resized).collect()
+        unknown
+            .chunks_exact(unknown.len() / self.stops)
+            .flat_map(resized)
+            .collect()
     }
 }

@@ -27,7 +27,11 @@ impl PortMotion {
     pub fn new(unknown: &[f64], step_rad_s: f64, gap_m: f64, law: Law) -> Self {
         let mut depth = complex(unknown);
         depth[0].re -= gap_m;
-        Self { depth, step_rad_s, law }
+        Self {
+            depth,
+            step_rad_s,
+            law,
+        }
     }
 
     /// Penetration, m, and its rate, m/s.
@@ -59,22 +63,36 @@ impl PortMotion {
 
 /// `c_n` of real harmonics.
 pub fn complex(unknown: &[f64]) -> Vec<c64> {
-    let pairs = unknown[1..].chunks_exact(2).map(|pair| c64::new(pair[0], -pair[1]) * SQRT_2);
-    std::iter::once(c64::new(unknown[0], 0.0)).chain(pairs).collect()
+    let pairs = unknown[1..]
+        .chunks_exact(2)
+        .map(|pair| c64::new(pair[0], -pair[1]) * SQRT_2);
+    std::iter::once(c64::new(unknown[0], 0.0))
+        .chain(pairs)
+        .collect()
 }
 
 /// Real harmonics of `c_n`.
 pub fn real(coefficients: &[c64]) -> Vec<f64> {
-    let pairs = coefficients[1..].iter().flat_map(|c| [c.re / SQRT_2, -c.im / SQRT_2]);
+    let pairs = coefficients[1..]
+        .iter()
+        .flat_map(|c| [c.re / SQRT_2, -c.im / SQRT_2]);
     std::iter::once(coefficients[0].re).chain(pairs).collect()
 }
 
 /// `c_n` of a density with the moments `m_n = 1/T int F e^(i n x) dt`.
 pub fn harmonics(moments: &[c64]) -> Vec<c64> {
-    moments.iter().enumerate().map(|(n, m)| m.conj() * if n == 0 { 1.0 } else { 2.0 }).collect()
+    moments
+        .iter()
+        .enumerate()
+        .map(|(n, m)| m.conj() * if n == 0 { 1.0 } else { 2.0 })
+        .collect()
 }
 
 /// `c_n` of the rate, per second.
 pub fn turned(coefficients: &[c64], step_rad_s: f64) -> Vec<c64> {
-    coefficients.iter().enumerate().map(|(n, c)| c * c64::new(0.0, n as f64 * step_rad_s)).collect()
+    coefficients
+        .iter()
+        .enumerate()
+        .map(|(n, c)| c * c64::new(0.0, n as f64 * step_rad_s))
+        .collect()
 }

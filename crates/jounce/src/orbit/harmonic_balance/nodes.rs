@@ -47,22 +47,37 @@ impl ContactQuadrature {
         let (mut places, mut entries) = (Vec::new(), Vec::new());
         for contact in contacts(motion, grid) {
             // The state at the start of the period sums what came before it: the rule must not run across.
-            let parts = if contact.to > TAU { vec![(contact.from, TAU), (TAU, contact.to)] } else { vec![(contact.from, contact.to)] };
-            parts.iter().filter(|(from, to)| from < to).for_each(|part| places.extend(between(*part, rules, highest)));
+            let parts = if contact.to > TAU {
+                vec![(contact.from, TAU), (TAU, contact.to)]
+            } else {
+                vec![(contact.from, contact.to)]
+            };
+            parts
+                .iter()
+                .filter(|(from, to)| from < to)
+                .for_each(|part| places.extend(between(*part, rules, highest)));
             entries.extend(entry(motion, contact));
         }
         let inner = Angles::new(&places.iter().map(|(angle, _)| *angle).collect::<Vec<f64>>());
         let [depths_m, rates_m_s] = motion.along(&inner);
-        let node = |((angle, share), (depth_m, rate_m_s)): (&(f64, f64), (&f64, &f64))| ContactNode {
-            angle: *angle,
-            share: *share,
-            rate_m_s: *rate_m_s,
-            force_n: motion.law.force_n(*depth_m, *rate_m_s),
-            slopes: motion.law.slopes(*depth_m, *rate_m_s),
-        };
-        let mut nodes: Vec<ContactNode> = places.iter().zip(depths_m.iter().zip(&rates_m_s)).map(node).collect();
+        let node =
+            |((angle, share), (depth_m, rate_m_s)): (&(f64, f64), (&f64, &f64))| ContactNode {
+                angle: *angle,
+                share: *share,
+                rate_m_s: *rate_m_s,
+                force_n: motion.law.force_n(*depth_m, *rate_m_s),
+                slopes: motion.law.slopes(*depth_m, *rate_m_s),
+            };
+        let mut nodes: Vec<ContactNode> = places
+            .iter()
+            .zip(depths_m.iter().zip(&rates_m_s))
+            .map(node)
+            .collect();
         if entries.is_empty() {
-            return Self { nodes, angles: inner };
+            return Self {
+                nodes,
+                angles: inner,
+            };
         }
         nodes.append(&mut entries);
         let angles = Angles::new(&nodes.iter().map(|node| node.angle).collect::<Vec<f64>>());
@@ -79,13 +94,27 @@ impl ContactQuadrature {
     ) -> Vec<Self> {
         let stops = &plant.system.stops;
         let own = unknown.chunks_exact(unknown.len() / stops.len().max(1));
-        let side = |(stop, own): (&Stop, &[f64])| Self::new(&PortMotion::new(own, step_rad_s, stop.gap_m, stop.law), grid, rules, highest);
+        let side = |(stop, own): (&Stop, &[f64])| {
+            Self::new(
+                &PortMotion::new(own, step_rad_s, stop.gap_m, stop.law),
+                grid,
+                rules,
+                highest,
+            )
+        };
         stops.iter().zip(own).map(side).collect()
     }
 
     /// `c_n` of a force given at the nodes.
     pub fn harmonics(&self, highest: usize, force_n: impl Fn(&ContactNode) -> f64) -> Vec<c64> {
-        self.gathered(&self.nodes.iter().map(|node| node.share * force_n(node)).collect::<Vec<f64>>(), highest)
+        self.gathered(
+            &self
+                .nodes
+                .iter()
+                .map(|node| node.share * force_n(node))
+                .collect::<Vec<f64>>(),
+            highest,
+        )
     }
 
     /// The same of a force given at the nodes with their shares in it.
@@ -95,10 +124,17 @@ impl ContactQuadrature {
 }
 
 /// Angles of the nodes of a stretch, with their shares.
-fn between((from, to): (f64, f64), rules: &QuadratureRules, highest: f64) -> impl Iterator<Item = (f64, f64)> {
+fn between(
+    (from, to): (f64, f64),
+    rules: &QuadratureRules,
+    highest: f64,
+) -> impl Iterator<Item = (f64, f64)> {
     let half = 0.5 * (to - from);
     let rule = rules.at_least(MIN_NODES + NODES_PER_RADIAN * half * highest);
-    rule.places.iter().zip(&rule.weights).map(move |(place, weight)| (from + half * (1.0 + place), half * weight / TAU))
+    rule.places
+        .iter()
+        .zip(&rule.weights)
+        .map(move |(place, weight)| (from + half * (1.0 + place), half * weight / TAU))
 }
 
 /// A force that starts with a jump moves with its edge: `dF = F(0, v) dd / v` per unit of time, all of it at the edge.
@@ -111,6 +147,9 @@ fn entry(motion: &PortMotion, contact: ContactInterval) -> Option<ContactNode> {
         share: 1.0 / TAU,
         rate_m_s,
         force_n: 0.0,
-        slopes: Slopes { stiffness_n_m, damping_n_s_m: 0.0 },
+        slopes: Slopes {
+            stiffness_n_m,
+            damping_n_s_m: 0.0,
+        },
     })
 }

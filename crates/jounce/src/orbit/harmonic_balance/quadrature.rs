@@ -69,7 +69,10 @@ fn gauss(count: usize, i: usize) -> (f64, f64) {
         let (mut before, mut value) = (1.0, x);
         for k in 2..=count {
             let k = k as f64;
-            (before, value) = (value, ((2.0 * k - 1.0) * x * value - (k - 1.0) * before) / k);
+            (before, value) = (
+                value,
+                ((2.0 * k - 1.0) * x * value - (k - 1.0) * before) / k,
+            );
         }
         slope = n * (before - x * value) / (1.0 - x * x);
         let change = value / slope;
@@ -93,8 +96,17 @@ mod tests {
             let rule = rules.at_least(nodes);
             for (n, exact) in [(0, 2.0), (1, PI / 2.0), (2, 4.0 / 3.0), (3, 3.0 * PI / 8.0)] {
                 let value = |x: &f64| (1.0 - x * x).powf(0.5 * f64::from(n));
-                let sum: f64 = rule.places.iter().zip(&rule.weights).map(|(x, w)| w * value(x)).sum();
-                assert!((sum - exact).abs() < 2e-14, "{nodes} nodes, power {n}: {:e}", sum - exact);
+                let sum: f64 = rule
+                    .places
+                    .iter()
+                    .zip(&rule.weights)
+                    .map(|(x, w)| w * value(x))
+                    .sum();
+                assert!(
+                    (sum - exact).abs() < 2e-14,
+                    "{nodes} nodes, power {n}: {:e}",
+                    sum - exact
+                );
             }
         }
     }

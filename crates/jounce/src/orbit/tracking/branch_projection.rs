@@ -32,7 +32,9 @@ pub(super) struct LinearizedOrbit {
 impl LinearizedOrbit {
     fn of(shot: &ShootingEvaluation, unit: f64) -> Option<Self> {
         let n = shot.residual.len();
-        let matrix = Mat::from_fn(n, n, |i, j| shot.map()[(i, j)] - f64::from(u8::from(i == j)));
+        let matrix = Mat::from_fn(n, n, |i, j| {
+            shot.map()[(i, j)] - f64::from(u8::from(i == j))
+        });
         let column: Vec<f64> = shot.by_parameter.iter().map(|by| unit * by).collect();
         let square = Mat::from_fn(n + 1, n + 1, |i, j| match (i < n, j < n) {
             (true, true) => matrix[(i, j)],
@@ -40,23 +42,38 @@ impl LinearizedOrbit {
             (false, _) => 0.0,
         });
         let rough = null_vector(&square);
-        let (mut along, last) = solve_bordered(&matrix, &column, (&rough[..n], rough[n]), (&vec![0.0; n], 1.0))?;
+        let (mut along, last) = solve_bordered(
+            &matrix,
+            &column,
+            (&rough[..n], rough[n]),
+            (&vec![0.0; n], 1.0),
+        )?;
         along.push(last);
         let length = ColRef::from_slice(&along).norm_l2();
         along.iter_mut().for_each(|t| *t /= length);
-        Some(Self { matrix, column, along })
+        Some(Self {
+            matrix,
+            column,
+            along,
+        })
     }
 
     /// The shortest change that changes the residual by `right`.
     pub fn across(&self, right: &[f64]) -> Option<Vec<f64>> {
         let n = right.len();
-        let (mut change, last) = solve_bordered(&self.matrix, &self.column, (&self.along[..n], self.along[n]), (right, 0.0))?;
+        let (mut change, last) = solve_bordered(
+            &self.matrix,
+            &self.column,
+            (&self.along[..n], self.along[n]),
+            (right, 0.0),
+        )?;
         change.push(last);
         Some(change)
     }
 }
 
-pub(super) type TrackingError<P> = OrbitError<<<P as TwoParameterProblem>::Line as ParametricModel>::Error>;
+pub(super) type TrackingError<P> =
+    OrbitError<<<P as TwoParameterProblem>::Line as ParametricModel>::Error>;
 
 impl BranchProjection {
     /// Size of the state.
@@ -75,13 +92,23 @@ impl<P: TwoParameterProblem> ExtendedProblem<'_, P> {
         let (mut start, mut parameter) = (start.to_vec(), parameter);
         for step in 0.. {
             let shot = self.shot_with_slopes(line, &start, (parameter, parameter_2))?;
-            let Some(tangent) = LinearizedOrbit::of(&shot, self.unit) else { break };
-            let off = ColRef::from_slice(&shot.residual).norm_l2() / ColRef::from_slice(&start).norm_l2();
+            let Some(tangent) = LinearizedOrbit::of(&shot, self.unit) else {
+                break;
+            };
+            let off =
+                ColRef::from_slice(&shot.residual).norm_l2() / ColRef::from_slice(&start).norm_l2();
             if step == MAX_NEWTON_STEPS || off < NEWTON_TOLERANCE {
-                return Ok(Some(BranchProjection { start, parameter, shot, tangent }));
+                return Ok(Some(BranchProjection {
+                    start,
+                    parameter,
+                    shot,
+                    tangent,
+                }));
             }
             let right: Vec<f64> = shot.residual.iter().map(|r| -r).collect();
-            let Some(change) = tangent.across(&right) else { break };
+            let Some(change) = tangent.across(&right) else {
+                break;
+            };
             start.iter_mut().zip(&change).for_each(|(u, d)| *u += d);
             parameter += self.unit * change[start.len()];
         }
@@ -99,10 +126,19 @@ impl<P: TwoParameterProblem> ExtendedProblem<'_, P> {
         let shooting = self.shooting(line);
         let (mut shot, exact) = shooting.shoot(start, parameter)?;
         if !exact {
-            let difference = FIRST_PARAMETER_REACH * self.plane.differences([parameter, parameter_2])[0];
-            let [(less, _), (more, _)] = [shooting.shoot(start, parameter - difference)?, shooting.shoot(start, parameter + difference)?];
+            let difference =
+                FIRST_PARAMETER_REACH * self.plane.differences([parameter, parameter_2])[0];
+            let [(less, _), (more, _)] = [
+                shooting.shoot(start, parameter - difference)?,
+                shooting.shoot(start, parameter + difference)?,
+            ];
             let slope = |(more, less): (&f64, &f64)| (more - less) / (2.0 * difference);
-            shot.by_parameter = more.residual.iter().zip(&less.residual).map(slope).collect();
+            shot.by_parameter = more
+                .residual
+                .iter()
+                .zip(&less.residual)
+                .map(slope)
+                .collect();
         }
         Ok(shot)
     }

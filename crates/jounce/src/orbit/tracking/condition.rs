@@ -42,7 +42,14 @@ impl Gradient {
     /// Of a condition that does not exist at a place.
     pub fn none(states: usize) -> Self {
         let by_unknown = vec![0.0; states];
-        Self { value: f64::NAN, by_unknown, by_parameters: [0.0; 2], by_phase: 0.0, power_curvature: None, is_resonant: false }
+        Self {
+            value: f64::NAN,
+            by_unknown,
+            by_parameters: [0.0; 2],
+            by_phase: 0.0,
+            power_curvature: None,
+            is_resonant: false,
+        }
     }
 }
 
@@ -64,7 +71,9 @@ impl Condition {
                 None => Ok(None),
             },
             Condition::Circle => neimark_sacker::gradient(shot, aside, differences, moved),
-            Condition::Level(quantity, value) => level::gradient((quantity, value), shot, aside, differences, moved).map(Some),
+            Condition::Level(quantity, value) => {
+                level::gradient((quantity, value), shot, aside, differences, moved).map(Some)
+            }
             Condition::Touching(_) | Condition::Peak => Ok(None),
         }
     }

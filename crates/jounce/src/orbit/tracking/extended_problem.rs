@@ -57,11 +57,19 @@ type LineError<P> = <<P as TwoParameterProblem>::Line as ParametricModel>::Error
 impl<P: TwoParameterProblem> ExtendedProblem<'_, P> {
     /// Shooting along one line.
     pub fn shooting<'l>(&self, line: &'l P::Line) -> Shooting<'l, P::Line> {
-        Shooting { harvester: line, cycles: self.cycles, tolerance: self.march_tolerance(), scale: self.scale.clone(), charged: Vec::new() }
+        Shooting {
+            harvester: line,
+            cycles: self.cycles,
+            tolerance: self.march_tolerance(),
+            scale: self.scale.clone(),
+            charged: Vec::new(),
+        }
     }
 
     fn march_tolerance(&self) -> f64 {
-        (INTEGRATION_TOLERANCE_FACTOR * self.tolerance).max(MIN_INTEGRATION_TOLERANCE).min(self.tolerance)
+        (INTEGRATION_TOLERANCE_FACTOR * self.tolerance)
+            .max(MIN_INTEGRATION_TOLERANCE)
+            .min(self.tolerance)
     }
 
     /// The first parameter of an unknown.
@@ -77,7 +85,12 @@ impl<P: TwoParameterProblem> ExtendedProblem<'_, P> {
     /// The unknown of an orbit at a value of the first parameter.
     pub fn unknown(&self, start: &[f64], parameter: f64) -> Vec<f64> {
         let phase = matches!(self.condition, Condition::Touching(_)).then_some(0.0);
-        start.iter().copied().chain([(parameter - self.origin) / self.unit]).chain(phase).collect()
+        start
+            .iter()
+            .copied()
+            .chain([(parameter - self.origin) / self.unit])
+            .chain(phase)
+            .collect()
     }
 }
 
@@ -86,16 +99,39 @@ impl<P: TwoParameterProblem> ExtendedProblem<'_, P> {
     ///
     /// # Errors
     /// As [`Problem::at`].
-    pub fn past(&self, unknown: &[f64], parameter_2: f64) -> Result<Option<Gradient>, OrbitError<LineError<P>>> {
-        let (start, parameter) = (&unknown[..self.place_of_parameter()], self.parameter(unknown));
+    pub fn past(
+        &self,
+        unknown: &[f64],
+        parameter_2: f64,
+    ) -> Result<Option<Gradient>, OrbitError<LineError<P>>> {
+        let (start, parameter) = (
+            &unknown[..self.place_of_parameter()],
+            self.parameter(unknown),
+        );
         let differences = self.plane.differences([parameter, parameter_2]);
-        let line = self.plane.line(parameter_2).map_err(OrbitError::Harvester)?;
-        let beside = self.plane.line(parameter_2 + differences[1]).map_err(OrbitError::Harvester)?;
+        let line = self
+            .plane
+            .line(parameter_2)
+            .map_err(OrbitError::Harvester)?;
+        let beside = self
+            .plane
+            .line(parameter_2 + differences[1])
+            .map_err(OrbitError::Harvester)?;
         let (shot, _) = self.shooting(&line).shoot(start, parameter)?;
-        let (ahead, _) = self.shooting(&line).shoot(start, parameter + differences[0])?;
+        let (ahead, _) = self
+            .shooting(&line)
+            .shoot(start, parameter + differences[0])?;
         let (aside, _) = self.shooting(&beside).shoot(start, parameter)?;
-        let Some(touch) = GrazingPoint::of(&shot) else { return Ok(None) };
-        let found = grazing::gradients(touch, &shot, [&ahead, &aside], differences, (&self.scale, self.march_tolerance()))?;
+        let Some(touch) = GrazingPoint::of(&shot) else {
+            return Ok(None);
+        };
+        let found = grazing::gradients(
+            touch,
+            &shot,
+            [&ahead, &aside],
+            differences,
+            (&self.scale, self.march_tolerance()),
+        )?;
         Ok(found.into_iter().next())
     }
 }
@@ -108,30 +144,55 @@ impl<P: TwoParameterProblem> Problem for ExtendedProblem<'_, P> {
         let n = self.place_of_parameter();
         let (start, parameter) = (&unknown[..n], self.parameter(unknown));
         let differences = self.plane.differences([parameter, parameter_2]);
-        let line = self.plane.line(parameter_2).map_err(OrbitError::Harvester)?;
-        let beside = self.plane.line(parameter_2 + differences[1]).map_err(OrbitError::Harvester)?;
+        let line = self
+            .plane
+            .line(parameter_2)
+            .map_err(OrbitError::Harvester)?;
+        let beside = self
+            .plane
+            .line(parameter_2 + differences[1])
+            .map_err(OrbitError::Harvester)?;
         let shooting = self.shooting(&line);
         let (mut shot, exact) = shooting.shoot(start, parameter)?;
         let (ahead, _) = shooting.shoot(start, parameter + differences[0])?;
         let (aside, _) = self.shooting(&beside).shoot(start, parameter)?;
         if !exact {
-            shot.by_parameter = ahead.residual.iter().zip(&shot.residual).map(|(a, b)| (a - b) / differences[0]).collect();
+            shot.by_parameter = ahead
+                .residual
+                .iter()
+                .zip(&shot.residual)
+                .map(|(a, b)| (a - b) / differences[0])
+                .collect();
         }
         let moved = |by: &[f64]| {
             let start: Vec<f64> = start.iter().zip(by).map(|(u, d)| u + d).collect();
             shooting.shoot(&start, parameter).map(|(shot, _)| shot)
         };
         let found = match self.condition {
-            Condition::Peak => self.peak((start, parameter, parameter_2), (&line, &beside))?.map(|found| vec![found]),
+            Condition::Peak => self
+                .peak((start, parameter, parameter_2), (&line, &beside))?
+                .map(|found| vec![found]),
             Condition::Touching(touch) => {
                 let touch = touch.moved(unknown[n + 1]);
-                Some(grazing::gradients(touch, &shot, [&ahead, &aside], differences, (&self.scale, self.march_tolerance()))?)
+                Some(grazing::gradients(
+                    touch,
+                    &shot,
+                    [&ahead, &aside],
+                    differences,
+                    (&self.scale, self.march_tolerance()),
+                )?)
             }
-            condition => condition.gradient(&shot, [&ahead, &aside], differences, moved)?.map(|found| vec![found]),
+            condition => condition
+                .gradient(&shot, [&ahead, &aside], differences, moved)?
+                .map(|found| vec![found]),
         };
         // Without the condition there is no bifurcation: a residual that no correction meets.
         let gradients = found.unwrap_or_else(|| vec![Gradient::none(n)]);
-        let phase_unit = if let Condition::Touching(touch) = self.condition { touch.unit_cycles } else { 0.0 };
+        let phase_unit = if let Condition::Touching(touch) = self.condition {
+            touch.unit_cycles
+        } else {
+            0.0
+        };
         let by_second = |i: usize| (aside.residual[i] - shot.residual[i]) / differences[1];
         let size = n + gradients.len();
         let matrix = Mat::from_fn(size, size, |i, j| match (i < n, j) {
@@ -142,10 +203,31 @@ impl<P: TwoParameterProblem> Problem for ExtendedProblem<'_, P> {
             (false, j) if j == n => self.unit * gradients[i - n].by_parameters[0],
             (false, _) => phase_unit * gradients[i - n].by_phase,
         });
-        let by_parameter = (0..size).map(|i| if i < n { by_second(i) } else { gradients[i - n].by_parameters[1] }).collect();
-        let residual = shot.residual.iter().copied().chain(gradients.iter().map(|own| own.value)).collect();
+        let by_parameter = (0..size)
+            .map(|i| {
+                if i < n {
+                    by_second(i)
+                } else {
+                    gradients[i - n].by_parameters[1]
+                }
+            })
+            .collect();
+        let residual = shot
+            .residual
+            .iter()
+            .copied()
+            .chain(gradients.iter().map(|own| own.value))
+            .collect();
         let (bend, is_resonant) = (gradients[0].power_curvature, gradients[0].is_resonant);
-        Ok(ExtendedEvaluation { shot, power_curvature: bend, is_resonant, residual, matrix, by_parameter, states: n })
+        Ok(ExtendedEvaluation {
+            shot,
+            power_curvature: bend,
+            is_resonant,
+            residual,
+            matrix,
+            by_parameter,
+            states: n,
+        })
     }
 }
 
@@ -153,7 +235,10 @@ impl ExtendedEvaluation {
     /// Smallest singular value of the equations of the orbit, by its state and the first parameter, over the next larger one: nothing where
     /// the branch over the first parameter is a point, as an isolated one is where it is born.
     pub fn share_of_branch(&self) -> Option<f64> {
-        let equations = self.matrix.as_ref().submatrix(0, 0, self.states, self.states + 1);
+        let equations = self
+            .matrix
+            .as_ref()
+            .submatrix(0, 0, self.states, self.states + 1);
         match &equations.singular_values().ok()?[..] {
             [.., next, smallest] => Some(smallest / next),
             _ => None,
@@ -166,14 +251,35 @@ impl Linearization for ExtendedEvaluation {
         &self.residual
     }
 
-    fn bordered(&self, row: &[f64], corner: f64, right: &[f64], last: f64) -> Option<(Vec<f64>, f64)> {
+    fn bordered(
+        &self,
+        row: &[f64],
+        corner: f64,
+        right: &[f64],
+        last: f64,
+    ) -> Option<(Vec<f64>, f64)> {
         // Any multiple of the condition is the same condition: it takes the size of the rows above it.
         let n = row.len();
-        let size = |i: usize| (0..n).map(|j| self.matrix[(i, j)].abs()).fold(f64::MIN_POSITIVE, f64::max);
-        let factors: Vec<f64> = (0..n).map(|i| if i < self.states { 1.0 } else { 1.0 / size(i) }).collect();
+        let size = |i: usize| {
+            (0..n)
+                .map(|j| self.matrix[(i, j)].abs())
+                .fold(f64::MIN_POSITIVE, f64::max)
+        };
+        let factors: Vec<f64> = (0..n)
+            .map(|i| if i < self.states { 1.0 } else { 1.0 / size(i) })
+            .collect();
         let matrix = Mat::from_fn(n, n, |i, j| self.matrix[(i, j)] * factors[i]);
-        let column: Vec<f64> = self.by_parameter.iter().enumerate().map(|(i, b)| b * factors[i]).collect();
-        let right: Vec<f64> = right.iter().enumerate().map(|(i, r)| r * factors[i]).collect();
+        let column: Vec<f64> = self
+            .by_parameter
+            .iter()
+            .enumerate()
+            .map(|(i, b)| b * factors[i])
+            .collect();
+        let right: Vec<f64> = right
+            .iter()
+            .enumerate()
+            .map(|(i, r)| r * factors[i])
+            .collect();
         solve_bordered(&matrix, &column, (row, corner), (&right, last))
     }
 }

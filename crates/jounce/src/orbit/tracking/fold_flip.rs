@@ -47,13 +47,25 @@ impl CriticalMultiplier {
         moved: impl Fn(&[f64]) -> Result<ShootingEvaluation, E>,
     ) -> Result<Gradient, E> {
         let n = self.v.len();
-        let step = DIFFERENCE_STEP * ColRef::from_slice(&shot.strobe_states[0]).norm_l2() / ColRef::from_slice(&self.v).norm_l2();
+        let step = DIFFERENCE_STEP * ColRef::from_slice(&shot.strobe_states[0]).norm_l2()
+            / ColRef::from_slice(&self.v).norm_l2();
         let along = moved(&self.v.iter().map(|v| step * v).collect::<Vec<_>>())?;
-        let by_unknown =
-            (0..n).map(|j| -(0..n).map(|i| self.w[i] * (along.map()[(i, j)] - shot.map()[(i, j)])).sum::<f64>() / step).collect();
+        let by_unknown = (0..n)
+            .map(|j| {
+                -(0..n)
+                    .map(|i| self.w[i] * (along.map()[(i, j)] - shot.map()[(i, j)]))
+                    .sum::<f64>()
+                    / step
+            })
+            .collect();
         let change = |k: usize| -> f64 {
-            let entry = |i: usize, j: usize| self.w[i] * (aside[k].map()[(i, j)] - shot.map()[(i, j)]) * self.v[j];
-            -(0..n).map(|i| (0..n).map(|j| entry(i, j)).sum::<f64>()).sum::<f64>() / differences[k]
+            let entry = |i: usize, j: usize| {
+                self.w[i] * (aside[k].map()[(i, j)] - shot.map()[(i, j)]) * self.v[j]
+            };
+            -(0..n)
+                .map(|i| (0..n).map(|j| entry(i, j)).sum::<f64>())
+                .sum::<f64>()
+                / differences[k]
         };
         Ok(Gradient {
             value: self.g,
@@ -73,10 +85,22 @@ mod tests {
     /// `g` vanishes with the distance of the multiplier, and is about that distance for orthogonal null vectors.
     #[test]
     fn g_is_zero_with_the_multiplier_at_s() {
-        let map = |multiplier: f64| Mat::from_fn(3, 3, |i, j| if i == j { [0.3, multiplier, -0.5][i] } else { 0.0 });
+        let map = |multiplier: f64| {
+            Mat::from_fn(3, 3, |i, j| {
+                if i == j {
+                    [0.3, multiplier, -0.5][i]
+                } else {
+                    0.0
+                }
+            })
+        };
         for distance in [1e-3, 1e-9, -1e-3] {
-            let g = CriticalMultiplier::of(&map(1.0 + distance), 1.0).map_or(f64::NAN, |found| found.g);
-            assert!((g.abs() - f64::abs(distance)).abs() < 1e-12, "{g} for {distance}");
+            let g =
+                CriticalMultiplier::of(&map(1.0 + distance), 1.0).map_or(f64::NAN, |found| found.g);
+            assert!(
+                (g.abs() - f64::abs(distance)).abs() < 1e-12,
+                "{g} for {distance}"
+            );
         }
     }
 }

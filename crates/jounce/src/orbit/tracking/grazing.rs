@@ -38,12 +38,19 @@ impl GrazingPoint {
     pub fn of(shot: &ShootingEvaluation) -> Option<Self> {
         let cycle_s = shot.period_s / shot.trajectories.len() as f64;
         let unit_cycles = TIME_SCALE_CYCLES / ColRef::from_slice(&shot.strobe_states[0]).norm_l2();
-        nearest_turn(shot).map(|turn| Self { port: turn.port, phase_cycles: turn.cycle as f64 + turn.time_s / cycle_s, unit_cycles })
+        nearest_turn(shot).map(|turn| Self {
+            port: turn.port,
+            phase_cycles: turn.cycle as f64 + turn.time_s / cycle_s,
+            unit_cycles,
+        })
     }
 
     /// The same at another value of the unknown, which is zero here.
     pub(super) fn moved(self, unknown: f64) -> Self {
-        Self { phase_cycles: self.phase_cycles + unknown * self.unit_cycles, ..self }
+        Self {
+            phase_cycles: self.phase_cycles + unknown * self.unit_cycles,
+            ..self
+        }
     }
 }
 
@@ -63,18 +70,37 @@ pub fn gradients(
         let phase = touch.phase_cycles.rem_euclid(cycles);
         let cycle = (phase as usize).min(shot.trajectories.len() - 1);
         let cycle_s = shot.period_s / cycles;
-        let [past_m, rate_m_s] = port_motion(shot, touch.port, (cycle, (phase - cycle as f64 + ahead_cycles) * cycle_s));
+        let [past_m, rate_m_s] = port_motion(
+            shot,
+            touch.port,
+            (cycle, (phase - cycle as f64 + ahead_cycles) * cycle_s),
+        );
         [past_m / scale_m, rate_m_s * cycle_s / scale_m]
     };
-    let (here, before, after) = (motion(shot, 0.0), motion(shot, -HALF_DIFFERENCE_CYCLES), motion(shot, HALF_DIFFERENCE_CYCLES));
+    let (here, before, after) = (
+        motion(shot, 0.0),
+        motion(shot, -HALF_DIFFERENCE_CYCLES),
+        motion(shot, HALF_DIFFERENCE_CYCLES),
+    );
     let beside = [motion(aside[0], 0.0), motion(aside[1], 0.0)];
-    let by_phase = [here[1], (after[1] - before[1]) / (2.0 * HALF_DIFFERENCE_CYCLES)];
+    let by_phase = [
+        here[1],
+        (after[1] - before[1]) / (2.0 * HALF_DIFFERENCE_CYCLES),
+    ];
     let flow = flow_until(touch, shot, scale, tolerance)?;
     let cycle_s = shot.period_s / shot.trajectories.len() as f64;
-    let rows = [(&plant.ports[touch.port].displacement, 1.0 / scale_m), (&plant.ports[touch.port].velocity, cycle_s / scale_m)];
+    let rows = [
+        (&plant.ports[touch.port].displacement, 1.0 / scale_m),
+        (&plant.ports[touch.port].velocity, cycle_s / scale_m),
+    ];
     let gradient = |k: usize| {
         let (row, unit) = rows[k];
-        let by = |j: usize| row.iter().enumerate().map(|(i, c)| unit * c * flow[(i, j)]).sum();
+        let by = |j: usize| {
+            row.iter()
+                .enumerate()
+                .map(|(i, c)| unit * c * flow[(i, j)])
+                .sum()
+        };
         Gradient {
             value: here[k],
             by_unknown: (0..scale.len()).map(by).collect(),
@@ -88,18 +114,39 @@ pub fn gradients(
 }
 
 /// Derivative of the state at a time by the state at the start of the period.
-fn flow_until(touch: GrazingPoint, shot: &ShootingEvaluation, scale: &[f64], tolerance: f64) -> Result<Mat<f64>, SensitivityError> {
+fn flow_until(
+    touch: GrazingPoint,
+    shot: &ShootingEvaluation,
+    scale: &[f64],
+    tolerance: f64,
+) -> Result<Mat<f64>, SensitivityError> {
     let plant = &shot.kernel.plant;
     let n = scale.len();
     let cycle_s = shot.period_s / shot.trajectories.len() as f64;
-    let phase = touch.phase_cycles.rem_euclid(shot.trajectories.len() as f64);
+    let phase = touch
+        .phase_cycles
+        .rem_euclid(shot.trajectories.len() as f64);
     let into = &plant.diagonal.from_physical;
     let mut flow = Mat::from_fn(n, n, |i, j| into[(i, j)] / scale[j]);
-    for (cycle, look) in shot.strobe_states.iter().enumerate().take(phase as usize + 1) {
+    for (cycle, look) in shot
+        .strobe_states
+        .iter()
+        .enumerate()
+        .take(phase as usize + 1)
+    {
         let physical: Vec<f64> = look.iter().zip(scale).map(|(u, w)| u / w).collect();
         let until_s = cycle_s * (phase - cycle as f64).min(1.0);
         let start = plant.from_physical(&physical, 0.0);
-        flow = &FlowSensitivity::march(&shot.kernel, &start, 0.0, until_s, tolerance, &ParameterSensitivity::default())?.jacobian * &flow;
+        flow = &FlowSensitivity::march(
+            &shot.kernel,
+            &start,
+            0.0,
+            until_s,
+            tolerance,
+            &ParameterSensitivity::default(),
+        )?
+        .jacobian
+            * &flow;
     }
     Ok(flow)
 }

@@ -26,10 +26,19 @@ pub fn gradient<E>(
     let states = shot.strobe_states[0].len();
     let step = RELATIVE_STEP * ColRef::from_slice(&shot.strobe_states[0]).norm_l2();
     let by = |j: usize| {
-        let change: Vec<f64> = (0..states).map(|i| if i == j { step } else { 0.0 }).collect();
+        let change: Vec<f64> = (0..states)
+            .map(|i| if i == j { step } else { 0.0 })
+            .collect();
         Ok((off(&moved(&change)?) - here) / step)
     };
     let by_unknown = (0..states).map(by).collect::<Result<_, E>>()?;
     let by_parameters = [0, 1].map(|k| (off(aside[k]) - here) / differences[k]);
-    Ok(Gradient { value: here, by_unknown, by_parameters, by_phase: 0.0, power_curvature: None, is_resonant: false })
+    Ok(Gradient {
+        value: here,
+        by_unknown,
+        by_parameters,
+        by_phase: 0.0,
+        power_curvature: None,
+        is_resonant: false,
+    })
 }

@@ -28,11 +28,20 @@ impl MultiplierPair {
         let (left, _) = plane(&map.transpose().to_owned(), own)?;
         let overlap = left.transpose() * &right;
         // W = U (V' U)^-1, so that W' V = I.
-        let left = overlap.partial_piv_lu().solve(left.transpose()).transpose().to_owned();
+        let left = overlap
+            .partial_piv_lu()
+            .solve(left.transpose())
+            .transpose()
+            .to_owned();
         let found = left.transpose() * map * &right;
         let block = [0, 1].map(|i| [0, 1].map(|j| found[(i, j)]));
         let is_finite = block.iter().flatten().all(|entry| entry.is_finite());
-        is_finite.then_some(Self { is_complex: values[0].im != 0.0, right, left, block })
+        is_finite.then_some(Self {
+            is_complex: values[0].im != 0.0,
+            right,
+            left,
+            block,
+        })
     }
 
     /// `det B`, the product of the two.
@@ -49,7 +58,11 @@ impl MultiplierPair {
     /// An entry of `W' D V` for a change `D` of the map.
     pub fn between(&self, row: usize, column: usize, change: impl Fn(usize, usize) -> f64) -> f64 {
         let n = self.right.nrows();
-        let along = |i: usize| (0..n).map(|j| change(i, j) * self.right[(j, column)]).sum::<f64>();
+        let along = |i: usize| {
+            (0..n)
+                .map(|j| change(i, j) * self.right[(j, column)])
+                .sum::<f64>()
+        };
         (0..n).map(|i| self.left[(i, row)] * along(i)).sum()
     }
 }
@@ -61,15 +74,31 @@ fn plane(map: &Mat<f64>, measure: impl Fn([c64; 2]) -> f64) -> Option<(Mat<f64>,
     let (values, vectors) = (eigen.S().column_vector(), eigen.U());
     let is_pair = |&(i, j): &(usize, usize)| {
         let (a, b) = (values[i], values[j]);
-        let has_met = a.im == 0.0 && b.im == 0.0 && a.re / b.re < MAX_REAL_RATIO && b.re / a.re < MAX_REAL_RATIO && a.re * b.re > 0.0;
+        let has_met = a.im == 0.0
+            && b.im == 0.0
+            && a.re / b.re < MAX_REAL_RATIO
+            && b.re / a.re < MAX_REAL_RATIO
+            && a.re * b.re > 0.0;
         (a.im > 0.0 && b == a.conj()) || has_met
     };
-    let pairs = (0..n).flat_map(|i| (0..n).filter(move |j| *j != i).map(move |j| (i, j))).filter(is_pair);
-    let (i, j) = pairs.min_by(|a, b| measure([values[a.0], values[a.1]]).total_cmp(&measure([values[b.0], values[b.1]])))?;
+    let pairs = (0..n)
+        .flat_map(|i| (0..n).filter(move |j| *j != i).map(move |j| (i, j)))
+        .filter(is_pair);
+    let (i, j) = pairs.min_by(|a, b| {
+        measure([values[a.0], values[a.1]]).total_cmp(&measure([values[b.0], values[b.1]]))
+    })?;
     let is_complex = values[i].im != 0.0;
     let columns: [Vec<f64>; 2] = [
         (0..n).map(|k| vectors[(k, i)].re).collect(),
-        (0..n).map(|k| if is_complex { vectors[(k, i)].im } else { vectors[(k, j)].re }).collect(),
+        (0..n)
+            .map(|k| {
+                if is_complex {
+                    vectors[(k, i)].im
+                } else {
+                    vectors[(k, j)].re
+                }
+            })
+            .collect(),
     ];
     let inner = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
     let unit = |v: Vec<f64>| {
@@ -78,8 +107,18 @@ fn plane(map: &Mat<f64>, measure: impl Fn([c64; 2]) -> f64) -> Option<(Mat<f64>,
     };
     let [first, second] = columns.map(unit);
     let shared = inner(&first, &second);
-    let second = unit(second.iter().zip(&first).map(|(b, a)| b - shared * a).collect());
-    let basis = Mat::from_fn(n, 2, |k, column| if column == 0 { first[k] } else { second[k] });
+    let second = unit(
+        second
+            .iter()
+            .zip(&first)
+            .map(|(b, a)| b - shared * a)
+            .collect(),
+    );
+    let basis = Mat::from_fn(
+        n,
+        2,
+        |k, column| if column == 0 { first[k] } else { second[k] },
+    );
     Some((basis, [values[i], values[j]]))
 }
 
@@ -90,7 +129,11 @@ mod tests {
 
     /// A plane of known trace and determinant, beside a real multiplier.
     fn map(trace: f64, determinant: f64) -> Mat<f64> {
-        let rows = [[trace, -determinant, 0.3], [1.0, 0.0, -0.2], [0.0, 0.0, 0.4]];
+        let rows = [
+            [trace, -determinant, 0.3],
+            [1.0, 0.0, -0.2],
+            [0.0, 0.0, 0.4],
+        ];
         Mat::from_fn(3, 3, |i, j| rows[i][j])
     }
 
@@ -102,11 +145,24 @@ mod tests {
             let here = map(trace, determinant);
             let pair = MultiplierPair::of(&here).unwrap();
             assert_eq!(pair.is_complex, trace.abs() < 2.0);
-            assert!((pair.product() - determinant).abs() < 1e-12, "{trace}: {}", pair.product());
-            let moved =
-                |other: Mat<f64>| pair.change(|row, column| pair.between(row, column, |i, j| (other[(i, j)] - here[(i, j)]) / 1e-6));
-            let (by_trace, by_determinant) = (moved(map(trace + 1e-6, determinant)), moved(map(trace, determinant + 1e-6)));
-            assert!(by_trace.abs() < 1e-8 && (by_determinant - 1.0).abs() < 1e-8, "{trace}: {by_trace:e} {by_determinant}");
+            assert!(
+                (pair.product() - determinant).abs() < 1e-12,
+                "{trace}: {}",
+                pair.product()
+            );
+            let moved = |other: Mat<f64>| {
+                pair.change(|row, column| {
+                    pair.between(row, column, |i, j| (other[(i, j)] - here[(i, j)]) / 1e-6)
+                })
+            };
+            let (by_trace, by_determinant) = (
+                moved(map(trace + 1e-6, determinant)),
+                moved(map(trace, determinant + 1e-6)),
+            );
+            assert!(
+                by_trace.abs() < 1e-8 && (by_determinant - 1.0).abs() < 1e-8,
+                "{trace}: {by_trace:e} {by_determinant}"
+            );
         }
     }
 }

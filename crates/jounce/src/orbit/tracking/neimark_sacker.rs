@@ -27,18 +27,33 @@ pub fn gradient<E>(
     differences: [f64; 2],
     moved: impl Fn(&[f64]) -> Result<ShootingEvaluation, E>,
 ) -> Result<Option<Gradient>, E> {
-    let Some(pair) = MultiplierPair::of(shot.map()) else { return Ok(None) };
+    let Some(pair) = MultiplierPair::of(shot.map()) else {
+        return Ok(None);
+    };
     let n = shot.map().nrows();
     let step = DIFFERENCE_STEP * ColRef::from_slice(&shot.strobe_states[0]).norm_l2();
-    let along = |column: usize| moved(&pair.right.col(column).iter().map(|v| step * v).collect::<Vec<_>>());
+    let along = |column: usize| {
+        moved(
+            &pair
+                .right
+                .col(column)
+                .iter()
+                .map(|v| step * v)
+                .collect::<Vec<_>>(),
+        )
+    };
     let sides = [along(0)?, along(1)?];
     let by = |j: usize| {
         pair.change(|row, column| {
-            (0..n).map(|i| pair.left[(i, row)] * (sides[column].map()[(i, j)] - shot.map()[(i, j)])).sum::<f64>() / step
+            (0..n)
+                .map(|i| pair.left[(i, row)] * (sides[column].map()[(i, j)] - shot.map()[(i, j)]))
+                .sum::<f64>()
+                / step
         })
     };
     let by_parameter = |k: usize| {
-        let change = |i: usize, j: usize| (aside[k].map()[(i, j)] - shot.map()[(i, j)]) / differences[k];
+        let change =
+            |i: usize, j: usize| (aside[k].map()[(i, j)] - shot.map()[(i, j)]) / differences[k];
         pair.change(|row, column| pair.between(row, column, change))
     };
     Ok(Some(Gradient {

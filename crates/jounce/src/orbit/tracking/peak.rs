@@ -50,22 +50,34 @@ impl<P: TwoParameterProblem> ExtendedProblem<'_, P> {
         (start, parameter, parameter_2): (&[f64], f64, f64),
         (line, beside): (&P::Line, &P::Line),
     ) -> Result<Option<Gradient>, TrackingError<P>> {
-        let Some(foot) = self.foot((start, parameter, parameter_2), line)? else { return Ok(None) };
+        let Some(foot) = self.foot((start, parameter, parameter_2), line)? else {
+            return Ok(None);
+        };
         let (n, size) = (foot.start.len(), foot.size());
         let width = DIFFERENCE_WIDTH * size;
-        let Some(PowerSlopes { first, second }) = self.slopes(line, &foot, width)? else { return Ok(None) };
+        let Some(PowerSlopes { first, second }) = self.slopes(line, &foot, width)? else {
+            return Ok(None);
+        };
         let difference = self.plane.differences([foot.parameter, parameter_2])[1];
         let (aside, _) = self.shooting(beside).shoot(&foot.start, foot.parameter)?;
-        let right: Vec<f64> = (0..n).map(|i| -(aside.residual[i] - foot.shot.residual[i]) / difference).collect();
-        let Some(to_side) = foot.tangent.across(&right) else { return Ok(None) };
+        let right: Vec<f64> = (0..n)
+            .map(|i| -(aside.residual[i] - foot.shot.residual[i]) / difference)
+            .collect();
+        let Some(to_side) = foot.tangent.across(&right) else {
+            return Ok(None);
+        };
         let aside = |step: f64| self.first_aside((&foot, parameter_2), &to_side, step, width);
         let mut step = FIRST_WAY * difference;
-        let Some(mut there) = aside(step)? else { return Ok(None) };
+        let Some(mut there) = aside(step)? else {
+            return Ok(None);
+        };
         let farthest = MAX_STATE_CHANGE * size / ColRef::from_slice(&to_side).norm_l2();
         let better = (step * WANTED_CHANGE / (there - first).abs()).min(farthest);
         if !(1.0 / ACCEPTED_WAY_RATIO..ACCEPTED_WAY_RATIO).contains(&(better / step)) {
             step = better;
-            let Some(other) = aside(step)? else { return Ok(None) };
+            let Some(other) = aside(step)? else {
+                return Ok(None);
+            };
             there = other;
         }
         let along = &foot.tangent.along;
@@ -80,18 +92,32 @@ impl<P: TwoParameterProblem> ExtendedProblem<'_, P> {
     }
 
     /// By shots once and twice a width off, on both sides along the curve.
-    fn slopes(&self, line: &P::Line, foot: &BranchProjection, width: f64) -> Result<Option<PowerSlopes>, TrackingError<P>> {
+    fn slopes(
+        &self,
+        line: &P::Line,
+        foot: &BranchProjection,
+        width: f64,
+    ) -> Result<Option<PowerSlopes>, TrackingError<P>> {
         let (own_w, residual) = (power_w(&foot.shot), &foot.shot.residual);
         let sides = self.sides(line, foot, width)?;
         // Half-way between the two sides the straight way has left the curve by the bend.
-        let left = |i: usize, pair: usize| 0.5 * (sides[pair][0].residual[i] + sides[pair][1].residual[i]) - residual[i];
-        let bend: Vec<f64> = (0..residual.len()).map(|i| -(16.0 * left(i, 0) - left(i, 1)) / 12.0).collect();
-        let Some(bend) = foot.tangent.across(&bend) else { return Ok(None) };
+        let left = |i: usize, pair: usize| {
+            0.5 * (sides[pair][0].residual[i] + sides[pair][1].residual[i]) - residual[i]
+        };
+        let bend: Vec<f64> = (0..residual.len())
+            .map(|i| -(16.0 * left(i, 0) - left(i, 1)) / 12.0)
+            .collect();
+        let Some(bend) = foot.tangent.across(&bend) else {
+            return Ok(None);
+        };
         let bent_w = power_w(&self.shoot_off(line, foot, &bend, 1.0)?);
         let both = |pair: usize| power_w(&sides[pair][0]) + power_w(&sides[pair][1]) - 2.0 * own_w;
         let second_w = (16.0 * both(0) - both(1)) / 12.0 + 2.0 * (bent_w - own_w);
         let unit = foot.size() / own_w;
-        Ok(Some(PowerSlopes { first: first_w(&sides, width) * unit, second: second_w / (width * width) * unit }))
+        Ok(Some(PowerSlopes {
+            first: first_w(&sides, width) * unit,
+            second: second_w / (width * width) * unit,
+        }))
     }
 
     /// `g` on the neighbouring curve.
@@ -102,16 +128,38 @@ impl<P: TwoParameterProblem> ExtendedProblem<'_, P> {
         step: f64,
         width: f64,
     ) -> Result<Option<f64>, TrackingError<P>> {
-        let line = self.plane.line(parameter_2 + step).map_err(OrbitError::Harvester)?;
-        let there: Vec<f64> = foot.start.iter().zip(to_side).map(|(u, d)| u + step * d).collect();
+        let line = self
+            .plane
+            .line(parameter_2 + step)
+            .map_err(OrbitError::Harvester)?;
+        let there: Vec<f64> = foot
+            .start
+            .iter()
+            .zip(to_side)
+            .map(|(u, d)| u + step * d)
+            .collect();
         let parameter = foot.parameter + step * self.unit * to_side[there.len()];
-        let Some(other) = self.foot((&there, parameter, parameter_2 + step), &line)? else { return Ok(None) };
-        let sense: f64 = other.tangent.along.iter().zip(&foot.tangent.along).map(|(a, b)| a * b).sum();
-        let first = first_w(&self.sides(&line, &other, width)?, width) * other.size() / power_w(&other.shot);
+        let Some(other) = self.foot((&there, parameter, parameter_2 + step), &line)? else {
+            return Ok(None);
+        };
+        let sense: f64 = other
+            .tangent
+            .along
+            .iter()
+            .zip(&foot.tangent.along)
+            .map(|(a, b)| a * b)
+            .sum();
+        let first = first_w(&self.sides(&line, &other, width)?, width) * other.size()
+            / power_w(&other.shot);
         Ok(Some(sense.signum() * first))
     }
 
-    fn sides(&self, line: &P::Line, foot: &BranchProjection, width: f64) -> Result<[[ShootingEvaluation; 2]; 2], TrackingError<P>> {
+    fn sides(
+        &self,
+        line: &P::Line,
+        foot: &BranchProjection,
+        width: f64,
+    ) -> Result<[[ShootingEvaluation; 2]; 2], TrackingError<P>> {
         let off = |widths: f64| self.shoot_off(line, foot, &foot.tangent.along, widths * width);
         Ok([[off(-1.0)?, off(1.0)?], [off(-2.0)?, off(2.0)?]])
     }
@@ -124,8 +172,19 @@ impl<P: TwoParameterProblem> ExtendedProblem<'_, P> {
         change: &[f64],
         length: f64,
     ) -> Result<ShootingEvaluation, TrackingError<P>> {
-        let moved: Vec<f64> = foot.start.iter().zip(change).map(|(u, d)| u + length * d).collect();
-        Ok(self.shooting(line).shoot(&moved, foot.parameter + length * self.unit * change[moved.len()])?.0)
+        let moved: Vec<f64> = foot
+            .start
+            .iter()
+            .zip(change)
+            .map(|(u, d)| u + length * d)
+            .collect();
+        Ok(self
+            .shooting(line)
+            .shoot(
+                &moved,
+                foot.parameter + length * self.unit * change[moved.len()],
+            )?
+            .0)
     }
 }
 

@@ -30,12 +30,23 @@ pub struct DrawnSpot {
 /// Every body relative to the one at the foot of its assembly, and that one's index.
 pub fn assemblies(drawing: &Drawing, px_per_m: f64) -> Vec<(usize, DrawnSpot)> {
     let count = drawing.bodies.len();
-    let mut found: Vec<Option<(usize, DrawnSpot)>> =
-        (0..count).map(|k| carrier(drawing, k).is_none().then_some((k, DrawnSpot { way: 1.0, ..DrawnSpot::default() }))).collect();
+    let mut found: Vec<Option<(usize, DrawnSpot)>> = (0..count)
+        .map(|k| {
+            carrier(drawing, k).is_none().then_some((
+                k,
+                DrawnSpot {
+                    way: 1.0,
+                    ..DrawnSpot::default()
+                },
+            ))
+        })
+        .collect();
     let mut carried = vec![0_usize; count];
     for _ in 0..count {
         for k in 0..count {
-            let Some(place) = carrier(drawing, k).filter(|_| found[k].is_none()) else { continue };
+            let Some(place) = carrier(drawing, k).filter(|_| found[k].is_none()) else {
+                continue;
+            };
             if let Some((foot, spot)) = found[place.body] {
                 let rank = carried[place.body];
                 carried[place.body] += 1;
@@ -44,41 +55,88 @@ pub fn assemblies(drawing: &Drawing, px_per_m: f64) -> Vec<(usize, DrawnSpot)> {
         }
     }
     // A spec with supports in a circle is refused elsewhere; here each of them stands alone.
-    found.into_iter().enumerate().map(|(k, spot)| spot.unwrap_or((k, DrawnSpot { way: 1.0, ..DrawnSpot::default() }))).collect()
+    found
+        .into_iter()
+        .enumerate()
+        .map(|(k, spot)| {
+            spot.unwrap_or((
+                k,
+                DrawnSpot {
+                    way: 1.0,
+                    ..DrawnSpot::default()
+                },
+            ))
+        })
+        .collect()
 }
 
 /// The place that carries a body.
 pub fn carrier(drawing: &Drawing, body: usize) -> Option<DrawnPlace> {
     match drawing.bodies[body].seat {
-        Seat::On(place) | Seat::Spring(Some(place)) => Some(place).filter(|place| place.body < drawing.bodies.len()),
+        Seat::On(place) | Seat::Spring(Some(place)) => {
+            Some(place).filter(|place| place.body < drawing.bodies.len())
+        }
         Seat::Ground | Seat::Spring(None) | Seat::Nothing => None,
     }
 }
 
 /// Where a body stands on a place of another that has its spot; `rank` others are on it already.
-fn beside(drawing: &Drawing, body: usize, place: DrawnPlace, on: DrawnSpot, rank: usize, px_per_m: f64) -> DrawnSpot {
+fn beside(
+    drawing: &Drawing,
+    body: usize,
+    place: DrawnPlace,
+    on: DrawnSpot,
+    rank: usize,
+    px_per_m: f64,
+) -> DrawnSpot {
     let x = on.x + on.way * place.along_m * px_per_m;
     let half = 0.5 * size(drawing, place.body).1;
     let own = 0.5 * size(drawing, body).1;
     let sprung = matches!(drawing.bodies[body].seat, Seat::Spring(_));
-    match (&drawing.bodies[body].shape, &drawing.bodies[place.body].shape) {
+    match (
+        &drawing.bodies[body].shape,
+        &drawing.bodies[place.body].shape,
+    ) {
         (DrawnShape::Beam(_), DrawnShape::Beam(beam)) => {
             let amid = place.along_m < 0.999 * beam.length_m;
-            DrawnSpot { x, y: on.y - if amid { STEP } else { 0.0 }, way: on.way }
+            DrawnSpot {
+                x,
+                y: on.y - if amid { STEP } else { 0.0 },
+                way: on.way,
+            }
         }
         (DrawnShape::Beam(_), _) => {
             let way = if rank.is_multiple_of(2) { 1.0 } else { -1.0 };
-            DrawnSpot { x: on.x + way * 0.5 * size(drawing, place.body).0, y: on.y - STEP * (rank / 2) as f64, way }
+            DrawnSpot {
+                x: on.x + way * 0.5 * size(drawing, place.body).0,
+                y: on.y - STEP * (rank / 2) as f64,
+                way,
+            }
         }
-        (_, DrawnShape::Beam(_)) if sprung => DrawnSpot { x, y: on.y - SPRING - own, way: 1.0 },
-        (_, DrawnShape::Beam(_)) => DrawnSpot { x, y: on.y, way: 1.0 },
-        _ => DrawnSpot { x: on.x, y: on.y - half - own - if sprung { SPRING } else { 0.0 }, way: 1.0 },
+        (_, DrawnShape::Beam(_)) if sprung => DrawnSpot {
+            x,
+            y: on.y - SPRING - own,
+            way: 1.0,
+        },
+        (_, DrawnShape::Beam(_)) => DrawnSpot {
+            x,
+            y: on.y,
+            way: 1.0,
+        },
+        _ => DrawnSpot {
+            x: on.x,
+            y: on.y - half - own - if sprung { SPRING } else { 0.0 },
+            way: 1.0,
+        },
     }
 }
 
 /// Width and height of a body that is a symbol; nothing for a beam.
 pub fn size(drawing: &Drawing, body: usize) -> (f64, f64) {
-    let on_beam = || carrier(drawing, body).is_some_and(|place| matches!(drawing.bodies[place.body].shape, DrawnShape::Beam(_)));
+    let on_beam = || {
+        carrier(drawing, body)
+            .is_some_and(|place| matches!(drawing.bodies[place.body].shape, DrawnShape::Beam(_)))
+    };
     match drawing.bodies[body].shape {
         DrawnShape::Beam(_) => (0.0, 0.0),
         DrawnShape::Block if on_beam() && matches!(drawing.bodies[body].seat, Seat::On(_)) => TIP,
@@ -92,12 +150,21 @@ pub fn size(drawing: &Drawing, body: usize) -> (f64, f64) {
 pub fn room(drawing: &Drawing, body: usize, spot: DrawnSpot, px_per_m: f64) -> Rect {
     match &drawing.bodies[body].shape {
         DrawnShape::Beam(beam) => {
-            let (above, below) = (thickness(beam, None, true, px_per_m), thickness(beam, None, false, px_per_m));
+            let (above, below) = (
+                thickness(beam, None, true, px_per_m),
+                thickness(beam, None, false, px_per_m),
+            );
             let end = spot.x + spot.way * beam.length_m * px_per_m;
             Rect::between((spot.x, spot.y - above), (end, spot.y + below))
         }
         _ => {
-            let aside = if sides(drawing, body) == (true, true) && drawing.bodies[body].seat == Seat::Spring(None) { 22.0 } else { 0.0 };
+            let aside = if sides(drawing, body) == (true, true)
+                && drawing.bodies[body].seat == Seat::Spring(None)
+            {
+                22.0
+            } else {
+                0.0
+            };
             Rect::around((spot.x + aside, spot.y), size(drawing, body))
         }
     }
@@ -106,15 +173,29 @@ pub fn room(drawing: &Drawing, body: usize, spot: DrawnSpot, px_per_m: f64) -> R
 /// Distance of a face of a beam from its mid-plane with the patches on it, at a place or where it is largest, px.
 fn thickness(beam: &DrawnBeam, along_m: Option<f64>, top: bool, px_per_m: f64) -> f64 {
     let there = |cover: &&DrawnPatch| cover.top == top && along_m.is_none_or(|x| covers(cover, x));
-    let layers = beam.layers.iter().filter(there).map(|layer| thick(layer.thickness_m, px_per_m));
-    let patches = beam.patches.iter().filter(there).map(|patch| under(beam, patch, px_per_m) + thick(patch.thickness_m, px_per_m));
+    let layers = beam
+        .layers
+        .iter()
+        .filter(there)
+        .map(|layer| thick(layer.thickness_m, px_per_m));
+    let patches = beam
+        .patches
+        .iter()
+        .filter(there)
+        .map(|patch| under(beam, patch, px_per_m) + thick(patch.thickness_m, px_per_m));
     0.5 * thick(beam.thickness_m, px_per_m) + layers.chain(patches).fold(0.0, f64::max)
 }
 
 /// Thickness of the layer under a patch, px.
 pub fn under(beam: &DrawnBeam, patch: &DrawnPatch, px_per_m: f64) -> f64 {
-    let carries = |layer: &&DrawnPatch| layer.top == patch.top && covers(layer, patch.start_m + 0.5 * patch.length_m);
-    beam.layers.iter().filter(carries).map(|layer| thick(layer.thickness_m, px_per_m)).fold(0.0, f64::max)
+    let carries = |layer: &&DrawnPatch| {
+        layer.top == patch.top && covers(layer, patch.start_m + 0.5 * patch.length_m)
+    };
+    beam.layers
+        .iter()
+        .filter(carries)
+        .map(|layer| thick(layer.thickness_m, px_per_m))
+        .fold(0.0, f64::max)
 }
 
 /// Whether a patch or a layer lies at a place.
@@ -129,10 +210,20 @@ pub fn thick(length_m: f64, px_per_m: f64) -> f64 {
 
 /// Distance of the upper or lower face at a place from the body's middle; a mass fixed there is part of it.
 pub fn face(drawing: &Drawing, place: DrawnPlace, above: bool, px_per_m: f64) -> f64 {
-    let DrawnShape::Beam(beam) = &drawing.bodies[place.body].shape else { return 0.5 * size(drawing, place.body).1 };
-    let here = |other: &usize| drawing.bodies[*other].seat == Seat::On(place) && drawing.bodies[*other].shape == DrawnShape::Block;
-    let fixed = (0..drawing.bodies.len()).filter(here).map(|other| 0.5 * size(drawing, other).1);
-    fixed.fold(thickness(beam, Some(place.along_m), above, px_per_m), f64::max)
+    let DrawnShape::Beam(beam) = &drawing.bodies[place.body].shape else {
+        return 0.5 * size(drawing, place.body).1;
+    };
+    let here = |other: &usize| {
+        drawing.bodies[*other].seat == Seat::On(place)
+            && drawing.bodies[*other].shape == DrawnShape::Block
+    };
+    let fixed = (0..drawing.bodies.len())
+        .filter(here)
+        .map(|other| 0.5 * size(drawing, other).1);
+    fixed.fold(
+        thickness(beam, Some(place.along_m), above, px_per_m),
+        f64::max,
+    )
 }
 
 /// Whether a body is struck or strikes above, and below.
@@ -144,7 +235,11 @@ pub fn sides(drawing: &Drawing, body: usize) -> (bool, bool) {
             Some(on) if on.body == body => !contact.above,
             _ => continue,
         };
-        if other_above { sides.0 = true } else { sides.1 = true }
+        if other_above {
+            sides.0 = true
+        } else {
+            sides.1 = true
+        }
     }
     sides
 }

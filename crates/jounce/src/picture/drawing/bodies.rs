@@ -11,7 +11,8 @@ use super::{Drawing, DrawnBeam, DrawnShape, Seat};
 use crate::picture::svg::number;
 
 /// The look of a mass, of a patch and of a layer.
-pub const BODY: &str = "class=\"jounce-body\" fill=\"#dfe3e8\" stroke=\"#1a1a1a\" stroke-width=\"1.2\"";
+pub const BODY: &str =
+    "class=\"jounce-body\" fill=\"#dfe3e8\" stroke=\"#1a1a1a\" stroke-width=\"1.2\"";
 pub const PATCH: &str = "class=\"jounce-patch\" fill=\"#e69f00\"";
 pub const LAYER: &str = "class=\"jounce-layer\" fill=\"#56b4e9\"";
 /// Where the line of a patch's name may start, as parts of its length.
@@ -20,19 +21,36 @@ const STARTS: [f64; 4] = [0.0, 0.25, 0.75, 1.0];
 pub const WALL: f64 = 20.0;
 
 /// A body, with `shift` from the layout to the sheet.
-pub fn body(canvas: &mut Canvas, drawing: &Drawing, layout: &DrawingLayout, body: usize, shift: (f64, f64)) {
+pub fn body(
+    canvas: &mut Canvas,
+    drawing: &Drawing,
+    layout: &DrawingLayout,
+    body: usize,
+    shift: (f64, f64),
+) {
     let drawn = &drawing.bodies[body];
     let mut spot = layout.spots[body];
     (spot.x, spot.y) = (spot.x + shift.0, spot.y + shift.1);
     let covered = room(drawing, body, spot, layout.px_per_m);
-    let middle = (0.5 * (covered.left + covered.right), 0.5 * (covered.top + covered.bottom));
+    let middle = (
+        0.5 * (covered.left + covered.right),
+        0.5 * (covered.top + covered.bottom),
+    );
     match &drawn.shape {
         DrawnShape::Beam(shape) => {
-            let foot = carrier(drawing, body).map(|place| layout.point(drawing, place).1 + shift.1).filter(|y| (y - spot.y).abs() > 1.0);
-            if let Some(y) =
-                foot.filter(|_| matches!(drawing.bodies[carrier(drawing, body).map_or(0, |p| p.body)].shape, DrawnShape::Beam(_)))
-            {
-                canvas.solid(Rect::between((spot.x - 4.0, spot.y), (spot.x + 4.0, y)), BODY);
+            let foot = carrier(drawing, body)
+                .map(|place| layout.point(drawing, place).1 + shift.1)
+                .filter(|y| (y - spot.y).abs() > 1.0);
+            if let Some(y) = foot.filter(|_| {
+                matches!(
+                    drawing.bodies[carrier(drawing, body).map_or(0, |p| p.body)].shape,
+                    DrawnShape::Beam(_)
+                )
+            }) {
+                canvas.solid(
+                    Rect::between((spot.x - 4.0, spot.y), (spot.x + 4.0, y)),
+                    BODY,
+                );
             }
             beam(canvas, shape, spot.way, (spot.x, spot.y), layout.px_per_m);
             if drawn.seat == Seat::Ground {
@@ -42,13 +60,25 @@ pub fn body(canvas: &mut Canvas, drawing: &Drawing, layout: &DrawingLayout, body
             // Where another beam lies close to this face, the name goes to the other one.
             let other = (toward.1 != 0.0).then_some((anchor.0, 2.0 * spot.y - anchor.1));
             let mut words = drawn.words.clone();
-            words.push(format!("{} × {}", dimension::length(shape.length_m), dimension::length(shape.thickness_m)));
+            words.push(format!(
+                "{} × {}",
+                dimension::length(shape.length_m),
+                dimension::length(shape.thickness_m)
+            ));
             canvas.label_along(anchor, other.into_iter().collect(), toward, words);
             return;
         }
         DrawnShape::Ball => {
-            let (left, right, y, r) = (number(covered.left), number(covered.right), number(middle.1), number(0.5 * covered.width()));
-            canvas.svg.path(&format!("M{left} {y}A{r} {r} 0 0 1 {right} {y}A{r} {r} 0 0 1 {left} {y}Z"), BODY);
+            let (left, right, y, r) = (
+                number(covered.left),
+                number(covered.right),
+                number(middle.1),
+                number(0.5 * covered.width()),
+            );
+            canvas.svg.path(
+                &format!("M{left} {y}A{r} {r} 0 0 1 {right} {y}A{r} {r} 0 0 1 {left} {y}Z"),
+                BODY,
+            );
             canvas.cover(covered);
         }
         DrawnShape::Block | DrawnShape::Given => canvas.solid(covered, BODY),
@@ -56,15 +86,34 @@ pub fn body(canvas: &mut Canvas, drawing: &Drawing, layout: &DrawingLayout, body
     seat(canvas, drawing, body, covered);
     // Off the middle of its side, where a beam may stand on it.
     let quarters = [-0.25, 0.25].map(|part| (covered.right, middle.1 + part * covered.height()));
-    let others = if drawn.shape == DrawnShape::Ball { Vec::new() } else { quarters.to_vec() };
-    canvas.label_along((covered.right, middle.1), others, (1.0, 0.0), drawn.words.clone());
+    let others = if drawn.shape == DrawnShape::Ball {
+        Vec::new()
+    } else {
+        quarters.to_vec()
+    };
+    canvas.label_along(
+        (covered.right, middle.1),
+        others,
+        (1.0, 0.0),
+        drawn.words.clone(),
+    );
 }
 
 /// Where the name of a beam goes: over a bare face, else at its right end.
-fn named_at(beam: &DrawnBeam, (x, y): (f64, f64), way: f64, px_per_m: f64) -> ((f64, f64), (f64, f64)) {
+fn named_at(
+    beam: &DrawnBeam,
+    (x, y): (f64, f64),
+    way: f64,
+    px_per_m: f64,
+) -> ((f64, f64), (f64, f64)) {
     let length = way * beam.length_m * px_per_m;
     let half = 0.5 * thick(beam.thickness_m, px_per_m);
-    let bare = |top: bool| beam.patches.iter().chain(&beam.layers).all(|cover| cover.top != top);
+    let bare = |top: bool| {
+        beam.patches
+            .iter()
+            .chain(&beam.layers)
+            .all(|cover| cover.top != top)
+    };
     match (bare(true), bare(false)) {
         (true, _) => ((x + 0.5 * length, y - half), (0.0, -1.0)),
         (_, true) if way < 0.0 => ((x + 0.5 * length, y + half), (0.0, 1.0)),
@@ -75,58 +124,132 @@ fn named_at(beam: &DrawnBeam, (x, y): (f64, f64), way: f64, px_per_m: f64) -> ((
 
 /// The spring or the wall of a mass.
 fn seat(canvas: &mut Canvas, drawing: &Drawing, body: usize, covered: Rect) {
-    let Seat::Spring(on) = drawing.bodies[body].seat else { return };
+    let Seat::Spring(on) = drawing.bodies[body].seat else {
+        return;
+    };
     let (above, below) = sides(drawing, body);
     // Away from what it strikes; beside it where it strikes on both sides.
-    let x = if above && below { covered.right - 16.0 } else { 0.5 * (covered.left + covered.right) };
+    let x = if above && below {
+        covered.right - 16.0
+    } else {
+        0.5 * (covered.left + covered.right)
+    };
     let up = on.is_none() && below && !above;
-    let (from, to) = if up { (covered.top, covered.top - SPRING) } else { (covered.bottom, covered.bottom + SPRING) };
+    let (from, to) = if up {
+        (covered.top, covered.top - SPRING)
+    } else {
+        (covered.bottom, covered.bottom + SPRING)
+    };
     spring(canvas.svg, x, from, to);
     let end = if up { to - HATCH } else { to + HATCH };
     canvas.cover(Rect::between((x - 10.0, from), (x + 10.0, to)));
     if on.is_none() {
-        ground(canvas.svg, (x - 25.0, to), 50.0, if up { HatchSide::Above } else { HatchSide::Below });
+        ground(
+            canvas.svg,
+            (x - 25.0, to),
+            50.0,
+            if up {
+                HatchSide::Above
+            } else {
+                HatchSide::Below
+            },
+        );
         canvas.cover(Rect::between((x - 31.0, to), (x + 31.0, end)));
     }
 }
 
 fn wall(canvas: &mut Canvas, (x, y): (f64, f64), way: f64) {
-    ground(canvas.svg, (x, y - WALL), 2.0 * WALL, if way > 0.0 { HatchSide::Left } else { HatchSide::Right });
-    canvas.cover(Rect::between((x, y - WALL), (x - way * HATCH, y + WALL + HATCH)));
+    ground(
+        canvas.svg,
+        (x, y - WALL),
+        2.0 * WALL,
+        if way > 0.0 {
+            HatchSide::Left
+        } else {
+            HatchSide::Right
+        },
+    );
+    canvas.cover(Rect::between(
+        (x, y - WALL),
+        (x - way * HATCH, y + WALL + HATCH),
+    ));
 }
 
 /// A beam with its layers, its patches and its places, its root at `(x, y)`.
 fn beam(canvas: &mut Canvas, beam: &DrawnBeam, way: f64, (x, y): (f64, f64), px_per_m: f64) {
     let half = 0.5 * thick(beam.thickness_m, px_per_m);
     let at = |along_m: f64| x + way * along_m * px_per_m;
-    canvas.solid(Rect::between((x, y - half), (at(beam.length_m), y + half)), "class=\"jounce-beam\" fill=\"#4a5560\"");
+    canvas.solid(
+        Rect::between((x, y - half), (at(beam.length_m), y + half)),
+        "class=\"jounce-beam\" fill=\"#4a5560\"",
+    );
     let layers = beam.layers.iter().map(|layer| (layer, 0.0, LAYER));
-    let patches = beam.patches.iter().map(|patch| (patch, under(beam, patch, px_per_m), PATCH));
+    let patches = beam
+        .patches
+        .iter()
+        .map(|patch| (patch, under(beam, patch, px_per_m), PATCH));
     for (cover, lifted, style) in layers.chain(patches) {
         let side = if cover.top { -1.0 } else { 1.0 };
-        let (near, far) = (y + side * (half + lifted), y + side * (half + lifted + thick(cover.thickness_m, px_per_m)));
+        let (near, far) = (
+            y + side * (half + lifted),
+            y + side * (half + lifted + thick(cover.thickness_m, px_per_m)),
+        );
         let (from, to) = (at(cover.start_m), at(cover.start_m + cover.length_m));
         canvas.solid(Rect::between((from, near), (to, far)), style);
-        let words = format!("{}: {} × {}", cover.label, dimension::length(cover.length_m), dimension::length(cover.thickness_m));
+        let words = format!(
+            "{}: {} × {}",
+            cover.label,
+            dimension::length(cover.length_m),
+            dimension::length(cover.thickness_m)
+        );
         // Of what lies under something else only the end is seen.
-        let (anchor, toward) =
-            if style == LAYER { ((to, 0.5 * (near + far)), (0.5 * way, side)) } else { ((0.5 * (from + to), far), (0.0, side)) };
-        let others = if style == LAYER { Vec::new() } else { STARTS.map(|part| (from + part * (to - from), far)).to_vec() };
+        let (anchor, toward) = if style == LAYER {
+            ((to, 0.5 * (near + far)), (0.5 * way, side))
+        } else {
+            ((0.5 * (from + to), far), (0.0, side))
+        };
+        let others = if style == LAYER {
+            Vec::new()
+        } else {
+            STARTS.map(|part| (from + part * (to - from), far)).to_vec()
+        };
         canvas.label_along(anchor, others, toward, vec![words]);
     }
     for (name, along_m) in &beam.points {
         let (place, low) = (at(*along_m), y + half);
-        canvas.svg.path(&format!("M{x0} {}L{x0} {}", number(low), number(low + 8.0), x0 = number(place)), THIN);
+        canvas.svg.path(
+            &format!(
+                "M{x0} {}L{x0} {}",
+                number(low),
+                number(low + 8.0),
+                x0 = number(place)
+            ),
+            THIN,
+        );
         canvas.cover(Rect::between((place - 1.0, low), (place + 1.0, low + 8.0)));
-        canvas.label((place, low + 8.0), (0.0, 1.0), vec![format!("{name} {}", dimension::length(*along_m))]);
+        canvas.label(
+            (place, low + 8.0),
+            (0.0, 1.0),
+            vec![format!("{name} {}", dimension::length(*along_m))],
+        );
     }
 }
 
 /// The arm of a stop that rides on a body: from the stop at `tip` over its own height to the side of what carries it.
 pub fn arm(canvas: &mut Canvas, tip: (f64, f64), carrier: Rect) {
     let x = 0.5 * (carrier.left + carrier.right);
-    let edge = if tip.1 < carrier.top { carrier.top } else { carrier.bottom };
-    let steps = format!("M{} {y}L{c} {y}L{c} {}", number(tip.0), number(edge), y = number(tip.1), c = number(x));
+    let edge = if tip.1 < carrier.top {
+        carrier.top
+    } else {
+        carrier.bottom
+    };
+    let steps = format!(
+        "M{} {y}L{c} {y}L{c} {}",
+        number(tip.0),
+        number(edge),
+        y = number(tip.1),
+        c = number(x)
+    );
     canvas.svg.path(&steps, INK);
     canvas.cover(Rect::between((tip.0, tip.1 - 2.0), (x, tip.1 + 2.0)));
 }

@@ -9,7 +9,8 @@ use crate::picture::text::SMALL;
 pub const INK: &str = "class=\"jounce-rule\" stroke=\"#1a1a1a\" stroke-width=\"1.2\" fill=\"none\"";
 
 /// The look of thin lines.
-pub const THIN: &str = "class=\"jounce-grid\" stroke=\"#8a8a8a\" stroke-width=\"0.8\" fill=\"none\"";
+pub const THIN: &str =
+    "class=\"jounce-grid\" stroke=\"#8a8a8a\" stroke-width=\"0.8\" fill=\"none\"";
 
 /// An SVG under construction with what it covers.
 pub struct Canvas<'s> {
@@ -24,12 +25,18 @@ pub struct Canvas<'s> {
 impl<'s> Canvas<'s> {
     /// An empty one.
     pub fn new(svg: &'s mut Svg, page: (f64, f64)) -> Self {
-        Self { svg, covered: Vec::new(), wanted: Vec::new(), page }
+        Self {
+            svg,
+            covered: Vec::new(),
+            wanted: Vec::new(),
+            page,
+        }
     }
 
     /// A rectangle that labels keep off.
     pub fn solid(&mut self, rect: Rect, look: &str) {
-        self.svg.rect(rect.left, rect.top, rect.width(), rect.height(), look);
+        self.svg
+            .rect(rect.left, rect.top, rect.width(), rect.height(), look);
         self.cover(rect);
     }
 
@@ -44,8 +51,19 @@ impl<'s> Canvas<'s> {
     }
 
     /// Asks for a label of something long, whose line may start at other points of it.
-    pub fn label_along(&mut self, anchor: (f64, f64), others: Vec<(f64, f64)>, toward: (f64, f64), lines: Vec<String>) {
-        self.wanted.push(LabelRequest { anchor, others, toward, lines });
+    pub fn label_along(
+        &mut self,
+        anchor: (f64, f64),
+        others: Vec<(f64, f64)>,
+        toward: (f64, f64),
+        lines: Vec<String>,
+    ) {
+        self.wanted.push(LabelRequest {
+            anchor,
+            others,
+            toward,
+            lines,
+        });
     }
 
     /// Sets all labels; gives what everything together covers.
@@ -53,14 +71,29 @@ impl<'s> Canvas<'s> {
         let labels = placed(&self.wanted, &self.covered, self.page);
         for label in &labels {
             if let Some([from, to]) = label.leader {
-                let steps = format!("M{} {}L{} {}", number(from.0), number(from.1), number(to.0), number(to.1));
+                let steps = format!(
+                    "M{} {}L{} {}",
+                    number(from.0),
+                    number(from.1),
+                    number(to.0),
+                    number(to.1)
+                );
                 self.svg.path(&steps, THIN);
             }
             for (line, text) in label.lines.iter().enumerate() {
                 let middle = 0.5 * (label.room.left + label.room.right);
-                self.svg.text(middle, label.room.top + 11.5 + LINE * line as f64, SMALL, Anchor::Middle, text);
+                self.svg.text(
+                    middle,
+                    label.room.top + 11.5 + LINE * line as f64,
+                    SMALL,
+                    Anchor::Middle,
+                    text,
+                );
             }
         }
-        self.covered.iter().chain(labels.iter().map(|label| &label.room)).fold(Rect::EMPTY, |all, rect| all.joined(rect))
+        self.covered
+            .iter()
+            .chain(labels.iter().map(|label| &label.room))
+            .fold(Rect::EMPTY, |all, rect| all.joined(rect))
     }
 }

@@ -26,12 +26,19 @@ fn name(circuit: &DrawnCircuit) -> String {
 /// Width that an element takes.
 fn column(element: &DrawnElement) -> f64 {
     match element {
-        DrawnElement::Patches(patches) => 20.0 + patches.iter().map(|(name, _)| width(name, SMALL)).fold(0.0, f64::max) + 34.0,
+        DrawnElement::Patches(patches) => {
+            20.0 + patches
+                .iter()
+                .map(|(name, _)| width(name, SMALL))
+                .fold(0.0, f64::max)
+                + 34.0
+        }
         DrawnElement::Block(words) => size_of(words).0 + 20.0 + 34.0,
         DrawnElement::SeriesInductor(words) => size_of(words).0.max(40.0) + 24.0,
-        DrawnElement::Capacitor(words) | DrawnElement::Battery(words) | DrawnElement::Resistor(words) | DrawnElement::Inductor(words) => {
-            20.0 + size_of(words).0 + 34.0
-        }
+        DrawnElement::Capacitor(words)
+        | DrawnElement::Battery(words)
+        | DrawnElement::Resistor(words)
+        | DrawnElement::Inductor(words) => 20.0 + size_of(words).0 + 34.0,
     }
 }
 
@@ -46,8 +53,18 @@ pub fn draw(svg: &mut Svg, circuit: &DrawnCircuit, (x, y): (f64, f64)) {
         // The wires reach from each element to the next.
         let last = index + 1 == circuit.elements.len();
         if !last {
-            let from = if let DrawnElement::Block(words) = drawn { at + size_of(words).0 + 20.0 } else { at };
-            wires(svg, from, next, ends, matches!(drawn, DrawnElement::SeriesInductor(_)));
+            let from = if let DrawnElement::Block(words) = drawn {
+                at + size_of(words).0 + 20.0
+            } else {
+                at
+            };
+            wires(
+                svg,
+                from,
+                next,
+                ends,
+                matches!(drawn, DrawnElement::SeriesInductor(_)),
+            );
         }
         at = next;
     }
@@ -65,13 +82,24 @@ fn element(svg: &mut Svg, element: &DrawnElement, x: f64, ends: (f64, f64)) {
         DrawnElement::Patches(patches) => stack(svg, patches, x, ends),
         DrawnElement::Block(words) => {
             let (width, height) = (size_of(words).0 + 20.0, ends.1 - ends.0 + 16.0);
-            svg.rect(x, ends.0 - 8.0, width, height, "class=\"jounce-body\" fill=\"#dfe3e8\" stroke=\"#1a1a1a\" stroke-width=\"1.2\"");
+            svg.rect(
+                x,
+                ends.0 - 8.0,
+                width,
+                height,
+                "class=\"jounce-body\" fill=\"#dfe3e8\" stroke=\"#1a1a1a\" stroke-width=\"1.2\"",
+            );
             words_at(svg, words, x + 10.0, middle);
         }
         DrawnElement::SeriesInductor(words) => {
             let wide = size_of(words).0.max(40.0) + 24.0;
             electric::level_inductor(svg, ends.0, (x, x + wide));
-            words_at(svg, words, x + 12.0, ends.0 + 12.0 + 0.5 * LINE * words.len() as f64);
+            words_at(
+                svg,
+                words,
+                x + 12.0,
+                ends.0 + 12.0 + 0.5 * LINE * words.len() as f64,
+            );
         }
         DrawnElement::Capacitor(words) => upright(svg, electric::capacitor, words, x, ends),
         DrawnElement::Battery(words) => upright(svg, electric::battery, words, x, ends),
@@ -80,7 +108,13 @@ fn element(svg: &mut Svg, element: &DrawnElement, x: f64, ends: (f64, f64)) {
     }
 }
 
-fn upright(svg: &mut Svg, symbol: fn(&mut Svg, f64, (f64, f64)), words: &[String], x: f64, ends: (f64, f64)) {
+fn upright(
+    svg: &mut Svg,
+    symbol: fn(&mut Svg, f64, (f64, f64)),
+    words: &[String],
+    x: f64,
+    ends: (f64, f64),
+) {
     symbol(svg, x, ends);
     words_at(svg, words, x + 20.0, 0.5 * (ends.0 + ends.1));
 }

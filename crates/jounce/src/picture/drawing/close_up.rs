@@ -4,7 +4,9 @@ use super::assembly::covers;
 use super::bodies::{BODY, LAYER, PATCH};
 use super::canvas::THIN;
 use super::hatch::{HatchSide, ground};
-use super::{Drawing, DrawnContact, DrawnPatch, DrawnPlace, DrawnShape, contacts, dimension, symbols};
+use super::{
+    Drawing, DrawnContact, DrawnPatch, DrawnPlace, DrawnShape, contacts, dimension, symbols,
+};
 use crate::picture::svg::{Anchor, Svg, number};
 use crate::picture::text::SMALL;
 
@@ -43,64 +45,145 @@ const WINDOW: (f64, f64) = (26.0, SIZE.1 - 54.0);
 impl CloseUpSize {
     /// How close a contact is looked at.
     pub fn of(drawing: &Drawing, contact: &DrawnContact) -> Self {
-        let own: f64 = plies(drawing, contact.at, contact.above).iter().map(|(thickness_m, _)| thickness_m).sum();
+        let own: f64 = plies(drawing, contact.at, contact.above)
+            .iter()
+            .map(|(thickness_m, _)| thickness_m)
+            .sum();
         let scale = FILLED / (contact.gap_m.abs() + own);
         let way = if contact.above { -1.0 } else { 1.0 };
         let face = 0.5 * WINDOW.1 - way * (0.5 * FILLED - own * scale);
-        Self { scale, way, face, struck: face + way * contact.gap_m * scale }
+        Self {
+            scale,
+            way,
+            face,
+            struck: face + way * contact.gap_m * scale,
+        }
     }
 
     /// Where the struck face is in a look with its upper left corner at `(x, y)`, and how it moves with the gap, px/m.
     pub fn grip(&self, (x, y): (f64, f64)) -> ((f64, f64), f64) {
-        ((x + 0.5 * SIZE.0, y + WINDOW.0 + self.struck), self.way * self.scale)
+        (
+            (x + 0.5 * SIZE.0, y + WINDOW.0 + self.struck),
+            self.way * self.scale,
+        )
     }
 }
 
 /// What a beam is made of at a place, from its upper or lower face on: thickness, m, and look. Nothing for a mass.
 fn plies(drawing: &Drawing, place: DrawnPlace, top: bool) -> Vec<(f64, &'static str)> {
-    let DrawnShape::Beam(beam) = &drawing.bodies[place.body].shape else { return Vec::new() };
+    let DrawnShape::Beam(beam) = &drawing.bodies[place.body].shape else {
+        return Vec::new();
+    };
     let at = |covering: &'static str, there: &[DrawnPatch], side: bool| {
-        let found = there.iter().find(|cover| cover.top == side && covers(cover, place.along_m));
+        let found = there
+            .iter()
+            .find(|cover| cover.top == side && covers(cover, place.along_m));
         found.map(|cover| (cover.thickness_m, covering))
     };
     let near = [at(PATCH, &beam.patches, top), at(LAYER, &beam.layers, top)];
-    let far = [at(LAYER, &beam.layers, !top), at(PATCH, &beam.patches, !top)];
-    near.into_iter().flatten().chain([(beam.thickness_m, BEAM)]).chain(far.into_iter().flatten()).collect()
+    let far = [
+        at(LAYER, &beam.layers, !top),
+        at(PATCH, &beam.patches, !top),
+    ];
+    near.into_iter()
+        .flatten()
+        .chain([(beam.thickness_m, BEAM)])
+        .chain(far.into_iter().flatten())
+        .collect()
 }
 
 /// Draws it with its upper left corner at `(x, y)`; `px_per_m` is the scale of the side view.
-pub fn draw(svg: &mut Svg, drawing: &Drawing, contact: &DrawnContact, (x, y): (f64, f64), px_per_m: f64) {
+pub fn draw(
+    svg: &mut Svg,
+    drawing: &Drawing,
+    contact: &DrawnContact,
+    (x, y): (f64, f64),
+    px_per_m: f64,
+) {
     svg.rect(x, y, SIZE.0, SIZE.1, THIN);
-    let CloseUpSize { scale, way, face, struck } = CloseUpSize::of(drawing, contact);
-    svg.text(x + 8.0, y + 18.0, SMALL, Anchor::Start, &format!("stop {}, {}", contact.label, contacts::gap(contact.gap_m)));
+    let CloseUpSize {
+        scale,
+        way,
+        face,
+        struck,
+    } = CloseUpSize::of(drawing, contact);
+    svg.text(
+        x + 8.0,
+        y + 18.0,
+        SMALL,
+        Anchor::Start,
+        &format!("stop {}, {}", contact.label, contacts::gap(contact.gap_m)),
+    );
     svg.open_window(x, y + WINDOW.0, SIZE.0, WINDOW.1);
     let middle = 0.5 * SIZE.0;
-    side(svg, (face, -way), &plies(drawing, contact.at, contact.above), scale);
+    side(
+        svg,
+        (face, -way),
+        &plies(drawing, contact.at, contact.above),
+        scale,
+    );
     match contact.on {
         None => {
             svg.path(
                 &symbols::tip(middle, struck, way, 14.0),
                 "class=\"jounce-stop\" fill=\"#8a8a8a\" fill-opacity=\"0.8\" stroke=\"none\"",
             );
-            ground(svg, (middle - 50.0, struck + way * 28.0), 100.0, if contact.above { HatchSide::Above } else { HatchSide::Below });
+            ground(
+                svg,
+                (middle - 50.0, struck + way * 28.0),
+                100.0,
+                if contact.above {
+                    HatchSide::Above
+                } else {
+                    HatchSide::Below
+                },
+            );
         }
-        Some(on) => side(svg, (struck, way), &plies(drawing, on, !contact.above), scale),
+        Some(on) => side(
+            svg,
+            (struck, way),
+            &plies(drawing, on, !contact.above),
+            scale,
+        ),
     }
     let at = middle + 42.0;
     dimension::arrow(svg, at, (face, struck), true);
-    let level = format!("M{} {y}L{} {y}", number(middle + 10.0), number(at + 8.0), y = number(struck));
+    let level = format!(
+        "M{} {y}L{} {y}",
+        number(middle + 10.0),
+        number(at + 8.0),
+        y = number(struck)
+    );
     svg.path(&level, THIN);
     svg.close_window();
-    svg.text(x + 8.0, y + SIZE.1 - 10.0, SMALL, Anchor::Start, &times(scale / px_per_m));
+    svg.text(
+        x + 8.0,
+        y + SIZE.1 - 10.0,
+        SMALL,
+        Anchor::Start,
+        &times(scale / px_per_m),
+    );
 }
 
 /// One side of a gap, from its face away from the gap: a beam with what covers it, or a mass.
 fn side(svg: &mut Svg, (face, way): (f64, f64), plies: &[(f64, &'static str)], scale: f64) {
-    let sizes = plies.iter().map(|(thickness_m, look)| ((thickness_m * scale).max(2.0), *look));
-    let sizes: Vec<(f64, &str)> = if plies.is_empty() { vec![(MASS, BODY)] } else { sizes.collect() };
+    let sizes = plies
+        .iter()
+        .map(|(thickness_m, look)| ((thickness_m * scale).max(2.0), *look));
+    let sizes: Vec<(f64, &str)> = if plies.is_empty() {
+        vec![(MASS, BODY)]
+    } else {
+        sizes.collect()
+    };
     let mut near = face;
     for (height, look) in sizes {
-        svg.rect(-2.0, if way < 0.0 { near - height } else { near }, SIZE.0 + 4.0, height, look);
+        svg.rect(
+            -2.0,
+            if way < 0.0 { near - height } else { near },
+            SIZE.0 + 4.0,
+            height,
+            look,
+        );
         near += way * height;
     }
 }

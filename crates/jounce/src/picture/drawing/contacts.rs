@@ -20,7 +20,13 @@ const GROUND: f64 = 36.0;
 pub const SEEN: f64 = 14.0;
 
 /// A stop, with `shift` from the layout to the sheet.
-pub fn contact(canvas: &mut Canvas, drawing: &Drawing, layout: &DrawingLayout, index: usize, shift: (f64, f64)) {
+pub fn contact(
+    canvas: &mut Canvas,
+    drawing: &Drawing,
+    layout: &DrawingLayout,
+    index: usize,
+    shift: (f64, f64),
+) {
     let drawn = &drawing.contacts[index];
     let (x, middle) = layout.point(drawing, drawn.at);
     let (x, middle, way) = (x + shift.0, middle + shift.1, way(drawn));
@@ -33,7 +39,11 @@ pub fn contact(canvas: &mut Canvas, drawing: &Drawing, layout: &DrawingLayout, i
     if !layout.opposite[index] {
         stop(canvas, drawing, layout, drawn, (x, struck), shift);
     }
-    let anchor = if layout.opposite[index] { 0.5 * (near + struck) } else { struck + way * PIN };
+    let anchor = if layout.opposite[index] {
+        0.5 * (near + struck)
+    } else {
+        struck + way * PIN
+    };
     canvas.label((x, anchor), (1.0, 0.3 * way), words(drawing, layout, index));
 }
 
@@ -49,8 +59,18 @@ fn words(drawing: &Drawing, layout: &DrawingLayout, index: usize) -> Vec<String>
     let drawn = &drawing.contacts[index];
     let name = match drawn.on {
         // Where it stands is seen, unless it can only be said.
-        Some(on) if !layout.opposite[index] && carrier(drawing, drawn.at.body).is_none_or(|place| place.body != on.body) => {
-            format!("stop {} on {}", drawn.label, drawing.bodies[on.body].words.first().map_or("", String::as_str))
+        Some(on)
+            if !layout.opposite[index]
+                && carrier(drawing, drawn.at.body).is_none_or(|place| place.body != on.body) =>
+        {
+            format!(
+                "stop {} on {}",
+                drawn.label,
+                drawing.bodies[on.body]
+                    .words
+                    .first()
+                    .map_or("", String::as_str)
+            )
         }
         _ => format!("stop {}", drawn.label),
     };
@@ -67,22 +87,56 @@ pub fn gap(gap_m: f64) -> String {
 }
 
 /// A tip with what holds it.
-fn stop(canvas: &mut Canvas, drawing: &Drawing, layout: &DrawingLayout, drawn: &DrawnContact, (x, y): (f64, f64), shift: (f64, f64)) {
+fn stop(
+    canvas: &mut Canvas,
+    drawing: &Drawing,
+    layout: &DrawingLayout,
+    drawn: &DrawnContact,
+    (x, y): (f64, f64),
+    shift: (f64, f64),
+) {
     let way = way(drawn);
     let far = y + way * PIN;
-    canvas.svg.path(&tip(x, y, way, TIP), "class=\"jounce-stop\" fill=\"#8a8a8a\" stroke=\"none\"");
-    canvas.svg.path(&format!("M{x0} {}L{x0} {}", number(y + way * 2.0 * TIP), number(far), x0 = number(x)), INK);
+    canvas.svg.path(
+        &tip(x, y, way, TIP),
+        "class=\"jounce-stop\" fill=\"#8a8a8a\" stroke=\"none\"",
+    );
+    canvas.svg.path(
+        &format!(
+            "M{x0} {}L{x0} {}",
+            number(y + way * 2.0 * TIP),
+            number(far),
+            x0 = number(x)
+        ),
+        INK,
+    );
     canvas.cover(Rect::between((x - TIP, y), (x + TIP, far)));
     match drawn.on {
         None => {
-            ground(canvas.svg, (x - 0.5 * GROUND, far), GROUND, if drawn.above { HatchSide::Above } else { HatchSide::Below });
-            canvas.cover(Rect::between((x - 24.0, far), (x + 24.0, far + way * HATCH)));
+            ground(
+                canvas.svg,
+                (x - 0.5 * GROUND, far),
+                GROUND,
+                if drawn.above {
+                    HatchSide::Above
+                } else {
+                    HatchSide::Below
+                },
+            );
+            canvas.cover(Rect::between(
+                (x - 24.0, far),
+                (x + 24.0, far + way * HATCH),
+            ));
         }
         Some(on) => {
             let mut spot = layout.spots[on.body];
             (spot.x, spot.y) = (spot.x + shift.0, spot.y + shift.1);
             if layout.group[on.body] == layout.group[drawn.at.body] {
-                arm(canvas, (x, far), room(drawing, on.body, spot, layout.px_per_m));
+                arm(
+                    canvas,
+                    (x, far),
+                    room(drawing, on.body, spot, layout.px_per_m),
+                );
             }
         }
     }

@@ -22,13 +22,28 @@ pub fn length(length_m: f64) -> String {
 /// The largest of 1, 2, 5 times a power of ten that is not larger.
 pub fn round_below(value: f64) -> f64 {
     let power = 10f64.powf(value.log10().floor());
-    [5.0, 2.0].into_iter().map(|digit| digit * power).find(|round| *round <= value * (1.0 + 1e-12)).unwrap_or(power)
+    [5.0, 2.0]
+        .into_iter()
+        .map(|digit| digit * power)
+        .find(|round| *round <= value * (1.0 + 1e-12))
+        .unwrap_or(power)
 }
 
 /// A scale bar.
 pub fn bar(svg: &mut Svg, x: f64, y: f64, length: f64) {
-    let (left, right, y0, low, high) = (number(x), number(x + length), number(y), number(y - 5.0), number(y + 5.0));
-    svg.path(&format!("M{left} {low}L{left} {high}M{left} {y0}L{right} {y0}M{right} {low}L{right} {high}"), LOOK);
+    let (left, right, y0, low, high) = (
+        number(x),
+        number(x + length),
+        number(y),
+        number(y - 5.0),
+        number(y + 5.0),
+    );
+    svg.path(
+        &format!(
+            "M{left} {low}L{left} {high}M{left} {y0}L{right} {y0}M{right} {low}L{right} {high}"
+        ),
+        LOOK,
+    );
 }
 
 /// An upright line with an arrow head at each end that is asked for; about a short length the two stand outside.
@@ -39,10 +54,25 @@ pub fn arrow(svg: &mut Svg, x: f64, (from, to): (f64, f64), both: bool) {
         return arrow(svg, x, (to + way * SHORT, to), false);
     }
     let head = |y: f64, way: f64| {
-        format!("M{} {}L{} {}L{} {}", number(x - 4.0), number(y + 8.0 * way), number(x), number(y), number(x + 4.0), number(y + 8.0 * way))
+        format!(
+            "M{} {}L{} {}L{} {}",
+            number(x - 4.0),
+            number(y + 8.0 * way),
+            number(x),
+            number(y),
+            number(x + 4.0),
+            number(y + 8.0 * way)
+        )
     };
     let way = (from - to).signum();
-    let mut steps = format!("M{} {}L{} {}{}", number(x), number(from), number(x), number(to), head(to, way));
+    let mut steps = format!(
+        "M{} {}L{} {}{}",
+        number(x),
+        number(from),
+        number(x),
+        number(to),
+        head(to, way)
+    );
     if both {
         steps.push_str(&head(from, -way));
     }
@@ -57,6 +87,9 @@ mod tests {
     fn lengths_are_told_in_the_unit_that_reads_best() {
         let told = [0.315, 0.98e-3, 5e-5, 2.0, 0.0, 0.085].map(length);
         assert_eq!(told, ["315 mm", "0.98 mm", "50 µm", "2 m", "0 m", "85 mm"]);
-        assert_eq!([0.07, 0.3, 5.0, 1.0].map(|v| (round_below(v) * 1e3).round()), [50.0, 200.0, 5000.0, 1000.0]);
+        assert_eq!(
+            [0.07, 0.3, 5.0, 1.0].map(|v| (round_below(v) * 1e3).round()),
+            [50.0, 200.0, 5000.0, 1000.0]
+        );
     }
 }

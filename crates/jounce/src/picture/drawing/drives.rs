@@ -15,26 +15,58 @@ const ARROW: f64 = 36.0;
 const ASIDE: f64 = 20.0;
 
 /// The forces on the bodies of a group.
-pub fn forces(canvas: &mut Canvas, drawing: &Drawing, layout: &DrawingLayout, group: usize, shift: (f64, f64)) {
+pub fn forces(
+    canvas: &mut Canvas,
+    drawing: &Drawing,
+    layout: &DrawingLayout,
+    group: usize,
+    shift: (f64, f64),
+) {
     for drive in &drawing.drives {
-        let Some(place) = drive.at.filter(|place| layout.group[place.body] == group) else { continue };
+        let Some(place) = drive.at.filter(|place| layout.group[place.body] == group) else {
+            continue;
+        };
         let (x, y) = arrow_at(drawing, layout, place, shift);
         arrow(canvas, x, y);
-        let side = if y > layout.spots[place.body].y + shift.1 { 1.0 } else { -1.0 };
-        canvas.label((x, y + side * 0.5 * ARROW), (-0.5, side), vec![drive.words.clone()]);
+        let side = if y > layout.spots[place.body].y + shift.1 {
+            1.0
+        } else {
+            -1.0
+        };
+        canvas.label(
+            (x, y + side * 0.5 * ARROW),
+            (-0.5, side),
+            vec![drive.words.clone()],
+        );
     }
 }
 
 /// Where the arrow of a force stands: beside a mass, over a point of a beam.
-fn arrow_at(drawing: &Drawing, layout: &DrawingLayout, place: DrawnPlace, shift: (f64, f64)) -> (f64, f64) {
+fn arrow_at(
+    drawing: &Drawing,
+    layout: &DrawingLayout,
+    place: DrawnPlace,
+    shift: (f64, f64),
+) -> (f64, f64) {
     let (x, y) = layout.point(drawing, place);
     if let DrawnShape::Beam(_) = drawing.bodies[place.body].shape {
         // On the face that nothing strikes there.
-        let above = !drawing.contacts.iter().any(|contact| contact.above && contact.at == place);
+        let above = !drawing
+            .contacts
+            .iter()
+            .any(|contact| contact.above && contact.at == place);
         let side = if above { -1.0 } else { 1.0 };
-        return (x + shift.0, y + shift.1 + side * (face(drawing, place, above, layout.px_per_m) + 6.0 + 0.5 * ARROW));
+        return (
+            x + shift.0,
+            y + shift.1 + side * (face(drawing, place, above, layout.px_per_m) + 6.0 + 0.5 * ARROW),
+        );
     }
-    let room = room(drawing, place.body, layout.spots[place.body], layout.px_per_m);
+    let room = room(
+        drawing,
+        place.body,
+        layout.spots[place.body],
+        layout.px_per_m,
+    );
     // A beam that the mass carries leaves it on the right first.
     (room.left + shift.0 - 14.0, y + shift.1)
 }
@@ -45,41 +77,89 @@ fn arrow(canvas: &mut Canvas, x: f64, y: f64) {
 }
 
 /// Motions of bases, each base by itself.
-pub fn bases(canvas: &mut Canvas, drawing: &Drawing, layout: &DrawingLayout, group: usize, shift: (f64, f64)) {
-    let names: BTreeSet<&String> = drawing.drives.iter().filter_map(|drive| drive.base.as_ref()).collect();
+pub fn bases(
+    canvas: &mut Canvas,
+    drawing: &Drawing,
+    layout: &DrawingLayout,
+    group: usize,
+    shift: (f64, f64),
+) {
+    let names: BTreeSet<&String> = drawing
+        .drives
+        .iter()
+        .filter_map(|drive| drive.base.as_ref())
+        .collect();
     for name in names {
-        let moving: Vec<&DrawnDrive> = drawing.drives.iter().filter(|drive| drive.base.as_ref() == Some(name)).collect();
-        let Some((x, y)) = foot(drawing, layout, group, moving[0]) else { continue };
+        let moving: Vec<&DrawnDrive> = drawing
+            .drives
+            .iter()
+            .filter(|drive| drive.base.as_ref() == Some(name))
+            .collect();
+        let Some((x, y)) = foot(drawing, layout, group, moving[0]) else {
+            continue;
+        };
         let (x, y) = (x + shift.0, y + shift.1);
         dimension::arrow(canvas.svg, x, (y + WALL, y - WALL), true);
         canvas.cover(Rect::around((x, y), (10.0, 2.0 * WALL)));
-        canvas.label((x, y - WALL), (-0.5, -1.0), moving.iter().map(|drive| drive.words.clone()).collect());
+        canvas.label(
+            (x, y - WALL),
+            (-0.5, -1.0),
+            moving.iter().map(|drive| drive.words.clone()).collect(),
+        );
     }
 }
 
 /// Where the arrow of a base stands in a group: beside the first body that it holds, beside a stop that stands on it, or beside what
 /// is only moved by it; nowhere where the group has nothing of that base.
-fn foot(drawing: &Drawing, layout: &DrawingLayout, group: usize, drive: &DrawnDrive) -> Option<(f64, f64)> {
+fn foot(
+    drawing: &Drawing,
+    layout: &DrawingLayout,
+    group: usize,
+    drive: &DrawnDrive,
+) -> Option<(f64, f64)> {
     let place = |body: &usize| (layout.spots[*body].x, layout.spots[*body].y);
-    let carried = || layout.members(group).filter(|body| drive.carried.contains(body));
+    let carried = || {
+        layout
+            .members(group)
+            .filter(|body| drive.carried.contains(body))
+    };
     let of = |seat: Seat| carried().filter(move |body| drawing.bodies[*body].seat == seat);
-    let leftmost = |seat: Seat| of(seat).min_by(|a, b| place(a).0.total_cmp(&place(b).0).then(place(a).1.total_cmp(&place(b).1)));
+    let leftmost = |seat: Seat| {
+        of(seat).min_by(|a, b| {
+            place(a)
+                .0
+                .total_cmp(&place(b).0)
+                .then(place(a).1.total_cmp(&place(b).1))
+        })
+    };
     let beside = |body: usize| {
         let spot = layout.spots[body];
         let room = room(drawing, body, spot, layout.px_per_m);
-        (if spot.way < 0.0 { room.right + ASIDE } else { room.left - ASIDE }, 0.5 * (room.top + room.bottom))
+        (
+            if spot.way < 0.0 {
+                room.right + ASIDE
+            } else {
+                room.left - ASIDE
+            },
+            0.5 * (room.top + room.bottom),
+        )
     };
     let stop = || {
         let mut own = drive.stops.iter().map(|index| &drawing.contacts[*index]);
-        own.find(|contact| layout.group[contact.at.body] == group).map(|contact| contacts::foot(drawing, layout, contact))
+        own.find(|contact| layout.group[contact.at.body] == group)
+            .map(|contact| contacts::foot(drawing, layout, contact))
     };
     let held = leftmost(Seat::Ground).or_else(|| leftmost(Seat::Spring(None)));
-    held.map(beside).or_else(|| stop().map(|(x, y)| (x - ASIDE, y))).or_else(|| carried().next().map(beside))
+    held.map(beside)
+        .or_else(|| stop().map(|(x, y)| (x - ASIDE, y)))
+        .or_else(|| carried().next().map(beside))
 }
 
 /// The arrow of gravity at a place of the sheet.
 pub fn gravity(canvas: &mut Canvas, drawing: &Drawing, (x, y): (f64, f64)) {
-    let Some((words, up)) = &drawing.gravity else { return };
+    let Some((words, up)) = &drawing.gravity else {
+        return;
+    };
     let ends = if *up { (y + ARROW, y) } else { (y, y + ARROW) };
     dimension::arrow(canvas.svg, x, ends, false);
     canvas.cover(Rect::between((x - 5.0, y), (x + 5.0, y + ARROW)));

@@ -7,7 +7,13 @@ use crate::picture::svg::{Svg, number};
 const HALF: f64 = 16.0;
 
 fn line(steps: &mut String, from: (f64, f64), to: (f64, f64)) {
-    steps.push_str(&format!("M{} {}L{} {}", number(from.0), number(from.1), number(to.0), number(to.1)));
+    steps.push_str(&format!(
+        "M{} {}L{} {}",
+        number(from.0),
+        number(from.1),
+        number(to.0),
+        number(to.1)
+    ));
 }
 
 /// A resistor.
@@ -37,9 +43,23 @@ pub fn patch(svg: &mut Svg, x: f64, (top, bottom): (f64, f64)) {
     let mut steps = String::new();
     line(&mut steps, (x, top), (x, middle - 8.0));
     line(&mut steps, (x, middle + 8.0), (x, bottom));
-    line(&mut steps, (x - 12.0, middle - 8.0), (x + 12.0, middle - 8.0));
-    line(&mut steps, (x - 12.0, middle + 8.0), (x + 12.0, middle + 8.0));
-    svg.rect(x - 10.0, middle - 5.0, 20.0, 10.0, "class=\"jounce-patch\" fill=\"#e69f00\"");
+    line(
+        &mut steps,
+        (x - 12.0, middle - 8.0),
+        (x + 12.0, middle - 8.0),
+    );
+    line(
+        &mut steps,
+        (x - 12.0, middle + 8.0),
+        (x + 12.0, middle + 8.0),
+    );
+    svg.rect(
+        x - 10.0,
+        middle - 5.0,
+        20.0,
+        10.0,
+        "class=\"jounce-patch\" fill=\"#e69f00\"",
+    );
     svg.path(&steps, INK);
 }
 
@@ -48,16 +68,35 @@ fn plates(svg: &mut Svg, x: f64, (top, bottom): (f64, f64), half: [f64; 2]) {
     let mut steps = String::new();
     line(&mut steps, (x, top), (x, middle - 4.0));
     line(&mut steps, (x, middle + 4.0), (x, bottom));
-    line(&mut steps, (x - half[0], middle - 4.0), (x + half[0], middle - 4.0));
-    line(&mut steps, (x - half[1], middle + 4.0), (x + half[1], middle + 4.0));
+    line(
+        &mut steps,
+        (x - half[0], middle - 4.0),
+        (x + half[0], middle - 4.0),
+    );
+    line(
+        &mut steps,
+        (x - half[1], middle + 4.0),
+        (x + half[1], middle + 4.0),
+    );
     svg.path(&steps, INK);
 }
 
 /// An inductor.
 pub fn inductor(svg: &mut Svg, x: f64, (top, bottom): (f64, f64)) {
     let middle = 0.5 * (top + bottom);
-    let mut steps = format!("M{x0} {}L{x0} {}", number(top), number(middle - HALF), x0 = number(x));
-    (0..4).for_each(|turn| steps.push_str(&format!("A4 4 0 0 1 {} {}", number(x), number(middle - HALF + 8.0 * f64::from(turn + 1)))));
+    let mut steps = format!(
+        "M{x0} {}L{x0} {}",
+        number(top),
+        number(middle - HALF),
+        x0 = number(x)
+    );
+    (0..4).for_each(|turn| {
+        steps.push_str(&format!(
+            "A4 4 0 0 1 {} {}",
+            number(x),
+            number(middle - HALF + 8.0 * f64::from(turn + 1))
+        ))
+    });
     steps.push_str(&format!("L{} {}", number(x), number(bottom)));
     svg.path(&steps, INK);
 }
@@ -65,8 +104,19 @@ pub fn inductor(svg: &mut Svg, x: f64, (top, bottom): (f64, f64)) {
 /// An inductor in a level wire from `left` to `right`.
 pub fn level_inductor(svg: &mut Svg, y: f64, (left, right): (f64, f64)) {
     let middle = 0.5 * (left + right);
-    let mut steps = format!("M{} {y0}L{} {y0}", number(left), number(middle - HALF), y0 = number(y));
-    (0..4).for_each(|turn| steps.push_str(&format!("A4 4 0 0 1 {} {}", number(middle - HALF + 8.0 * f64::from(turn + 1)), number(y))));
+    let mut steps = format!(
+        "M{} {y0}L{} {y0}",
+        number(left),
+        number(middle - HALF),
+        y0 = number(y)
+    );
+    (0..4).for_each(|turn| {
+        steps.push_str(&format!(
+            "A4 4 0 0 1 {} {}",
+            number(middle - HALF + 8.0 * f64::from(turn + 1)),
+            number(y)
+        ))
+    });
     steps.push_str(&format!("L{} {}", number(right), number(y)));
     svg.path(&steps, INK);
 }

@@ -63,7 +63,12 @@ pub enum GripPart {
 }
 
 /// All grips; `shifts` are those of the groups from the layout to the sheet, `looks` the closer looks in the order of their contacts.
-pub fn grips(drawing: &Drawing, layout: &DrawingLayout, shifts: &[(f64, f64)], looks: &[Rect]) -> Vec<Grip> {
+pub fn grips(
+    drawing: &Drawing,
+    layout: &DrawingLayout,
+    shifts: &[(f64, f64)],
+    looks: &[Rect],
+) -> Vec<Grip> {
     let mut found = Vec::new();
     for body in 0..drawing.bodies.len() {
         found.extend(patches(drawing, layout, body, shifts[layout.group[body]]));
@@ -77,16 +82,32 @@ pub fn grips(drawing: &Drawing, layout: &DrawingLayout, shifts: &[(f64, f64)], l
         if matches!(drawing.bodies[contact.at.body].shape, DrawnShape::Beam(_)) {
             let along = layout.spots[contact.at.body].way * layout.px_per_m;
             let near = middle + way * face(drawing, contact.at, contact.above, layout.px_per_m);
-            let y = if layout.opposite[index] { 0.5 * (near + struck) } else { struck + way * 0.7 * PIN };
-            found.push(Grip { part: GripPart::Place { contact: index }, at: (x, y), px_per_m: (along, 0.0) });
+            let y = if layout.opposite[index] {
+                0.5 * (near + struck)
+            } else {
+                struck + way * 0.7 * PIN
+            };
+            found.push(Grip {
+                part: GripPart::Place { contact: index },
+                at: (x, y),
+                px_per_m: (along, 0.0),
+            });
         }
         let part = GripPart::Gap { contact: index };
         if close_up::needed(contact, layout.px_per_m) {
             let Some(look) = looks.next() else { continue };
             let (at, px_per_m) = CloseUpSize::of(drawing, contact).grip((look.left, look.top));
-            found.push(Grip { part, at, px_per_m: (0.0, px_per_m) });
+            found.push(Grip {
+                part,
+                at,
+                px_per_m: (0.0, px_per_m),
+            });
         } else if layout.px_per_m > 0.0 {
-            found.push(Grip { part, at: (x, struck), px_per_m: (0.0, way * layout.px_per_m) });
+            found.push(Grip {
+                part,
+                at: (x, struck),
+                px_per_m: (0.0, way * layout.px_per_m),
+            });
         }
     }
     found
@@ -94,15 +115,26 @@ pub fn grips(drawing: &Drawing, layout: &DrawingLayout, shifts: &[(f64, f64)], l
 
 /// The ends of the patches on a body.
 fn patches(drawing: &Drawing, layout: &DrawingLayout, body: usize, shift: (f64, f64)) -> Vec<Grip> {
-    let DrawnShape::Beam(beam) = &drawing.bodies[body].shape else { return Vec::new() };
+    let DrawnShape::Beam(beam) = &drawing.bodies[body].shape else {
+        return Vec::new();
+    };
     let (spot, px_per_m) = (layout.spots[body], layout.px_per_m);
     let ends = beam.patches.iter().enumerate().flat_map(|(patch, drawn)| {
         let side = if drawn.top { -1.0 } else { 1.0 };
-        let y = spot.y + shift.1 + side * 0.5 * (thick(beam.thickness_m, px_per_m) + thick(drawn.thickness_m, px_per_m));
+        let y = spot.y
+            + shift.1
+            + side * 0.5 * (thick(beam.thickness_m, px_per_m) + thick(drawn.thickness_m, px_per_m));
         let at = |along_m: f64| (spot.x + shift.0 + spot.way * along_m * px_per_m, y);
-        let grip = |part, along_m| Grip { part, at: at(along_m), px_per_m: (spot.way * px_per_m, 0.0) };
+        let grip = |part, along_m| Grip {
+            part,
+            at: at(along_m),
+            px_per_m: (spot.way * px_per_m, 0.0),
+        };
         let (start_m, end_m) = (drawn.start_m, drawn.start_m + drawn.length_m);
-        [grip(GripPart::PatchStart { body, patch }, start_m), grip(GripPart::PatchEnd { body, patch }, end_m)]
+        [
+            grip(GripPart::PatchStart { body, patch }, start_m),
+            grip(GripPart::PatchEnd { body, patch }, end_m),
+        ]
     });
     ends.collect()
 }
@@ -115,10 +147,19 @@ mod tests {
 
     /// The drawing of the paper's harvester with some overrides, and the grip of a part.
     fn gripped(set: &[(&str, &str)], part: GripPart) -> (GripSheet, Grip) {
-        let mut file = SpecFile::read(concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/impact-harvester-2019/harvester.toml")).unwrap();
-        set.iter().for_each(|(key, value)| file.set(key, value).unwrap());
+        let mut file = SpecFile::read(concat!(
+            env!("CARGO_MANIFEST_DIR"),
+            "/../../examples/impact-harvester-2019/harvester.toml"
+        ))
+        .unwrap();
+        set.iter()
+            .for_each(|(key, value)| file.set(key, value).unwrap());
         let sheet = crate::show::drawing("", &file.spec().unwrap()).sheet();
-        let grip = *sheet.grips.iter().find(|grip| grip.part == part).unwrap_or_else(|| panic!("{part:?}: {:?}", sheet.grips));
+        let grip = *sheet
+            .grips
+            .iter()
+            .find(|grip| grip.part == part)
+            .unwrap_or_else(|| panic!("{part:?}: {:?}", sheet.grips));
         (sheet, grip)
     }
 
@@ -127,20 +168,50 @@ mod tests {
     fn parts_move_as_their_grips_say() {
         let patch = (1, 0);
         let moves = [
-            (GripPart::PatchStart { body: patch.0, patch: patch.1 }, "patch.mfc.start", 0.0, 20e-3),
-            (GripPart::PatchEnd { body: patch.0, patch: patch.1 }, "patch.mfc.length", 85e-3, 20e-3),
-            (GripPart::Place { contact: 0 }, "beam.beam.point.tip", 305e-3, -30e-3),
+            (
+                GripPart::PatchStart {
+                    body: patch.0,
+                    patch: patch.1,
+                },
+                "patch.mfc.start",
+                0.0,
+                20e-3,
+            ),
+            (
+                GripPart::PatchEnd {
+                    body: patch.0,
+                    patch: patch.1,
+                },
+                "patch.mfc.length",
+                85e-3,
+                20e-3,
+            ),
+            (
+                GripPart::Place { contact: 0 },
+                "beam.beam.point.tip",
+                305e-3,
+                -30e-3,
+            ),
         ];
         for (part, key, before_m, by_m) in moves {
             let start = format!("{} m", before_m);
             let end = format!("{} m", before_m + by_m);
-            let (a, b) = (gripped(&[(key, &start)], part).1, gripped(&[(key, &end)], part).1);
-            assert!((b.at.0 - a.at.0 - by_m * a.px_per_m.0).abs() < 0.02 && a.px_per_m.1 == 0.0, "{key}: {a:?} {b:?}");
+            let (a, b) = (
+                gripped(&[(key, &start)], part).1,
+                gripped(&[(key, &end)], part).1,
+            );
+            assert!(
+                (b.at.0 - a.at.0 - by_m * a.px_per_m.0).abs() < 0.02 && a.px_per_m.1 == 0.0,
+                "{key}: {a:?} {b:?}"
+            );
         }
         // A small gap is taken in its closer look, a large one in the side view; both where the stop is drawn.
         for (gap, inside) in [("1 mm", true), ("20 mm", false)] {
             let (sheet, grip) = gripped(&[("stop.tip.gap", gap)], GripPart::Gap { contact: 0 });
-            let look = sheet.looks.first().is_some_and(|look| look.grown(0.1).meets(&Rect::around(grip.at, (0.1, 0.1))));
+            let look = sheet
+                .looks
+                .first()
+                .is_some_and(|look| look.grown(0.1).meets(&Rect::around(grip.at, (0.1, 0.1))));
             assert_eq!(look, inside, "{grip:?} {sheet:?}");
             assert!(grip.px_per_m.1 < 0.0, "the stop stands above");
             assert!(inside || sheet.side.meets(&Rect::around(grip.at, (0.1, 0.1))));

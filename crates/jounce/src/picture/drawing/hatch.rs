@@ -23,8 +23,18 @@ const LOOK: &str = "class=\"jounce-rule\" stroke=\"#1a1a1a\" stroke-width=\"1.2\
 /// Ground along a line of some length from a corner.
 pub fn ground(svg: &mut Svg, (x, y): (f64, f64), length: f64, far: HatchSide) {
     let upright = matches!(far, HatchSide::Left | HatchSide::Right);
-    let end = if upright { (x, y + length) } else { (x + length, y) };
-    let mut steps = format!("M{} {}L{} {}", number(x), number(y), number(end.0), number(end.1));
+    let end = if upright {
+        (x, y + length)
+    } else {
+        (x + length, y)
+    };
+    let mut steps = format!(
+        "M{} {}L{} {}",
+        number(x),
+        number(y),
+        number(end.0),
+        number(end.1)
+    );
     let count = (length / 7.0).round().max(1.0) as usize;
     for k in 0..count {
         let along = (k as f64 + 0.5) * length / count as f64;
@@ -34,7 +44,13 @@ pub fn ground(svg: &mut Svg, (x, y): (f64, f64), length: f64, far: HatchSide) {
             HatchSide::Left => ((x, y + along), (x - HATCH, y + along + 6.0)),
             HatchSide::Right => ((x, y + along), (x + HATCH, y + along + 6.0)),
         };
-        steps.push_str(&format!("M{} {}L{} {}", number(from.0), number(from.1), number(to.0), number(to.1)));
+        steps.push_str(&format!(
+            "M{} {}L{} {}",
+            number(from.0),
+            number(from.1),
+            number(to.0),
+            number(to.1)
+        ));
     }
     svg.path(&steps, LOOK);
 }

@@ -40,38 +40,76 @@ const CROSSED: f64 = 200.0;
 const TURNED: f64 = 60.0;
 
 /// Gives every label the cheapest free place between two edges of the page; those that have an easy one take it first.
-pub fn placed(wanted: &[LabelRequest], obstacles: &[Rect], (left, right): (f64, f64)) -> Vec<Label> {
-    let page = Rect { left, right, top: f64::NEG_INFINITY, bottom: f64::INFINITY };
-    let first = |want: &LabelRequest| cost(want, &cheapest(want, obstacles, &[], page), obstacles, &[]);
-    let mut order: Vec<(f64, &LabelRequest)> = wanted.iter().map(|want| (first(want), want)).collect();
+pub fn placed(
+    wanted: &[LabelRequest],
+    obstacles: &[Rect],
+    (left, right): (f64, f64),
+) -> Vec<Label> {
+    let page = Rect {
+        left,
+        right,
+        top: f64::NEG_INFINITY,
+        bottom: f64::INFINITY,
+    };
+    let first =
+        |want: &LabelRequest| cost(want, &cheapest(want, obstacles, &[], page), obstacles, &[]);
+    let mut order: Vec<(f64, &LabelRequest)> =
+        wanted.iter().map(|want| (first(want), want)).collect();
     order.sort_by(|a, b| a.0.total_cmp(&b.0));
     let mut labels: Vec<Label> = Vec::new();
     for (_, want) in order {
         let room = cheapest(want, obstacles, &labels, page);
         let leader = leader(want, &room, obstacles, &labels).map(|(line, _)| line);
-        labels.push(Label { lines: want.lines.clone(), room, leader });
+        labels.push(Label {
+            lines: want.lines.clone(),
+            room,
+            leader,
+        });
     }
     labels
 }
 
 /// Width and height of a label.
 pub fn size_of(lines: &[String]) -> (f64, f64) {
-    (lines.iter().map(|line| width(line, SMALL)).fold(0.0, f64::max), LINE * lines.len() as f64)
+    (
+        lines
+            .iter()
+            .map(|line| width(line, SMALL))
+            .fold(0.0, f64::max),
+        LINE * lines.len() as f64,
+    )
 }
 
 /// The line to a label that stands apart, from where it crosses least, and what that costs. What is next to its anchor has none, unless
 /// something lies between.
-fn leader(want: &LabelRequest, room: &Rect, obstacles: &[Rect], labels: &[Label]) -> Option<([(f64, f64); 2], f64)> {
-    let lines = std::iter::once(want.anchor).chain(want.others.iter().copied()).map(|from| {
-        let to = room.nearest(from);
-        let length = distance(from, to);
-        // What it names is where it starts.
-        let other = |body: &&Rect| distance(from, body.nearest(from)) > 1e-6 && body.grown(0.05).crossed(from, to);
-        let bodies = obstacles.iter().filter(other).count();
-        let names = labels.iter().filter(|label| label.room.crossed(from, to)).count();
-        ([from, to], CROSSED * bodies as f64 + 1000.0 * names as f64, length)
-    });
-    let (line, crossed, _) = lines.min_by(|one, other| one.1.total_cmp(&other.1).then(one.2.total_cmp(&other.2)))?;
+fn leader(
+    want: &LabelRequest,
+    room: &Rect,
+    obstacles: &[Rect],
+    labels: &[Label],
+) -> Option<([(f64, f64); 2], f64)> {
+    let lines = std::iter::once(want.anchor)
+        .chain(want.others.iter().copied())
+        .map(|from| {
+            let to = room.nearest(from);
+            let length = distance(from, to);
+            // What it names is where it starts.
+            let other = |body: &&Rect| {
+                distance(from, body.nearest(from)) > 1e-6 && body.grown(0.05).crossed(from, to)
+            };
+            let bodies = obstacles.iter().filter(other).count();
+            let names = labels
+                .iter()
+                .filter(|label| label.room.crossed(from, to))
+                .count();
+            (
+                [from, to],
+                CROSSED * bodies as f64 + 1000.0 * names as f64,
+                length,
+            )
+        });
+    let (line, crossed, _) =
+        lines.min_by(|one, other| one.1.total_cmp(&other.1).then(one.2.total_cmp(&other.2)))?;
     let near = distance(want.anchor, room.nearest(want.anchor)) <= APART;
     (!near || crossed > 0.0).then_some((line, crossed))
 }
@@ -85,27 +123,42 @@ fn cheapest(want: &LabelRequest, obstacles: &[Rect], labels: &[Label], page: Rec
     let free = |room: &Rect| {
         let wide = room.grown(3.0);
         // Side by side, two names read as one unless a wide space parts them.
-        let apart = Rect { left: room.left - 12.0, right: room.right + 12.0, ..*room };
+        let apart = Rect {
+            left: room.left - 12.0,
+            right: room.right + 12.0,
+            ..*room
+        };
         let inside = room.left >= page.left && room.right <= page.right;
         inside
             && !obstacles.iter().any(|other| wide.meets(other))
-            && !labels.iter().any(|label| wide.meets(&label.room) || apart.meets(&label.room) || pierced(label, &wide))
+            && !labels.iter().any(|label| {
+                wide.meets(&label.room) || apart.meets(&label.room) || pierced(label, &wide)
+            })
     };
     // Centred about the anchor, or with an edge near it, on either side.
-    let sides = (0..24).flat_map(|i| [-1.0, 1.0].map(|side| side * (0.5 * size.0 + 8.0 * f64::from(i))));
-    let across: Vec<f64> = (-16..=16).map(|i| 8.0 * f64::from(i)).chain(sides).collect();
+    let sides =
+        (0..24).flat_map(|i| [-1.0, 1.0].map(|side| side * (0.5 * size.0 + 8.0 * f64::from(i))));
+    let across: Vec<f64> = (-16..=16)
+        .map(|i| 8.0 * f64::from(i))
+        .chain(sides)
+        .collect();
     // The cheapest of some columns of places, as far as it costs no more than another place does.
     let search = |columns: &[f64], bound: f64| {
         let mut best: Option<(f64, Rect)> = None;
         // What is beaten by its place alone needs no look at what stands in the way; most places are.
-        let beaten = |best: &Option<(f64, Rect)>, cost: f64| cost > bound || best.as_ref().is_some_and(|(least, _)| cost >= *least);
+        let beaten = |best: &Option<(f64, Rect)>, cost: f64| {
+            cost > bound || best.as_ref().is_some_and(|(least, _)| cost >= *least)
+        };
         for dx in columns {
             if beaten(&best, least((*dx, 0.0), size)) {
                 continue;
             }
             for dy in (-45..=45).map(|j| 5.0 * f64::from(j)) {
                 let room = Rect::around((want.anchor.0 + dx, want.anchor.1 + dy), size);
-                if beaten(&best, least((*dx, dy), size)) || beaten(&best, alone(want, &room)) || !free(&room) {
+                if beaten(&best, least((*dx, dy), size))
+                    || beaten(&best, alone(want, &room))
+                    || !free(&room)
+                {
                     continue;
                 }
                 let cost = cost(want, &room, obstacles, labels);
@@ -120,15 +173,24 @@ fn cheapest(want: &LabelRequest, obstacles: &[Rect], labels: &[Label], page: Rec
     let above = search(&[0.0], f64::INFINITY);
     let best = search(&across, above.map_or(f64::INFINITY, |(cost, _)| cost));
     let below = || {
-        let lowest = obstacles.iter().chain(labels.iter().map(|label| &label.room)).map(|rect| rect.bottom).fold(want.anchor.1, f64::max);
-        let x = want.anchor.0.clamp(page.left + 0.5 * size.0, (page.right - 0.5 * size.0).max(page.left + 0.5 * size.0));
+        let lowest = obstacles
+            .iter()
+            .chain(labels.iter().map(|label| &label.room))
+            .map(|rect| rect.bottom)
+            .fold(want.anchor.1, f64::max);
+        let x = want.anchor.0.clamp(
+            page.left + 0.5 * size.0,
+            (page.right - 0.5 * size.0).max(page.left + 0.5 * size.0),
+        );
         Rect::around((x, lowest + 8.0 + 0.5 * size.1), size)
     };
     best.map_or_else(below, |(_, room)| room)
 }
 
 fn pierced(label: &Label, room: &Rect) -> bool {
-    label.leader.is_some_and(|[from, to]| room.crossed(from, to))
+    label
+        .leader
+        .is_some_and(|[from, to]| room.crossed(from, to))
 }
 
 /// No more than [`alone`] gives for a label of a size at a distance from its anchor, roundoff included, at a glance.
@@ -139,15 +201,20 @@ fn least((dx, dy): (f64, f64), (width, height): (f64, f64)) -> f64 {
 
 /// Distance, and turned away from the wanted direction.
 fn alone(want: &LabelRequest, room: &Rect) -> f64 {
-    let middle = (0.5 * (room.left + room.right) - want.anchor.0, 0.5 * (room.top + room.bottom) - want.anchor.1);
+    let middle = (
+        0.5 * (room.left + room.right) - want.anchor.0,
+        0.5 * (room.top + room.bottom) - want.anchor.1,
+    );
     let length = middle.0.hypot(middle.1).max(1.0);
-    let along = (middle.0 * want.toward.0 + middle.1 * want.toward.1) / (length * want.toward.0.hypot(want.toward.1).max(1e-9));
+    let along = (middle.0 * want.toward.0 + middle.1 * want.toward.1)
+        / (length * want.toward.0.hypot(want.toward.1).max(1e-9));
     distance(want.anchor, room.nearest(want.anchor)) + 0.1 * length + TURNED * (1.0 - along)
 }
 
 /// The same, and what its leader crosses.
 fn cost(want: &LabelRequest, room: &Rect, obstacles: &[Rect], labels: &[Label]) -> f64 {
-    alone(want, room) + leader(want, room, obstacles, labels).map_or(0.0, |(_, crossed)| 10.0 + crossed)
+    alone(want, room)
+        + leader(want, room, obstacles, labels).map_or(0.0, |(_, crossed)| 10.0 + crossed)
 }
 
 #[cfg(test)]
@@ -165,8 +232,17 @@ mod tests {
         let obstacle = Rect::between((0.0, 95.0), (400.0, 105.0));
         let labels = placed(&vec![want; 40], &[obstacle], (10.0, 390.0));
         for (k, label) in labels.iter().enumerate() {
-            assert!(!label.room.meets(&obstacle) && label.room.left >= 10.0 && label.room.right <= 390.0);
-            assert!(labels[..k].iter().all(|other| !other.room.meets(&label.room)), "{k}");
+            assert!(
+                !label.room.meets(&obstacle)
+                    && label.room.left >= 10.0
+                    && label.room.right <= 390.0
+            );
+            assert!(
+                labels[..k]
+                    .iter()
+                    .all(|other| !other.room.meets(&label.room)),
+                "{k}"
+            );
         }
         assert!(labels[0].leader.is_none() && labels[0].room.bottom <= 95.0);
     }

@@ -49,24 +49,40 @@ impl DrawingLayout {
 
     /// The bodies of a group.
     pub fn members(&self, group: usize) -> impl Iterator<Item = usize> {
-        self.group.iter().enumerate().filter(move |(_, of)| **of == group).map(|(body, _)| body)
+        self.group
+            .iter()
+            .enumerate()
+            .filter(move |(_, of)| **of == group)
+            .map(|(body, _)| body)
     }
 
     /// A place on the sheet: its abscissa and the height of the body's middle there.
     pub fn point(&self, drawing: &Drawing, place: DrawnPlace) -> (f64, f64) {
         let spot = self.spots[place.body];
-        let along = if matches!(drawing.bodies[place.body].shape, DrawnShape::Beam(_)) { place.along_m } else { 0.0 };
+        let along = if matches!(drawing.bodies[place.body].shape, DrawnShape::Beam(_)) {
+            place.along_m
+        } else {
+            0.0
+        };
         (spot.x + spot.way * along * self.px_per_m, spot.y)
     }
 
     /// What a group covers with its gaps.
     pub fn extent(&self, drawing: &Drawing, group: usize) -> Rect {
-        let bodies = self.members(group).map(|body| room(drawing, body, self.spots[body], self.px_per_m));
-        let stops = drawing.contacts.iter().filter(|contact| self.group[contact.at.body] == group).map(|contact| {
-            let (x, y) = self.point(drawing, contact.at);
-            Rect::between((x, y), (x, y + way(contact) * self.reach(drawing, contact)))
-        });
-        bodies.chain(stops).fold(Rect::EMPTY, |all, rect| all.joined(&rect))
+        let bodies = self
+            .members(group)
+            .map(|body| room(drawing, body, self.spots[body], self.px_per_m));
+        let stops = drawing
+            .contacts
+            .iter()
+            .filter(|contact| self.group[contact.at.body] == group)
+            .map(|contact| {
+                let (x, y) = self.point(drawing, contact.at);
+                Rect::between((x, y), (x, y + way(contact) * self.reach(drawing, contact)))
+            });
+        bodies
+            .chain(stops)
+            .fold(Rect::EMPTY, |all, rect| all.joined(&rect))
     }
 
     /// From the middle of what strikes to the face that it strikes, px.
@@ -76,7 +92,10 @@ impl DrawingLayout {
 
     /// Gives an assembly to a group.
     fn take(&mut self, feet: &[usize], foot: usize, group: usize) {
-        feet.iter().enumerate().filter(|(_, of)| **of == foot).for_each(|(body, _)| self.group[body] = group);
+        feet.iter()
+            .enumerate()
+            .filter(|(_, of)| **of == foot)
+            .for_each(|(body, _)| self.group[body] = group);
     }
 
     /// Places one more assembly opposite to what strikes it; false where there is none.
@@ -91,9 +110,14 @@ impl DrawingLayout {
             };
             let (x, y) = self.point(drawing, known);
             self.face_each_other(drawing, feet, (known, new), x);
-            let apart = self.reach(drawing, contact) + face(drawing, on, !contact.above, self.px_per_m);
+            let apart =
+                self.reach(drawing, contact) + face(drawing, on, !contact.above, self.px_per_m);
             let found = self.point(drawing, new);
-            self.shift(feet, feet[new.body], (x - found.0, y + way * apart - found.1));
+            self.shift(
+                feet,
+                feet[new.body],
+                (x - found.0, y + way * apart - found.1),
+            );
             self.take(feet, feet[new.body], self.group[known.body]);
             self.opposite[index] = true;
             return true;
@@ -102,12 +126,19 @@ impl DrawingLayout {
     }
 
     /// Turns a new assembly round where its clamp would else hang amid what is there already.
-    fn face_each_other(&mut self, drawing: &Drawing, feet: &[usize], (known, new): (DrawnPlace, DrawnPlace), x: f64) {
+    fn face_each_other(
+        &mut self,
+        drawing: &Drawing,
+        feet: &[usize],
+        (known, new): (DrawnPlace, DrawnPlace),
+        x: f64,
+    ) {
         let foot = feet[new.body];
         let clamped = drawing.bodies[foot].seat == Seat::Ground;
         let root = x - (self.point(drawing, new).0 - self.spots[foot].x);
         let there = self.spots[feet[known.body]].x;
-        let long = matches!(drawing.bodies[known.body].shape, DrawnShape::Beam(_)) || feet[known.body] != known.body;
+        let long = matches!(drawing.bodies[known.body].shape, DrawnShape::Beam(_))
+            || feet[known.body] != known.body;
         if clamped && long && (root - there).abs() > 8.0 {
             let centre = self.spots[foot].x;
             for (body, _) in feet.iter().enumerate().filter(|(_, of)| **of == foot) {
@@ -131,5 +162,9 @@ pub fn way(contact: &DrawnContact) -> f64 {
 }
 
 fn length(drawing: &Drawing, body: usize) -> f64 {
-    if let DrawnShape::Beam(beam) = &drawing.bodies[body].shape { beam.length_m } else { 0.0 }
+    if let DrawnShape::Beam(beam) = &drawing.bodies[body].shape {
+        beam.length_m
+    } else {
+        0.0
+    }
 }

@@ -24,7 +24,8 @@ mod symbols;
 
 pub use grips::{Grip, GripPart, GripSheet};
 pub use model::{
-    Drawing, DrawnBeam, DrawnBody, DrawnCircuit, DrawnContact, DrawnDrive, DrawnElement, DrawnPatch, DrawnPlace, DrawnShape, Seat,
+    Drawing, DrawnBeam, DrawnBody, DrawnCircuit, DrawnContact, DrawnDrive, DrawnElement,
+    DrawnPatch, DrawnPlace, DrawnShape, Seat,
 };
 pub use rect::Rect;
 

@@ -15,16 +15,31 @@ pub struct Rect {
 
 impl Rect {
     /// Holds nothing; joined with another it gives the other.
-    pub const EMPTY: Self = Self { left: f64::INFINITY, top: f64::INFINITY, right: f64::NEG_INFINITY, bottom: f64::NEG_INFINITY };
+    pub const EMPTY: Self = Self {
+        left: f64::INFINITY,
+        top: f64::INFINITY,
+        right: f64::NEG_INFINITY,
+        bottom: f64::NEG_INFINITY,
+    };
 
     /// By its centre and its sizes.
     pub fn around((x, y): (f64, f64), (width, height): (f64, f64)) -> Self {
-        Self { left: x - 0.5 * width, top: y - 0.5 * height, right: x + 0.5 * width, bottom: y + 0.5 * height }
+        Self {
+            left: x - 0.5 * width,
+            top: y - 0.5 * height,
+            right: x + 0.5 * width,
+            bottom: y + 0.5 * height,
+        }
     }
 
     /// Between two corners in any order.
     pub fn between(a: (f64, f64), b: (f64, f64)) -> Self {
-        Self { left: a.0.min(b.0), top: a.1.min(b.1), right: a.0.max(b.0), bottom: a.1.max(b.1) }
+        Self {
+            left: a.0.min(b.0),
+            top: a.1.min(b.1),
+            right: a.0.max(b.0),
+            bottom: a.1.max(b.1),
+        }
     }
 
     /// Width.
@@ -39,7 +54,12 @@ impl Rect {
 
     /// Larger by `by` on every side.
     pub fn grown(&self, by: f64) -> Self {
-        Self { left: self.left - by, top: self.top - by, right: self.right + by, bottom: self.bottom + by }
+        Self {
+            left: self.left - by,
+            top: self.top - by,
+            right: self.right + by,
+            bottom: self.bottom + by,
+        }
     }
 
     /// The smallest rectangle that holds both.
@@ -54,19 +74,28 @@ impl Rect {
 
     /// Whether the two have a point in common inside.
     pub fn meets(&self, other: &Self) -> bool {
-        self.left < other.right && other.left < self.right && self.top < other.bottom && other.top < self.bottom
+        self.left < other.right
+            && other.left < self.right
+            && self.top < other.bottom
+            && other.top < self.bottom
     }
 
     /// The point of it nearest to another.
     pub fn nearest(&self, (x, y): (f64, f64)) -> (f64, f64) {
-        (x.clamp(self.left, self.right), y.clamp(self.top, self.bottom))
+        (
+            x.clamp(self.left, self.right),
+            y.clamp(self.top, self.bottom),
+        )
     }
 
     /// Whether a straight line passes through it.
     pub fn crossed(&self, from: (f64, f64), to: (f64, f64)) -> bool {
         // The part of the line between two opposite edges, in each direction (Liang and Barsky 1984).
         let (mut first, mut last) = (0.0_f64, 1.0_f64);
-        for (start, step, low, high) in [(from.0, to.0 - from.0, self.left, self.right), (from.1, to.1 - from.1, self.top, self.bottom)] {
+        for (start, step, low, high) in [
+            (from.0, to.0 - from.0, self.left, self.right),
+            (from.1, to.1 - from.1, self.top, self.bottom),
+        ] {
             if step == 0.0 {
                 if start <= low || start >= high {
                     return false;
@@ -87,9 +116,18 @@ mod tests {
     #[test]
     fn rectangles_meet_and_lines_cross_them() {
         let unit = Rect::between((0.0, 0.0), (1.0, 1.0));
-        assert!(unit.meets(&unit.grown(-0.1)) && !unit.meets(&Rect::between((1.0, 0.0), (2.0, 1.0))));
+        assert!(
+            unit.meets(&unit.grown(-0.1)) && !unit.meets(&Rect::between((1.0, 0.0), (2.0, 1.0)))
+        );
         assert!(unit.crossed((-1.0, 0.2), (2.0, 0.8)) && unit.crossed((0.5, 0.5), (5.0, 5.0)));
-        assert!(!unit.crossed((-1.0, 0.9), (0.2, 2.1)) && !unit.crossed((-1.0, 1.0), (2.0, 1.0)) && !unit.crossed((2.0, 0.5), (3.0, 0.5)));
-        assert_eq!((unit.nearest((3.0, 0.5)), Rect::EMPTY.joined(&unit)), ((1.0, 0.5), unit));
+        assert!(
+            !unit.crossed((-1.0, 0.9), (0.2, 2.1))
+                && !unit.crossed((-1.0, 1.0), (2.0, 1.0))
+                && !unit.crossed((2.0, 0.5), (3.0, 0.5))
+        );
+        assert_eq!(
+            (unit.nearest((3.0, 0.5)), Rect::EMPTY.joined(&unit)),
+            ((1.0, 0.5), unit)
+        );
     }
 }

@@ -4,7 +4,10 @@ use super::canvas::Canvas;
 use super::grips::grips;
 use super::layout::DrawingLayout;
 use super::rect::Rect;
-use super::{Drawing, DrawnCircuit, DrawnContact, GripSheet, bodies, circuit, close_up, contacts, dimension, drives, scale};
+use super::{
+    Drawing, DrawnCircuit, DrawnContact, GripSheet, bodies, circuit, close_up, contacts, dimension,
+    drives, scale,
+};
 use crate::picture::svg::{Anchor, Svg};
 use crate::picture::text::{SMALL, TITLE, wrap};
 
@@ -49,7 +52,13 @@ pub fn drawn(drawing: &Drawing) -> GripSheet {
     let found = content(&mut svg, drawing, &layout);
     let (circuits, looks) = found.cells.split_at(drawing.circuits.len());
     let grips = grips(drawing, &layout, &found.shifts, looks);
-    GripSheet { svg: svg.finish(found.height), side: found.side, circuits: circuits.to_vec(), looks: looks.to_vec(), grips }
+    GripSheet {
+        svg: svg.finish(found.height),
+        side: found.side,
+        circuits: circuits.to_vec(),
+        looks: looks.to_vec(),
+        grips,
+    }
 }
 
 /// Draws everything.
@@ -71,17 +80,47 @@ fn content(svg: &mut Svg, drawing: &Drawing, layout: &DrawingLayout) -> Content 
         let bar_m = dimension::round_below(200.0 / layout.px_per_m);
         dimension::bar(svg, EDGE, y, bar_m * layout.px_per_m);
         let words = format!("{}, the same in both directions", dimension::length(bar_m));
-        svg.text(EDGE + bar_m * layout.px_per_m + 10.0, y + 4.0, SMALL, Anchor::Start, &words);
-        side = side.joined(&Rect::between((EDGE, y), (EDGE + bar_m * layout.px_per_m, y + 5.0)));
+        svg.text(
+            EDGE + bar_m * layout.px_per_m + 10.0,
+            y + 4.0,
+            SMALL,
+            Anchor::Start,
+            &words,
+        );
+        side = side.joined(&Rect::between(
+            (EDGE, y),
+            (EDGE + bar_m * layout.px_per_m, y + 5.0),
+        ));
         y += SPACE;
     }
-    let looks = drawing.contacts.iter().filter(|contact| close_up::needed(contact, layout.px_per_m)).map(Cell::Look);
-    let (height, cells) = cells(svg, drawing, layout, drawing.circuits.iter().map(Cell::Circuit).chain(looks), y);
-    Content { height, side, shifts, cells }
+    let looks = drawing
+        .contacts
+        .iter()
+        .filter(|contact| close_up::needed(contact, layout.px_per_m))
+        .map(Cell::Look);
+    let (height, cells) = cells(
+        svg,
+        drawing,
+        layout,
+        drawing.circuits.iter().map(Cell::Circuit).chain(looks),
+        y,
+    );
+    Content {
+        height,
+        side,
+        shifts,
+        cells,
+    }
 }
 
 /// Draws a group with its upper edge at `y`; gives what it covers and its shift from the layout to the sheet.
-fn group(svg: &mut Svg, drawing: &Drawing, layout: &DrawingLayout, number: usize, y: f64) -> (Rect, (f64, f64)) {
+fn group(
+    svg: &mut Svg,
+    drawing: &Drawing,
+    layout: &DrawingLayout,
+    number: usize,
+    y: f64,
+) -> (Rect, (f64, f64)) {
     let room = layout.extent(drawing, number);
     let x = 0.5 * (WIDTH - room.width()) - room.left;
     // Labels may stand above the bodies: how far shows the first attempt.
@@ -90,9 +129,17 @@ fn group(svg: &mut Svg, drawing: &Drawing, layout: &DrawingLayout, number: usize
     (scene(svg, drawing, layout, number, shift), shift)
 }
 
-fn scene(svg: &mut Svg, drawing: &Drawing, layout: &DrawingLayout, number: usize, shift: (f64, f64)) -> Rect {
+fn scene(
+    svg: &mut Svg,
+    drawing: &Drawing,
+    layout: &DrawingLayout,
+    number: usize,
+    shift: (f64, f64),
+) -> Rect {
     let mut canvas = Canvas::new(svg, (EDGE, WIDTH - EDGE));
-    layout.members(number).for_each(|body| bodies::body(&mut canvas, drawing, layout, body, shift));
+    layout
+        .members(number)
+        .for_each(|body| bodies::body(&mut canvas, drawing, layout, body, shift));
     for (index, contact) in drawing.contacts.iter().enumerate() {
         if layout.group[contact.at.body] == number {
             contacts::contact(&mut canvas, drawing, layout, index, shift);
@@ -101,7 +148,14 @@ fn scene(svg: &mut Svg, drawing: &Drawing, layout: &DrawingLayout, number: usize
     drives::forces(&mut canvas, drawing, layout, number, shift);
     drives::bases(&mut canvas, drawing, layout, number, shift);
     if number == 0 {
-        drives::gravity(&mut canvas, drawing, (WIDTH - EDGE - 20.0, layout.extent(drawing, number).top + shift.1));
+        drives::gravity(
+            &mut canvas,
+            drawing,
+            (
+                WIDTH - EDGE - 20.0,
+                layout.extent(drawing, number).top + shift.1,
+            ),
+        );
     }
     canvas.finish()
 }
@@ -140,30 +194,63 @@ mod tests {
 
     /// The value of an attribute of an element.
     fn number(element: &str, name: &str) -> f64 {
-        element.split(&format!(" {name}=\"")).nth(1).unwrap().split('"').next().unwrap().parse().unwrap()
+        element
+            .split(&format!(" {name}=\""))
+            .nth(1)
+            .unwrap()
+            .split('"')
+            .next()
+            .unwrap()
+            .parse()
+            .unwrap()
     }
 
     /// What every text covers, and the text.
     fn texts(svg: &str) -> Vec<(Rect, String)> {
         let found = svg.split("<text").skip(1).map(|element| {
-            let text = element.split('>').nth(1).unwrap().trim_end_matches("</text").replace("&quot;", "\"");
-            let (x, y, size) = (number(element, "x"), number(element, "y"), number(element, "font-size"));
+            let text = element
+                .split('>')
+                .nth(1)
+                .unwrap()
+                .trim_end_matches("</text")
+                .replace("&quot;", "\"");
+            let (x, y, size) = (
+                number(element, "x"),
+                number(element, "y"),
+                number(element, "font-size"),
+            );
             let wide = width(&text, size);
-            let left = if element.contains("\"middle\"") { x - 0.5 * wide } else { x };
-            (Rect { left, right: left + wide, top: y - 0.75 * size, bottom: y + 0.2 * size }, text)
+            let left = if element.contains("\"middle\"") {
+                x - 0.5 * wide
+            } else {
+                x
+            };
+            (
+                Rect {
+                    left,
+                    right: left + wide,
+                    top: y - 0.75 * size,
+                    bottom: y + 0.2 * size,
+                },
+                text,
+            )
         });
         found.collect()
     }
 
     fn specs(folder: &Path) -> Vec<PathBuf> {
-        let paths = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+        let paths = std::fs::read_dir(folder)
+            .unwrap()
+            .map(|entry| entry.unwrap().path());
         let mut found: Vec<PathBuf> = Vec::new();
         for path in paths {
             match path.is_dir() {
                 true => found.extend(specs(&path)),
                 false
                     if path.extension().is_some_and(|ending| ending == "toml")
-                        && !["expected.toml", "measured.toml", "study.toml"].iter().any(|name| path.ends_with(name)) =>
+                        && !["expected.toml", "measured.toml", "study.toml"]
+                            .iter()
+                            .any(|name| path.ends_with(name)) =>
                 {
                     found.push(path)
                 }
@@ -177,28 +264,53 @@ mod tests {
     #[test]
     fn no_label_of_any_example_or_starter_lies_over_another_or_leaves_the_page() {
         let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-        let all = [specs(&root.join("../../examples")), specs(&root.join("src/starter"))].concat();
+        let all = [
+            specs(&root.join("../../examples")),
+            specs(&root.join("src/starter")),
+        ]
+        .concat();
         assert!(all.len() > 20, "{all:?}");
         for path in all {
-            let spec = SpecFile::read(&path).unwrap().spec().unwrap_or_else(|faults| panic!("{}: {faults}", path.display()));
+            let spec = SpecFile::read(&path)
+                .unwrap()
+                .spec()
+                .unwrap_or_else(|faults| panic!("{}: {faults}", path.display()));
             let svg = crate::show::drawing("title", &spec).to_svg();
             let page = Rect::between((0.0, 0.0), (number(&svg, "width"), number(&svg, "height")));
             let texts = texts(&svg);
             for (k, (room, text)) in texts.iter().enumerate() {
-                assert!(page.joined(room) == page, "{}: \"{text}\" leaves the page: {room:?}", path.display());
+                assert!(
+                    page.joined(room) == page,
+                    "{}: \"{text}\" leaves the page: {room:?}",
+                    path.display()
+                );
                 let over = texts[..k].iter().find(|(other, _)| other.meets(room));
-                assert!(over.is_none(), "{}: \"{text}\" lies over {over:?}", path.display());
+                assert!(
+                    over.is_none(),
+                    "{}: \"{text}\" lies over {over:?}",
+                    path.display()
+                );
             }
         }
     }
 
     /// The ends of every thin straight line.
     fn thin_lines(svg: &str) -> Vec<[(f64, f64); 2]> {
-        let paths = svg.split("<path").filter_map(|element| element.split_once('>')).filter(|(element, _)| element.contains("jounce-grid"));
+        let paths = svg
+            .split("<path")
+            .filter_map(|element| element.split_once('>'))
+            .filter(|(element, _)| element.contains("jounce-grid"));
         let ends = paths.filter_map(|(element, _)| {
             let steps = element.split("d=\"M").nth(1)?.split('"').next()?;
-            let points: Vec<f64> = steps.split(['L', ' ']).filter_map(|number| number.parse().ok()).collect();
-            if let [a, b, c, d] = points[..] { Some([(a, b), (c, d)]) } else { None }
+            let points: Vec<f64> = steps
+                .split(['L', ' '])
+                .filter_map(|number| number.parse().ok())
+                .collect();
+            if let [a, b, c, d] = points[..] {
+                Some([(a, b), (c, d)])
+            } else {
+                None
+            }
         });
         ends.collect()
     }
@@ -208,15 +320,37 @@ mod tests {
     fn no_leader_of_any_example_or_starter_crosses_a_beam() {
         let root = Path::new(env!("CARGO_MANIFEST_DIR"));
         let mut seen = 0;
-        for path in [specs(&root.join("../../examples")), specs(&root.join("src/starter"))].concat() {
-            let sheet = crate::show::drawing("title", &SpecFile::read(&path).unwrap().spec().unwrap()).sheet();
-            let leaders: Vec<_> = thin_lines(&sheet.svg).into_iter().filter(|[from, _]| from.1 < sheet.side.bottom).collect();
+        for path in [
+            specs(&root.join("../../examples")),
+            specs(&root.join("src/starter")),
+        ]
+        .concat()
+        {
+            let sheet =
+                crate::show::drawing("title", &SpecFile::read(&path).unwrap().spec().unwrap())
+                    .sheet();
+            let leaders: Vec<_> = thin_lines(&sheet.svg)
+                .into_iter()
+                .filter(|[from, _]| from.1 < sheet.side.bottom)
+                .collect();
             seen += leaders.len();
-            for element in sheet.svg.split("<rect").filter(|element| element.contains("jounce-beam")) {
+            for element in sheet
+                .svg
+                .split("<rect")
+                .filter(|element| element.contains("jounce-beam"))
+            {
                 let (x, y) = (number(element, "x"), number(element, "y"));
-                let beam = Rect::between((x, y), (x + number(element, "width"), y + number(element, "height"))).grown(-0.05);
+                let beam = Rect::between(
+                    (x, y),
+                    (x + number(element, "width"), y + number(element, "height")),
+                )
+                .grown(-0.05);
                 let crossing = leaders.iter().find(|[from, to]| beam.crossed(*from, *to));
-                assert!(crossing.is_none(), "{}: {crossing:?} crosses {beam:?}", path.display());
+                assert!(
+                    crossing.is_none(),
+                    "{}: {crossing:?} crosses {beam:?}",
+                    path.display()
+                );
             }
         }
         assert!(seen > 20, "{seen} lines");
@@ -224,7 +358,10 @@ mod tests {
 
     /// Width and height of the first rectangle of a class.
     fn rectangle(svg: &str, class: &str) -> (f64, f64) {
-        let element = svg.split("<rect").find(|element| element.contains(&format!("class=\"{class}\""))).unwrap();
+        let element = svg
+            .split("<rect")
+            .find(|element| element.contains(&format!("class=\"{class}\"")))
+            .unwrap();
         (number(element, "width"), number(element, "height"))
     }
 
@@ -234,12 +371,35 @@ mod tests {
             [stop.tip]\nat = \"a.end\"\nlaw = \"rigid\"\nrestitution = 1\ngap = \"2 mm\"\n[damping]\nbeyond = 0.01\n";
         let svg = crate::show::drawing("", &SpecFile::from_text(beams).spec().unwrap()).to_svg();
         let (length, thickness) = rectangle(&svg, "jounce-beam");
-        assert!((thickness / length - 0.02).abs() < 1e-4, "{length} {thickness}");
+        assert!(
+            (thickness / length - 0.02).abs() < 1e-4,
+            "{length} {thickness}"
+        );
         // The tip starts where the gap above the beam ends.
-        let beam = svg.split("<rect").find(|element| element.contains("jounce-beam")).unwrap();
-        let tip = svg.split("<path").find(|element| element.contains("jounce-stop")).unwrap();
-        let struck: f64 = tip.split('Q').nth(1).unwrap().split(' ').nth(1).unwrap().parse().unwrap();
-        assert!(((number(beam, "y") - struck) / length - 2.0 / 300.0).abs() < 1e-4, "{svg}");
-        assert!(svg.contains("gap 2 mm") && svg.contains("drawn 4 times larger than above"), "{svg}");
+        let beam = svg
+            .split("<rect")
+            .find(|element| element.contains("jounce-beam"))
+            .unwrap();
+        let tip = svg
+            .split("<path")
+            .find(|element| element.contains("jounce-stop"))
+            .unwrap();
+        let struck: f64 = tip
+            .split('Q')
+            .nth(1)
+            .unwrap()
+            .split(' ')
+            .nth(1)
+            .unwrap()
+            .parse()
+            .unwrap();
+        assert!(
+            ((number(beam, "y") - struck) / length - 2.0 / 300.0).abs() < 1e-4,
+            "{svg}"
+        );
+        assert!(
+            svg.contains("gap 2 mm") && svg.contains("drawn 4 times larger than above"),
+            "{svg}"
+        );
     }
 }

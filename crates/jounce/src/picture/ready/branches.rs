@@ -27,11 +27,27 @@ pub struct BranchMark {
 }
 
 /// Markers in the order in which kinds come.
-const MARKERS: [Marker; 5] = [Marker::Square, Marker::Ring, Marker::Circle, Marker::Right, Marker::Left];
+const MARKERS: [Marker; 5] = [
+    Marker::Square,
+    Marker::Ring,
+    Marker::Circle,
+    Marker::Right,
+    Marker::Left,
+];
 
 /// Branches in one panel: a colour for each label.
-pub fn branches(title: &str, parameter: Axis, value: Axis, lines: &[BranchLine], marks: &[BranchMark]) -> Figure {
-    Figure::new(title).with(panel(Panel::new(parameter, value).high(380.0), lines, marks))
+pub fn branches(
+    title: &str,
+    parameter: Axis,
+    value: Axis,
+    lines: &[BranchLine],
+    marks: &[BranchMark],
+) -> Figure {
+    Figure::new(title).with(panel(
+        Panel::new(parameter, value).high(380.0),
+        lines,
+        marks,
+    ))
 }
 
 /// The same into a panel.
@@ -43,7 +59,11 @@ pub(super) fn panel(mut panel: Panel, lines: &[BranchLine], marks: &[BranchMark]
         for (stable, style) in [(true, Line::Solid), (false, Line::Dashed)] {
             let drawn = stretches(line, stable);
             if drawn.iter().any(|value| value.is_finite()) {
-                panel = panel.with(Series::line(line.parameter.clone(), drawn).style(style).colour(colour));
+                panel = panel.with(
+                    Series::line(line.parameter.clone(), drawn)
+                        .style(style)
+                        .colour(colour),
+                );
             }
         }
         if known.is_none() {
@@ -61,7 +81,11 @@ pub(super) fn panel(mut panel: Panel, lines: &[BranchLine], marks: &[BranchMark]
         }
     });
     for (kind, marker) in kinds.iter().zip(MARKERS.into_iter().cycle()) {
-        let (x, y) = marks.iter().filter(|mark| mark.kind == *kind).map(|mark| (mark.parameter, mark.value)).unzip();
+        let (x, y) = marks
+            .iter()
+            .filter(|mark| mark.kind == *kind)
+            .map(|mark| (mark.parameter, mark.value))
+            .unzip();
         panel = panel.with(Series::points(x, y, marker).colour(Colour::Ink).label(kind));
     }
     panel
@@ -73,7 +97,11 @@ fn stretches(line: &BranchLine, stable: bool) -> Vec<f64> {
         .map(|k| {
             let own = line.stable[k] == stable;
             let before = k > 0 && line.stable[k - 1] == stable;
-            if own || before { line.value[k] } else { f64::NAN }
+            if own || before {
+                line.value[k]
+            } else {
+                f64::NAN
+            }
         })
         .collect()
 }

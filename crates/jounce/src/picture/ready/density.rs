@@ -17,13 +17,28 @@ pub struct DensityLine {
 
 /// Densities over `frequency_hz`, each in a panel of its own.
 pub fn densities(title: &str, frequency_hz: &[f64], lines: &[DensityLine]) -> Figure {
-    let shown = |values: &[f64]| values.iter().map(|value| if *value > 0.0 { *value } else { f64::NAN }).collect::<Vec<_>>();
+    let shown = |values: &[f64]| {
+        values
+            .iter()
+            .map(|value| if *value > 0.0 { *value } else { f64::NAN })
+            .collect::<Vec<_>>()
+    };
     lines.iter().fold(Figure::new(title), |figure, line| {
-        let panel = Panel::new(Axis::linear("Frequency", "Hz"), Axis::log(&line.quantity, &line.unit)).high(190.0);
+        let panel = Panel::new(
+            Axis::linear("Frequency", "Hz"),
+            Axis::log(&line.quantity, &line.unit),
+        )
+        .high(190.0);
         let ends = line.interval.iter().filter(|end| !end.is_empty());
         let panel = ends.enumerate().fold(panel, |panel, (k, end)| {
-            let end = Series::line(frequency_hz.to_vec(), shown(end)).colour(Colour::nth(1)).style(Line::Thin);
-            panel.with(if k == 0 { end.label("95 % interval") } else { end })
+            let end = Series::line(frequency_hz.to_vec(), shown(end))
+                .colour(Colour::nth(1))
+                .style(Line::Thin);
+            panel.with(if k == 0 {
+                end.label("95 % interval")
+            } else {
+                end
+            })
         });
         figure.with(panel.with(Series::line(frequency_hz.to_vec(), shown(&line.density))))
     })

@@ -35,15 +35,30 @@ const MARKERS: [Marker; 4] = [Marker::Circle, Marker::Square, Marker::Ring, Mark
 pub fn diagram(title: &str, parameter: &Axis, views: &[DiagramView]) -> Figure {
     let mut figure = Figure::new(title);
     for view in views {
-        let mut drawn = panel(Panel::new(parameter.clone(), view.value.clone()).high(340.0), &view.lines, &[]);
+        let mut drawn = panel(
+            Panel::new(parameter.clone(), view.value.clone()).high(340.0),
+            &view.lines,
+            &[],
+        );
         for (k, dots) in view.dots.iter().enumerate() {
-            let points = Series::points(dots.parameter.clone(), dots.value.clone(), MARKERS[k % MARKERS.len()]);
-            drawn = drawn.with(points.colour(Colour::nth(FIRST_COLOUR + k)).label(&dots.label));
+            let points = Series::points(
+                dots.parameter.clone(),
+                dots.value.clone(),
+                MARKERS[k % MARKERS.len()],
+            );
+            drawn = drawn.with(
+                points
+                    .colour(Colour::nth(FIRST_COLOUR + k))
+                    .label(&dots.label),
+            );
         }
         if !figure.panels.is_empty() {
             // The first panel names everything.
             drawn.series.retain(|series| !series.x.is_empty());
-            drawn.series.iter_mut().for_each(|series| series.label = None);
+            drawn
+                .series
+                .iter_mut()
+                .for_each(|series| series.label = None);
         }
         figure = figure.with(drawn);
     }

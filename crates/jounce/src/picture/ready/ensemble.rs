@@ -11,7 +11,14 @@ pub fn ensemble(title: &str, power_w: &[f64], low_w: f64, high_w: f64) -> Figure
         sum / count
     });
     let running = Series::line(number.clone(), running.collect()).label("mean so far");
-    let members = Series::points(number, power_w.to_vec(), Marker::Ring).colour(Colour::nth(1)).label("member");
+    let members = Series::points(number, power_w.to_vec(), Marker::Ring)
+        .colour(Colour::nth(1))
+        .label("member");
     let panel = Panel::new(Axis::linear("Member", ""), Axis::linear("Mean power", "W")).high(320.0);
-    Figure::new(title).with(panel.band(Along::Y, low_w, high_w, Some("95 % interval of the mean")).with(members).with(running))
+    Figure::new(title).with(
+        panel
+            .band(Along::Y, low_w, high_w, Some("95 % interval of the mean"))
+            .with(members)
+            .with(running),
+    )
 }

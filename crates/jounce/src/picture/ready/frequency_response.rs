@@ -24,13 +24,34 @@ pub fn frequency_responses(
 ) -> Figure {
     let x = || Axis::of(scale, "Frequency", "Hz");
     let mut magnitude = Panel::new(x(), Axis::log(quantity, unit)).high(260.0);
-    let mut phase = Panel::new(x(), Axis::linear("Phase", "deg").between(-195.0, 195.0).every(90.0)).high(130.0);
+    let mut phase = Panel::new(
+        x(),
+        Axis::linear("Phase", "deg")
+            .between(-195.0, 195.0)
+            .every(90.0),
+    )
+    .high(130.0);
     for (index, response) in responses.iter().enumerate() {
         let parts = || response.re.iter().zip(&response.im);
-        let size = Series::line(frequency_hz.to_vec(), parts().map(|(re, im)| re.hypot(*im)).collect()).colour(Colour::nth(index));
-        magnitude = magnitude.with(if responses.len() > 1 { size.label(&response.label) } else { size });
-        let (places, angles) = unwrapped(frequency_hz, parts().map(|(re, im)| im.atan2(*re).to_degrees()));
-        phase = phase.with(Series::line(places, angles).colour(Colour::nth(index)).style(Line::Thin));
+        let size = Series::line(
+            frequency_hz.to_vec(),
+            parts().map(|(re, im)| re.hypot(*im)).collect(),
+        )
+        .colour(Colour::nth(index));
+        magnitude = magnitude.with(if responses.len() > 1 {
+            size.label(&response.label)
+        } else {
+            size
+        });
+        let (places, angles) = unwrapped(
+            frequency_hz,
+            parts().map(|(re, im)| im.atan2(*re).to_degrees()),
+        );
+        phase = phase.with(
+            Series::line(places, angles)
+                .colour(Colour::nth(index))
+                .style(Line::Thin),
+        );
     }
     Figure::new(title).with(magnitude).with(phase)
 }
@@ -39,7 +60,10 @@ pub fn frequency_responses(
 fn unwrapped(frequency_hz: &[f64], angles: impl Iterator<Item = f64>) -> (Vec<f64>, Vec<f64>) {
     let (mut places, mut values): (Vec<f64>, Vec<f64>) = (Vec::new(), Vec::new());
     for (place, angle) in frequency_hz.iter().zip(angles) {
-        if values.last().is_some_and(|before| (angle - before).abs() > 180.0) {
+        if values
+            .last()
+            .is_some_and(|before| (angle - before).abs() > 180.0)
+        {
             places.push(*place);
             values.push(f64::NAN);
         }

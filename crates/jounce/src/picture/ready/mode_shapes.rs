@@ -23,8 +23,17 @@ pub struct ShapePatch {
 }
 
 /// Shapes over the places `position_m` along the beam, each scaled to one.
-pub fn mode_shapes(title: &str, position_m: &[f64], shapes: &[ModeShape], patches: &[ShapePatch]) -> Figure {
-    let mut panel = Panel::new(Axis::linear("Position along the beam", "m"), Axis::linear("Shape, scaled to one", "")).high(320.0);
+pub fn mode_shapes(
+    title: &str,
+    position_m: &[f64],
+    shapes: &[ModeShape],
+    patches: &[ShapePatch],
+) -> Figure {
+    let mut panel = Panel::new(
+        Axis::linear("Position along the beam", "m"),
+        Axis::linear("Shape, scaled to one", ""),
+    )
+    .high(320.0);
     panel = panel.reference(Along::Y, 0.0, None);
     for patch in patches {
         panel = panel.band(Along::X, patch.start_m, patch.end_m, Some(&patch.label));
@@ -38,7 +47,16 @@ pub fn mode_shapes(title: &str, position_m: &[f64], shapes: &[ModeShape], patche
 
 /// Divided by the value of largest size, so that it becomes +1.
 fn scaled(values: &[f64]) -> Vec<f64> {
-    let largest =
-        values.iter().copied().filter(|x| x.is_finite()).fold(0.0, |largest: f64, x| if x.abs() > largest.abs() { x } else { largest });
-    values.iter().map(|x| if largest == 0.0 { *x } else { x / largest }).collect()
+    let largest = values
+        .iter()
+        .copied()
+        .filter(|x| x.is_finite())
+        .fold(
+            0.0,
+            |largest: f64, x| if x.abs() > largest.abs() { x } else { largest },
+        );
+    values
+        .iter()
+        .map(|x| if largest == 0.0 { *x } else { x / largest })
+        .collect()
 }

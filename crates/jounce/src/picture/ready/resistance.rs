@@ -8,14 +8,34 @@ use crate::picture::{Along, Axis, Figure, Line, ReferenceLine};
 /// The best resistance of each line, from a parabola through its three highest neighbours over `ln R`, is marked by a dotted line and stands in
 /// the legend.
 pub fn power_against_resistance(title: &str, unit: &str, lines: &[SweepLine]) -> Figure {
-    let quantity = if unit.contains("N^2") { "Mean power per force squared" } else { "Mean power" };
-    let look = SweepLook { parameter: Axis::log("Load resistance", "ohm"), value: Axis::linear(quantity, unit) };
+    let quantity = if unit.contains("N^2") {
+        "Mean power per force squared"
+    } else {
+        "Mean power"
+    };
+    let look = SweepLook {
+        parameter: Axis::log("Load resistance", "ohm"),
+        value: Axis::linear(quantity, unit),
+    };
     let best: Vec<_> = lines.iter().map(best_ohm).collect();
-    let named: Vec<_> = lines.iter().zip(&best).map(|(line, best)| SweepLine { label: label(line, *best), ..line.clone() }).collect();
+    let named: Vec<_> = lines
+        .iter()
+        .zip(&best)
+        .map(|(line, best)| SweepLine {
+            label: label(line, *best),
+            ..line.clone()
+        })
+        .collect();
     let mut figure = sweep(title, &look, &named);
     for panel in &mut figure.panels {
         panel.height_px = 320.0;
-        panel.references.extend(best.iter().flatten().map(|best| ReferenceLine { along: Along::X, value: *best, label: None }));
+        panel
+            .references
+            .extend(best.iter().flatten().map(|best| ReferenceLine {
+                along: Along::X,
+                value: *best,
+                label: None,
+            }));
         // Power is a smooth function of resistance, so even independent points belong together.
         panel
             .series
@@ -44,10 +64,18 @@ fn label(line: &SweepLine, best: Option<f64>) -> String {
 
 /// Place of the maximum, if it lies between three points of the line, none of them a gap.
 fn best_ohm(line: &SweepLine) -> Option<f64> {
-    let points: Vec<_> = line.parameter.iter().copied().zip(line.value.iter().copied()).collect();
-    let highest = (0..points.len()).filter(|&i| points[i].1.is_finite()).max_by(|&a, &b| points[a].1.total_cmp(&points[b].1))?;
+    let points: Vec<_> = line
+        .parameter
+        .iter()
+        .copied()
+        .zip(line.value.iter().copied())
+        .collect();
+    let highest = (0..points.len())
+        .filter(|&i| points[i].1.is_finite())
+        .max_by(|&a, &b| points[a].1.total_cmp(&points[b].1))?;
     let around = points.get(highest.checked_sub(1)?..=highest + 1)?;
-    let [(x0, y0), (x1, y1), (x2, y2)] = [around[0], around[1], around[2]].map(|(ohm, power): (f64, f64)| (ohm.ln(), power));
+    let [(x0, y0), (x1, y1), (x2, y2)] =
+        [around[0], around[1], around[2]].map(|(ohm, power): (f64, f64)| (ohm.ln(), power));
     let (left, right) = ((y1 - y0) / (x1 - x0), (y2 - y1) / (x2 - x1));
     let best = 0.5 * (x0 + x1) + 0.5 * (x2 - x0) * left / (left - right);
     best.is_finite().then(|| best.exp())
@@ -64,15 +92,26 @@ mod tests {
     use super::*;
 
     fn line(parameter: Vec<f64>, value: Vec<f64>) -> SweepLine {
-        SweepLine { label: "a".into(), direction: LineDirection::Independent, parameter, value, settled: vec![] }
+        SweepLine {
+            label: "a".into(),
+            direction: LineDirection::Independent,
+            parameter,
+            value,
+            settled: vec![],
+        }
     }
 
     /// `P = P_0 2 R R_0 / (R^2 + R_0^2)` has its maximum at `R_0`; ten points a decade: measured 0.1 % off at worst.
     #[test]
     fn the_best_resistance_lies_between_the_points() {
         for best in [60e3, 67e3, 69.2e3, 75e3] {
-            let ohm: Vec<f64> = (0..31).map(|i| 10f64.powf(4.0 + f64::from(i) / 10.0)).collect();
-            let power = ohm.iter().map(|r| 2.0 * r * best / (r * r + best * best)).collect();
+            let ohm: Vec<f64> = (0..31)
+                .map(|i| 10f64.powf(4.0 + f64::from(i) / 10.0))
+                .collect();
+            let power = ohm
+                .iter()
+                .map(|r| 2.0 * r * best / (r * r + best * best))
+                .collect();
             let found = best_ohm(&line(ohm, power)).unwrap();
             assert!((found / best - 1.0).abs() < 0.002, "{found} {best}");
         }
@@ -81,12 +120,24 @@ mod tests {
     #[test]
     fn the_best_resistance_is_told_in_its_own_unit() {
         let told = |ohm: f64| label(&line(vec![], vec![]), Some(ohm));
-        assert_eq!([told(95.2), told(4.7e3), told(1.25e6)], ["a, best at 95.2 Ω", "a, best at 4.70 kΩ", "a, best at 1.25 MΩ"]);
+        assert_eq!(
+            [told(95.2), told(4.7e3), told(1.25e6)],
+            [
+                "a, best at 95.2 Ω",
+                "a, best at 4.70 kΩ",
+                "a, best at 1.25 MΩ"
+            ]
+        );
     }
 
     #[test]
     fn a_maximum_at_an_end_beside_a_gap_or_on_a_plateau_is_none() {
-        for power in [vec![3.0, 2.0, 1.0], vec![1.0, 2.0, f64::NAN], vec![f64::NAN; 3], vec![1.0, 1.0, 1.0]] {
+        for power in [
+            vec![3.0, 2.0, 1.0],
+            vec![1.0, 2.0, f64::NAN],
+            vec![f64::NAN; 3],
+            vec![1.0, 1.0, 1.0],
+        ] {
             assert_eq!(best_ohm(&line(vec![1e3, 1e4, 1e5], power)), None);
         }
         assert_eq!(best_ohm(&line(vec![], vec![])), None);

@@ -24,29 +24,61 @@ const RANGE_DB: f64 = 60.0;
 
 /// A spectrogram in dB below its largest amplitude, with its scale of colours below; multiples of the drive frequency are marked.
 pub fn spectrogram(title: &str, of: &TimeSpectrum, drive_hz: Option<f64>) -> Figure {
-    let largest = of.amplitude_peak.iter().flatten().copied().filter(|a| a.is_finite()).fold(f64::MIN_POSITIVE, f64::max);
-    let (columns, rows) = (blocks(&of.time_s, MAX_GRID_SIZE.0), blocks(&of.frequency_hz, MAX_GRID_SIZE.1));
+    let largest = of
+        .amplitude_peak
+        .iter()
+        .flatten()
+        .copied()
+        .filter(|a| a.is_finite())
+        .fold(f64::MIN_POSITIVE, f64::max);
+    let (columns, rows) = (
+        blocks(&of.time_s, MAX_GRID_SIZE.0),
+        blocks(&of.frequency_hz, MAX_GRID_SIZE.1),
+    );
     let decibels = |pair: &[usize]| -> Vec<f64> {
         let most = |band: &[usize]| {
-            let inside = of.amplitude_peak[pair[0]..pair[1]].iter().flat_map(|spectrum| &spectrum[band[0]..band[1]]);
+            let inside = of.amplitude_peak[pair[0]..pair[1]]
+                .iter()
+                .flat_map(|spectrum| &spectrum[band[0]..band[1]]);
             20.0 * (inside.copied().fold(0.0, f64::max) / largest).log10()
         };
         rows.windows(2).map(most).collect()
     };
-    let ends = |places: &[f64], edges: &[usize]| edges.iter().map(|edge| places[*edge]).collect::<Vec<f64>>();
+    let ends = |places: &[f64], edges: &[usize]| {
+        edges.iter().map(|edge| places[*edge]).collect::<Vec<f64>>()
+    };
     let field = Field {
         x: ends(&of.time_s, &columns),
         y: ends(&of.frequency_hz, &rows),
         columns: columns.windows(2).map(decibels).collect(),
         range: (-RANGE_DB, 0.0),
     };
-    let bounds = |edges: &[f64]| edges.first().copied().zip(edges.last().copied()).unwrap_or((0.0, 1.0));
+    let bounds = |edges: &[f64]| {
+        edges
+            .first()
+            .copied()
+            .zip(edges.last().copied())
+            .unwrap_or((0.0, 1.0))
+    };
     let ((from_s, to_s), (low_hz, high_hz)) = (bounds(&field.x), bounds(&field.y));
-    let axes = Panel::new(Axis::linear("Time", "s").between(from_s, to_s), Axis::linear("Frequency", "Hz").between(low_hz, high_hz));
-    let orders = drive_hz.filter(|f| *f > 0.0 && high_hz / f <= 20.0).map_or(0, |f| (high_hz / f) as u32);
+    let axes = Panel::new(
+        Axis::linear("Time", "s").between(from_s, to_s),
+        Axis::linear("Frequency", "Hz").between(low_hz, high_hz),
+    );
+    let orders = drive_hz
+        .filter(|f| *f > 0.0 && high_hz / f <= 20.0)
+        .map_or(0, |f| (high_hz / f) as u32);
     let mark = |panel: Panel, order: u32| {
-        let label = if order == 1 { "drive".to_owned() } else { format!("{order}×") };
-        panel.reference(Along::Y, f64::from(order) * drive_hz.unwrap_or(0.0), Some(&label))
+        let label = if order == 1 {
+            "drive".to_owned()
+        } else {
+            format!("{order}×")
+        };
+        panel.reference(
+            Along::Y,
+            f64::from(order) * drive_hz.unwrap_or(0.0),
+            Some(&label),
+        )
     };
     let panel = (1..=orders).fold(axes.high(340.0).field(field), mark);
     Figure::new(title).with(panel).with(scale(of, largest))
@@ -57,10 +89,21 @@ fn scale(of: &TimeSpectrum, largest: f64) -> Panel {
     const CELLS: usize = 120;
     let edge = |k: usize| -RANGE_DB + RANGE_DB * k as f64 / CELLS as f64;
     let x: Vec<f64> = (0..=CELLS).map(edge).collect();
-    let columns = x.windows(2).map(|pair| vec![0.5 * (pair[0] + pair[1])]).collect();
+    let columns = x
+        .windows(2)
+        .map(|pair| vec![0.5 * (pair[0] + pair[1])])
+        .collect();
     let quantity = format!("{}, peak, over {largest:.3e} {}", of.quantity, of.unit);
-    let (along, across) = (Axis::linear(&quantity, "dB").between(-RANGE_DB, 0.0), Axis::linear("", "").between(0.41, 0.59).every(1.0));
-    Panel::new(along, across).high(14.0).field(Field { x, y: vec![0.0, 1.0], columns, range: (-RANGE_DB, 0.0) })
+    let (along, across) = (
+        Axis::linear(&quantity, "dB").between(-RANGE_DB, 0.0),
+        Axis::linear("", "").between(0.41, 0.59).every(1.0),
+    );
+    Panel::new(along, across).high(14.0).field(Field {
+        x,
+        y: vec![0.0, 1.0],
+        columns,
+        range: (-RANGE_DB, 0.0),
+    })
 }
 
 /// Edges of at most so many blocks of cells, of equal numbers but for the last.
@@ -90,9 +133,25 @@ mod tests {
         };
         let figure = spectrogram("a", &of, Some(100.0));
         let field = figure.panels[0].field.as_ref().unwrap();
-        assert!(field.columns.len() <= MAX_GRID_SIZE.0 && field.columns[0].len() <= MAX_GRID_SIZE.1);
-        let largest = field.columns.iter().flatten().copied().fold(f64::NEG_INFINITY, f64::max);
-        assert!(largest == 0.0 && field.columns.iter().flatten().filter(|v| **v == 0.0).count() == 1);
+        assert!(
+            field.columns.len() <= MAX_GRID_SIZE.0 && field.columns[0].len() <= MAX_GRID_SIZE.1
+        );
+        let largest = field
+            .columns
+            .iter()
+            .flatten()
+            .copied()
+            .fold(f64::NEG_INFINITY, f64::max);
+        assert!(
+            largest == 0.0
+                && field
+                    .columns
+                    .iter()
+                    .flatten()
+                    .filter(|v| **v == 0.0)
+                    .count()
+                    == 1
+        );
         assert_eq!(figure.panels[0].references.len(), 5);
         figure.to_svg().unwrap();
     }

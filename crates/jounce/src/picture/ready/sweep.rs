@@ -42,7 +42,10 @@ pub struct SweepLook {
 impl SweepLook {
     /// Normalised mean power over drive frequency, the axes of the paper's figure 6.
     pub fn power_over_frequency(scale: Scale) -> Self {
-        Self { parameter: Axis::linear("Drive frequency", "Hz"), value: Axis::of(scale, "Mean power per force squared", "W/N^2") }
+        Self {
+            parameter: Axis::linear("Drive frequency", "Hz"),
+            value: Axis::of(scale, "Mean power per force squared", "W/N^2"),
+        }
     }
 }
 
@@ -50,7 +53,9 @@ impl SweepLook {
 pub fn sweep(title: &str, look: &SweepLook, lines: &[SweepLine]) -> Figure {
     let mut panel = Panel::new(look.parameter.clone(), look.value.clone()).high(380.0);
     let levels = levels(lines);
-    let both_ways = lines.iter().any(|line| line.direction == LineDirection::Down);
+    let both_ways = lines
+        .iter()
+        .any(|line| line.direction == LineDirection::Down);
     let mut named: Vec<&str> = Vec::new();
     for line in lines {
         let series = drawn(line, &levels);
@@ -61,7 +66,9 @@ pub fn sweep(title: &str, look: &SweepLook, lines: &[SweepLine]) -> Figure {
         named.push(&line.label);
         // With both directions in the picture the colour alone is the level; what lines and markers mean is told apart.
         panel = if both_ways && line.direction != LineDirection::Independent {
-            panel.with(Series::key(&line.label, Some(Line::Solid), None).colour(series.colour)).with(series)
+            panel
+                .with(Series::key(&line.label, Some(Line::Solid), None).colour(series.colour))
+                .with(series)
         } else {
             panel.with(series.label(&line.label))
         };
@@ -76,7 +83,10 @@ pub fn sweep(title: &str, look: &SweepLook, lines: &[SweepLine]) -> Figure {
 /// Levels that get a colour, in the order in which they come.
 fn levels(lines: &[SweepLine]) -> Vec<&str> {
     let mut levels: Vec<&str> = Vec::new();
-    for line in lines.iter().filter(|line| line.direction != LineDirection::Linear) {
+    for line in lines
+        .iter()
+        .filter(|line| line.direction != LineDirection::Linear)
+    {
         if !levels.contains(&line.label.as_str()) {
             levels.push(&line.label);
         }
@@ -85,18 +95,31 @@ fn levels(lines: &[SweepLine]) -> Vec<&str> {
 }
 
 fn drawn(line: &SweepLine, levels: &[&str]) -> Series {
-    let colour = Colour::nth(levels.iter().position(|level| *level == line.label).unwrap_or(0));
+    let colour = Colour::nth(
+        levels
+            .iter()
+            .position(|level| *level == line.label)
+            .unwrap_or(0),
+    );
     let series = Series::line(line.parameter.clone(), line.value.clone()).colour(colour);
     match line.direction {
         LineDirection::Up => series.marker(Marker::Right),
         LineDirection::Down => series.style(Line::Dashed).marker(Marker::Left),
-        LineDirection::Independent => Series { line: None, ..series.marker(Marker::Circle) },
+        LineDirection::Independent => Series {
+            line: None,
+            ..series.marker(Marker::Circle)
+        },
         LineDirection::Linear => series.colour(Colour::Grey),
     }
 }
 
 fn unsettled(line: &SweepLine) -> Series {
-    let points = line.parameter.iter().zip(&line.value).zip(&line.settled).filter(|(_, settled)| !**settled);
+    let points = line
+        .parameter
+        .iter()
+        .zip(&line.value)
+        .zip(&line.settled)
+        .filter(|(_, settled)| !**settled);
     let (x, y) = points.map(|((x, y), _)| (*x, *y)).unzip();
     Series::points(x, y, Marker::Ring).colour(Colour::Ink)
 }
@@ -106,10 +129,18 @@ fn keys(lines: &[SweepLine]) -> Vec<Series> {
     let has = |direction| lines.iter().any(|line| line.direction == direction);
     let mut keys = Vec::new();
     if has(LineDirection::Up) && (has(LineDirection::Down) || has(LineDirection::Linear)) {
-        keys.push(Series::key("stepped up", Some(Line::Solid), Some(Marker::Right)));
+        keys.push(Series::key(
+            "stepped up",
+            Some(Line::Solid),
+            Some(Marker::Right),
+        ));
     }
     if has(LineDirection::Down) {
-        keys.push(Series::key("stepped down", Some(Line::Dashed), Some(Marker::Left)));
+        keys.push(Series::key(
+            "stepped down",
+            Some(Line::Dashed),
+            Some(Marker::Left),
+        ));
     }
     if lines.iter().any(|line| line.settled.contains(&false)) {
         keys.push(Series::key("not settled", None, Some(Marker::Ring)));

@@ -17,10 +17,24 @@ pub struct Trace {
 pub fn time_histories(title: &str, time_s: &[f64], traces: &[Trace]) -> Figure {
     let height_px = if traces.len() > 1 { 170.0 } else { 280.0 };
     // Many turns of a line on little paper read better thin.
-    let line = if time_s.len() > 3000 { Line::Thin } else { Line::Solid };
-    let panel = |(index, trace): (usize, &Trace)| {
-        let series = Series::line(time_s.to_vec(), trace.values.clone()).style(line).colour(Colour::nth(index));
-        Panel::new(Axis::linear("Time", "s"), Axis::linear(&trace.quantity, &trace.unit)).high(height_px).with(series)
+    let line = if time_s.len() > 3000 {
+        Line::Thin
+    } else {
+        Line::Solid
     };
-    Figure { panels: traces.iter().enumerate().map(panel).collect(), ..Figure::new(title) }
+    let panel = |(index, trace): (usize, &Trace)| {
+        let series = Series::line(time_s.to_vec(), trace.values.clone())
+            .style(line)
+            .colour(Colour::nth(index));
+        Panel::new(
+            Axis::linear("Time", "s"),
+            Axis::linear(&trace.quantity, &trace.unit),
+        )
+        .high(height_px)
+        .with(series)
+    };
+    Figure {
+        panels: traces.iter().enumerate().map(panel).collect(),
+        ..Figure::new(title)
+    }
 }

@@ -34,16 +34,28 @@ pub(in crate::spec) struct Named<P: 'static, T: 'static> {
 
 impl<P, T> Inner<P> for Named<P, T> {
     fn read(&self, parent: &mut P, path: &str, node: &Node, reading: &mut ReadState) {
-        read_named(path, node, Kind::Things, reading, |name, path, node, reading| {
-            let mut thing = (self.blank)();
-            read_keys(self.keys, path, node, &mut thing, reading);
-            (self.open)(parent).insert(name.to_owned(), thing);
-        });
+        read_named(
+            path,
+            node,
+            Kind::Things,
+            reading,
+            |name, path, node, reading| {
+                let mut thing = (self.blank)();
+                read_keys(self.keys, path, node, &mut thing, reading);
+                (self.open)(parent).insert(name.to_owned(), thing);
+            },
+        );
     }
 
     fn write(&self, parent: &P, path: &str, out: &mut String) {
         for (name, thing) in (self.get)(parent) {
-            write_keys(self.keys, thing, &format!("{path}.{}", toml_edit::Key::new(name)), true, out);
+            write_keys(
+                self.keys,
+                thing,
+                &format!("{path}.{}", toml_edit::Key::new(name)),
+                true,
+                out,
+            );
         }
     }
 
@@ -57,8 +69,12 @@ impl<P, T> Inner<P> for Named<P, T> {
     }
 
     fn store(&self, parent: &mut P, path: &[&str], value: f64) -> bool {
-        let Some((name, rest)) = path.split_first() else { return false };
-        (self.open)(parent).get_mut(*name).is_some_and(|thing| store(self.keys, thing, rest, value))
+        let Some((name, rest)) = path.split_first() else {
+            return false;
+        };
+        (self.open)(parent)
+            .get_mut(*name)
+            .is_some_and(|thing| store(self.keys, thing, rest, value))
     }
 }
 

@@ -46,17 +46,28 @@ impl Kind {
     pub(in crate::spec) fn due(self) -> String {
         match self {
             Self::Quantity(quantity) | Self::NamedQuantities(quantity) => {
-                format!("{} is due as text with a unit, in {}", quantity.kind(), quantity.units().join(", "))
+                format!(
+                    "{} is due as text with a unit, in {}",
+                    quantity.kind(),
+                    quantity.units().join(", ")
+                )
             }
             Self::Number => "a plain number is due, without quotes and without unit".to_owned(),
             Self::Count => "a whole number is due, without quotes".to_owned(),
-            Self::Numbers | Self::NamedNumbers => "a list of plain numbers is due, as in [0.01, 0.02]".to_owned(),
+            Self::Numbers | Self::NamedNumbers => {
+                "a list of plain numbers is due, as in [0.01, 0.02]".to_owned()
+            }
             Self::Choice(words) => format!("one of {} is due", quoted(words)),
-            Self::ChoiceOrPath(words) => format!("one of {} is due, or the path of a file, as in \"./NAME\"", quoted(words)),
+            Self::ChoiceOrPath(words) => format!(
+                "one of {} is due, or the path of a file, as in \"./NAME\"",
+                quoted(words)
+            ),
             Self::Path => "the path of a file is due, in quotes".to_owned(),
             Self::Text => "a text is due, in quotes".to_owned(),
             Self::Reference { what } => format!("the name of {what} is due, in quotes"),
-            Self::References { what } => format!("a list of names of {what} is due, as in [\"one\", \"-other\"]"),
+            Self::References { what } => {
+                format!("a list of names of {what} is due, as in [\"one\", \"-other\"]")
+            }
             Self::Things | Self::Table => "a table is due".to_owned(),
         }
     }
@@ -66,12 +77,18 @@ impl Kind {
         match self {
             _ if value == 0.0 => "0".to_owned(),
             Self::Quantity(quantity) | Self::NamedQuantities(quantity) => quantity.write(value),
-            _ if value.fract() == 0.0 && (value.abs() < 1e9 || self == Self::Count) => format!("{value}"),
+            _ if value.fract() == 0.0 && (value.abs() < 1e9 || self == Self::Count) => {
+                format!("{value}")
+            }
             _ => format!("{value:?}"),
         }
     }
 }
 
 fn quoted(words: &[&str]) -> String {
-    words.iter().map(|word| format!("\"{word}\"")).collect::<Vec<_>>().join(", ")
+    words
+        .iter()
+        .map(|word| format!("\"{word}\""))
+        .collect::<Vec<_>>()
+        .join(", ")
 }

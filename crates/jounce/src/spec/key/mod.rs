@@ -78,8 +78,20 @@ pub(super) struct When {
 
 impl<T> Key<T> {
     const fn new(name: &'static str, kind: Kind, doc: &'static str, slot: Slot<T>) -> Self {
-        let info = KeyInfo { name, kind, need: Need::Required, when: None, unless: None, range: Range::ANY, doc };
-        Self { info, slot, quantity: None }
+        let info = KeyInfo {
+            name,
+            kind,
+            need: Need::Required,
+            when: None,
+            unless: None,
+            range: Range::ANY,
+            doc,
+        };
+        Self {
+            info,
+            slot,
+            quantity: None,
+        }
     }
 
     /// A quantity, required and of any value unless said otherwise.
@@ -90,21 +102,42 @@ impl<T> Key<T> {
         get: fn(&T) -> f64,
         set: fn(&mut T, f64),
     ) -> Self {
-        Self::new(name, Kind::Quantity(quantity), doc, Slot::Number { get, set })
+        Self::new(
+            name,
+            Kind::Quantity(quantity),
+            doc,
+            Slot::Number { get, set },
+        )
     }
 
     /// A plain number.
-    pub(super) const fn number(name: &'static str, doc: &'static str, get: fn(&T) -> f64, set: fn(&mut T, f64)) -> Self {
+    pub(super) const fn number(
+        name: &'static str,
+        doc: &'static str,
+        get: fn(&T) -> f64,
+        set: fn(&mut T, f64),
+    ) -> Self {
         Self::new(name, Kind::Number, doc, Slot::Number { get, set })
     }
 
     /// Text of a given kind.
-    pub(super) const fn text(name: &'static str, kind: Kind, doc: &'static str, get: fn(&T) -> String, set: fn(&mut T, &str)) -> Self {
+    pub(super) const fn text(
+        name: &'static str,
+        kind: Kind,
+        doc: &'static str,
+        get: fn(&T) -> String,
+        set: fn(&mut T, &str),
+    ) -> Self {
         Self::new(name, kind, doc, Slot::Text { get, set })
     }
 
     /// A key with a slot of its own kind.
-    pub(super) const fn with_slot(name: &'static str, kind: Kind, doc: &'static str, slot: Slot<T>) -> Self {
+    pub(super) const fn with_slot(
+        name: &'static str,
+        kind: Kind,
+        doc: &'static str,
+        slot: Slot<T>,
+    ) -> Self {
         Self::new(name, kind, doc, slot)
     }
 
@@ -145,26 +178,37 @@ impl<T> Key<T> {
     }
 
     /// The kind of quantity depends on another key.
-    pub(super) const fn measured_by(mut self, by: &'static str, quantity: fn(&T) -> Option<Quantity>) -> Self {
+    pub(super) const fn measured_by(
+        mut self,
+        by: &'static str,
+        quantity: fn(&T) -> Option<Quantity>,
+    ) -> Self {
         self.quantity = Some(DependentQuantity { by, quantity });
         self
     }
 
     /// What the key holds in this thing.
     pub(super) fn kind_in(&self, thing: &T) -> Kind {
-        self.quantity.as_ref().and_then(|measure| (measure.quantity)(thing)).map_or(self.info.kind, Kind::Quantity)
+        self.quantity
+            .as_ref()
+            .and_then(|measure| (measure.quantity)(thing))
+            .map_or(self.info.kind, Kind::Quantity)
     }
 }
 
 /// The word that a choice has in a thing.
 pub(super) fn chosen<T>(keys: &[Key<T>], thing: &T, choice: &str) -> Option<String> {
-    keys.iter().find(|key| key.info.name == choice).and_then(|key| match key.slot {
-        Slot::Text { get, .. } => Some(get(thing)),
-        _ => None,
-    })
+    keys.iter()
+        .find(|key| key.info.name == choice)
+        .and_then(|key| match key.slot {
+            Slot::Text { get, .. } => Some(get(thing)),
+            _ => None,
+        })
 }
 
 /// True when the key goes with what the thing has chosen.
 pub(super) fn applies<T>(keys: &[Key<T>], thing: &T, info: &KeyInfo) -> bool {
-    info.when.is_none_or(|when| chosen(keys, thing, when.key).is_some_and(|word| when.is.contains(&word.as_str())))
+    info.when.is_none_or(|when| {
+        chosen(keys, thing, when.key).is_some_and(|word| when.is.contains(&word.as_str()))
+    })
 }

@@ -15,16 +15,36 @@ pub(in crate::spec) struct Row {
 pub(in crate::spec) fn rows<T>(keys: &[Key<T>], blank: impl Fn() -> T) -> Vec<Row> {
     let chosen = |key: &Key<T>| {
         let mut thing = blank();
-        let choice = key.info.when.and_then(|when| Some((keys.iter().find(|key| key.info.name == when.key)?, when.is.first()?)));
-        if let Some((Key { slot: Slot::Text { set, .. }, .. }, word)) = choice {
+        let choice = key.info.when.and_then(|when| {
+            Some((
+                keys.iter().find(|key| key.info.name == when.key)?,
+                when.is.first()?,
+            ))
+        });
+        if let Some((
+            Key {
+                slot: Slot::Text { set, .. },
+                ..
+            },
+            word,
+        )) = choice
+        {
             set(&mut thing, word);
         }
         thing
     };
     let row = |key: &Key<T>| Row {
         info: key.info,
-        default: if key.info.need == Need::Default { default(key, &chosen(key)) } else { None },
-        inner: if let Slot::Inner(inner) = &key.slot { inner.rows() } else { Vec::new() },
+        default: if key.info.need == Need::Default {
+            default(key, &chosen(key))
+        } else {
+            None
+        },
+        inner: if let Slot::Inner(inner) = &key.slot {
+            inner.rows()
+        } else {
+            Vec::new()
+        },
     };
     keys.iter().map(row).collect()
 }
@@ -38,7 +58,13 @@ fn default<T>(key: &Key<T>, blank: &T) -> Option<String> {
         Slot::Number { get, .. } | Slot::Derived { get, .. } => Some(number(get(blank))),
         Slot::Optional { get, .. } => get(blank).map(number),
         Slot::Count { get, .. } => Some(get(blank).to_string()),
-        Slot::Text { get, .. } => Some(get(blank)).filter(|text| !text.is_empty()).map(|text| format!("\"{text}\"")),
-        Slot::Texts { .. } | Slot::Numbers { .. } | Slot::NamedQuantities { .. } | Slot::NamedNumbers { .. } | Slot::Inner(_) => None,
+        Slot::Text { get, .. } => Some(get(blank))
+            .filter(|text| !text.is_empty())
+            .map(|text| format!("\"{text}\"")),
+        Slot::Texts { .. }
+        | Slot::Numbers { .. }
+        | Slot::NamedQuantities { .. }
+        | Slot::NamedNumbers { .. }
+        | Slot::Inner(_) => None,
     }
 }

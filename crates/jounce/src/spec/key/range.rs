@@ -15,7 +15,11 @@ pub(in crate::spec) struct Range {
 
 impl Range {
     /// Any finite number.
-    pub(in crate::spec) const ANY: Self = Self { low: f64::NEG_INFINITY, open: false, high: f64::INFINITY };
+    pub(in crate::spec) const ANY: Self = Self {
+        low: f64::NEG_INFINITY,
+        open: false,
+        high: f64::INFINITY,
+    };
     /// Greater than zero.
     pub(in crate::spec) const POSITIVE: Self = Self::above(0.0, f64::INFINITY);
     /// Zero or more.
@@ -23,12 +27,20 @@ impl Range {
 
     /// `low <= x <= high`.
     pub(in crate::spec) const fn from(low: f64, high: f64) -> Self {
-        Self { low, open: false, high }
+        Self {
+            low,
+            open: false,
+            high,
+        }
     }
 
     /// `low < x <= high`.
     pub(in crate::spec) const fn above(low: f64, high: f64) -> Self {
-        Self { low, open: true, high }
+        Self {
+            low,
+            open: true,
+            high,
+        }
     }
 
     /// True when the value is within the limits and of a size that can be computed with.
@@ -37,7 +49,11 @@ impl Range {
     }
 
     fn limits_hold(&self, value: f64) -> bool {
-        let above = if self.open { value > self.low } else { value >= self.low };
+        let above = if self.open {
+            value > self.low
+        } else {
+            value >= self.low
+        };
         value.is_finite() && above && value <= self.high
     }
 
@@ -56,9 +72,16 @@ impl Range {
             (true, true) => Some(format!("greater than {}", kind.show(self.low))),
             (true, false) => Some(format!("at least {}", kind.show(self.low))),
         };
-        let high = self.high.is_finite().then(|| format!("at most {}", kind.show(self.high)));
+        let high = self
+            .high
+            .is_finite()
+            .then(|| format!("at most {}", kind.show(self.high)));
         match (low, high) {
-            (Some(_), Some(_)) if !self.open => format!("must be from {} to {}", kind.show(self.low), kind.show(self.high)),
+            (Some(_), Some(_)) if !self.open => format!(
+                "must be from {} to {}",
+                kind.show(self.low),
+                kind.show(self.high)
+            ),
             (Some(low), Some(high)) => format!("must be {low} and {high}"),
             (Some(limit), None) | (None, Some(limit)) => format!("must be {limit}"),
             (None, None) => "must be a finite number".to_owned(),

@@ -147,5 +147,9 @@ fn word(wiring: Wiring) -> String {
 }
 
 fn wiring(word: &str) -> Wiring {
-    if word == "series" { Wiring::Series } else { Wiring::Parallel }
+    if word == "series" {
+        Wiring::Series
+    } else {
+        Wiring::Parallel
+    }
 }

@@ -5,13 +5,21 @@ use crate::spec::{Drive, DriveKind, DriveSignal, GROUND, Quantity};
 
 use super::FREQUENCY_LIMITS_HZ;
 use super::drive_signal::{
-    amplitude, band, blank_signal, duration, ends, phase, set_amplitude, set_band, set_duration, set_end, set_phase, set_start, set_sweep,
-    set_velocity, signal_word, start, sweep_word, velocity,
+    amplitude, band, blank_signal, duration, ends, phase, set_amplitude, set_band, set_duration,
+    set_end, set_phase, set_start, set_sweep, set_velocity, signal_word, start, sweep_word,
+    velocity,
 };
 
 const KINDS: &[&str] = &["force", "base-acceleration", "base-displacement"];
 const BASE_KINDS: &[&str] = &["base-acceleration", "base-displacement"];
-const SIGNALS: &[&str] = &["sine", "chirp", "half-sine", "velocity-step", "noise", "recording"];
+const SIGNALS: &[&str] = &[
+    "sine",
+    "chirp",
+    "half-sine",
+    "velocity-step",
+    "noise",
+    "recording",
+];
 const AMPLITUDES: &[&str] = &["sine", "chirp", "half-sine"];
 const FREQUENCIES: Range = Range::from(FREQUENCY_LIMITS_HZ.0, FREQUENCY_LIMITS_HZ.1);
 
@@ -19,7 +27,11 @@ const FREQUENCIES: Range = Range::from(FREQUENCY_LIMITS_HZ.0, FREQUENCY_LIMITS_H
 const MAX_SEED: f64 = 9_007_199_254_740_991.0;
 
 pub(super) fn blank() -> Drive {
-    Drive { at: String::new(), kind: DriveKind::Force, signal: blank_signal("sine") }
+    Drive {
+        at: String::new(),
+        kind: DriveKind::Force,
+        signal: blank_signal("sine"),
+    }
 }
 
 pub(super) static KEYS: &[Key<Drive>] = &[
@@ -244,7 +256,11 @@ pub(super) static KEYS: &[Key<Drive>] = &[
 
 /// Channel and unit of a recording.
 fn recorded(drive: &Drive) -> Option<[&Option<String>; 2]> {
-    if let DriveSignal::Recording { channel, unit, .. } = &drive.signal { Some([channel, unit]) } else { None }
+    if let DriveSignal::Recording { channel, unit, .. } = &drive.signal {
+        Some([channel, unit])
+    } else {
+        None
+    }
 }
 
 /// None for a displacement by samples: there is no such drive.
@@ -258,7 +274,10 @@ fn size(drive: &Drive) -> Option<Quantity> {
 
 /// Courses that are known between their samples too, and so as displacements.
 fn has_smooth_pieces(signal: &DriveSignal) -> bool {
-    matches!(signal, DriveSignal::Sine { .. } | DriveSignal::Chirp { .. } | DriveSignal::HalfSine { .. })
+    matches!(
+        signal,
+        DriveSignal::Sine { .. } | DriveSignal::Chirp { .. } | DriveSignal::HalfSine { .. }
+    )
 }
 
 fn density(drive: &Drive) -> Option<Quantity> {

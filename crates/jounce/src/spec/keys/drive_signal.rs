@@ -25,29 +25,55 @@ pub(super) fn blank_signal(word: &str) -> DriveSignal {
             start_s,
             duration_s: hole,
         },
-        "half-sine" => DriveSignal::HalfSine { amplitude: hole, start_s, duration_s: hole },
-        "velocity-step" => DriveSignal::VelocityStep { velocity_m_s: hole, start_s },
-        "noise" => DriveSignal::Noise { density: hole, low_hz: 0.0, high_hz: hole, sample_rate_hz: None, seed: 1 },
+        "half-sine" => DriveSignal::HalfSine {
+            amplitude: hole,
+            start_s,
+            duration_s: hole,
+        },
+        "velocity-step" => DriveSignal::VelocityStep {
+            velocity_m_s: hole,
+            start_s,
+        },
+        "noise" => DriveSignal::Noise {
+            density: hole,
+            low_hz: 0.0,
+            high_hz: hole,
+            sample_rate_hz: None,
+            seed: 1,
+        },
         "recording" => DriveSignal::recording(""),
-        _ => DriveSignal::Sine { amplitude: hole, frequency_hz: hole, phase_rad: 0.0 },
+        _ => DriveSignal::Sine {
+            amplitude: hole,
+            frequency_hz: hole,
+            phase_rad: 0.0,
+        },
     }
 }
 
 pub(super) fn amplitude(signal: &DriveSignal) -> f64 {
     match *signal {
-        DriveSignal::Sine { amplitude, .. } | DriveSignal::Chirp { amplitude, .. } | DriveSignal::HalfSine { amplitude, .. } => amplitude,
+        DriveSignal::Sine { amplitude, .. }
+        | DriveSignal::Chirp { amplitude, .. }
+        | DriveSignal::HalfSine { amplitude, .. } => amplitude,
         _ => f64::NAN,
     }
 }
 
 pub(super) fn set_amplitude(signal: &mut DriveSignal, value: f64) {
-    if let DriveSignal::Sine { amplitude, .. } | DriveSignal::Chirp { amplitude, .. } | DriveSignal::HalfSine { amplitude, .. } = signal {
+    if let DriveSignal::Sine { amplitude, .. }
+    | DriveSignal::Chirp { amplitude, .. }
+    | DriveSignal::HalfSine { amplitude, .. } = signal
+    {
         *amplitude = value;
     }
 }
 
 pub(super) fn ends(signal: &DriveSignal) -> [f64; 2] {
-    if let DriveSignal::Chirp { from_hz, to_hz, .. } = *signal { [from_hz, to_hz] } else { [f64::NAN; 2] }
+    if let DriveSignal::Chirp { from_hz, to_hz, .. } = *signal {
+        [from_hz, to_hz]
+    } else {
+        [f64::NAN; 2]
+    }
 }
 
 pub(super) fn set_end(signal: &mut DriveSignal, end: usize, value: f64) {
@@ -57,17 +83,35 @@ pub(super) fn set_end(signal: &mut DriveSignal, end: usize, value: f64) {
 }
 
 pub(super) fn sweep_word(signal: &DriveSignal) -> &'static str {
-    if matches!(signal, DriveSignal::Chirp { sweep: FrequencySweep::Logarithmic, .. }) { "logarithmic" } else { "linear" }
+    if matches!(
+        signal,
+        DriveSignal::Chirp {
+            sweep: FrequencySweep::Logarithmic,
+            ..
+        }
+    ) {
+        "logarithmic"
+    } else {
+        "linear"
+    }
 }
 
 pub(super) fn set_sweep(signal: &mut DriveSignal, word: &str) {
     if let DriveSignal::Chirp { sweep, .. } = signal {
-        *sweep = if word == "logarithmic" { FrequencySweep::Logarithmic } else { FrequencySweep::Linear };
+        *sweep = if word == "logarithmic" {
+            FrequencySweep::Logarithmic
+        } else {
+            FrequencySweep::Linear
+        };
     }
 }
 
 pub(super) fn phase(signal: &DriveSignal) -> f64 {
-    if let DriveSignal::Sine { phase_rad, .. } | DriveSignal::Chirp { phase_rad, .. } = *signal { phase_rad } else { f64::NAN }
+    if let DriveSignal::Sine { phase_rad, .. } | DriveSignal::Chirp { phase_rad, .. } = *signal {
+        phase_rad
+    } else {
+        f64::NAN
+    }
 }
 
 pub(super) fn set_phase(signal: &mut DriveSignal, value: f64) {
@@ -77,7 +121,11 @@ pub(super) fn set_phase(signal: &mut DriveSignal, value: f64) {
 }
 
 pub(super) fn velocity(signal: &DriveSignal) -> f64 {
-    if let DriveSignal::VelocityStep { velocity_m_s, .. } = *signal { velocity_m_s } else { f64::NAN }
+    if let DriveSignal::VelocityStep { velocity_m_s, .. } = *signal {
+        velocity_m_s
+    } else {
+        f64::NAN
+    }
 }
 
 pub(super) fn set_velocity(signal: &mut DriveSignal, value: f64) {
@@ -107,21 +155,38 @@ pub(super) fn set_start(signal: &mut DriveSignal, value: f64) {
 }
 
 pub(super) fn duration(signal: &DriveSignal) -> f64 {
-    if let DriveSignal::Chirp { duration_s, .. } | DriveSignal::HalfSine { duration_s, .. } = *signal { duration_s } else { f64::NAN }
+    if let DriveSignal::Chirp { duration_s, .. } | DriveSignal::HalfSine { duration_s, .. } =
+        *signal
+    {
+        duration_s
+    } else {
+        f64::NAN
+    }
 }
 
 pub(super) fn set_duration(signal: &mut DriveSignal, value: f64) {
-    if let DriveSignal::Chirp { duration_s, .. } | DriveSignal::HalfSine { duration_s, .. } = signal {
+    if let DriveSignal::Chirp { duration_s, .. } | DriveSignal::HalfSine { duration_s, .. } = signal
+    {
         *duration_s = value;
     }
 }
 
 pub(super) fn band(signal: &DriveSignal) -> [f64; 2] {
-    if let DriveSignal::Noise { low_hz, high_hz, .. } = *signal { [low_hz, high_hz] } else { [f64::NAN; 2] }
+    if let DriveSignal::Noise {
+        low_hz, high_hz, ..
+    } = *signal
+    {
+        [low_hz, high_hz]
+    } else {
+        [f64::NAN; 2]
+    }
 }
 
 pub(super) fn set_band(signal: &mut DriveSignal, end: usize, value: f64) {
-    if let DriveSignal::Noise { low_hz, high_hz, .. } = signal {
+    if let DriveSignal::Noise {
+        low_hz, high_hz, ..
+    } = signal
+    {
         *[low_hz, high_hz][end] = value;
     }
 }

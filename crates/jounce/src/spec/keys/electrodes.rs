@@ -13,5 +13,9 @@ pub(super) fn word(electrodes: Electrodes) -> &'static str {
 }
 
 pub(super) fn of(word: &str) -> Electrodes {
-    if word == "open" { Electrodes::Open } else { Electrodes::Circuit }
+    if word == "open" {
+        Electrodes::Open
+    } else {
+        Electrodes::Circuit
+    }
 }

@@ -7,5 +7,8 @@ pub(super) static KEYS: &[Key<Gravity>] = &[Key::with_slot(
     "acceleration",
     Kind::Quantity(Quantity::Acceleration),
     "acceleration of gravity in the positive direction of motion; negative where it pulls the other way",
-    Slot::Optional { get: |g: &Gravity| g.acceleration_m_s2, set: |g, x| g.acceleration_m_s2 = Some(x) },
+    Slot::Optional {
+        get: |g: &Gravity| g.acceleration_m_s2,
+        set: |g, x| g.acceleration_m_s2 = Some(x),
+    },
 )];

@@ -25,65 +25,133 @@ pub(super) static SPEC: &[Key<Spec>] = &[
     things(
         "beam",
         "uniform beams, clamped at their root",
-        &Named { get: |s: &Spec| &s.beam, open: |s| &mut s.beam, blank: beam::blank, keys: beam::KEYS },
+        &Named {
+            get: |s: &Spec| &s.beam,
+            open: |s| &mut s.beam,
+            blank: beam::blank,
+            keys: beam::KEYS,
+        },
     ),
     things(
         "patch",
         "piezoelectric patches bonded on beams",
-        &Named { get: |s: &Spec| &s.patch, open: |s| &mut s.patch, blank: patch::blank, keys: patch::KEYS },
+        &Named {
+            get: |s: &Spec| &s.patch,
+            open: |s| &mut s.patch,
+            blank: patch::blank,
+            keys: patch::KEYS,
+        },
     ),
     things(
         "layer",
         "passive layers on the faces of beams, under the patches: bond lines, shims, coatings",
-        &Named { get: |s: &Spec| &s.layer, open: |s| &mut s.layer, blank: layer::blank, keys: layer::KEYS },
+        &Named {
+            get: |s: &Spec| &s.layer,
+            open: |s| &mut s.layer,
+            blank: layer::blank,
+            keys: layer::KEYS,
+        },
     ),
     things(
         "mass",
         "rigid masses: on a spring, fixed to a beam, or free; they may carry beams",
-        &Named { get: |s: &Spec| &s.mass, open: |s| &mut s.mass, blank: mass::blank, keys: mass::KEYS },
+        &Named {
+            get: |s: &Spec| &s.mass,
+            open: |s| &mut s.mass,
+            blank: mass::blank,
+            keys: mass::KEYS,
+        },
     ),
     things(
         "modal",
         "structures given by their modes",
-        &Named { get: |s: &Spec| &s.modal, open: |s| &mut s.modal, blank: modal::blank, keys: modal::KEYS },
+        &Named {
+            get: |s: &Spec| &s.modal,
+            open: |s| &mut s.modal,
+            blank: modal::blank,
+            keys: modal::KEYS,
+        },
     ),
     things(
         "stop",
         "what a point strikes; without any, the harvester is linear",
-        &Named { get: |s: &Spec| &s.stop, open: |s| &mut s.stop, blank: stop::blank, keys: stop::KEYS },
+        &Named {
+            get: |s: &Spec| &s.stop,
+            open: |s| &mut s.stop,
+            blank: stop::blank,
+            keys: stop::KEYS,
+        },
     ),
     things(
         "circuit",
         "linear loads, each across one patch or several; every patch has one, or says `electrodes = \"open\"`",
-        &Named { get: |s: &Spec| &s.circuit, open: |s| &mut s.circuit, blank: circuit::blank, keys: circuit::KEYS },
+        &Named {
+            get: |s: &Spec| &s.circuit,
+            open: |s| &mut s.circuit,
+            blank: circuit::blank,
+            keys: circuit::KEYS,
+        },
     ),
     things(
         "drive",
         "what shakes it: forces, and motions of the ground or of other bases",
-        &Named { get: |s: &Spec| &s.drive, open: |s| &mut s.drive, blank: drive::blank, keys: drive::KEYS },
+        &Named {
+            get: |s: &Spec| &s.drive,
+            open: |s| &mut s.drive,
+            blank: drive::blank,
+            keys: drive::KEYS,
+        },
     ),
     table(
         "gravity",
         "gravity on everything that moves; displacements are measured from where nothing is bent",
-        &Single { get: |s: &Spec| &s.gravity, open: |s| &mut s.gravity, keys: gravity::KEYS },
+        &Single {
+            get: |s: &Spec| &s.gravity,
+            open: |s| &mut s.gravity,
+            keys: gravity::KEYS,
+        },
     ),
     table(
         "damping",
         "damping ratios of the modes of beams, in ascending order of frequency, those of masses left out",
-        &Single { get: |s: &Spec| &s.damping, open: |s| &mut s.damping, keys: settings::DAMPING },
+        &Single {
+            get: |s: &Spec| &s.damping,
+            open: |s| &mut s.damping,
+            keys: settings::DAMPING,
+        },
     ),
     table(
         "reduction",
         "how many modes are kept, and how well the mesh must resolve them",
-        &Single { get: |s: &Spec| &s.reduction, open: |s| &mut s.reduction, keys: settings::REDUCTION },
+        &Single {
+            get: |s: &Spec| &s.reduction,
+            open: |s| &mut s.reduction,
+            keys: settings::REDUCTION,
+        },
     ),
-    table("run", "marching in time", &Single { get: |s: &Spec| &s.run, open: |s| &mut s.run, keys: settings::RUN }),
+    table(
+        "run",
+        "marching in time",
+        &Single {
+            get: |s: &Spec| &s.run,
+            open: |s| &mut s.run,
+            keys: settings::RUN,
+        },
+    ),
 ];
 
-const fn things(name: &'static str, doc: &'static str, inner: &'static dyn super::key::Inner<Spec>) -> Key<Spec> {
+const fn things(
+    name: &'static str,
+    doc: &'static str,
+    inner: &'static dyn super::key::Inner<Spec>,
+) -> Key<Spec> {
     Key::with_slot(name, Kind::Things, doc, Slot::Inner(inner)).optional()
 }
 
-const fn table(name: &'static str, doc: &'static str, inner: &'static dyn super::key::Inner<Spec>) -> Key<Spec> {
+const fn table(
+    name: &'static str,
+    doc: &'static str,
+    inner: &'static dyn super::key::Inner<Spec>,
+) -> Key<Spec> {
     Key::with_slot(name, Kind::Table, doc, Slot::Inner(inner)).optional()
 }

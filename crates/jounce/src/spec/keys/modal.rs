@@ -18,7 +18,12 @@ pub(super) fn blank() -> Modal {
 }
 
 fn blank_patch() -> ModalPatch {
-    ModalPatch { coupling_n_per_v: Vec::new(), capacitance_f: f64::NAN, leakage_ohm: None, electrodes: Electrodes::default() }
+    ModalPatch {
+        coupling_n_per_v: Vec::new(),
+        capacitance_f: f64::NAN,
+        leakage_ohm: None,
+        electrodes: Electrodes::default(),
+    }
 }
 
 pub(super) static KEYS: &[Key<Modal>] = &[
@@ -64,7 +69,10 @@ static PATCH_KEYS: &[Key<ModalPatch>] = &[
         "coupling_n_per_v",
         Kind::Numbers,
         "modal coupling in N/V per unit modal coordinate, one number per mode",
-        Slot::Numbers { get: |p: &ModalPatch| &p.coupling_n_per_v, open: |p| &mut p.coupling_n_per_v },
+        Slot::Numbers {
+            get: |p: &ModalPatch| &p.coupling_n_per_v,
+            open: |p| &mut p.coupling_n_per_v,
+        },
     ),
     Key::quantity(
         "capacitance",
@@ -86,7 +94,10 @@ static PATCH_KEYS: &[Key<ModalPatch>] = &[
         "leakage_resistance",
         Kind::Quantity(Quantity::Resistance),
         "resistance across the capacitance through which the charge of the patch leaks",
-        Slot::Optional { get: |p: &ModalPatch| p.leakage_ohm, set: |p, x| p.leakage_ohm = Some(x) },
+        Slot::Optional {
+            get: |p: &ModalPatch| p.leakage_ohm,
+            set: |p, x| p.leakage_ohm = Some(x),
+        },
     )
     .within(Range::POSITIVE)
     .optional(),

@@ -37,12 +37,25 @@ pub(super) fn blank() -> Patch {
 /// Takes from the library what it knows.
 fn fill(patch: &mut Patch, name: &str) {
     name.clone_into(&mut patch.material);
-    let Some(known) = material::named(name) else { return };
-    (patch.youngs_modulus_pa, patch.density_kg_m3, patch.strain_limit) = (known.youngs_modulus_pa, known.density_kg_m3, known.strain_limit);
+    let Some(known) = material::named(name) else {
+        return;
+    };
+    (
+        patch.youngs_modulus_pa,
+        patch.density_kg_m3,
+        patch.strain_limit,
+    ) = (
+        known.youngs_modulus_pa,
+        known.density_kg_m3,
+        known.strain_limit,
+    );
     if let Some(active) = known.active {
         patch.permittivity_f_m = Some(active.permittivity_f_m);
         match active.electrode_spacing_m {
-            Some(spacing_m) => (patch.d33_m_per_v, patch.electrode_spacing_m) = (Some(active.charge_coefficient_m_per_v), Some(spacing_m)),
+            Some(spacing_m) => {
+                (patch.d33_m_per_v, patch.electrode_spacing_m) =
+                    (Some(active.charge_coefficient_m_per_v), Some(spacing_m))
+            }
             None => patch.d31_m_per_v = Some(active.charge_coefficient_m_per_v),
         }
     }

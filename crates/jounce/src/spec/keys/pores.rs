@@ -12,9 +12,15 @@ pub(super) fn set(patch: &mut Patch, change: impl FnOnce(&mut Patch)) {
         return;
     }
     patch.pores.composite = patch.pores.composite_of(&patch.material);
-    let Some(composite) = patch.pores.composite else { return };
-    (patch.youngs_modulus_pa, patch.density_kg_m3) = (composite.youngs_modulus_pa, composite.density_kg_m3);
-    (patch.d31_m_per_v, patch.permittivity_f_m) = (Some(composite.d31_m_per_v), Some(composite.permittivity_f_m));
+    let Some(composite) = patch.pores.composite else {
+        return;
+    };
+    (patch.youngs_modulus_pa, patch.density_kg_m3) =
+        (composite.youngs_modulus_pa, composite.density_kg_m3);
+    (patch.d31_m_per_v, patch.permittivity_f_m) = (
+        Some(composite.d31_m_per_v),
+        Some(composite.permittivity_f_m),
+    );
 }
 
 pub(super) fn shape_word(shape: PoreShape) -> &'static str {
@@ -41,5 +47,9 @@ pub(super) fn scheme_word(scheme: PorosityScheme) -> &'static str {
 }
 
 pub(super) fn scheme_of(word: &str) -> PorosityScheme {
-    if word == "self-consistent" { PorosityScheme::SelfConsistent } else { PorosityScheme::MoriTanaka }
+    if word == "self-consistent" {
+        PorosityScheme::SelfConsistent
+    } else {
+        PorosityScheme::MoriTanaka
+    }
 }

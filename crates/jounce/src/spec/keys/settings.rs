@@ -11,7 +11,10 @@ pub(super) static DAMPING: &[Key<Damping>] = &[
         "ratios",
         Kind::Numbers,
         "damping ratios, one per flexible mode, ascending",
-        Slot::Numbers { get: |d: &Damping| &d.ratios, open: |d| &mut d.ratios },
+        Slot::Numbers {
+            get: |d: &Damping| &d.ratios,
+            open: |d| &mut d.ratios,
+        },
     )
     .within(Range::from(0.0, 10.0))
     .optional(),
@@ -19,16 +22,27 @@ pub(super) static DAMPING: &[Key<Damping>] = &[
         "beyond",
         Kind::Number,
         "damping ratio of every mode after the list",
-        Slot::Optional { get: |d: &Damping| d.beyond, set: |d, x| d.beyond = Some(x) },
+        Slot::Optional {
+            get: |d: &Damping| d.beyond,
+            set: |d, x| d.beyond = Some(x),
+        },
     )
     .within(Range::from(0.0, 10.0))
     .optional(),
 ];
 
 pub(super) static REDUCTION: &[Key<Reduction>] = &[
-    Key::with_slot("modes", Kind::Count, "how many modes are kept", Slot::Count { get: |r: &Reduction| r.modes, set: |r, x| r.modes = x })
-        .within(Range::from(1.0, MAX_MODES))
-        .optional(),
+    Key::with_slot(
+        "modes",
+        Kind::Count,
+        "how many modes are kept",
+        Slot::Count {
+            get: |r: &Reduction| r.modes,
+            set: |r, x| r.modes = x,
+        },
+    )
+    .within(Range::from(1.0, MAX_MODES))
+    .optional(),
     Key::number(
         "mesh_tolerance",
         "wanted relative error of every kept frequency",

@@ -3,7 +3,14 @@
 use crate::spec::key::{Key, Kind, Range};
 use crate::spec::{Quantity, Side, Stop, StopLaw};
 
-const LAWS: &[&str] = &["hertz", "spring", "kelvin-voigt", "hunt-crossley", "cubic", "rigid"];
+const LAWS: &[&str] = &[
+    "hertz",
+    "spring",
+    "kelvin-voigt",
+    "hunt-crossley",
+    "cubic",
+    "rigid",
+];
 const POWER_LAWS: &[&str] = &["hertz", "hunt-crossley"];
 const LINEAR_LAWS: &[&str] = &["spring", "kelvin-voigt"];
 
@@ -16,7 +23,10 @@ pub(super) fn blank() -> Stop {
         frame: "ground".to_owned(),
         side: Side::default(),
         gap_m: f64::NAN,
-        law: StopLaw::Hertz { stiffness: f64::NAN, exponent: HERTZ_EXPONENT },
+        law: StopLaw::Hertz {
+            stiffness: f64::NAN,
+            exponent: HERTZ_EXPONENT,
+        },
     }
 }
 
@@ -135,12 +145,27 @@ fn law_word(law: &StopLaw) -> &'static str {
 fn blank_law(word: &str) -> StopLaw {
     let (hole, exponent) = (f64::NAN, HERTZ_EXPONENT);
     match word {
-        "spring" => StopLaw::Spring { stiffness_n_m: hole },
-        "kelvin-voigt" => StopLaw::KelvinVoigt { stiffness_n_m: hole, damping_n_s_m: hole },
-        "hunt-crossley" => StopLaw::HuntCrossley { stiffness: hole, exponent, damping_s_m: hole },
-        "cubic" => StopLaw::Cubic { stiffness_n_m: 0.0, cubic_stiffness_n_m3: hole },
+        "spring" => StopLaw::Spring {
+            stiffness_n_m: hole,
+        },
+        "kelvin-voigt" => StopLaw::KelvinVoigt {
+            stiffness_n_m: hole,
+            damping_n_s_m: hole,
+        },
+        "hunt-crossley" => StopLaw::HuntCrossley {
+            stiffness: hole,
+            exponent,
+            damping_s_m: hole,
+        },
+        "cubic" => StopLaw::Cubic {
+            stiffness_n_m: 0.0,
+            cubic_stiffness_n_m3: hole,
+        },
         "rigid" => StopLaw::Rigid { restitution: hole },
-        _ => StopLaw::Hertz { stiffness: hole, exponent },
+        _ => StopLaw::Hertz {
+            stiffness: hole,
+            exponent,
+        },
     }
 }
 
@@ -160,38 +185,59 @@ fn set_exponent(law: &mut StopLaw, value: f64) {
 fn stiffness(law: &StopLaw) -> f64 {
     match law {
         StopLaw::Hertz { stiffness: k, .. } | StopLaw::HuntCrossley { stiffness: k, .. } => *k,
-        StopLaw::Spring { stiffness_n_m: k } | StopLaw::KelvinVoigt { stiffness_n_m: k, .. } | StopLaw::Cubic { stiffness_n_m: k, .. } => {
-            *k
+        StopLaw::Spring { stiffness_n_m: k }
+        | StopLaw::KelvinVoigt {
+            stiffness_n_m: k, ..
         }
+        | StopLaw::Cubic {
+            stiffness_n_m: k, ..
+        } => *k,
         StopLaw::Rigid { .. } => f64::NAN,
     }
 }
 
 fn set_stiffness(law: &mut StopLaw, value: f64) {
     match law {
-        StopLaw::Hertz { stiffness: k, .. } | StopLaw::HuntCrossley { stiffness: k, .. } => *k = value,
-        StopLaw::Spring { stiffness_n_m: k } | StopLaw::KelvinVoigt { stiffness_n_m: k, .. } | StopLaw::Cubic { stiffness_n_m: k, .. } => {
+        StopLaw::Hertz { stiffness: k, .. } | StopLaw::HuntCrossley { stiffness: k, .. } => {
             *k = value
         }
+        StopLaw::Spring { stiffness_n_m: k }
+        | StopLaw::KelvinVoigt {
+            stiffness_n_m: k, ..
+        }
+        | StopLaw::Cubic {
+            stiffness_n_m: k, ..
+        } => *k = value,
         StopLaw::Rigid { .. } => {}
     }
 }
 
 fn set_cubic_stiffness(law: &mut StopLaw, value: f64) {
-    if let StopLaw::Cubic { cubic_stiffness_n_m3: k, .. } = law {
+    if let StopLaw::Cubic {
+        cubic_stiffness_n_m3: k,
+        ..
+    } = law
+    {
         *k = value;
     }
 }
 
 fn damping(law: &StopLaw) -> f64 {
     match law {
-        StopLaw::KelvinVoigt { damping_n_s_m: c, .. } | StopLaw::HuntCrossley { damping_s_m: c, .. } => *c,
+        StopLaw::KelvinVoigt {
+            damping_n_s_m: c, ..
+        }
+        | StopLaw::HuntCrossley { damping_s_m: c, .. } => *c,
         _ => f64::NAN,
     }
 }
 
 fn set_damping(law: &mut StopLaw, value: f64) {
-    if let StopLaw::KelvinVoigt { damping_n_s_m: c, .. } | StopLaw::HuntCrossley { damping_s_m: c, .. } = law {
+    if let StopLaw::KelvinVoigt {
+        damping_n_s_m: c, ..
+    }
+    | StopLaw::HuntCrossley { damping_s_m: c, .. } = law
+    {
         *c = value;
     }
 }

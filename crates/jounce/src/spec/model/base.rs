@@ -11,7 +11,9 @@ impl Drive {
     pub fn base(&self) -> Option<&str> {
         match self.kind {
             DriveKind::Force => None,
-            DriveKind::BaseAcceleration | DriveKind::BaseDisplacement if self.at.is_empty() => Some(GROUND),
+            DriveKind::BaseAcceleration | DriveKind::BaseDisplacement if self.at.is_empty() => {
+                Some(GROUND)
+            }
             DriveKind::BaseAcceleration | DriveKind::BaseDisplacement => Some(&self.at),
         }
     }
@@ -20,7 +22,11 @@ impl Drive {
 impl Spec {
     /// The bases beside the ground, which their drives name.
     pub fn bases(&self) -> BTreeSet<&str> {
-        self.drive.values().filter_map(Drive::base).filter(|base| *base != GROUND).collect()
+        self.drive
+            .values()
+            .filter_map(Drive::base)
+            .filter(|base| *base != GROUND)
+            .collect()
     }
 
     /// Takes all drives away. The bases that they moved stand still, and are the ground.
@@ -30,7 +36,11 @@ impl Spec {
         let roots = self.beam.values_mut().map(|beam| &mut beam.root);
         let under = self.mass.values_mut().map(|mass| &mut mass.on);
         let frames = self.stop.values_mut().map(|stop| &mut stop.frame);
-        roots.chain(under).chain(frames).filter(|name| bases.contains(*name)).for_each(|name| *name = GROUND.to_owned());
+        roots
+            .chain(under)
+            .chain(frames)
+            .filter(|name| bases.contains(*name))
+            .for_each(|name| *name = GROUND.to_owned());
     }
 
     /// True for the ground and every other base.

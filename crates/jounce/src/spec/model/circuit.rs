@@ -72,8 +72,14 @@ impl Circuit {
 
     /// Every patch of the circuit with the sign of its connection.
     pub fn connections(&self) -> impl Iterator<Item = (&str, f64)> {
-        let single = Some(self.patch.as_str()).filter(|patch| !patch.is_empty()).map(|patch| (patch, 1.0));
-        let several = self.patches.iter().map(|patch| patch.strip_prefix('-').map_or((patch.as_str(), 1.0), |name| (name, -1.0)));
+        let single = Some(self.patch.as_str())
+            .filter(|patch| !patch.is_empty())
+            .map(|patch| (patch, 1.0));
+        let several = self.patches.iter().map(|patch| {
+            patch
+                .strip_prefix('-')
+                .map_or((patch.as_str(), 1.0), |name| (name, -1.0))
+        });
         single.into_iter().chain(several)
     }
 }

@@ -28,6 +28,10 @@ pub enum DriveKind {
 impl Drive {
     /// Frequency of a sinusoid, Hz.
     pub fn frequency_hz(&self) -> Option<f64> {
-        if let DriveSignal::Sine { frequency_hz, .. } = self.signal { Some(frequency_hz) } else { None }
+        if let DriveSignal::Sine { frequency_hz, .. } = self.signal {
+            Some(frequency_hz)
+        } else {
+            None
+        }
     }
 }

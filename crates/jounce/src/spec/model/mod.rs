@@ -71,8 +71,15 @@ impl Spec {
     /// Takes all circuits away and leaves the electrodes of every patch open.
     pub fn open_circuits(&mut self) {
         self.circuit.clear();
-        let modal = self.modal.values_mut().flat_map(|modal| modal.patch.values_mut().map(|patch| &mut patch.electrodes));
-        self.patch.values_mut().map(|patch| &mut patch.electrodes).chain(modal).for_each(|electrodes| *electrodes = Electrodes::Open);
+        let modal = self
+            .modal
+            .values_mut()
+            .flat_map(|modal| modal.patch.values_mut().map(|patch| &mut patch.electrodes));
+        self.patch
+            .values_mut()
+            .map(|patch| &mut patch.electrodes)
+            .chain(modal)
+            .for_each(|electrodes| *electrodes = Electrodes::Open);
     }
 
     /// True where a support is a mass, or one without spring that is fixed to it.

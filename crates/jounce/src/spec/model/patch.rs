@@ -50,8 +50,13 @@ pub struct Patch {
 impl Patch {
     /// Free strain along the beam per volt, 1/V: `d31 / thickness`, or `d33 / electrode_spacing`; NaN where neither is known.
     pub fn free_strain_per_v(&self) -> f64 {
-        let along = self.d33_m_per_v.zip(self.electrode_spacing_m).map(|(d33, spacing)| d33 / spacing);
-        along.or(self.d31_m_per_v.map(|d31| d31 / self.thickness_m)).unwrap_or(f64::NAN)
+        let along = self
+            .d33_m_per_v
+            .zip(self.electrode_spacing_m)
+            .map(|(d33, spacing)| d33 / spacing);
+        along
+            .or(self.d31_m_per_v.map(|d31| d31 / self.thickness_m))
+            .unwrap_or(f64::NAN)
     }
 
     /// Thickness with its foils, m.
@@ -61,7 +66,10 @@ impl Patch {
 
     /// Clamped capacitance, F: as given, or `permittivity * width * length / thickness`; NaN where neither is known.
     pub fn clamped_capacitance_f(&self) -> f64 {
-        let plate = || self.permittivity_f_m.map(|permittivity| permittivity * self.width_m * self.length_m / self.thickness_m);
+        let plate = || {
+            self.permittivity_f_m
+                .map(|permittivity| permittivity * self.width_m * self.length_m / self.thickness_m)
+        };
         self.capacitance_f.or_else(plate).unwrap_or(f64::NAN)
     }
 }

@@ -11,6 +11,9 @@ pub struct Reduction {
 
 impl Default for Reduction {
     fn default() -> Self {
-        Self { modes: 8, mesh_tolerance: 1e-9 }
+        Self {
+            modes: 8,
+            mesh_tolerance: 1e-9,
+        }
     }
 }

@@ -15,7 +15,12 @@ pub struct Run {
 
 impl Default for Run {
     fn default() -> Self {
-        Self { start: Start::Rest, duration_s: 20.0, average_over_s: 10.0, tolerance: 1e-7 }
+        Self {
+            start: Start::Rest,
+            duration_s: 20.0,
+            average_over_s: 10.0,
+            tolerance: 1e-7,
+        }
     }
 }
 

@@ -76,10 +76,18 @@ impl StopLaw {
     /// acts on both sides.
     pub fn static_penetration_m(&self, force_n: f64) -> Option<f64> {
         match *self {
-            StopLaw::Hertz { stiffness, exponent } | StopLaw::HuntCrossley { stiffness, exponent, .. } => {
-                Some((force_n / stiffness).powf(exponent.recip()))
+            StopLaw::Hertz {
+                stiffness,
+                exponent,
             }
-            StopLaw::Spring { stiffness_n_m } | StopLaw::KelvinVoigt { stiffness_n_m, .. } => Some(force_n / stiffness_n_m),
+            | StopLaw::HuntCrossley {
+                stiffness,
+                exponent,
+                ..
+            } => Some((force_n / stiffness).powf(exponent.recip())),
+            StopLaw::Spring { stiffness_n_m } | StopLaw::KelvinVoigt { stiffness_n_m, .. } => {
+                Some(force_n / stiffness_n_m)
+            }
             StopLaw::Cubic { .. } => None,
             StopLaw::Rigid { .. } => Some(0.0),
         }

@@ -19,8 +19,18 @@ enum RowVerdict {
 }
 
 /// Reports what is wrong with the value of a key whose rows all hang on the choice `on`.
-pub(super) fn check<T>(keys: &[Key<T>], on: &str, path: &str, entry: &Entry, thing: &mut T, reading: &mut ReadState) {
-    let rows: Vec<&Key<T>> = keys.iter().filter(|key| key.info.name == entry.name).collect();
+pub(super) fn check<T>(
+    keys: &[Key<T>],
+    on: &str,
+    path: &str,
+    entry: &Entry,
+    thing: &mut T,
+    reading: &mut ReadState,
+) {
+    let rows: Vec<&Key<T>> = keys
+        .iter()
+        .filter(|key| key.info.name == entry.name)
+        .collect();
     let path = join(path, &entry.name);
     reading.places.insert(path.clone(), entry.node.place);
     if let [row] = rows[..] {
@@ -28,26 +38,55 @@ pub(super) fn check<T>(keys: &[Key<T>], on: &str, path: &str, entry: &Entry, thi
         return;
     }
     let verdicts: Vec<RowVerdict> = rows.iter().map(|row| verdict(row, entry, thing)).collect();
-    let good = rows.iter().zip(&verdicts).filter(|(_, verdict)| matches!(verdict, RowVerdict::Good)).map(|(row, _)| row);
-    let words: Vec<&str> = good.filter_map(|row| row.info.when).flat_map(|when| when.is.iter().copied()).collect();
-    let size = verdicts.iter().find_map(|verdict| if let RowVerdict::Size(text) = verdict { Some(text) } else { None });
-    let mut kinds: Vec<&str> =
-        verdicts.iter().filter_map(|verdict| if let RowVerdict::Kind(text) = verdict { Some(text.as_str()) } else { None }).collect();
+    let good = rows
+        .iter()
+        .zip(&verdicts)
+        .filter(|(_, verdict)| matches!(verdict, RowVerdict::Good))
+        .map(|(row, _)| row);
+    let words: Vec<&str> = good
+        .filter_map(|row| row.info.when)
+        .flat_map(|when| when.is.iter().copied())
+        .collect();
+    let size = verdicts.iter().find_map(|verdict| {
+        if let RowVerdict::Size(text) = verdict {
+            Some(text)
+        } else {
+            None
+        }
+    });
+    let mut kinds: Vec<&str> = verdicts
+        .iter()
+        .filter_map(|verdict| {
+            if let RowVerdict::Kind(text) = verdict {
+                Some(text.as_str())
+            } else {
+                None
+            }
+        })
+        .collect();
     kinds.dedup();
     match size {
         Some(text) if words.is_empty() => reading.fault(entry.node.place, &path, || text.clone()),
-        Some(text) => reading.fault(entry.node.place, &path, || format!("{text}, except with {on} = {}", join_words(words))),
+        Some(text) => reading.fault(entry.node.place, &path, || {
+            format!("{text}, except with {on} = {}", join_words(words))
+        }),
         None if words.is_empty() => reading.fault(entry.node.place, &path, || kinds.join("; or ")),
         None => {}
     }
 }
 
 fn verdict<T>(row: &Key<T>, entry: &Entry, thing: &T) -> RowVerdict {
-    if !matches!(row.slot, Slot::Number { .. } | Slot::Optional { .. } | Slot::Derived { .. } | Slot::Count { .. }) {
+    if !matches!(
+        row.slot,
+        Slot::Number { .. } | Slot::Optional { .. } | Slot::Derived { .. } | Slot::Count { .. }
+    ) {
         return RowVerdict::Good;
     }
     let kind = row.kind_in(thing);
-    match (read_number(kind, Range::ANY, &entry.node), read_number(kind, row.info.range, &entry.node)) {
+    match (
+        read_number(kind, Range::ANY, &entry.node),
+        read_number(kind, row.info.range, &entry.node),
+    ) {
         (_, Ok(_)) => RowVerdict::Good,
         (Ok(_), Err(text)) => RowVerdict::Size(text),
         (Err(text), Err(_)) => RowVerdict::Kind(text),

@@ -31,25 +31,46 @@ pub(super) struct ReadFault {
 
 impl ReadState {
     pub(super) fn new(complete: bool) -> Self {
-        Self { found: Vec::new(), places: HashMap::new(), complete }
+        Self {
+            found: Vec::new(),
+            places: HashMap::new(),
+            complete,
+        }
     }
 
     /// Notes a fault; the message names the key. Past the most that is reported nothing is kept.
     pub(super) fn fault(&mut self, place: SourcePlace, key: &str, text: impl FnOnce() -> String) {
         if self.found.len() < Faults::MAX_REPORTED {
             let message = super::nearest::sentence(key, &text());
-            self.found.push(ReadFault { place, key: key.to_owned(), message });
+            self.found.push(ReadFault {
+                place,
+                key: key.to_owned(),
+                message,
+            });
         }
     }
 
     /// Adds broken rules between keys; a key that has a fault already is left alone.
     pub(super) fn add_broken(&mut self, broken: Vec<(String, String)>) {
-        let told: Vec<String> = self.found.iter().map(|finding| finding.key.clone()).collect();
+        let told: Vec<String> = self
+            .found
+            .iter()
+            .map(|finding| finding.key.clone())
+            .collect();
         for (key, message) in broken {
             let below = format!("{key}.");
             let empty = key == super::validation::NO_STRUCTURE && !told.is_empty();
-            if !empty && !told.iter().any(|other| *other == key || other.starts_with(&below)) && self.has_room() {
-                self.found.push(ReadFault { place: self.place(&key), key, message });
+            if !empty
+                && !told
+                    .iter()
+                    .any(|other| *other == key || other.starts_with(&below))
+                && self.has_room()
+            {
+                self.found.push(ReadFault {
+                    place: self.place(&key),
+                    key,
+                    message,
+                });
             }
         }
     }
@@ -74,5 +95,9 @@ impl ReadState {
 
 /// `path.name`, or `name` at the top.
 pub(super) fn join(path: &str, name: &str) -> String {
-    if path.is_empty() { name.to_owned() } else { format!("{path}.{name}") }
+    if path.is_empty() {
+        name.to_owned()
+    } else {
+        format!("{path}.{name}")
+    }
 }

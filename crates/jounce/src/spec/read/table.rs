@@ -7,14 +7,29 @@ use crate::spec::nearest::{clip, did_you_mean, join_words, nearest};
 use crate::spec::source::{Entry, Node};
 
 /// Reads a table of keys into a thing. Choices come before the keys that depend on them, in the table of keys as here.
-pub(in crate::spec) fn read_keys<T>(keys: &'static [Key<T>], path: &str, node: &Node, thing: &mut T, reading: &mut ReadState) {
+pub(in crate::spec) fn read_keys<T>(
+    keys: &'static [Key<T>],
+    path: &str,
+    node: &Node,
+    thing: &mut T,
+    reading: &mut ReadState,
+) {
     let Some(entries) = node.entries() else {
-        return reading.fault(node.place, path, || format!("a table is due, [{path}] with its keys below; found {}", node.found()));
+        return reading.fault(node.place, path, || {
+            format!(
+                "a table is due, [{path}] with its keys below; found {}",
+                node.found()
+            )
+        });
     };
     let mut doubtful: Vec<&str> = Vec::new();
     for key in keys {
         let info = &key.info;
-        if let Some(choice) = info.when.map(|when| when.key).filter(|choice| doubtful.contains(choice)) {
+        if let Some(choice) = info
+            .when
+            .map(|when| when.key)
+            .filter(|choice| doubtful.contains(choice))
+        {
             if first_of_its_name(keys, key)
                 && let Some(entry) = entries.iter().find(|entry| entry.name == info.name)
             {
@@ -22,7 +37,9 @@ pub(in crate::spec) fn read_keys<T>(keys: &'static [Key<T>], path: &str, node: &
             }
             continue;
         }
-        let unmeasured = key.quantity.as_ref().is_some_and(|measure| doubtful.contains(&measure.by) || (measure.quantity)(thing).is_none());
+        let unmeasured = key.quantity.as_ref().is_some_and(|measure| {
+            doubtful.contains(&measure.by) || (measure.quantity)(thing).is_none()
+        });
         if unmeasured || !applies(keys, thing, info) {
             continue;
         }
@@ -49,11 +66,19 @@ pub(in crate::spec) fn read_keys<T>(keys: &'static [Key<T>], path: &str, node: &
 }
 
 fn first_of_its_name<T>(keys: &[Key<T>], key: &Key<T>) -> bool {
-    keys.iter().find(|other| other.info.name == key.info.name).is_some_and(|first| std::ptr::eq(first, key))
+    keys.iter()
+        .find(|other| other.info.name == key.info.name)
+        .is_some_and(|first| std::ptr::eq(first, key))
 }
 
 /// Reports a key that is not there but must be, unless it stands misspelt; true where one is missing.
-fn missing<T>(keys: &[Key<T>], key: &Key<T>, path: &str, node: &Node, reading: &mut ReadState) -> bool {
+fn missing<T>(
+    keys: &[Key<T>],
+    key: &Key<T>,
+    path: &str,
+    node: &Node,
+    reading: &mut ReadState,
+) -> bool {
     let entries = node.entries().unwrap_or_default();
     let stands = |name: &&str| entries.iter().any(|entry| entry.name == *name);
     let text = || match key.info.need {
@@ -68,42 +93,77 @@ fn missing<T>(keys: &[Key<T>], key: &Key<T>, path: &str, node: &Node, reading: &
         Need::OneOf(names) => names.first() == Some(&key.info.name) && !names.iter().any(stands),
     };
     let names = || keys.iter().map(|key| key.info.name);
-    let misspelt = |entry: &Entry| names().all(|name| name != entry.name) && nearest(&entry.name, names()) == Some(key.info.name);
+    let misspelt = |entry: &Entry| {
+        names().all(|name| name != entry.name)
+            && nearest(&entry.name, names()) == Some(key.info.name)
+    };
     if must && reading.complete && reading.has_room() && !entries.iter().any(misspelt) {
         reading.fault(node.place, path, text);
     }
     must
 }
 
-fn check_known<T>(keys: &[Key<T>], path: &str, entry: &Entry, thing: &T, doubtful: &[&str], reading: &mut ReadState) {
+fn check_known<T>(
+    keys: &[Key<T>],
+    path: &str,
+    entry: &Entry,
+    thing: &T,
+    doubtful: &[&str],
+    reading: &mut ReadState,
+) {
     let named = || keys.iter().filter(|key| key.info.name == entry.name);
     let key = join(path, &entry.name);
     if named().next().is_none() {
         let names = distinct(keys.iter().map(|key| key.info.name));
         return reading.fault(entry.place, &key, || {
-            format!("unknown key{}; keys here: {}", did_you_mean(&entry.name, names.iter().copied()), join_words(names.iter().copied()))
+            format!(
+                "unknown key{}; keys here: {}",
+                did_you_mean(&entry.name, names.iter().copied()),
+                join_words(names.iter().copied())
+            )
         });
     }
     if named().any(|key| applies(keys, thing, &key.info)) {
         return;
     }
-    let Some(when) = named().find_map(|key| key.info.when).filter(|when| !doubtful.contains(&when.key)) else { return };
+    let Some(when) = named()
+        .find_map(|key| key.info.when)
+        .filter(|when| !doubtful.contains(&when.key))
+    else {
+        return;
+    };
     let word = chosen(keys, thing, when.key).unwrap_or_default();
-    let words = distinct(named().filter_map(|key| key.info.when).flat_map(|when| when.is.iter().copied()));
+    let words = distinct(
+        named()
+            .filter_map(|key| key.info.when)
+            .flat_map(|when| when.is.iter().copied()),
+    );
     reading.fault(entry.place, &key, || {
-        format!("does not go with {} = \"{word}\", only with {}", when.key, join_words(words.iter().copied()))
+        format!(
+            "does not go with {} = \"{word}\", only with {}",
+            when.key,
+            join_words(words.iter().copied())
+        )
     });
 }
 
 fn check_alternatives<T>(keys: &[Key<T>], path: &str, entries: &[Entry], reading: &mut ReadState) {
     for key in keys {
         let names = key.info.need.alternatives();
-        let mut standing = entries.iter().filter(|entry| names.contains(&entry.name.as_str()));
+        let mut standing = entries
+            .iter()
+            .filter(|entry| names.contains(&entry.name.as_str()));
         if names.first() == Some(&key.info.name)
             && let (Some(first), Some(second)) = (standing.next(), standing.next())
         {
             let key = join(path, &second.name);
-            reading.fault(second.place, &key, || format!("`{}` is given too; give exactly one of {}", first.name, quoted(names)));
+            reading.fault(second.place, &key, || {
+                format!(
+                    "`{}` is given too; give exactly one of {}",
+                    first.name,
+                    quoted(names)
+                )
+            });
         }
     }
 }
@@ -121,7 +181,9 @@ pub(in crate::spec) fn read_named(
             Kind::Things => format!("things have names: write [{path}.NAME] with its keys below"),
             _ => format!("a table is due: write [{path}] with NAME = VALUE below"),
         };
-        return reading.fault(node.place, path, || format!("{hint}; found {}", node.found()));
+        return reading.fault(node.place, path, || {
+            format!("{hint}; found {}", node.found())
+        });
     };
     let mut strays = 0;
     for entry in entries {
@@ -129,13 +191,20 @@ pub(in crate::spec) fn read_named(
         let allowed = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
         if entry.name.is_empty() || !entry.name.chars().all(allowed) {
             reading.fault(entry.place, path, || {
-                format!("the name {:?} is not allowed; names are letters a to z, digits, _ and -", clip(&entry.name))
+                format!(
+                    "the name {:?} is not allowed; names are letters a to z, digits, _ and -",
+                    clip(&entry.name)
+                )
             });
         }
         if matches!(kind, Kind::Things) && entry.node.entries().is_none() {
             strays += 1;
             if strays == 1 {
-                let text = || format!("this stands where a name is due: write [{path}.NAME] with its keys below");
+                let text = || {
+                    format!(
+                        "this stands where a name is due: write [{path}.NAME] with its keys below"
+                    )
+                };
                 reading.fault(entry.place, &path_of, text);
             }
             continue;
@@ -146,7 +215,11 @@ pub(in crate::spec) fn read_named(
 }
 
 fn quoted(names: &[&str]) -> String {
-    names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(" or ")
+    names
+        .iter()
+        .map(|name| format!("`{name}`"))
+        .collect::<Vec<_>>()
+        .join(" or ")
 }
 
 fn distinct<'k>(names: impl Iterator<Item = &'k str>) -> Vec<&'k str> {

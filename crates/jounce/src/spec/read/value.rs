@@ -6,7 +6,13 @@ use crate::spec::nearest::{clip, did_you_mean, sentence};
 use crate::spec::source::{Node, Value};
 
 /// Reads the value of one key; false where it is wrong.
-pub(super) fn read_slot<T>(key: &Key<T>, path: &str, node: &Node, thing: &mut T, reading: &mut ReadState) -> bool {
+pub(super) fn read_slot<T>(
+    key: &Key<T>,
+    path: &str,
+    node: &Node,
+    thing: &mut T,
+    reading: &mut ReadState,
+) -> bool {
     let kind = key.kind_in(thing);
     let range = key.info.range;
     match &key.slot {
@@ -56,7 +62,13 @@ pub(super) fn read_slot<T>(key: &Key<T>, path: &str, node: &Node, thing: &mut T,
     }
 }
 
-fn one_number(kind: Kind, range: Range, path: &str, node: &Node, reading: &mut ReadState) -> Option<f64> {
+fn one_number(
+    kind: Kind,
+    range: Range,
+    path: &str,
+    node: &Node,
+    reading: &mut ReadState,
+) -> Option<f64> {
     match read_number(kind, range, node) {
         Ok(value) => Some(value),
         Err(text) => {
@@ -69,33 +81,68 @@ fn one_number(kind: Kind, range: Range, path: &str, node: &Node, reading: &mut R
 /// A number of any kind within its limits, in SI; what is wrong with it otherwise.
 pub(in crate::spec) fn read_number(kind: Kind, range: Range, node: &Node) -> Result<f64, String> {
     let (value, shown) = match (kind, &node.value) {
-        (Kind::Quantity(quantity) | Kind::NamedQuantities(quantity), Value::Text(text)) => {
-            (quantity.read(text).map_err(|error| error.to_string())?, clip(text))
-        }
-        (Kind::Quantity(quantity) | Kind::NamedQuantities(quantity), Value::Integer(_) | Value::Float(_)) => {
+        (Kind::Quantity(quantity) | Kind::NamedQuantities(quantity), Value::Text(text)) => (
+            quantity.read(text).map_err(|error| error.to_string())?,
+            clip(text),
+        ),
+        (
+            Kind::Quantity(quantity) | Kind::NamedQuantities(quantity),
+            Value::Integer(_) | Value::Float(_),
+        ) => {
             let example = quantity.units().swap_remove(0);
             let raw = clip(&node.raw);
-            return Err(format!("{raw} has no unit; {}; write for example \"{raw} {example}\"", kind.due()));
+            return Err(format!(
+                "{raw} has no unit; {}; write for example \"{raw} {example}\"",
+                kind.due()
+            ));
         }
-        (Kind::Number | Kind::Count | Kind::Numbers | Kind::NamedNumbers, Value::Integer(value)) => (*value as f64, clip(&node.raw)),
-        (Kind::Number | Kind::Numbers | Kind::NamedNumbers, Value::Float(value)) => (*value, clip(&node.raw)),
-        (Kind::Numbers | Kind::NamedNumbers, _) => return Err(format!("a plain number is due; found {}", node.found())),
+        (
+            Kind::Number | Kind::Count | Kind::Numbers | Kind::NamedNumbers,
+            Value::Integer(value),
+        ) => (*value as f64, clip(&node.raw)),
+        (Kind::Number | Kind::Numbers | Kind::NamedNumbers, Value::Float(value)) => {
+            (*value, clip(&node.raw))
+        }
+        (Kind::Numbers | Kind::NamedNumbers, _) => {
+            return Err(format!("a plain number is due; found {}", node.found()));
+        }
         _ => return Err(format!("{}; found {}", kind.due(), node.found())),
     };
-    if range.holds(value) { Ok(value) } else { Err(format!("is {shown}; it {}", range.broken(value, kind))) }
+    if range.holds(value) {
+        Ok(value)
+    } else {
+        Err(format!("is {shown}; it {}", range.broken(value, kind)))
+    }
 }
 
-fn text<'n>(info: &KeyInfo, path: &str, node: &'n Node, reading: &mut ReadState) -> Option<&'n str> {
+fn text<'n>(
+    info: &KeyInfo,
+    path: &str,
+    node: &'n Node,
+    reading: &mut ReadState,
+) -> Option<&'n str> {
     let wrong = match (&node.value, info.kind) {
         (Value::Text(text), Kind::Choice(words)) if !words.contains(&text.as_str()) => {
             let meant = did_you_mean(text, words.iter().copied());
-            format!("\"{}\" is not known{meant}; {}", clip(text), info.kind.due())
+            format!(
+                "\"{}\" is not known{meant}; {}",
+                clip(text),
+                info.kind.due()
+            )
         }
-        (Value::Text(text), Kind::ChoiceOrPath(words)) if !words.contains(&text.as_str()) && !text.contains(['.', '/', '\\']) => {
+        (Value::Text(text), Kind::ChoiceOrPath(words))
+            if !words.contains(&text.as_str()) && !text.contains(['.', '/', '\\']) =>
+        {
             let meant = did_you_mean(text, words.iter().copied());
-            format!("\"{}\" is not known{meant}; {}", clip(text), info.kind.due())
+            format!(
+                "\"{}\" is not known{meant}; {}",
+                clip(text),
+                info.kind.due()
+            )
         }
-        (Value::Text(text), _) if text.trim().is_empty() => format!("the text is empty; {}", info.kind.due()),
+        (Value::Text(text), _) if text.trim().is_empty() => {
+            format!("the text is empty; {}", info.kind.due())
+        }
         (Value::Text(text), _) => return Some(text),
         _ => format!("{}; found {}", info.kind.due(), node.found()),
     };
@@ -105,18 +152,29 @@ fn text<'n>(info: &KeyInfo, path: &str, node: &'n Node, reading: &mut ReadState)
 
 fn texts(info: &KeyInfo, path: &str, node: &Node, reading: &mut ReadState) -> Option<Vec<String>> {
     let Value::List(items) = &node.value else {
-        reading.fault(node.place, path, || format!("{}; found {}", info.kind.due(), node.found()));
+        reading.fault(node.place, path, || {
+            format!("{}; found {}", info.kind.due(), node.found())
+        });
         return None;
     };
     if items.is_empty() {
-        reading.fault(node.place, path, || format!("the list is empty; {}", info.kind.due()));
+        reading.fault(node.place, path, || {
+            format!("the list is empty; {}", info.kind.due())
+        });
         return None;
     }
     let mut list = Vec::with_capacity(items.len());
     for (index, item) in items.iter().enumerate() {
         match &item.value {
             Value::Text(text) if !text.trim().is_empty() => list.push(text.clone()),
-            _ => reading.fault(item.place, path, || format!("name {} of the list: {}; found {}", index + 1, info.kind.due(), item.found())),
+            _ => reading.fault(item.place, path, || {
+                format!(
+                    "name {} of the list: {}; found {}",
+                    index + 1,
+                    info.kind.due(),
+                    item.found()
+                )
+            }),
         }
     }
     (list.len() == items.len()).then_some(list)
@@ -124,19 +182,25 @@ fn texts(info: &KeyInfo, path: &str, node: &Node, reading: &mut ReadState) -> Op
 
 fn numbers(info: &KeyInfo, path: &str, node: &Node, reading: &mut ReadState) -> Option<Vec<f64>> {
     let Value::List(items) = &node.value else {
-        reading.fault(node.place, path, || format!("{}; found {}", Kind::Numbers.due(), node.found()));
+        reading.fault(node.place, path, || {
+            format!("{}; found {}", Kind::Numbers.due(), node.found())
+        });
         return None;
     };
     let may_be_empty = info.kind == Kind::Numbers && info.need == Need::Default;
     if items.is_empty() && !may_be_empty {
-        reading.fault(node.place, path, || "the list is empty; give one number per mode".to_owned());
+        reading.fault(node.place, path, || {
+            "the list is empty; give one number per mode".to_owned()
+        });
         return None;
     }
     let mut list = Vec::with_capacity(items.len());
     for (index, item) in items.iter().enumerate() {
         match read_number(Kind::Numbers, info.range, item) {
             Ok(value) => list.push(value),
-            Err(text) => reading.fault(item.place, path, || sentence(&format!("number {}", index + 1), &text)),
+            Err(text) => reading.fault(item.place, path, || {
+                sentence(&format!("number {}", index + 1), &text)
+            }),
         }
     }
     (list.len() == items.len()).then_some(list)

@@ -9,8 +9,15 @@ pub(in crate::spec) struct Lines<'t> {
 impl<'t> Lines<'t> {
     /// Finds the lines of a text.
     pub(in crate::spec) fn new(text: &'t str) -> Self {
-        let breaks = text.bytes().enumerate().filter(|(_, byte)| *byte == b'\n').map(|(offset, _)| offset + 1);
-        Self { text, starts: std::iter::once(0).chain(breaks).collect() }
+        let breaks = text
+            .bytes()
+            .enumerate()
+            .filter(|(_, byte)| *byte == b'\n')
+            .map(|(offset, _)| offset + 1);
+        Self {
+            text,
+            starts: std::iter::once(0).chain(breaks).collect(),
+        }
     }
 
     /// Line and column, both from 1, the column in characters; an offset past the end is the end.
@@ -24,14 +31,20 @@ impl<'t> Lines<'t> {
     /// The line that holds an offset, without its end: its range in the text.
     pub(in crate::spec) fn range(&self, offset: usize) -> std::ops::Range<usize> {
         let line = self.starts.partition_point(|start| *start <= offset);
-        let end = self.starts.get(line).map_or(self.text.len(), |next| next - 1);
+        let end = self
+            .starts
+            .get(line)
+            .map_or(self.text.len(), |next| next - 1);
         self.starts[line - 1]..end
     }
 }
 
 /// The last start of a character at or before an offset.
 pub(super) fn boundary(text: &str, offset: usize) -> usize {
-    (0..=offset.min(text.len())).rev().find(|at| text.is_char_boundary(*at)).unwrap_or(0)
+    (0..=offset.min(text.len()))
+        .rev()
+        .find(|at| text.is_char_boundary(*at))
+        .unwrap_or(0)
 }
 
 #[cfg(test)]

@@ -49,7 +49,11 @@ pub(in crate::spec) struct Entry {
 impl Node {
     /// Its keys, where it is a table.
     pub(in crate::spec) fn entries(&self) -> Option<&[Entry]> {
-        if let Value::Table(entries) = &self.value { Some(entries) } else { None }
+        if let Value::Table(entries) = &self.value {
+            Some(entries)
+        } else {
+            None
+        }
     }
 
     /// The value under a key, where this is a table that has it.
@@ -60,22 +64,42 @@ impl Node {
     /// Puts a value under a path; tables are made where they are missing, and what a list holds is counted from 1. False where something
     /// else stands in the way.
     pub(in crate::spec) fn put(&mut self, path: &[&str], node: Node) -> bool {
-        let Some((name, rest)) = path.split_first() else { return false };
+        let Some((name, rest)) = path.split_first() else {
+            return false;
+        };
         let entries = match &mut self.value {
             Value::Table(entries) => entries,
             Value::List(items) => {
                 let place = place_in_list(name).filter(|_| rest.is_empty());
-                return place.and_then(|place| items.get_mut(place)).map(|item| *item = node).is_some();
+                return place
+                    .and_then(|place| items.get_mut(place))
+                    .map(|item| *item = node)
+                    .is_some();
             }
             _ => return false,
         };
-        let index = entries.iter().position(|entry| entry.name == *name).unwrap_or_else(|| {
-            let empty = Node { place: node.place, raw: String::new(), value: Value::Table(Vec::new()) };
-            entries.push(Entry { name: (*name).to_owned(), place: node.place, node: empty });
-            entries.len() - 1
-        });
+        let index = entries
+            .iter()
+            .position(|entry| entry.name == *name)
+            .unwrap_or_else(|| {
+                let empty = Node {
+                    place: node.place,
+                    raw: String::new(),
+                    value: Value::Table(Vec::new()),
+                };
+                entries.push(Entry {
+                    name: (*name).to_owned(),
+                    place: node.place,
+                    node: empty,
+                });
+                entries.len() - 1
+            });
         if rest.is_empty() {
-            entries[index] = Entry { name: (*name).to_owned(), place: node.place, node };
+            entries[index] = Entry {
+                name: (*name).to_owned(),
+                place: node.place,
+                node,
+            };
             return true;
         }
         entries[index].node.put(rest, node)
@@ -83,11 +107,16 @@ impl Node {
 
     /// Takes a key out, if it is there.
     pub(in crate::spec) fn remove(&mut self, path: &[&str]) {
-        let Value::Table(entries) = &mut self.value else { return };
+        let Value::Table(entries) = &mut self.value else {
+            return;
+        };
         match path {
             [] => {}
             [name] => entries.retain(|entry| entry.name != *name),
-            [name, rest @ ..] => entries.iter_mut().filter(|entry| entry.name == *name).for_each(|entry| entry.node.remove(rest)),
+            [name, rest @ ..] => entries
+                .iter_mut()
+                .filter(|entry| entry.name == *name)
+                .for_each(|entry| entry.node.remove(rest)),
         }
     }
 
@@ -109,8 +138,14 @@ impl Node {
 pub(super) fn entries(text: &str, table: &dyn TableLike, parent: usize) -> Vec<Entry> {
     let entry = |(name, item): (&str, &Item)| {
         let key = table.get_key_value(name).and_then(|(key, _)| key.span());
-        let at = key.or_else(|| item.span()).map_or(parent, |span| span.start);
-        Entry { name: name.to_owned(), place: SourcePlace::At(at), node: node(text, item, at) }
+        let at = key
+            .or_else(|| item.span())
+            .map_or(parent, |span| span.start);
+        Entry {
+            name: name.to_owned(),
+            place: SourcePlace::At(at),
+            node: node(text, item, at),
+        }
     };
     table.iter().map(entry).collect()
 }
@@ -129,20 +164,37 @@ pub(in crate::spec) fn value_of(text: &str, value: &toml_edit::Value, parent: us
     let raw = || text.get(span.clone()).unwrap_or_default().to_owned();
     match value {
         toml_edit::Value::String(text) => Node::at(span.start, Value::Text(text.value().clone())),
-        toml_edit::Value::Integer(number) => Node { raw: raw(), ..Node::at(span.start, Value::Integer(*number.value())) },
-        toml_edit::Value::Float(number) => Node { raw: raw(), ..Node::at(span.start, Value::Float(*number.value())) },
+        toml_edit::Value::Integer(number) => Node {
+            raw: raw(),
+            ..Node::at(span.start, Value::Integer(*number.value()))
+        },
+        toml_edit::Value::Float(number) => Node {
+            raw: raw(),
+            ..Node::at(span.start, Value::Float(*number.value()))
+        },
         toml_edit::Value::Boolean(_) => Node::at(span.start, Value::Boolean),
         toml_edit::Value::Datetime(_) => Node::at(span.start, Value::Date),
-        toml_edit::Value::Array(list) => {
-            Node::at(span.start, Value::List(list.iter().map(|value| value_of(text, value, span.start)).collect()))
+        toml_edit::Value::Array(list) => Node::at(
+            span.start,
+            Value::List(
+                list.iter()
+                    .map(|value| value_of(text, value, span.start))
+                    .collect(),
+            ),
+        ),
+        toml_edit::Value::InlineTable(table) => {
+            Node::at(span.start, Value::Table(entries(text, table, span.start)))
         }
-        toml_edit::Value::InlineTable(table) => Node::at(span.start, Value::Table(entries(text, table, span.start))),
     }
 }
 
 impl Node {
     /// A value at an offset of the text.
     pub(in crate::spec) fn at(offset: usize, value: Value) -> Self {
-        Self { place: SourcePlace::At(offset), raw: String::new(), value }
+        Self {
+            place: SourcePlace::At(offset),
+            raw: String::new(),
+            value,
+        }
     }
 }

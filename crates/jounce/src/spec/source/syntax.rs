@@ -36,7 +36,11 @@ pub(in crate::spec) struct SyntaxError {
 /// Reads a text.
 pub(in crate::spec) fn parse(text: &str) -> Source {
     let mut work = text.to_owned();
-    let mut source = Source { root: Node::at(0, Value::Table(Vec::new())), errors: Vec::new(), complete: true };
+    let mut source = Source {
+        root: Node::at(0, Value::Table(Vec::new())),
+        errors: Vec::new(),
+        complete: true,
+    };
     let most = (MAX_REREAD_BYTES / text.len().max(1)).clamp(1, MAX_SYNTAX_ERRORS);
     while source.errors.len() < most {
         let error = match Document::parse(work.as_str()) {
@@ -50,7 +54,11 @@ pub(in crate::spec) fn parse(text: &str) -> Source {
         let offset = boundary(&work, span.start);
         let duplicate = error.message() == "duplicate key";
         source.complete &= duplicate;
-        source.errors.push(if duplicate { duplicated(&work, offset, &span) } else { malformed(&work, offset, error.message()) });
+        source.errors.push(if duplicate {
+            duplicated(&work, offset, &span)
+        } else {
+            malformed(&work, offset, error.message())
+        });
         if !leave_out(&mut work, offset, duplicate) {
             break;
         }
@@ -74,7 +82,10 @@ fn leave_out(work: &mut String, offset: usize, duplicate: bool) -> bool {
             end = lines.range(end + 1).end;
         }
     }
-    let blank: String = work[line.start..end].bytes().map(|byte| if byte == b'\n' { '\n' } else { ' ' }).collect();
+    let blank: String = work[line.start..end]
+        .bytes()
+        .map(|byte| if byte == b'\n' { '\n' } else { ' ' })
+        .collect();
     work.replace_range(line.start..end, &blank);
     true
 }
@@ -85,7 +96,12 @@ fn is_header(line: &str) -> bool {
 
 /// `beam.beam` of `[beam.beam]  # comment`.
 fn header_name(line: &str) -> &str {
-    line.trim_start().trim_start_matches('[').split(']').next().unwrap_or_default().trim()
+    line.trim_start()
+        .trim_start_matches('[')
+        .split(']')
+        .next()
+        .unwrap_or_default()
+        .trim()
 }
 
 fn duplicated(text: &str, offset: usize, span: &std::ops::Range<usize>) -> SyntaxError {
@@ -93,22 +109,59 @@ fn duplicated(text: &str, offset: usize, span: &std::ops::Range<usize>) -> Synta
     let line = &text[lines.range(offset)];
     if is_header(line) {
         let name = header_name(line);
-        let first = first_line(text, |other| is_header(other) && header_name(other) == name).filter(|first| *first < lines.place(offset).0);
-        let told = first.map(|first| format!(" (first on line {first})")).unwrap_or_default();
-        let message = format!("[{}] stands twice{told}; give the second one another name, or join the two", clip(name));
-        return SyntaxError { offset, key: clip(name), message };
+        let first = first_line(text, |other| is_header(other) && header_name(other) == name)
+            .filter(|first| *first < lines.place(offset).0);
+        let told = first
+            .map(|first| format!(" (first on line {first})"))
+            .unwrap_or_default();
+        let message = format!(
+            "[{}] stands twice{told}; give the second one another name, or join the two",
+            clip(name)
+        );
+        return SyntaxError {
+            offset,
+            key: clip(name),
+            message,
+        };
     }
     let key = text.get(span.clone()).unwrap_or_default().trim();
     let before = &text[..lines.range(offset).start];
-    let header = before.lines().enumerate().filter(|(_, other)| is_header(other)).last();
-    let name = header.map(|(_, line)| header_name(line)).unwrap_or_default();
-    let path = if name.is_empty() { clip(key) } else { format!("{}.{}", clip(name), clip(key)) };
-    let own = before.lines().enumerate().skip(header.map_or(0, |(index, _)| index + 1));
-    let first =
-        own.filter(|(_, other)| other.split('=').next().is_some_and(|other| other.trim() == key)).map(|(index, _)| index + 1).next();
-    let told = first.map(|first| format!(" (first on line {first})")).unwrap_or_default();
-    let message = format!("{path}: the key stands twice in this table{told}; remove one of the two");
-    SyntaxError { offset, key: path, message }
+    let header = before
+        .lines()
+        .enumerate()
+        .filter(|(_, other)| is_header(other))
+        .last();
+    let name = header
+        .map(|(_, line)| header_name(line))
+        .unwrap_or_default();
+    let path = if name.is_empty() {
+        clip(key)
+    } else {
+        format!("{}.{}", clip(name), clip(key))
+    };
+    let own = before
+        .lines()
+        .enumerate()
+        .skip(header.map_or(0, |(index, _)| index + 1));
+    let first = own
+        .filter(|(_, other)| {
+            other
+                .split('=')
+                .next()
+                .is_some_and(|other| other.trim() == key)
+        })
+        .map(|(index, _)| index + 1)
+        .next();
+    let told = first
+        .map(|first| format!(" (first on line {first})"))
+        .unwrap_or_default();
+    let message =
+        format!("{path}: the key stands twice in this table{told}; remove one of the two");
+    SyntaxError {
+        offset,
+        key: path,
+        message,
+    }
 }
 
 fn first_line(text: &str, wanted: impl Fn(&str) -> bool) -> Option<usize> {
@@ -117,15 +170,29 @@ fn first_line(text: &str, wanted: impl Fn(&str) -> bool) -> Option<usize> {
 
 fn malformed(text: &str, offset: usize, why: &str) -> SyntaxError {
     let line = &text[Lines::new(text).range(offset)];
-    let hint = line.split_once('=').and_then(|(key, value)| unquoted(key.trim(), value.trim()));
+    let hint = line
+        .split_once('=')
+        .and_then(|(key, value)| unquoted(key.trim(), value.trim()));
     let message = hint.unwrap_or_else(|| format!("this is not valid TOML: {why}"));
-    SyntaxError { offset, key: String::new(), message }
+    SyntaxError {
+        offset,
+        key: String::new(),
+        message,
+    }
 }
 
 /// The likely slip `frequency = 13 Hz`.
 fn unquoted(key: &str, value: &str) -> Option<String> {
     let value = value.split('#').next().unwrap_or_default().trim();
     let (_, unit) = Decimal::split(value)?;
-    let begins_a_unit = unit.trim_start().starts_with(|c: char| c.is_alphabetic() || c == '\u{b0}');
-    begins_a_unit.then(|| format!("{}: a quantity stands in quotes: \"{}\"", clip(key), clip(value)))
+    let begins_a_unit = unit
+        .trim_start()
+        .starts_with(|c: char| c.is_alphabetic() || c == '\u{b0}');
+    begins_a_unit.then(|| {
+        format!(
+            "{}: a quantity stands in quotes: \"{}\"",
+            clip(key),
+            clip(value)
+        )
+    })
 }

@@ -21,23 +21,50 @@ pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
         check_signal(spec, name, drive, broken);
         check_base(spec, &supports, (name, drive), broken);
         if drive.base() == Some(GROUND) {
-            check_participation(spec, &format!("drive.{name}.kind"), "a motion of the base", broken);
+            check_participation(
+                spec,
+                &format!("drive.{name}.kind"),
+                "a motion of the base",
+                broken,
+            );
         }
     }
-    if spec.gravity.acceleration_m_s2.is_some_and(|acceleration| acceleration != 0.0) {
+    if spec
+        .gravity
+        .acceleration_m_s2
+        .is_some_and(|acceleration| acceleration != 0.0)
+    {
         check_participation(spec, "gravity.acceleration", "gravity", broken);
     }
-    let pulled = spec.gravity.acceleration_m_s2.is_some_and(|acceleration| acceleration != 0.0);
-    let met = |name: &str| spec.stop.values().any(|stop| [&stop.at, &stop.frame].iter().any(|point| free_below(spec, point) == Some(name)));
-    for (name, _) in spec.mass.iter().filter(|(name, mass)| mass.on == "nothing" && !pulled && !met(name)) {
-        let text = || "is \"nothing\", so the mass would drift for ever: give [gravity] or a [stop.NAME] that it strikes".to_owned();
+    let pulled = spec
+        .gravity
+        .acceleration_m_s2
+        .is_some_and(|acceleration| acceleration != 0.0);
+    let met = |name: &str| {
+        spec.stop.values().any(|stop| {
+            [&stop.at, &stop.frame]
+                .iter()
+                .any(|point| free_below(spec, point) == Some(name))
+        })
+    };
+    for (name, _) in spec
+        .mass
+        .iter()
+        .filter(|(name, mass)| mass.on == "nothing" && !pulled && !met(name))
+    {
+        let text = || {
+            "is \"nothing\", so the mass would drift for ever: give [gravity] or a [stop.NAME] that it strikes".to_owned()
+        };
         broken.push(|| format!("mass.{name}.on"), text);
     }
 }
 
 fn check_kind(name: &str, drive: &Drive, broken: &mut ValidationFaults) {
     let text = match (drive.kind, &drive.signal) {
-        (DriveKind::BaseDisplacement, DriveSignal::Recording { .. } | DriveSignal::Noise { .. }) => {
+        (
+            DriveKind::BaseDisplacement,
+            DriveSignal::Recording { .. } | DriveSignal::Noise { .. },
+        ) => {
             "is \"base-displacement\", but straight lines between samples jump in velocity at each of them, and would strike everything on the \
              base: give the acceleration, with kind = \"base-acceleration\""
         }
@@ -56,7 +83,10 @@ fn check_kind(name: &str, drive: &Drive, broken: &mut ValidationFaults) {
 fn supports(spec: &Spec) -> BTreeSet<&str> {
     let beams = spec.beam.values().map(|beam| beam.root.as_str());
     let masses = spec.mass.values().map(|mass| mass.on.as_str());
-    beams.chain(masses).chain(spec.stop.values().map(|stop| stop.frame.as_str())).collect()
+    beams
+        .chain(masses)
+        .chain(spec.stop.values().map(|stop| stop.frame.as_str()))
+        .collect()
 }
 
 /// A base of its own has a name of its own and carries something; a displacement does not begin with a jump.
@@ -70,7 +100,11 @@ fn check_base<'s, F: FnOnce() -> BTreeSet<&'s str>>(
     let key = || format!("drive.{name}.at");
     let at = clip(base);
     if base.contains('.') || base == "nothing" || spec.mass.contains_key(base) {
-        let what = if spec.mass.contains_key(base) { "a mass, which a force moves" } else { "no name of a base" };
+        let what = if spec.mass.contains_key(base) {
+            "a mass, which a force moves"
+        } else {
+            "no name of a base"
+        };
         broken.push(key, || {
             format!("is \"{at}\", {what}; a motion is that of \"ground\" or of a base with a name of its own, on which roots, masses and stops stand")
         });
@@ -83,7 +117,8 @@ fn check_base<'s, F: FnOnce() -> BTreeSet<&'s str>>(
         };
         broken.push(key, text);
     }
-    if let (DriveKind::BaseDisplacement, DriveSignal::Chirp { phase_rad, .. }) = (drive.kind, &drive.signal)
+    if let (DriveKind::BaseDisplacement, DriveSignal::Chirp { phase_rad, .. }) =
+        (drive.kind, &drive.signal)
         && phase_rad.sin().abs() > ZERO_START_ANGLE
     {
         let text = || {
@@ -97,32 +132,62 @@ fn check_signal(spec: &Spec, name: &str, drive: &Drive, broken: &mut ValidationF
     let hertz = |value: f64| Quantity::Frequency.write(value);
     let mut samples = 0.0;
     match drive.signal {
-        DriveSignal::Noise { low_hz, high_hz, sample_rate_hz, .. } => {
+        DriveSignal::Noise {
+            low_hz,
+            high_hz,
+            sample_rate_hz,
+            ..
+        } => {
             if low_hz >= high_hz {
-                broken.push(|| format!("drive.{name}.low"), || format!("is {}, not below high = {}", hertz(low_hz), hertz(high_hz)));
+                broken.push(
+                    || format!("drive.{name}.low"),
+                    || format!("is {}, not below high = {}", hertz(low_hz), hertz(high_hz)),
+                );
             }
             let least_hz = 4.0 * high_hz;
             if let Some(rate_hz) = sample_rate_hz.filter(|rate_hz| *rate_hz < least_hz) {
-                let text = || format!("is {}; at least four times high = {} is due", hertz(rate_hz), hertz(high_hz));
+                let text = || {
+                    format!(
+                        "is {}; at least four times high = {} is due",
+                        hertz(rate_hz),
+                        hertz(high_hz)
+                    )
+                };
                 broken.push(|| format!("drive.{name}.sample_rate"), text);
             }
-            samples = sample_rate_hz.unwrap_or(DriveSignal::SAMPLES_PER_CYCLE * high_hz) * spec.run.duration_s;
+            samples = sample_rate_hz.unwrap_or(DriveSignal::SAMPLES_PER_CYCLE * high_hz)
+                * spec.run.duration_s;
         }
-        DriveSignal::Chirp { from_hz, to_hz, duration_s, .. } => {
+        DriveSignal::Chirp {
+            from_hz,
+            to_hz,
+            duration_s,
+            ..
+        } => {
             samples = duration_s * from_hz.max(to_hz) * DriveSignal::CHIRP_SAMPLES_PER_CYCLE;
         }
         _ => {}
     }
     if samples > MAX_DRIVE_SAMPLES {
-        let text =
-            || format!("would take {samples:.1e} samples, more than {MAX_DRIVE_SAMPLES:.0e}; shorten the run or lower the frequency");
+        let text = || {
+            format!(
+                "would take {samples:.1e} samples, more than {MAX_DRIVE_SAMPLES:.0e}; shorten the run or lower the frequency"
+            )
+        };
         broken.push(|| format!("drive.{name}.signal"), text);
     }
 }
 
 fn check_participation(spec: &Spec, key: &str, what: &str, broken: &mut ValidationFaults) {
-    for (name, _) in spec.modal.iter().filter(|(_, modal)| modal.participation_sqrt_kg.is_empty() && !modal.frequency_hz.is_empty()) {
-        let text = || format!("{what} acts on the mass of each mode: give modal.{}.participation_sqrt_kg", clip(name));
+    for (name, _) in spec.modal.iter().filter(|(_, modal)| {
+        modal.participation_sqrt_kg.is_empty() && !modal.frequency_hz.is_empty()
+    }) {
+        let text = || {
+            format!(
+                "{what} acts on the mass of each mode: give modal.{}.participation_sqrt_kg",
+                clip(name)
+            )
+        };
         broken.push(|| key.to_owned(), text);
     }
 }

@@ -11,9 +11,15 @@ pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
     for (name, patch) in &spec.patch {
         let foils = &patch.foils;
         if foils.thickness_m.is_none() {
-            let given = [("foil_youngs_modulus", foils.youngs_modulus_pa), ("foil_density", foils.density_kg_m3)];
+            let given = [
+                ("foil_youngs_modulus", foils.youngs_modulus_pa),
+                ("foil_density", foils.density_kg_m3),
+            ];
             for (key, _) in given.into_iter().filter(|(_, value)| value.is_some()) {
-                broken.push(|| format!("patch.{name}.{key}"), || "has no effect without `foil_thickness`; give both or none".to_owned());
+                broken.push(
+                    || format!("patch.{name}.{key}"),
+                    || "has no effect without `foil_thickness`; give both or none".to_owned(),
+                );
             }
         } else if patch.material.starts_with(FOIL_COMPOSITE_PREFIX) {
             let text = || {

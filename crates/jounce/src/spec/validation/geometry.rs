@@ -12,28 +12,53 @@ pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
     for (name, beam) in &spec.beam {
         for (point, &x_m) in &beam.point {
             if x_m > beam.length_m * (1.0 + LENGTH_ROUNDOFF) {
-                let text = || format!("is {} from the root, but the beam ends at {}", metres(x_m), metres(beam.length_m));
+                let text = || {
+                    format!(
+                        "is {} from the root, but the beam ends at {}",
+                        metres(x_m),
+                        metres(beam.length_m)
+                    )
+                };
                 broken.push(|| format!("beam.{name}.point.{point}"), text);
             }
         }
     }
     let mut on_face: BTreeMap<(&str, bool), Vec<(&str, &Patch)>> = BTreeMap::new();
     for (name, patch) in &spec.patch {
-        let Some(beam) = spec.beam.get(&patch.on) else { continue };
+        let Some(beam) = spec.beam.get(&patch.on) else {
+            continue;
+        };
         if end_m(patch) > beam.length_m * (1.0 + LENGTH_ROUNDOFF) {
-            let text = || format!("the patch ends {} from the root, but its beam ends at {}", metres(end_m(patch)), metres(beam.length_m));
+            let text = || {
+                format!(
+                    "the patch ends {} from the root, but its beam ends at {}",
+                    metres(end_m(patch)),
+                    metres(beam.length_m)
+                )
+            };
             broken.push(|| format!("patch.{name}.length"), text);
         }
         if patch.width_m > beam.width_m * (1.0 + LENGTH_ROUNDOFF) {
-            let text = || format!("the patch is {} wide, but its beam is {}", metres(patch.width_m), metres(beam.width_m));
+            let text = || {
+                format!(
+                    "the patch is {} wide, but its beam is {}",
+                    metres(patch.width_m),
+                    metres(beam.width_m)
+                )
+            };
             broken.push(|| format!("patch.{name}.width"), text);
         }
         if patch.d33_m_per_v.is_some() != patch.electrode_spacing_m.is_some() {
-            let text = || "`d33` and `electrode_spacing` go together; give both, or `d31` alone".to_owned();
+            let text = || {
+                "`d33` and `electrode_spacing` go together; give both, or `d31` alone".to_owned()
+            };
             broken.push(|| format!("patch.{name}"), text);
         }
         if end_m(patch).is_finite() {
-            on_face.entry((patch.on.as_str(), patch.face == Face::Top)).or_default().push((name, patch));
+            on_face
+                .entry((patch.on.as_str(), patch.face == Face::Top))
+                .or_default()
+                .push((name, patch));
         }
     }
     check_facing(&on_face, broken);
@@ -43,14 +68,26 @@ pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
 }
 
 /// Two patches on the two faces of one stretch take the same rule of section.
-fn check_facing(on_face: &BTreeMap<(&str, bool), Vec<(&str, &Patch)>>, broken: &mut ValidationFaults) {
+fn check_facing(
+    on_face: &BTreeMap<(&str, bool), Vec<(&str, &Patch)>>,
+    broken: &mut ValidationFaults,
+) {
     for ((beam, _), tops) in on_face.iter().filter(|((_, top), _)| *top) {
-        let Some(bottoms) = on_face.get(&(*beam, false)) else { continue };
+        let Some(bottoms) = on_face.get(&(*beam, false)) else {
+            continue;
+        };
         for (name, patch) in bottoms {
-            let facing =
-                |top: &&(&str, &Patch)| top.1.start_m < end_m(patch) && patch.start_m < end_m(top.1) && top.1.section != patch.section;
+            let facing = |top: &&(&str, &Patch)| {
+                top.1.start_m < end_m(patch)
+                    && patch.start_m < end_m(top.1)
+                    && top.1.section != patch.section
+            };
             if let Some((other, _)) = tops.iter().find(facing) {
-                let text = || format!("differs from that of patch \"{other}\" on the other face; give both the same section");
+                let text = || {
+                    format!(
+                        "differs from that of patch \"{other}\" on the other face; give both the same section"
+                    )
+                };
                 broken.push(|| format!("patch.{name}.section"), text);
             }
         }
@@ -65,7 +102,11 @@ fn check_overlap(mut patches: Vec<(&str, &Patch)>, slack_m: f64, broken: &mut Va
         let ((other, before), (name, patch)) = (patches[furthest], patches[index]);
         if patch.start_m < end_m(before) - slack_m {
             let [start, reach] = [patch.start_m, end_m(before)].map(metres);
-            let text = || format!("the patch starts at {start}, but patch \"{other}\" on the same face reaches to {reach}");
+            let text = || {
+                format!(
+                    "the patch starts at {start}, but patch \"{other}\" on the same face reaches to {reach}"
+                )
+            };
             broken.push(|| format!("patch.{name}.start"), text);
         }
         if end_m(patch) > end_m(before) {

@@ -17,16 +17,29 @@ struct FaceCover<'s> {
 impl<'s> FaceCover<'s> {
     fn of_layer(name: &str, layer: &'s Layer) -> Self {
         let end_m = layer.start_m + layer.length_m;
-        Self { key: format!("layer.{name}"), face: layer.face, start_m: layer.start_m, end_m, section: layer.section, on: &layer.on }
+        Self {
+            key: format!("layer.{name}"),
+            face: layer.face,
+            start_m: layer.start_m,
+            end_m,
+            section: layer.section,
+            on: &layer.on,
+        }
     }
 
     fn meets(&self, other: &Self, slack_m: f64) -> bool {
-        self.on == other.on && self.start_m < other.end_m - slack_m && other.start_m < self.end_m - slack_m
+        self.on == other.on
+            && self.start_m < other.end_m - slack_m
+            && other.start_m < self.end_m - slack_m
     }
 }
 
 pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
-    let layers: Vec<FaceCover> = spec.layer.iter().map(|(name, layer)| FaceCover::of_layer(name, layer)).collect();
+    let layers: Vec<FaceCover> = spec
+        .layer
+        .iter()
+        .map(|(name, layer)| FaceCover::of_layer(name, layer))
+        .collect();
     let patches = spec.patch.iter().map(|(name, patch)| FaceCover {
         key: format!("patch.{name}"),
         face: patch.face,
@@ -37,19 +50,37 @@ pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
     });
     let patches: Vec<FaceCover> = patches.collect();
     for ((name, layer), cover) in spec.layer.iter().zip(&layers) {
-        let Some(beam) = spec.beam.get(&layer.on) else { continue };
+        let Some(beam) = spec.beam.get(&layer.on) else {
+            continue;
+        };
         if cover.end_m > beam.length_m * (1.0 + LENGTH_ROUNDOFF) {
-            let text = || format!("the layer ends {} from the root, but its beam ends at {}", metres(cover.end_m), metres(beam.length_m));
+            let text = || {
+                format!(
+                    "the layer ends {} from the root, but its beam ends at {}",
+                    metres(cover.end_m),
+                    metres(beam.length_m)
+                )
+            };
             broken.push(|| format!("layer.{name}.length"), text);
         }
         if layer.width_m > beam.width_m * (1.0 + LENGTH_ROUNDOFF) {
-            let text = || format!("the layer is {} wide, but its beam is {}", metres(layer.width_m), metres(beam.width_m));
+            let text = || {
+                format!(
+                    "the layer is {} wide, but its beam is {}",
+                    metres(layer.width_m),
+                    metres(beam.width_m)
+                )
+            };
             broken.push(|| format!("layer.{name}.width"), text);
         }
     }
     for (index, layer) in layers.iter().enumerate() {
         let slack_m = LENGTH_ROUNDOFF * spec.beam.get(layer.on).map_or(0.0, |beam| beam.length_m);
-        for other in layers[..index].iter().chain(&patches).filter(|other| layer.meets(other, slack_m)) {
+        for other in layers[..index]
+            .iter()
+            .chain(&patches)
+            .filter(|other| layer.meets(other, slack_m))
+        {
             check_pair(layer, other, slack_m, broken);
         }
     }
@@ -58,7 +89,12 @@ pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
 /// A layer and what covers part of the same stretch.
 fn check_pair(layer: &FaceCover, other: &FaceCover, slack_m: f64, broken: &mut ValidationFaults) {
     if layer.section != other.section {
-        let text = || format!("differs from that of {}, which covers the same stretch; give both the same section", other.key);
+        let text = || {
+            format!(
+                "differs from that of {}, which covers the same stretch; give both the same section",
+                other.key
+            )
+        };
         broken.push(|| format!("{}.section", layer.key), text);
     }
     if layer.face != other.face {
@@ -66,7 +102,12 @@ fn check_pair(layer: &FaceCover, other: &FaceCover, slack_m: f64, broken: &mut V
     }
     let [start, end] = [other.start_m, other.end_m].map(metres);
     if other.key.starts_with("layer.") {
-        let text = || format!("{} covers {start} to {end} of the same face; let one end where the other starts", other.key);
+        let text = || {
+            format!(
+                "{} covers {start} to {end} of the same face; let one end where the other starts",
+                other.key
+            )
+        };
         broken.push(|| format!("{}.start", layer.key), text);
     } else if other.start_m < layer.start_m - slack_m || other.end_m > layer.end_m + slack_m {
         let text = || {

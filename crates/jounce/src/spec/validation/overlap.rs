@@ -15,7 +15,11 @@ const DEPTH_ROUNDOFF: f64 = 1e-3;
 
 pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
     let one_sided = |stop: &Stop| !matches!(stop.law, StopLaw::Cubic { .. });
-    for (name, stop) in spec.stop.iter().filter(|(_, stop)| stop.gap_m < 0.0 && one_sided(stop)) {
+    for (name, stop) in spec
+        .stop
+        .iter()
+        .filter(|(_, stop)| stop.gap_m < 0.0 && one_sided(stop))
+    {
         let free = [&stop.at, &stop.frame].map(|point| free_below(spec, point));
         let Some(mass) = free[0].or(free[1]).filter(|_| free[0] != free[1]) else {
             check_held(spec, (name, stop), broken);
@@ -28,10 +32,21 @@ pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
         let most_m = pressed_m(spec, stop, free);
         if -stop.gap_m > most_m * (1.0 + DEPTH_ROUNDOFF) {
             let gap = Quantity::Length.write(stop.gap_m);
-            let least = if most_m > 0.0 { Quantity::Length.write(-rounded(most_m)) } else { "0".to_owned() };
-            let why = if most_m > 0.0 { " deeper than weight can press it" } else { "" };
+            let least = if most_m > 0.0 {
+                Quantity::Length.write(-rounded(most_m))
+            } else {
+                "0".to_owned()
+            };
+            let why = if most_m > 0.0 {
+                " deeper than weight can press it"
+            } else {
+                ""
+            };
             let text = || {
-                format!("is {gap}: at rest the free mass \"{}\" would lie inside what it strikes{why}; give at least {least}", clip(mass))
+                format!(
+                    "is {gap}: at rest the free mass \"{}\" would lie inside what it strikes{why}; give at least {least}",
+                    clip(mass)
+                )
             };
             broken.push(|| format!("stop.{name}.gap"), text);
         }
@@ -43,7 +58,10 @@ pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
 /// are placed.
 fn check_held(spec: &Spec, (name, stop): (&str, &Stop), broken: &mut ValidationFaults) {
     let is_rigid = matches!(stop.law, StopLaw::Rigid { .. });
-    if is_rigid && spec.run.start == Start::Rest && spec.base_under(&stop.at) == spec.base_under(&stop.frame) {
+    if is_rigid
+        && spec.run.start == Start::Rest
+        && spec.base_under(&stop.at) == spec.base_under(&stop.frame)
+    {
         let text = || {
             format!(
                 "is {}: at rest \"{}\" would lie inside the rigid stop; give at least 0, a law that yields (hertz, spring), or a run.start other than \"rest\"",
@@ -58,10 +76,17 @@ fn check_held(spec: &Spec, (name, stop): (&str, &Stop), broken: &mut ValidationF
 /// Two stops on the two sides of one point leave it a place, unless both yield.
 fn check_facing(spec: &Spec, broken: &mut ValidationFaults) {
     let rigid = |stop: &Stop| matches!(stop.law, StopLaw::Rigid { .. });
-    let upper = spec.stop.iter().filter(|(_, stop)| stop.side == Side::Positive);
+    let upper = spec
+        .stop
+        .iter()
+        .filter(|(_, stop)| stop.side == Side::Positive);
     for (name, stop) in upper {
         let faces = |other: &&(&String, &Stop)| {
-            other.1.side == Side::Negative && other.1.at == stop.at && other.1.frame == stop.frame && rigid(stop) && rigid(other.1)
+            other.1.side == Side::Negative
+                && other.1.at == stop.at
+                && other.1.frame == stop.frame
+                && rigid(stop)
+                && rigid(other.1)
         };
         for (other, facing) in spec.stop.iter().collect::<Vec<_>>().iter().filter(faces) {
             let room_m = stop.gap_m + facing.gap_m;
@@ -80,14 +105,22 @@ fn check_facing(spec: &Spec, broken: &mut ValidationFaults) {
 }
 
 fn pulls(spec: &Spec) -> bool {
-    spec.gravity.acceleration_m_s2.is_some_and(|acceleration| acceleration != 0.0)
+    spec.gravity
+        .acceleration_m_s2
+        .is_some_and(|acceleration| acceleration != 0.0)
 }
 
 /// How deep weight can press the two bodies of a stop into each other, m.
 fn pressed_m(spec: &Spec, stop: &Stop, free: [Option<&str>; 2]) -> f64 {
-    let Some(acceleration_m_s2) = spec.gravity.acceleration_m_s2 else { return 0.0 };
+    let Some(acceleration_m_s2) = spec.gravity.acceleration_m_s2 else {
+        return 0.0;
+    };
     // Against what is held the weight must point into the stop; a stack may press both ways.
-    let towards = if stop.side == Side::Positive { acceleration_m_s2 } else { -acceleration_m_s2 };
+    let towards = if stop.side == Side::Positive {
+        acceleration_m_s2
+    } else {
+        -acceleration_m_s2
+    };
     let presses = match free {
         [Some(_), None] => towards > 0.0,
         [None, Some(_)] => towards < 0.0,
@@ -95,7 +128,13 @@ fn pressed_m(spec: &Spec, stop: &Stop, free: [Option<&str>; 2]) -> f64 {
         [None, None] => true,
     };
     let weight_n = acceleration_m_s2.abs() * free_mass_kg(spec);
-    if presses { stop.law.static_penetration_m(weight_n).unwrap_or(f64::INFINITY) } else { 0.0 }
+    if presses {
+        stop.law
+            .static_penetration_m(weight_n)
+            .unwrap_or(f64::INFINITY)
+    } else {
+        0.0
+    }
 }
 
 /// Free masses that stand on something held, if only on each other's backs.
@@ -104,7 +143,10 @@ fn carried(spec: &Spec) -> BTreeSet<&str> {
     for _ in 0..spec.mass.len() {
         for stop in spec.stop.values() {
             let free = [&stop.at, &stop.frame].map(|point| free_below(spec, point));
-            if free.iter().any(|mass| mass.is_none_or(|mass| carried.contains(mass))) {
+            if free
+                .iter()
+                .any(|mass| mass.is_none_or(|mass| carried.contains(mass)))
+            {
                 carried.extend(free.into_iter().flatten());
             }
         }
@@ -114,17 +156,23 @@ fn carried(spec: &Spec) -> BTreeSet<&str> {
 
 /// Mass of all that nothing holds, kg.
 fn free_mass_kg(spec: &Spec) -> f64 {
-    let masses = spec.mass.iter().filter(|(name, _)| free_below(spec, name).is_some()).map(|(_, mass)| mass.mass_kg);
+    let masses = spec
+        .mass
+        .iter()
+        .filter(|(name, _)| free_below(spec, name).is_some())
+        .map(|(_, mass)| mass.mass_kg);
     let free = |beam: &str| free_below(spec, beam).is_some();
     let beams = spec.beam.iter().filter(|(name, _)| free(name));
-    let beams = beams.map(|(_, beam)| beam.density_kg_m3 * beam.length_m * beam.width_m * beam.thickness_m);
+    let beams =
+        beams.map(|(_, beam)| beam.density_kg_m3 * beam.length_m * beam.width_m * beam.thickness_m);
     let patches = spec.patch.values().filter(|patch| free(&patch.on));
     let patches = patches.map(|patch| {
         let foils_kg_m2 = 2.0 * patch.foils.each_m() * patch.foils.mass_per_volume_kg_m3();
         (patch.density_kg_m3 * patch.thickness_m + foils_kg_m2) * patch.length_m * patch.width_m
     });
     let layers = spec.layer.values().filter(|layer| free(&layer.on));
-    let layers = layers.map(|layer| layer.density_kg_m3 * layer.length_m * layer.width_m * layer.thickness_m);
+    let layers = layers
+        .map(|layer| layer.density_kg_m3 * layer.length_m * layer.width_m * layer.thickness_m);
     masses.chain(beams).chain(patches).chain(layers).sum()
 }
 

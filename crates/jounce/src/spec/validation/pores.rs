@@ -9,12 +9,19 @@ pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
     for (name, patch) in &spec.patch {
         match patch.pores.porosity {
             // Told already: spheroids without their aspect ratio.
-            Some(_) if patch.pores.shape == PoreShape::Spheroids && patch.pores.aspect_ratio.is_none() => {}
-            Some(porosity) if (0.0..1.0).contains(&porosity) => check_composite(name, patch, porosity, broken),
+            Some(_)
+                if patch.pores.shape == PoreShape::Spheroids
+                    && patch.pores.aspect_ratio.is_none() => {}
+            Some(porosity) if (0.0..1.0).contains(&porosity) => {
+                check_composite(name, patch, porosity, broken)
+            }
             // Told already: a value outside its range.
             Some(_) => {}
             None if patch.pores != PatchPores::default() => {
-                let text = || "is missing: the shape of pores and the scheme say nothing without it".to_owned();
+                let text = || {
+                    "is missing: the shape of pores and the scheme say nothing without it"
+                        .to_owned()
+                };
                 broken.push(|| format!("patch.{name}.porosity"), text);
             }
             None => {}
@@ -25,8 +32,14 @@ pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
 fn check_composite(name: &str, patch: &Patch, porosity: f64, broken: &mut ValidationFaults) {
     let key = || format!("patch.{name}.porosity");
     if material::full_constants(&patch.material).is_none() {
-        let known = material::LIBRARY.iter().map(|material| material.name).filter(|name| material::full_constants(name).is_some());
-        let known = known.map(|name| format!("\"{name}\"")).collect::<Vec<_>>().join(", ");
+        let known = material::LIBRARY
+            .iter()
+            .map(|material| material.name)
+            .filter(|name| material::full_constants(name).is_some());
+        let known = known
+            .map(|name| format!("\"{name}\""))
+            .collect::<Vec<_>>()
+            .join(", ");
         let text = || {
             format!(
                 "is given, but needs all constants of the dense material, which the library has for {known}, not for \"{}\"",
@@ -36,20 +49,38 @@ fn check_composite(name: &str, patch: &Patch, porosity: f64, broken: &mut Valida
         return broken.push(key, text);
     }
     let Some(composite) = patch.pores.composite else {
-        let text =
-            || format!("is {porosity}, at which the scheme finds no stiffness left; lower it, or set porosity_scheme = \"mori-tanaka\"");
+        let text = || {
+            format!(
+                "is {porosity}, at which the scheme finds no stiffness left; lower it, or set porosity_scheme = \"mori-tanaka\""
+            )
+        };
         return broken.push(key, text);
     };
     let given = [
-        ("youngs_modulus", patch.youngs_modulus_pa != composite.youngs_modulus_pa),
+        (
+            "youngs_modulus",
+            patch.youngs_modulus_pa != composite.youngs_modulus_pa,
+        ),
         ("density", patch.density_kg_m3 != composite.density_kg_m3),
-        ("d31", patch.d31_m_per_v.is_some_and(|d31| d31 != composite.d31_m_per_v)),
+        (
+            "d31",
+            patch
+                .d31_m_per_v
+                .is_some_and(|d31| d31 != composite.d31_m_per_v),
+        ),
         ("d33", patch.d33_m_per_v.is_some()),
         ("capacitance", patch.capacitance_f.is_some()),
-        ("permittivity", patch.permittivity_f_m.is_some_and(|permittivity| permittivity != composite.permittivity_f_m)),
+        (
+            "permittivity",
+            patch
+                .permittivity_f_m
+                .is_some_and(|permittivity| permittivity != composite.permittivity_f_m),
+        ),
     ];
     for (constant, _) in given.into_iter().filter(|(_, differs)| *differs) {
-        let text = || "does not go with `porosity`, which gives all constants of the patch; leave one of them out".to_owned();
+        let text = || {
+            "does not go with `porosity`, which gives all constants of the patch; leave one of them out".to_owned()
+        };
         broken.push(|| format!("patch.{name}.{constant}"), text);
     }
 }

@@ -11,44 +11,109 @@ pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
     for (name, patch) in &spec.patch {
         if !patch.on.is_empty() && !spec.beam.contains_key(&patch.on) {
             let beams = || spec.beam.keys().map(String::as_str);
-            broken.push(|| format!("patch.{name}.on"), || unknown("beam", &patch.on, "beams", beams));
+            broken.push(
+                || format!("patch.{name}.on"),
+                || unknown("beam", &patch.on, "beams", beams),
+            );
         }
     }
     for (name, layer) in &spec.layer {
         if !layer.on.is_empty() && !spec.beam.contains_key(&layer.on) {
             let beams = || spec.beam.keys().map(String::as_str);
-            broken.push(|| format!("layer.{name}.on"), || unknown("beam", &layer.on, "beams", beams));
+            broken.push(
+                || format!("layer.{name}.on"),
+                || unknown("beam", &layer.on, "beams", beams),
+            );
         }
     }
     // Listed once, and only if something is wrong: a huge file may have many points and many wrong references.
     let points = LazyCell::new(|| points(spec));
-    for (name, drive) in spec.drive.iter().filter(|(_, drive)| drive.base().is_none()) {
-        check_point(spec, &points, || format!("drive.{name}.at"), &drive.at, false, broken);
+    for (name, drive) in spec
+        .drive
+        .iter()
+        .filter(|(_, drive)| drive.base().is_none())
+    {
+        check_point(
+            spec,
+            &points,
+            || format!("drive.{name}.at"),
+            &drive.at,
+            false,
+            broken,
+        );
     }
     for (name, stop) in &spec.stop {
-        check_point(spec, &points, || format!("stop.{name}.at"), &stop.at, false, broken);
-        check_point(spec, &points, || format!("stop.{name}.frame"), &stop.frame, true, broken);
+        check_point(
+            spec,
+            &points,
+            || format!("stop.{name}.at"),
+            &stop.at,
+            false,
+            broken,
+        );
+        check_point(
+            spec,
+            &points,
+            || format!("stop.{name}.frame"),
+            &stop.frame,
+            true,
+            broken,
+        );
         if !stop.at.is_empty() && stop.at == stop.frame {
             broken.push(
                 || format!("stop.{name}.frame"),
-                || format!("\"{}\" would strike itself; name another body or \"ground\"", clip(&stop.at)),
+                || {
+                    format!(
+                        "\"{}\" would strike itself; name another body or \"ground\"",
+                        clip(&stop.at)
+                    )
+                },
             );
         }
     }
 }
 
 fn check_names(spec: &Spec, broken: &mut ValidationFaults) {
-    for name in spec.modal.keys().filter(|name| spec.beam.contains_key(*name)) {
-        let text = || format!("there is a beam of this name too, so that \"{}.end\" would be ambiguous; rename one", clip(name));
+    for name in spec
+        .modal
+        .keys()
+        .filter(|name| spec.beam.contains_key(*name))
+    {
+        let text = || {
+            format!(
+                "there is a beam of this name too, so that \"{}.end\" would be ambiguous; rename one",
+                clip(name)
+            )
+        };
         broken.push(|| format!("modal.{name}"), text);
     }
-    for taken in [GROUND, "nothing"].into_iter().filter(|name| spec.mass.contains_key(*name)) {
-        let text = || format!("the name \"{taken}\" is taken{}; choose another", if taken == GROUND { " by the ground" } else { "" });
+    for taken in [GROUND, "nothing"]
+        .into_iter()
+        .filter(|name| spec.mass.contains_key(*name))
+    {
+        let text = || {
+            format!(
+                "the name \"{taken}\" is taken{}; choose another",
+                if taken == GROUND {
+                    " by the ground"
+                } else {
+                    ""
+                }
+            )
+        };
         broken.push(|| format!("mass.{taken}"), text);
     }
     for (name, beam) in &spec.beam {
-        for end in ["root", "end"].into_iter().filter(|end| beam.point.contains_key(*end)) {
-            let text = || format!("\"{}.{end}\" always exists; choose another name", clip(name));
+        for end in ["root", "end"]
+            .into_iter()
+            .filter(|end| beam.point.contains_key(*end))
+        {
+            let text = || {
+                format!(
+                    "\"{}.{end}\" always exists; choose another name",
+                    clip(name)
+                )
+            };
             broken.push(|| format!("beam.{name}.point.{end}"), text);
         }
     }
@@ -62,36 +127,85 @@ fn check_point<F: FnOnce() -> Vec<String>>(
     ground: bool,
     broken: &mut ValidationFaults,
 ) {
-    if point.is_empty() || has_point(spec, point) || (ground && spec.is_base(point)) || broken.is_full() {
+    if point.is_empty()
+        || has_point(spec, point)
+        || (ground && spec.is_base(point))
+        || broken.is_full()
+    {
         return;
     }
-    let words = || [GROUND].into_iter().chain(spec.bases()).filter(|_| ground).chain(points.iter().map(String::as_str));
-    broken.push(key, || unknown("point or mass", point, "points and masses", words));
+    let words = || {
+        [GROUND]
+            .into_iter()
+            .chain(spec.bases())
+            .filter(|_| ground)
+            .chain(points.iter().map(String::as_str))
+    };
+    broken.push(key, || {
+        unknown("point or mass", point, "points and masses", words)
+    });
 }
 
 fn has_point(spec: &Spec, name: &str) -> bool {
-    let Some((body, point)) = name.split_once('.') else { return spec.mass.contains_key(name) };
-    let on_beam = spec.beam.get(body).is_some_and(|beam| point == "root" || point == "end" || beam.point.contains_key(point));
-    on_beam || spec.modal.get(body).is_some_and(|modal| modal.point.contains_key(point))
+    let Some((body, point)) = name.split_once('.') else {
+        return spec.mass.contains_key(name);
+    };
+    let on_beam = spec
+        .beam
+        .get(body)
+        .is_some_and(|beam| point == "root" || point == "end" || beam.point.contains_key(point));
+    on_beam
+        || spec
+            .modal
+            .get(body)
+            .is_some_and(|modal| modal.point.contains_key(point))
 }
 
 fn points(spec: &Spec) -> Vec<String> {
     let on_beams = spec.beam.iter().flat_map(|(body, beam)| {
-        let named = beam.point.keys().map(String::as_str).filter(|point| !["root", "end"].contains(point));
-        named.chain(["root", "end"]).map(move |point| format!("{body}.{point}"))
+        let named = beam
+            .point
+            .keys()
+            .map(String::as_str)
+            .filter(|point| !["root", "end"].contains(point));
+        named
+            .chain(["root", "end"])
+            .map(move |point| format!("{body}.{point}"))
     });
-    let on_modal = spec.modal.iter().flat_map(|(body, modal)| modal.point.keys().map(move |point| format!("{body}.{point}")));
-    on_beams.chain(on_modal).chain(spec.mass.keys().cloned()).collect()
+    let on_modal = spec.modal.iter().flat_map(|(body, modal)| {
+        modal
+            .point
+            .keys()
+            .map(move |point| format!("{body}.{point}"))
+    });
+    on_beams
+        .chain(on_modal)
+        .chain(spec.mass.keys().cloned())
+        .collect()
 }
 
 pub(super) fn patches(spec: &Spec) -> Vec<String> {
-    let modal = spec.modal.iter().flat_map(|(body, modal)| modal.patch.keys().map(move |patch| format!("{body}.{patch}")));
+    let modal = spec.modal.iter().flat_map(|(body, modal)| {
+        modal
+            .patch
+            .keys()
+            .map(move |patch| format!("{body}.{patch}"))
+    });
     spec.patch.keys().cloned().chain(modal).collect()
 }
 
-pub(super) fn unknown<'n, I: Iterator<Item = &'n str>>(what: &str, name: &str, many: &str, known: impl Fn() -> I) -> String {
+pub(super) fn unknown<'n, I: Iterator<Item = &'n str>>(
+    what: &str,
+    name: &str,
+    many: &str,
+    known: impl Fn() -> I,
+) -> String {
     let meant = did_you_mean(name, known());
     let there = join_words(known());
-    let there = if there.is_empty() { format!("this spec has no {many}") } else { format!("{many} here: {there}") };
+    let there = if there.is_empty() {
+        format!("this spec has no {many}")
+    } else {
+        format!("{many} here: {there}")
+    };
     format!("there is no {what} \"{}\"{meant}; {there}", clip(name))
 }

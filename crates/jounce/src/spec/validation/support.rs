@@ -14,10 +14,24 @@ pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
     // Listed once, and only if something is wrong.
     let places = LazyCell::new(|| places(spec));
     for (name, beam) in &spec.beam {
-        check_support(spec, &places, || format!("beam.{name}.root"), &beam.root, &[GROUND], broken);
+        check_support(
+            spec,
+            &places,
+            || format!("beam.{name}.root"),
+            &beam.root,
+            &[GROUND],
+            broken,
+        );
     }
     for (name, mass) in &spec.mass {
-        check_support(spec, &places, || format!("mass.{name}.on"), &mass.on, &[GROUND, NO_SUPPORT], broken);
+        check_support(
+            spec,
+            &places,
+            || format!("mass.{name}.on"),
+            &mass.on,
+            &[GROUND, NO_SUPPORT],
+            broken,
+        );
         check_mass(spec, name, mass, broken);
     }
     check_cycles(spec, broken);
@@ -32,21 +46,46 @@ fn check_support<F: FnOnce() -> Vec<String>>(
     broken: &mut ValidationFaults,
 ) {
     let there = match support.split_once('.') {
-        None => support.is_empty() || words.contains(&support) || spec.mass.contains_key(support) || spec.is_base(support),
-        Some((beam, point)) => spec.beam.get(beam).is_some_and(|beam| ["root", "end"].contains(&point) || beam.point.contains_key(point)),
+        None => {
+            support.is_empty()
+                || words.contains(&support)
+                || spec.mass.contains_key(support)
+                || spec.is_base(support)
+        }
+        Some((beam, point)) => spec
+            .beam
+            .get(beam)
+            .is_some_and(|beam| ["root", "end"].contains(&point) || beam.point.contains_key(point)),
     };
     if !there {
-        let names = || words.iter().copied().chain(spec.bases()).chain(places.iter().map(String::as_str));
-        broken.push(key, || unknown("mass or point", support, "what it can stand on", names));
+        let names = || {
+            words
+                .iter()
+                .copied()
+                .chain(spec.bases())
+                .chain(places.iter().map(String::as_str))
+        };
+        broken.push(key, || {
+            unknown("mass or point", support, "what it can stand on", names)
+        });
     }
 }
 
 /// Masses, and points of beams but their roots.
 fn places(spec: &Spec) -> Vec<String> {
     let of_beam = |(name, beam): (&String, &Beam)| -> Vec<String> {
-        beam.point.keys().map(String::as_str).chain(["end"]).map(|point| format!("{name}.{point}")).collect()
+        beam.point
+            .keys()
+            .map(String::as_str)
+            .chain(["end"])
+            .map(|point| format!("{name}.{point}"))
+            .collect()
     };
-    spec.mass.keys().cloned().chain(spec.beam.iter().flat_map(of_beam)).collect()
+    spec.mass
+        .keys()
+        .cloned()
+        .chain(spec.beam.iter().flat_map(of_beam))
+        .collect()
 }
 
 /// A mass on a spring has a damping ratio; one without is fixed to a mass or a beam, or free.
@@ -75,14 +114,20 @@ fn check_mass(spec: &Spec, name: &str, mass: &Mass, broken: &mut ValidationFault
     if mass.rotary_inertia_kg_m2 > 0.0 && !turns {
         broken.push(
             || format!("mass.{name}.rotary_inertia"),
-            || "has no effect: only a mass without spring on a point of a beam turns; leave it out".into(),
+            || {
+                "has no effect: only a mass without spring on a point of a beam turns; leave it out"
+                    .into()
+            },
         );
     }
 }
 
 /// A mass that moves by itself, and carries no beam, may have a velocity of its own.
 fn check_velocity(spec: &Spec, name: &str, mass: &Mass, broken: &mut ValidationFaults) {
-    if mass.velocity_m_s.is_none_or(|velocity_m_s| velocity_m_s == 0.0) {
+    if mass
+        .velocity_m_s
+        .is_none_or(|velocity_m_s| velocity_m_s == 0.0)
+    {
         return;
     }
     let key = || format!("mass.{name}.velocity");
@@ -91,7 +136,11 @@ fn check_velocity(spec: &Spec, name: &str, mass: &Mass, broken: &mut ValidationF
             "does not go with a mass that is fixed to what it stands on; give it to a mass that is free or on a spring".into()
         });
     }
-    if let Some((beam, _)) = spec.beam.iter().find(|(_, beam)| spec.is_fixed_to(&beam.root, name)) {
+    if let Some((beam, _)) = spec
+        .beam
+        .iter()
+        .find(|(_, beam)| spec.is_fixed_to(&beam.root, name))
+    {
         let text = || {
             format!(
                 "is that of the mass alone, which would tear the root of beam \"{}\" off the rest of it; give a [drive.NAME] with signal = \"velocity-step\" instead",
@@ -117,10 +166,25 @@ fn check_friction(spec: &Spec, name: &str, mass: &Mass, broken: &mut ValidationF
     } else if mass.on != NO_SUPPORT && !mass.on.is_empty() {
         broken.push(key, || "is for a free mass that moves in a channel; give on = \"nothing\", or leave `friction` out".into());
     }
-    let beams = spec.beam.iter().map(|(other, beam)| (format!("beam.{other}"), &beam.root));
-    let sprung = spec.mass.iter().filter(|(_, other)| other.stiffness_n_m.is_some()).map(|(other, own)| (format!("mass.{other}"), &own.on));
-    if let Some((other, _)) = beams.chain(sprung).find(|(_, support)| spec.is_fixed_to(support, name)) {
-        let text = || format!("does not go with a mass that carries what moves by itself, here {}; leave one of them out", clip(&other));
+    let beams = spec
+        .beam
+        .iter()
+        .map(|(other, beam)| (format!("beam.{other}"), &beam.root));
+    let sprung = spec
+        .mass
+        .iter()
+        .filter(|(_, other)| other.stiffness_n_m.is_some())
+        .map(|(other, own)| (format!("mass.{other}"), &own.on));
+    if let Some((other, _)) = beams
+        .chain(sprung)
+        .find(|(_, support)| spec.is_fixed_to(support, name))
+    {
+        let text = || {
+            format!(
+                "does not go with a mass that carries what moves by itself, here {}; leave one of them out",
+                clip(&other)
+            )
+        };
         broken.push(key, text);
     }
 }
@@ -129,7 +193,9 @@ fn check_friction(spec: &Spec, name: &str, mass: &Mass, broken: &mut ValidationF
 fn turns_with(spec: &Spec, support: &str, depth: usize) -> bool {
     match (support.contains('.'), spec.mass.get(support)) {
         (true, _) => true,
-        (false, Some(mass)) if depth > 0 && mass.stiffness_n_m.is_none() => turns_with(spec, &mass.on, depth - 1),
+        (false, Some(mass)) if depth > 0 && mass.stiffness_n_m.is_none() => {
+            turns_with(spec, &mass.on, depth - 1)
+        }
         _ => false,
     }
 }
@@ -137,11 +203,21 @@ fn turns_with(spec: &Spec, support: &str, depth: usize) -> bool {
 /// Follows every support downwards; one that comes back to where it began is told once, at its first name.
 fn check_cycles(spec: &Spec, broken: &mut ValidationFaults) {
     let below = |(is_beam, name): (bool, &str)| -> Option<(bool, String)> {
-        let support = if is_beam { &spec.beam.get(name)?.root } else { &spec.mass.get(name)?.on };
+        let support = if is_beam {
+            &spec.beam.get(name)?.root
+        } else {
+            &spec.mass.get(name)?.on
+        };
         match support.split_once('.') {
-            Some((beam, _)) => spec.beam.contains_key(beam).then(|| (true, beam.to_owned())),
+            Some((beam, _)) => spec
+                .beam
+                .contains_key(beam)
+                .then(|| (true, beam.to_owned())),
             None if [GROUND, NO_SUPPORT].contains(&support.as_str()) => None,
-            None => spec.mass.contains_key(support).then(|| (false, support.clone())),
+            None => spec
+                .mass
+                .contains_key(support)
+                .then(|| (false, support.clone())),
         }
     };
     let beams = spec.beam.keys().map(|name| (true, name.clone()));
@@ -149,7 +225,10 @@ fn check_cycles(spec: &Spec, broken: &mut ValidationFaults) {
     let mut settled: BTreeSet<(bool, String)> = BTreeSet::new();
     for start in beams.chain(masses) {
         let mut chain = vec![start];
-        while let Some(next) = chain.last().and_then(|(is_beam, name)| below((*is_beam, name.as_str()))) {
+        while let Some(next) = chain
+            .last()
+            .and_then(|(is_beam, name)| below((*is_beam, name.as_str())))
+        {
             if settled.contains(&next) {
                 break;
             }
@@ -158,8 +237,20 @@ fn check_cycles(spec: &Spec, broken: &mut ValidationFaults) {
                     (true, name) => format!("beam.{name}.root"),
                     (false, name) => format!("mass.{name}.on"),
                 };
-                let names = chain[first..].iter().chain([&next]).map(|(_, name)| clip(name)).collect::<Vec<_>>().join(" on ");
-                broken.push(|| key, || format!("nothing holds these up: {names}; let one of them stand on the ground"));
+                let names = chain[first..]
+                    .iter()
+                    .chain([&next])
+                    .map(|(_, name)| clip(name))
+                    .collect::<Vec<_>>()
+                    .join(" on ");
+                broken.push(
+                    || key,
+                    || {
+                        format!(
+                            "nothing holds these up: {names}; let one of them stand on the ground"
+                        )
+                    },
+                );
                 break;
             }
             chain.push(next);

@@ -89,14 +89,19 @@ impl<const N: usize, const D: usize> History<'_, N, D> {
     fn repeats(&self, period: usize, back: usize) -> f64 {
         let last = self.states.len() - 1 - back;
         let (a, b) = (&self.states[last], &self.states[last - period]);
-        self.flow.model.weights.square(&std::array::from_fn(|i| a[i] - b[i])).sqrt()
+        self.flow
+            .model
+            .weights
+            .square(&std::array::from_fn(|i| a[i] - b[i]))
+            .sqrt()
     }
 
     /// The period within the limit that has been reached. That of a motion which turns about its orbit as it settles may be found by a
     /// multiple first, which hides the turning: the least part over which the states repeat is the period.
     fn period(&self, longest: usize, size: f64) -> Option<usize> {
         let period = self.reached(longest, size)?;
-        let repeats = |part: &usize| (0..period).all(|back| self.repeats(*part, back) <= ONE * size);
+        let repeats =
+            |part: &usize| (0..period).all(|back| self.repeats(*part, back) <= ONE * size);
         (1..=period).find(|part| period.is_multiple_of(*part) && repeats(part))
     }
 
@@ -113,7 +118,8 @@ impl<const N: usize, const D: usize> History<'_, N, D> {
             let before = self.repeats(*period, window);
             let contraction = (now / before).powf(*period as f64 / window as f64);
             let noise = NOISE * size;
-            (now <= noise && before <= noise) || (contraction < 1.0 && now * contraction <= CLOSE * size * (1.0 - contraction))
+            (now <= noise && before <= noise)
+                || (contraction < 1.0 && now * contraction <= CLOSE * size * (1.0 - contraction))
         })
     }
 
@@ -130,16 +136,34 @@ impl<const N: usize, const D: usize> History<'_, N, D> {
             _ => (1, AVERAGED.min(cycles)),
         };
         let model = self.flow.model;
-        let strobe = self.states[self.states.len() - states..].iter().map(|y| model.energy_coordinates(y)).collect();
+        let strobe = self.states[self.states.len() - states..]
+            .iter()
+            .map(|y| model.energy_coordinates(y))
+            .collect();
         let power_scale_w = size * size / model.cycle_s;
-        Ending { kind, mean_power_w: self.mean_power_w(averaged), strobe, size, power_scale_w, exponent, cycles }
+        Ending {
+            kind,
+            mean_power_w: self.mean_power_w(averaged),
+            strobe,
+            size,
+            power_scale_w,
+            exponent,
+            cycles,
+        }
     }
 }
 
 /// Marches from a physical start `(q, q', V)` until its ending is known.
-pub fn classify<const N: usize, const D: usize>(flow: Flow<'_, N, D>, start: &[f64], patience: Patience) -> Ending {
+pub fn classify<const N: usize, const D: usize>(
+    flow: Flow<'_, N, D>,
+    start: &[f64],
+    patience: Patience,
+) -> Ending {
     let mut motion = flow.start(flow.model.state(start));
-    let mut history = History { flow, states: Vec::with_capacity(patience.cycles + 1) };
+    let mut history = History {
+        flow,
+        states: Vec::with_capacity(patience.cycles + 1),
+    };
     history.states.push(motion.state);
     let (mut found, mut times) = (None, 0);
     while history.states.len() <= patience.cycles {
@@ -150,7 +174,11 @@ pub fn classify<const N: usize, const D: usize>(flow: Flow<'_, N, D>, start: &[f
         }
         if history.states.len().is_multiple_of(BETWEEN) {
             let period = history.period(patience.period, motion.size);
-            times = if period.is_some() && period == found { times + 1 } else { 1 };
+            times = if period.is_some() && period == found {
+                times + 1
+            } else {
+                1
+            };
             found = period;
             // The checks in a row cover several of the longest periods too.
             if let Some(period) = found.filter(|period| times >= CHECKS.max(3 * period / BETWEEN)) {
@@ -178,14 +206,21 @@ fn exponent<const N: usize, const D: usize>(flow: Flow<'_, N, D>, motion: &Motio
     let apart = APART * motion.size;
     let mut near: [f64; D] = std::array::from_fn(|i| {
         let weight = weights.0[i];
-        motion.state[i] + if weight > 0.0 { apart / weight / (D as f64).sqrt() } else { 0.0 }
+        motion.state[i]
+            + if weight > 0.0 {
+                apart / weight / (D as f64).sqrt()
+            } else {
+                0.0
+            }
     });
     let mut means = Vec::with_capacity(BLOCKS + 1);
     for _ in 0..=BLOCKS {
         let mut growth = 0.0;
         for _ in 0..EXPONENT_CYCLES / BLOCKS {
             let mut other = flow.start(near);
-            (0..STOPS).filter(|p| motion.phases[*p] == Phase::Resting).for_each(|p| other.phases[p] = Phase::Resting);
+            (0..STOPS)
+                .filter(|p| motion.phases[*p] == Phase::Resting)
+                .for_each(|p| other.phases[p] = Phase::Resting);
             flow.cycle(&mut motion);
             flow.cycle(&mut other);
             let difference: [f64; D] = std::array::from_fn(|i| other.state[i] - motion.state[i]);

@@ -24,7 +24,11 @@ pub struct Stepped<const D: usize> {
 
 /// `y + h sum_j a_j k_j`.
 #[inline(always)]
-fn moved<const D: usize, const S: usize>(y: &[f64; D], h: f64, terms: [(f64, &[f64; D]); S]) -> [f64; D] {
+fn moved<const D: usize, const S: usize>(
+    y: &[f64; D],
+    h: f64,
+    terms: [(f64, &[f64; D]); S],
+) -> [f64; D] {
     std::array::from_fn(|i| y[i] + h * terms.iter().map(|(a, k)| a * k[i]).sum::<f64>())
 }
 
@@ -37,13 +41,46 @@ fn first_stages<const D: usize>(
     k1: &[f64; D],
 ) -> [[f64; D]; 7] {
     let k2 = rate(t + C2 * h, &moved(y, h, [(5.260_015_195_876_773e-2, k1)]));
-    let k3 = rate(t + C3 * h, &moved(y, h, [(1.972_505_698_453_79e-2, k1), (5.917_517_095_361_37e-2, &k2)]));
-    let k4 = rate(t + C4 * h, &moved(y, h, [(2.958_758_547_680_685e-2, k1), (8.876_275_643_042_054e-2, &k3)]));
-    let terms = [(2.413_651_341_592_667e-1, k1), (-8.845_494_793_282_861e-1, &k3), (9.248_340_032_617_92e-1, &k4)];
+    let k3 = rate(
+        t + C3 * h,
+        &moved(
+            y,
+            h,
+            [
+                (1.972_505_698_453_79e-2, k1),
+                (5.917_517_095_361_37e-2, &k2),
+            ],
+        ),
+    );
+    let k4 = rate(
+        t + C4 * h,
+        &moved(
+            y,
+            h,
+            [
+                (2.958_758_547_680_685e-2, k1),
+                (8.876_275_643_042_054e-2, &k3),
+            ],
+        ),
+    );
+    let terms = [
+        (2.413_651_341_592_667e-1, k1),
+        (-8.845_494_793_282_861e-1, &k3),
+        (9.248_340_032_617_92e-1, &k4),
+    ];
     let k5 = rate(t + C5 * h, &moved(y, h, terms));
-    let terms = [(1.0 / 27.0, k1), (1.708_286_087_294_738_6e-1, &k4), (1.254_676_875_668_224_2e-1, &k5)];
+    let terms = [
+        (1.0 / 27.0, k1),
+        (1.708_286_087_294_738_6e-1, &k4),
+        (1.254_676_875_668_224_2e-1, &k5),
+    ];
     let k6 = rate(t + C6 * h, &moved(y, h, terms));
-    let terms = [(3.710_937_5e-2, k1), (1.702_522_110_195_440_4e-1, &k4), (6.021_653_898_045_596e-2, &k5), (-1.757_812_5e-2, &k6)];
+    let terms = [
+        (3.710_937_5e-2, k1),
+        (1.702_522_110_195_440_4e-1, &k4),
+        (6.021_653_898_045_596e-2, &k5),
+        (-1.757_812_5e-2, &k6),
+    ];
     let k7 = rate(t + C7 * h, &moved(y, h, terms));
     let terms = [
         (3.709_200_011_850_479e-2, k1),
@@ -141,9 +178,20 @@ pub fn step<const D: usize>(
         (-2.235_530_786_388_629_4e-2, &k12),
     ];
     let by_fifth = weights.square(&moved(&[0.0; D], h, fifth));
-    let third = [(-2.440_944_881_889_764e-1, k1), (-7.338_466_882_816_118e-1, &k9), (-2.205_882_352_941_176_6e-2, &k12)];
+    let third = [
+        (-2.440_944_881_889_764e-1, k1),
+        (-7.338_466_882_816_118e-1, &k9),
+        (-2.205_882_352_941_176_6e-2, &k12),
+    ];
     let gained: [f64; D] = std::array::from_fn(|i| state[i] - y[i]);
     let by_third = weights.square(&moved(&gained, h, third));
     let both = by_fifth + 0.01 * by_third;
-    Stepped { state, error: if both == 0.0 { 0.0 } else { by_fifth / both.sqrt() } }
+    Stepped {
+        state,
+        error: if both == 0.0 {
+            0.0
+        } else {
+            by_fifth / both.sqrt()
+        },
+    }
 }

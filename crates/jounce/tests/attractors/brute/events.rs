@@ -35,25 +35,42 @@ pub enum Event<const D: usize> {
 
 impl<const N: usize, const D: usize> Flow<'_, N, D> {
     /// The first event of a step, if there is one.
-    pub fn event(&self, motion: &Motion<D>, (t, h): (f64, f64), rate: &[f64; D], whole: End<D>) -> Event<D> {
+    pub fn event(
+        &self,
+        motion: &Motion<D>,
+        (t, h): (f64, f64),
+        rate: &[f64; D],
+        whole: End<D>,
+    ) -> Event<D> {
         let phases = &motion.phases;
         let mut end = whole;
         let mut found = None;
         // Each guard is seen over what the guards before it have left of the step.
         for guard in self.model.guards(phases).iter() {
             let start = self.model.guard(guard, phases, t, (&motion.state, rate));
-            let last = self.model.guard(guard, phases, t + end.part * h, (&end.state, &end.rate));
+            let last = self
+                .model
+                .guard(guard, phases, t + end.part * h, (&end.state, &end.rate));
             let roundoff = self.model.roundoff(guard, &motion.state);
             let is_negative = last[0] < -roundoff;
-            let negative = if is_negative { Some(end.part) } else { self.dip(motion, (t, h), rate, (guard, &start, &last, end.part)) };
+            let negative = if is_negative {
+                Some(end.part)
+            } else {
+                self.dip(motion, (t, h), rate, (guard, &start, &last, end.part))
+            };
             let is_at_zero = start[0] <= roundoff;
-            let leaves = self.model.direction(guard, phases, start[1], (&motion.state, rate)) > 0.0;
+            let leaves = self
+                .model
+                .direction(guard, phases, start[1], (&motion.state, rate))
+                > 0.0;
             let there = match negative {
                 None => continue,
                 // A contact that starts at its surface and does not leave it changes at once.
                 Some(_) if is_at_zero && !leaves => 0.0,
                 // One that leaves it and is back within the step needs a shorter one.
-                Some(part) if is_at_zero && part * h > LEAST_STEP * self.model.cycle_s => return Event::Unclear,
+                Some(part) if is_at_zero && part * h > LEAST_STEP * self.model.cycle_s => {
+                    return Event::Unclear;
+                }
                 Some(_) if is_at_zero => 0.0,
                 Some(part) => self.root(motion, (t, h), rate, (guard, roundoff, part)),
             };
@@ -69,7 +86,11 @@ impl<const N: usize, const D: usize> Flow<'_, N, D> {
     /// The step's state at a part of it.
     fn part(&self, motion: &Motion<D>, (t, h): (f64, f64), rate: &[f64; D], part: f64) -> End<D> {
         let state = self.step(motion, t, part * h, rate).state;
-        End { part, state, rate: self.model.rate(t + part * h, &state, &motion.phases, NONE) }
+        End {
+            part,
+            state,
+            rate: self.model.rate(t + part * h, &state, &motion.phases, NONE),
+        }
     }
 
     /// Where a guard that is positive at both ends is negative between, if it is.
@@ -91,9 +112,15 @@ impl<const N: usize, const D: usize> Flow<'_, N, D> {
             let middle = 0.5 * (low.0 + high.0);
             let secant = low.0 - low.1 * (high.0 - low.0) / (high.1 - low.1);
             let width = high.0 - low.0;
-            let at = if secant > low.0 + 0.01 * width && secant < high.0 - 0.01 * width { secant } else { middle };
+            let at = if secant > low.0 + 0.01 * width && secant < high.0 - 0.01 * width {
+                secant
+            } else {
+                middle
+            };
             let end = self.part(motion, (t, h), rate, at);
-            let [value, slope] = self.model.guard(guard, &motion.phases, t + at * h, (&end.state, &end.rate));
+            let [value, slope] =
+                self.model
+                    .guard(guard, &motion.phases, t + at * h, (&end.state, &end.rate));
             if value < -self.model.roundoff(guard, &motion.state) {
                 return Some(at);
             }
@@ -101,18 +128,30 @@ impl<const N: usize, const D: usize> Flow<'_, N, D> {
             if value > slope.abs() * width * h || width < 1e-9 {
                 return None;
             }
-            if slope < 0.0 { low = (at, slope) } else { high = (at, slope) }
+            if slope < 0.0 {
+                low = (at, slope)
+            } else {
+                high = (at, slope)
+            }
         }
         None
     }
 
     /// The part of a step at which a guard that is positive at first and negative at `high` vanishes: Newton's method within a bracket.
-    fn root(&self, motion: &Motion<D>, (t, h): (f64, f64), rate: &[f64; D], (guard, roundoff, high): (Guard, f64, f64)) -> f64 {
+    fn root(
+        &self,
+        motion: &Motion<D>,
+        (t, h): (f64, f64),
+        rate: &[f64; D],
+        (guard, roundoff, high): (Guard, f64, f64),
+    ) -> f64 {
         let (mut low, mut high) = (0.0, high);
         let mut at = 0.5 * high;
         for _ in 0..100 {
             let end = self.part(motion, (t, h), rate, at);
-            let [value, slope] = self.model.guard(guard, &motion.phases, t + at * h, (&end.state, &end.rate));
+            let [value, slope] =
+                self.model
+                    .guard(guard, &motion.phases, t + at * h, (&end.state, &end.rate));
             if value > 0.0 {
                 low = at
             } else {

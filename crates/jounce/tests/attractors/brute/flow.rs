@@ -43,7 +43,13 @@ impl<const N: usize, const D: usize> Flow<'_, N, D> {
         let model = self.model;
         let phases = model.phases(&state);
         let size = model.weights.square(&state).sqrt().max(model.least_size());
-        let mut motion = Motion { state, phases, size, is_lost: false, length: model.cycle_s / 64.0 };
+        let mut motion = Motion {
+            state,
+            phases,
+            size,
+            is_lost: false,
+            length: model.cycle_s / 64.0,
+        };
         for p in 0..model.stops.len() {
             let [d, rate] = model.depth(&model.stops[p], &motion.state);
             if matches!(model.stops[p].law, Law::Rigid { .. }) && d >= 0.0 && rate >= 0.0 {
@@ -64,19 +70,31 @@ impl<const N: usize, const D: usize> Flow<'_, N, D> {
             let h = motion.length.min(remaining);
             let Stepped { state, error } = self.step(motion, t, h, &rate);
             // Steps grow slowly, so that they stay as short as the contact before and behind them needs.
-            let next = if error.is_finite() { h * (0.9 * error.max(1e-12).powf(-0.125)).clamp(0.2, 4.0) } else { 0.2 * h };
+            let next = if error.is_finite() {
+                h * (0.9 * error.max(1e-12).powf(-0.125)).clamp(0.2, 4.0)
+            } else {
+                0.2 * h
+            };
             // Not a number where a stage ran far away: the step was much too long.
             if (error.is_nan() || error > 1.0) && h > LEAST_STEP * end {
                 motion.length = next;
                 continue;
             }
-            let whole = End { part: 1.0, state, rate: model.rate(t + h, &state, &motion.phases, NONE) };
+            let whole = End {
+                part: 1.0,
+                state,
+                rate: model.rate(t + h, &state, &motion.phases, NONE),
+            };
             match self.event(motion, (t, h), &rate, whole) {
                 Event::Unclear => motion.length = 0.5 * h,
                 Event::None(whole) => {
                     t = if is_last { end } else { t + h };
                     (motion.state, rate) = (whole.state, whole.rate);
-                    motion.length = if is_last { motion.length.max(next) } else { next };
+                    motion.length = if is_last {
+                        motion.length.max(next)
+                    } else {
+                        next
+                    };
                 }
                 Event::At(guard, there) => {
                     t += there.part * h;
@@ -118,10 +136,15 @@ impl<const N: usize, const D: usize> Flow<'_, N, D> {
         let stop = &self.model.stops[p];
         let Law::Rigid { e } = stop.law else { return };
         let [depth, before] = self.model.depth(stop, &motion.state);
-        let pressed = self.model.depth(stop, &self.model.rate(t, &motion.state, &motion.phases, NONE))[1];
+        let pressed = self.model.depth(
+            stop,
+            &self.model.rate(t, &motion.state, &motion.phases, NONE),
+        )[1];
         let after = e * before.max(0.0);
         let is_slow = after <= CHATTER_SPEED * stop.square.sqrt() * motion.size;
-        let rests = is_slow && 2.0 * after <= CHATTER_CYCLES * self.model.cycle_s * pressed * (1.0 - e) && pressed > 0.0;
+        let rests = is_slow
+            && 2.0 * after <= CHATTER_CYCLES * self.model.cycle_s * pressed * (1.0 - e)
+            && pressed > 0.0;
         let change = if rests { before } else { before + after };
         for i in 0..N {
             motion.state[i] -= depth * stop.shape[i] / stop.square;

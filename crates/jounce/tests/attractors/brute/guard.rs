@@ -36,7 +36,10 @@ impl Guards {
 impl<const N: usize, const D: usize> ReferenceModel<N, D> {
     /// The guards of some phases.
     pub fn guards(&self, phases: &Phases) -> Guards {
-        let mut guards = Guards { list: [Guard::Surface(0); 2 * STOPS], count: 0 };
+        let mut guards = Guards {
+            list: [Guard::Surface(0); 2 * STOPS],
+            count: 0,
+        };
         for (p, stop) in self.stops.iter().enumerate() {
             match (phases[p], stop.law) {
                 (_, Law::Cubic { .. }) => {}
@@ -54,17 +57,34 @@ impl<const N: usize, const D: usize> ReferenceModel<N, D> {
 
     /// Value of a guard and its rate; that of a holding force is not needed, and NaN.
     #[inline(always)]
-    pub fn guard(&self, guard: Guard, phases: &Phases, t: f64, (y, rate): (&[f64; D], &[f64; D])) -> [f64; 2] {
+    pub fn guard(
+        &self,
+        guard: Guard,
+        phases: &Phases,
+        t: f64,
+        (y, rate): (&[f64; D], &[f64; D]),
+    ) -> [f64; 2] {
         match guard {
             Guard::Surface(p) => {
                 let [d, speed] = self.depth(&self.stops[p], y);
-                if phases[p] == Phase::Free { [-d, -speed] } else { [d, speed] }
+                if phases[p] == Phase::Free {
+                    [-d, -speed]
+                } else {
+                    [d, speed]
+                }
             }
             Guard::Push(p) => {
                 let stop = &self.stops[p];
                 let [d, speed] = self.depth(stop, y);
-                let (push, push_rate) = (stop.law.push(d, speed), stop.law.push_rate(speed, self.depth(stop, rate)[1]));
-                if phases[p] == Phase::Pushing { [push, push_rate] } else { [-push, -push_rate] }
+                let (push, push_rate) = (
+                    stop.law.push(d, speed),
+                    stop.law.push_rate(speed, self.depth(stop, rate)[1]),
+                );
+                if phases[p] == Phase::Pushing {
+                    [push, push_rate]
+                } else {
+                    [-push, -push_rate]
+                }
             }
             Guard::Hold(p) => {
                 let free = self.rate(t, y, phases, p);
@@ -75,7 +95,11 @@ impl<const N: usize, const D: usize> ReferenceModel<N, D> {
 
     /// What of a guard is roundoff: nothing of a holding force, whose sign alone counts.
     pub fn roundoff(&self, guard: Guard, y: &[f64; D]) -> f64 {
-        let terms = |p: usize, from: usize| (0..N).map(|i| (self.stops[p].shape[i] * y[from + i]).abs()).sum::<f64>();
+        let terms = |p: usize, from: usize| {
+            (0..N)
+                .map(|i| (self.stops[p].shape[i] * y[from + i]).abs())
+                .sum::<f64>()
+        };
         let depth = |p: usize| self.stops[p].gap.abs() + terms(p, 0);
         8.0 * f64::EPSILON
             * match guard {
@@ -89,10 +113,22 @@ impl<const N: usize, const D: usize> ReferenceModel<N, D> {
     }
 
     /// Where a guard that is zero goes: its rate, or where that of a surface is roundoff, the rate of the rate.
-    pub fn direction(&self, guard: Guard, phases: &Phases, slope: f64, (y, rate): (&[f64; D], &[f64; D])) -> f64 {
-        let Guard::Surface(p) = guard else { return slope };
+    pub fn direction(
+        &self,
+        guard: Guard,
+        phases: &Phases,
+        slope: f64,
+        (y, rate): (&[f64; D], &[f64; D]),
+    ) -> f64 {
+        let Guard::Surface(p) = guard else {
+            return slope;
+        };
         let stop = &self.stops[p];
-        let roundoff = 8.0 * f64::EPSILON * (0..N).map(|i| (stop.shape[i] * y[N + i]).abs()).sum::<f64>();
+        let roundoff = 8.0
+            * f64::EPSILON
+            * (0..N)
+                .map(|i| (stop.shape[i] * y[N + i]).abs())
+                .sum::<f64>();
         let acceleration = self.depth(stop, rate)[1];
         match phases[p] {
             _ if slope.abs() > roundoff => slope,

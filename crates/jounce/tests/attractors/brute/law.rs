@@ -37,10 +37,24 @@ impl Law {
     /// The numbers of a stop of a system.
     pub fn of(law: &theirs::Law) -> Self {
         match law {
-            theirs::Law::Hertz(law) => Law::Power { k: law.stiffness, n: law.exponent, a: 0.0 },
-            theirs::Law::HuntCrossley(law) => Law::Power { k: law.elastic.stiffness, n: law.elastic.exponent, a: law.damping_s_m },
-            theirs::Law::KelvinVoigt(law) => Law::Viscous { k: law.stiffness_n_m, c: law.damping_n_s_m },
-            theirs::Law::Cubic(law) => Law::Cubic { k: law.stiffness_n_m, k3: law.cubic_stiffness_n_m3 },
+            theirs::Law::Hertz(law) => Law::Power {
+                k: law.stiffness,
+                n: law.exponent,
+                a: 0.0,
+            },
+            theirs::Law::HuntCrossley(law) => Law::Power {
+                k: law.elastic.stiffness,
+                n: law.elastic.exponent,
+                a: law.damping_s_m,
+            },
+            theirs::Law::KelvinVoigt(law) => Law::Viscous {
+                k: law.stiffness_n_m,
+                c: law.damping_n_s_m,
+            },
+            theirs::Law::Cubic(law) => Law::Cubic {
+                k: law.stiffness_n_m,
+                k3: law.cubic_stiffness_n_m3,
+            },
             theirs::Law::Rigid(law) => Law::Rigid { e: law.restitution },
         }
     }
@@ -92,7 +106,8 @@ impl Law {
 
     /// Whether the force can vanish past the surface.
     pub fn is_damped(&self) -> bool {
-        matches!(*self, Law::Power { a, .. } if a > 0.0) || matches!(*self, Law::Viscous { c, .. } if c > 0.0)
+        matches!(*self, Law::Power { a, .. } if a > 0.0)
+            || matches!(*self, Law::Viscous { c, .. } if c > 0.0)
     }
 }
 

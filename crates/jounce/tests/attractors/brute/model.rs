@@ -55,16 +55,25 @@ impl<const N: usize, const D: usize> ReferenceModel<N, D> {
     /// The numbers of a system, which must be of the kinds that the equations above know.
     pub fn of(system: &System) -> Self {
         assert!(D == 2 * N + 2 && system.modes.len() <= N && system.stops.len() <= STOPS);
-        assert!(system.bridges.is_empty() && system.dashpots.is_empty() && system.drives.len() == 1 && system.modes.patch.len() <= 1);
+        assert!(
+            system.bridges.is_empty()
+                && system.dashpots.is_empty()
+                && system.drives.len() == 1
+                && system.modes.patch.len() <= 1
+        );
         let (modes, drive) = (&system.modes, &system.drives[0]);
         let frequency: [f64; N] = filled(&modes.frequency_rad_s);
         let ratio: [f64; N] = filled(&modes.damping_ratio);
         let patch = modes.patch.values().next();
         let load = system.loads.first();
-        assert!(load.is_none_or(|load| load.inductor.is_none() && load.connections.len() == 1 && load.connections[0].sign == 1.0));
+        assert!(load.is_none_or(|load| load.inductor.is_none()
+            && load.connections.len() == 1
+            && load.connections[0].sign == 1.0));
         let mut steady = [0.0; N];
         for signal in &system.signals {
-            let Wave::Constant(size) = signal.wave else { panic!("the drive {} is no sine", signal.name) };
+            let Wave::Constant(size) = signal.wave else {
+                panic!("the drive {} is no sine", signal.name)
+            };
             (0..modes.len()).for_each(|i| steady[i] += size * signal.shape[i]);
         }
         let angular = TAU * drive.frequency_hz;
@@ -72,7 +81,11 @@ impl<const N: usize, const D: usize> ReferenceModel<N, D> {
         let mut weights = [0.0; D];
         for i in 0..N {
             // A mode that does not exist stays at zero; one without stiffness is held against the drive.
-            weights[i] = if frequency[i] > 0.0 { frequency[i] } else { angular };
+            weights[i] = if frequency[i] > 0.0 {
+                frequency[i]
+            } else {
+                angular
+            };
             weights[N + i] = 1.0;
         }
         weights[2 * N] = capacitance.sqrt();
@@ -80,11 +93,19 @@ impl<const N: usize, const D: usize> ReferenceModel<N, D> {
             stiffness: frequency.map(|w| w * w),
             damping: std::array::from_fn(|i| 2.0 * ratio[i] * frequency[i]),
             coupling: patch.map_or([0.0; N], |patch| filled(&patch.coupling_n_per_v)),
-            driven: filled(&drive.shape.iter().map(|shape| shape * drive.amplitude_n).collect::<Vec<_>>()),
+            driven: filled(
+                &drive
+                    .shape
+                    .iter()
+                    .map(|shape| shape * drive.amplitude_n)
+                    .collect::<Vec<_>>(),
+            ),
             steady,
             capacitance,
             conductance: load.map_or(0.0, |load| load.resistance_ohm.recip()),
-            leak: patch.and_then(|patch| patch.leakage_ohm).map_or(0.0, f64::recip),
+            leak: patch
+                .and_then(|patch| patch.leakage_ohm)
+                .map_or(0.0, f64::recip),
             angular,
             phase: drive.phase_rad,
             modes: modes.len(),
@@ -110,7 +131,12 @@ impl<const N: usize, const D: usize> ReferenceModel<N, D> {
         let scaled = self.weights.scaled(y);
         let n = self.modes;
         let voltage = scaled[2 * N..].iter().take(usize::from(self.has_patch));
-        scaled[..n].iter().chain(&scaled[N..N + n]).chain(voltage).copied().collect()
+        scaled[..n]
+            .iter()
+            .chain(&scaled[N..N + n])
+            .chain(voltage)
+            .copied()
+            .collect()
     }
 
     /// Size below which no motion is measured: a thousandth of what drive and gravity alone do to the velocities in a radian.
@@ -150,7 +176,8 @@ impl<const N: usize, const D: usize> ReferenceModel<N, D> {
         for i in 0..N {
             rate[i] = y[N + i];
             let own = self.damping[i] * y[N + i] + self.stiffness[i] * y[i];
-            rate[N + i] = self.coupling[i] * voltage + self.driven[i] * drive + self.steady[i] - own;
+            rate[N + i] =
+                self.coupling[i] * voltage + self.driven[i] * drive + self.steady[i] - own;
             current += self.coupling[i] * y[N + i];
         }
         for (stop, phase) in self.stops.iter().zip(phases) {
@@ -173,7 +200,16 @@ impl<const N: usize, const D: usize> ReferenceModel<N, D> {
 }
 
 fn stop<const N: usize>(stop: &jounce::plant::Stop) -> Stop<N> {
-    assert!(stop.bases.is_empty(), "stop {} stands on a moving base", stop.name);
+    assert!(
+        stop.bases.is_empty(),
+        "stop {} stands on a moving base",
+        stop.name
+    );
     let square = stop.shape.iter().map(|s| s * s).sum();
-    Stop { shape: filled(&stop.shape), square, gap: stop.gap_m, law: Law::of(&stop.law) }
+    Stop {
+        shape: filled(&stop.shape),
+        square,
+        gap: stop.gap_m,
+        law: Law::of(&stop.law),
+    }
 }

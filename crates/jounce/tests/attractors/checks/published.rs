@@ -18,7 +18,10 @@ const OTHER_MESH: f64 = 2e-6;
 /// Error of a step, relative to the size of the motion.
 const TOLERANCE: f64 = 1e-12;
 
-const PATIENCE: Patience = Patience { cycles: 6000, period: 64 };
+const PATIENCE: Patience = Patience {
+    cycles: 6000,
+    period: 64,
+};
 
 /// 40 N at 13.5 Hz on 100 kohm, stiffness 10,000 N/m^1.5, damping ratio of the table 0.3.
 fn harvester(mut file: SpecFile) -> SpecFile {
@@ -27,7 +30,10 @@ fn harvester(mut file: SpecFile) -> SpecFile {
         ("drive.shaker.frequency", "\"13.5 Hz\""),
         ("circuit.load.resistance", "\"100 kohm\""),
         ("stop.tip.stiffness", "\"10000 N/m^1.5\""),
-        ("modal.harvester.damping_ratio", "[0.3, 0.00194, 0.00925, 0.00864, 0.00359, 0.00126, 0.00274, 0.0016]"),
+        (
+            "modal.harvester.damping_ratio",
+            "[0.3, 0.00194, 0.00925, 0.00864, 0.00359, 0.00126, 0.00274, 0.0016]",
+        ),
     ] {
         file.set(key, value).unwrap();
     }
@@ -41,15 +47,31 @@ fn bench() -> SpecFile {
 
 /// Displacement of +-30 mm as a static shape, velocity of +-1.6 m/s at the stop.
 fn grid() -> Grid {
-    let side = |axis: GridAxis, to: f64| GridSide { axis, from: -to, to, count: 20 };
-    Grid { sides: vec![side(GridAxis::Displacement, 30e-3), side(GridAxis::Velocity, 1.6)] }
+    let side = |axis: GridAxis, to: f64| GridSide {
+        axis,
+        from: -to,
+        to,
+        count: 20,
+    };
+    Grid {
+        sides: vec![
+            side(GridAxis::Displacement, 30e-3),
+            side(GridAxis::Velocity, 1.6),
+        ],
+    }
 }
 
 /// One start of the grid for each of the orbits of 1, 3 and 18 cycles.
 #[test]
 fn starts_end_on_the_published_orbits() {
-    let plant = Model::new(harvester(bench()).spec().unwrap()).unwrap().kernel.plant.clone();
-    let starts: Vec<Vec<f64>> = [25, 100, 150].map(|number| grid().start(&plant, number)).to_vec();
+    let plant = Model::new(harvester(bench()).spec().unwrap())
+        .unwrap()
+        .kernel
+        .plant
+        .clone();
+    let starts: Vec<Vec<f64>> = [25, 100, 150]
+        .map(|number| grid().start(&plant, number))
+        .to_vec();
     let found = endings(&plant.system, &starts, PATIENCE, TOLERANCE);
     let kinds: Vec<Kind> = found.iter().map(|ending| ending.kind).collect();
     assert_eq!(kinds, [1, 18, 3].map(Kind::Periodic));
@@ -66,8 +88,18 @@ fn the_grid_ends_where_brute_force_ends() {
         eprintln!("SKIPPED: JOUNCE_GRID=1 marches the grid of 400 starts");
         return;
     }
-    let file = std::env::var("JOUNCE_GRID_PLANT").map_or_else(|_| bench(), |path| SpecFile::read(path).unwrap());
-    let found = compare(&harvester(file), InitialStates::Grid(grid()), PATIENCE, TOLERANCE);
+    let file = std::env::var("JOUNCE_GRID_PLANT")
+        .map_or_else(|_| bench(), |path| SpecFile::read(path).unwrap());
+    let found = compare(
+        &harvester(file),
+        InitialStates::Grid(grid()),
+        PATIENCE,
+        TOLERANCE,
+    );
     eprintln!("{found}");
-    assert_eq!(found.count(Verdict::Different), 0, "starts attributed wrongly");
+    assert_eq!(
+        found.count(Verdict::Different),
+        0,
+        "starts attributed wrongly"
+    );
 }

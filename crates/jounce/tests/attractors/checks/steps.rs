@@ -6,16 +6,26 @@ use jounce::analysis::{Cloud, Model};
 use jounce::plant::Plant;
 use jounce::spec::SpecFile;
 
-const CLOUD: Cloud = Cloud { starts: 3, seed: 9, spread: 3.0 };
+const CLOUD: Cloud = Cloud {
+    starts: 3,
+    seed: 9,
+    spread: 3.0,
+};
 
 fn plant(index: u64) -> Plant {
-    Model::new(SpecFile::from_text(drawn(22, index)).spec().unwrap()).unwrap().kernel.plant.clone()
+    Model::new(SpecFile::from_text(drawn(22, index)).spec().unwrap())
+        .unwrap()
+        .kernel
+        .plant
+        .clone()
 }
 
 /// Calls a function with the model of a drawn harvester and its starts.
 macro_rules! with_model {
     ($plant:expr, $function:ident) => {{
-        let starts: Vec<Vec<f64>> = (0..CLOUD.starts).map(|index| CLOUD.start(&$plant, index)).collect();
+        let starts: Vec<Vec<f64>> = (0..CLOUD.starts)
+            .map(|index| CLOUD.start(&$plant, index))
+            .collect();
         match $plant.system.modes.len() {
             1 => $function(&ReferenceModel::<1, 4>::of(&$plant.system), &starts),
             2 => $function(&ReferenceModel::<2, 6>::of(&$plant.system), &starts),
@@ -24,13 +34,23 @@ macro_rules! with_model {
     }};
 }
 
-fn distance<const N: usize, const D: usize>(model: &ReferenceModel<N, D>, a: &[f64; D], b: &[f64; D]) -> f64 {
-    model.weights.square(&std::array::from_fn(|i| a[i] - b[i])).sqrt()
+fn distance<const N: usize, const D: usize>(
+    model: &ReferenceModel<N, D>,
+    a: &[f64; D],
+    b: &[f64; D],
+) -> f64 {
+    model
+        .weights
+        .square(&std::array::from_fn(|i| a[i] - b[i]))
+        .sqrt()
 }
 
 /// Largest difference over one cycle, of each of 30 cycles of every start, to the same cycle at a tenth of the error per step: in the
 /// size of the motion, and in what the cycle makes of a start that is off by 1e-9 of that size.
-fn refined<const N: usize, const D: usize>(model: &ReferenceModel<N, D>, starts: &[Vec<f64>]) -> f64 {
+fn refined<const N: usize, const D: usize>(
+    model: &ReferenceModel<N, D>,
+    starts: &[Vec<f64>],
+) -> f64 {
     let [coarse, fine] = [1e-13, 1e-14].map(|tolerance| Flow { model, tolerance });
     let mut largest = 0.0_f64;
     for start in starts {
@@ -45,7 +65,8 @@ fn refined<const N: usize, const D: usize>(model: &ReferenceModel<N, D>, starts:
             fine.cycle(&mut moved);
             let growth = distance(model, &finer.state, &moved.state) / apart;
             assert!(!motion.is_lost && !finer.is_lost);
-            largest = largest.max(distance(model, &motion.state, &finer.state) / motion.size / growth.max(1.0));
+            largest = largest
+                .max(distance(model, &motion.state, &finer.state) / motion.size / growth.max(1.0));
         }
     }
     largest
@@ -54,31 +75,47 @@ fn refined<const N: usize, const D: usize>(model: &ReferenceModel<N, D>, starts:
 /// A cycle ends where one ends that starts within 1e-9 of the size of the motion.
 #[test]
 fn steps_of_a_tenth_of_the_error_change_a_cycle_by_less_than_1e_9() {
-    let mut all: Vec<(f64, u64)> = (0..40).map(|index| (with_model!(plant(index), refined), index)).collect();
+    let mut all: Vec<(f64, u64)> = (0..40)
+        .map(|index| (with_model!(plant(index), refined), index))
+        .collect();
     all.sort_by(|a, b| b.0.total_cmp(&a.0));
     eprintln!("{:?}", &all[..8]);
     assert!(all[0].0 < 1e-9, "{:?}", &all[..8]);
 }
 
 /// Largest differences after a cycle to 20,000 and to 160,000 steps of the classical method of order 4.
-fn plain<const N: usize, const D: usize>(model: &ReferenceModel<N, D>, starts: &[Vec<f64>]) -> [f64; 2] {
-    let flow = Flow { model, tolerance: 1e-13 };
+fn plain<const N: usize, const D: usize>(
+    model: &ReferenceModel<N, D>,
+    starts: &[Vec<f64>],
+) -> [f64; 2] {
+    let flow = Flow {
+        model,
+        tolerance: 1e-13,
+    };
     let mut largest = [0.0_f64; 2];
     for start in starts {
         let mut motion = flow.start(model.state(start));
         let begin = motion.state;
         flow.cycle(&mut motion);
         for (largest, steps) in largest.iter_mut().zip([20_000, 160_000]) {
-            *largest = largest.max(distance(model, &motion.state, &plain_cycle(model, begin, steps)) / motion.size);
+            *largest = largest.max(
+                distance(model, &motion.state, &plain_cycle(model, begin, steps)) / motion.size,
+            );
         }
     }
     largest
 }
 
-fn plain_cycle<const N: usize, const D: usize>(model: &ReferenceModel<N, D>, mut y: [f64; D], steps: u32) -> [f64; D] {
+fn plain_cycle<const N: usize, const D: usize>(
+    model: &ReferenceModel<N, D>,
+    mut y: [f64; D],
+    steps: u32,
+) -> [f64; D] {
     let h = model.cycle_s / f64::from(steps);
     let rate = |t: f64, y: &[f64; D]| model.rate(t, y, &model.phases(y), usize::MAX);
-    let moved = |y: &[f64; D], h: f64, k: &[f64; D]| -> [f64; D] { std::array::from_fn(|i| y[i] + h * k[i]) };
+    let moved = |y: &[f64; D], h: f64, k: &[f64; D]| -> [f64; D] {
+        std::array::from_fn(|i| y[i] + h * k[i])
+    };
     for step in 0..steps {
         let t = f64::from(step) * h;
         let k1 = rate(t, &y);
@@ -96,9 +133,14 @@ fn plain_cycle<const N: usize, const D: usize>(model: &ReferenceModel<N, D>, mut
 #[test]
 fn a_plain_method_without_events_converges_to_the_same_motion() {
     let compliant = (0..40).filter(|index| !drawn(22, *index).contains("rigid"));
-    let mut all: Vec<([f64; 2], u64)> = compliant.map(|index| (with_model!(plant(index), plain), index)).collect();
+    let mut all: Vec<([f64; 2], u64)> = compliant
+        .map(|index| (with_model!(plant(index), plain), index))
+        .collect();
     all.sort_by(|a, b| b.0[1].total_cmp(&a.0[1]));
     eprintln!("{all:?}");
     let converges = |[coarse, fine]: [f64; 2]| fine < 1e-9 || fine < 0.6 * coarse;
-    assert!(all.len() > 20 && all.iter().all(|(errors, _)| converges(*errors)), "{all:?}");
+    assert!(
+        all.len() > 20 && all.iter().all(|(errors, _)| converges(*errors)),
+        "{all:?}"
+    );
 }

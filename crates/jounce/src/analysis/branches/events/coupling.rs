@@ -22,10 +22,18 @@ pub(super) struct Couplings(Option<Vec<Vec<f64>>>);
 impl Couplings {
     /// Couplings that another map has in the eigenvectors of a map with these multipliers.
     pub fn of(values: &[c64], [own, other]: [(&Mat<f64>, &Option<Eigenbasis>); 2]) -> Self {
-        let tied = own.1.as_ref().zip(other.1.as_ref()).and_then(|(basis, beyond)| basis.couplings(own.0, (beyond, other.0)));
-        let Some((own, tied)) = tied else { return Self(None) };
+        let tied = own
+            .1
+            .as_ref()
+            .zip(other.1.as_ref())
+            .and_then(|(basis, beyond)| basis.couplings(own.0, (beyond, other.0)));
+        let Some((own, tied)) = tied else {
+            return Self(None);
+        };
         let mut all = vec![vec![0.0; values.len()]; values.len()];
-        let pairs = paired(values.len(), own.len(), |i, k| (values[i] - own[k]).norm_sqr());
+        let pairs = paired(values.len(), own.len(), |i, k| {
+            (values[i] - own[k]).norm_sqr()
+        });
         for (i, k) in &pairs {
             for (j, l) in &pairs {
                 all[*i][*j] = tied[(*k, *l)];
@@ -37,20 +45,38 @@ impl Couplings {
     /// Coupling of two multipliers; infinite where it is not known.
     fn between(&self, i: usize, j: usize) -> f64 {
         let known = self.0.as_ref().map(|all| all[i][j]);
-        known.filter(|coupling| !coupling.is_nan()).unwrap_or(f64::INFINITY)
+        known
+            .filter(|coupling| !coupling.is_nan())
+            .unwrap_or(f64::INFINITY)
     }
 }
 
 /// True where two complex multipliers may meet on the step and leave the unit circle; each is given by its index at both ends. Of two conjugates the
 /// upper one stands for both.
-pub(super) fn may_push_out(ends: [StepEnd; 2], couplings: &[Couplings; 2], one: (usize, usize), two: (usize, usize)) -> bool {
+pub(super) fn may_push_out(
+    ends: [StepEnd; 2],
+    couplings: &[Couplings; 2],
+    one: (usize, usize),
+    two: (usize, usize),
+) -> bool {
     let [a, b] = ends;
-    let values = [a.value(one.0), a.value(two.0), b.value(one.1), b.value(two.1)];
+    let values = [
+        a.value(one.0),
+        a.value(two.0),
+        b.value(one.1),
+        b.value(two.1),
+    ];
     if values[0].im <= 0.0 || values.iter().any(|mu| mu.im == 0.0) {
         return false;
     }
-    let coupling = COUPLING_MARGIN * couplings[0].between(one.0, two.0).max(couplings[1].between(one.1, two.1));
-    let [first, second] = [values[0].norm().max(values[2].norm()), values[1].norm().max(values[3].norm())];
+    let coupling = COUPLING_MARGIN
+        * couplings[0]
+            .between(one.0, two.0)
+            .max(couplings[1].between(one.1, two.1));
+    let [first, second] = [
+        values[0].norm().max(values[2].norm()),
+        values[1].norm().max(values[3].norm()),
+    ];
     largest_coupled(first, second, coupling) >= 1.0 && may_meet(ends, one, two)
 }
 
@@ -70,12 +96,22 @@ fn may_meet(ends: [StepEnd; 2], one: (usize, usize), two: (usize, usize)) -> boo
     };
     let from = (a.value(one.0) / a.value(two.0)).arg();
     let to = from + turn(one) - turn(two);
-    let slopes = [rate(a, one.0) - rate(a, two.0), rate(b, one.1) - rate(b, two.1)];
+    let slopes = [
+        rate(a, one.0) - rate(a, two.0),
+        rate(b, one.1) - rate(b, two.1),
+    ];
     let reach = slopes[0].abs().max(slopes[1].abs());
     let (low, high) = ((from.min(to) - reach) / TAU, (from.max(to) + reach) / TAU);
     if (high - low).is_nan() || high - low >= MAX_TURNS {
         return true;
     }
-    let meets = |k: i64| Interpolant { values: [from, to].map(|angle| angle - TAU * k as f64), slopes }.crossings() != Some(0);
+    let meets = |k: i64| {
+        Interpolant {
+            values: [from, to].map(|angle| angle - TAU * k as f64),
+            slopes,
+        }
+        .crossings()
+            != Some(0)
+    };
     (low.ceil() as i64..=high.floor() as i64).any(meets)
 }

@@ -47,7 +47,10 @@ impl Interpolant {
     /// Number of crossings of zero on the step; `None` where it is not proved.
     pub fn crossings(&self) -> Option<usize> {
         let [from, to] = self.values;
-        if !(from.is_finite() && to.is_finite() && self.slopes.iter().all(|slope| slope.is_finite())) {
+        if !(from.is_finite()
+            && to.is_finite()
+            && self.slopes.iter().all(|slope| slope.is_finite()))
+        {
             return None;
         }
         let ([p, q], error) = (self.slopes, self.error());
@@ -57,16 +60,37 @@ impl Interpolant {
             let share = i as f64 / 4.0;
             share * cubic[i.saturating_sub(1)] + (1.0 - share) * cubic[i.min(3)]
         };
-        let bound = |sign: f64| std::array::from_fn(|i| raised(i) + if i == 2 { sign * 16.0 / 6.0 * error } else { 0.0 });
+        let bound = |sign: f64| {
+            std::array::from_fn(|i| {
+                raised(i)
+                    + if i == 2 {
+                        sign * 16.0 / 6.0 * error
+                    } else {
+                        0.0
+                    }
+            })
+        };
         let slope = std::array::from_fn(|i| 3.0 * (cubic[i + 1] - cubic[i]));
         let mut pieces = Vec::new();
-        examine(bound(-1.0), bound(1.0), (slope, ERROR_SLOPE * error), MAX_HALVINGS, &mut pieces);
+        examine(
+            bound(-1.0),
+            bound(1.0),
+            (slope, ERROR_SLOPE * error),
+            MAX_HALVINGS,
+            &mut pieces,
+        );
         counted(from > 0.0, to > 0.0, &pieces)
     }
 }
 
 /// Lists the pieces of a step between a lower and an upper bound.
-fn examine(low: [f64; 5], high: [f64; 5], (slope, slope_error): ([f64; 3], f64), depth: u32, pieces: &mut Vec<InterpolantPiece>) {
+fn examine(
+    low: [f64; 5],
+    high: [f64; 5],
+    (slope, slope_error): ([f64; 3], f64),
+    depth: u32,
+    pieces: &mut Vec<InterpolantPiece>,
+) {
     // An end of a step may lie on zero.
     let piece = if low[1..4].iter().all(|c| *c > 0.0) && low[0] >= 0.0 && low[4] >= 0.0 {
         InterpolantPiece::Sign(true)
@@ -79,7 +103,8 @@ fn examine(low: [f64; 5], high: [f64; 5], (slope, slope_error): ([f64; 3], f64),
     } else if depth == 0 {
         InterpolantPiece::Open
     } else {
-        let ([low_1, low_2], [high_1, high_2], [slope_1, slope_2]) = (halves(low), halves(high), halves(slope));
+        let ([low_1, low_2], [high_1, high_2], [slope_1, slope_2]) =
+            (halves(low), halves(high), halves(slope));
         examine(low_1, high_1, (slope_1, slope_error), depth - 1, pieces);
         return examine(low_2, high_2, (slope_2, slope_error), depth - 1, pieces);
     };
@@ -121,8 +146,15 @@ fn counted(first: bool, last: bool, pieces: &[InterpolantPiece]) -> Option<usize
 mod tests {
     use super::*;
 
-    fn of(value: impl Fn(f64) -> f64, slope: impl Fn(f64) -> f64, (from, to): (f64, f64)) -> Interpolant {
-        Interpolant { values: [value(from), value(to)], slopes: [slope(from) * (to - from), slope(to) * (to - from)] }
+    fn of(
+        value: impl Fn(f64) -> f64,
+        slope: impl Fn(f64) -> f64,
+        (from, to): (f64, f64),
+    ) -> Interpolant {
+        Interpolant {
+            values: [value(from), value(to)],
+            slopes: [slope(from) * (to - from), slope(to) * (to - from)],
+        }
     }
 
     /// `e - (s - 0.4)^2`, two zeros `2 sqrt(e)` apart: found where they are apart, never missed however near they are.
@@ -130,12 +162,24 @@ mod tests {
     fn a_pair_of_crossings_is_never_taken_for_none() {
         for power in 1..14 {
             let apart = 10.0_f64.powi(-power);
-            let pair = of(|s| apart - (s - 0.4) * (s - 0.4), |s| -2.0 * (s - 0.4), (0.0, 1.0));
+            let pair = of(
+                |s| apart - (s - 0.4) * (s - 0.4),
+                |s| -2.0 * (s - 0.4),
+                (0.0, 1.0),
+            );
             assert_ne!(pair.crossings(), Some(0), "{apart:e}");
-            let half = of(|s| apart - (s - 0.4) * (s - 0.4), |s| -2.0 * (s - 0.4), (0.5, 1.0));
+            let half = of(
+                |s| apart - (s - 0.4) * (s - 0.4),
+                |s| -2.0 * (s - 0.4),
+                (0.5, 1.0),
+            );
             assert!(half.crossings().is_none_or(|count| count < 2), "{apart:e}");
         }
-        let far = of(|s| -1.0 - (s - 0.4) * (s - 0.4), |s| -2.0 * (s - 0.4), (0.0, 1.0));
+        let far = of(
+            |s| -1.0 - (s - 0.4) * (s - 0.4),
+            |s| -2.0 * (s - 0.4),
+            (0.0, 1.0),
+        );
         assert_eq!(far.crossings(), Some(0));
     }
 
@@ -146,10 +190,15 @@ mod tests {
         for k in 0..2000 {
             let unit = |j: u32| (f64::from(k * 7 + j) * 0.618_033_988_749_895).fract() * 2.0 - 1.0;
             let (bend, wave, phase) = (unit(1), 0.3 * unit(2), 3.0 * unit(3));
-            let value = |s: f64| unit(4) + unit(5) * s + bend * s * s + wave * (2.0 * s + phase).sin();
+            let value =
+                |s: f64| unit(4) + unit(5) * s + bend * s * s + wave * (2.0 * s + phase).sin();
             let slope = |s: f64| unit(5) + 2.0 * bend * s + 2.0 * wave * (2.0 * s + phase).cos();
-            let Some(count) = of(value, slope, (0.0, 1.0)).crossings() else { continue };
-            let signs: Vec<bool> = (0..=4000).map(|i| value(f64::from(i) / 4000.0) > 0.0).collect();
+            let Some(count) = of(value, slope, (0.0, 1.0)).crossings() else {
+                continue;
+            };
+            let signs: Vec<bool> = (0..=4000)
+                .map(|i| value(f64::from(i) / 4000.0) > 0.0)
+                .collect();
             let sampled = signs.windows(2).filter(|two| two[0] != two[1]).count();
             assert_eq!(count, sampled, "case {k}");
             proved += 1;
@@ -163,10 +212,23 @@ mod tests {
     fn every_zero_of_a_pair_is_found_or_not_proved() {
         for k in 0..400_u32 {
             let unit = |j: u32| (f64::from(k * 5 + j) * 0.618_033_988_749_895).fract();
-            let (first, second, apart) = (0.1 + 0.3 * unit(1), 0.6 + 0.3 * unit(2), 10.0_f64.powf(-1.0 - 6.0 * unit(3)));
+            let (first, second, apart) = (
+                0.1 + 0.3 * unit(1),
+                0.6 + 0.3 * unit(2),
+                10.0_f64.powf(-1.0 - 6.0 * unit(3)),
+            );
             let zeros = [first, first + apart, second];
             let value = |s: f64| zeros.iter().map(|z| s - z).product::<f64>();
-            let slope = |s: f64| (0..3).map(|k| (0..3).filter(|j| *j != k).map(|j| s - zeros[j]).product::<f64>()).sum::<f64>();
+            let slope = |s: f64| {
+                (0..3)
+                    .map(|k| {
+                        (0..3)
+                            .filter(|j| *j != k)
+                            .map(|j| s - zeros[j])
+                            .product::<f64>()
+                    })
+                    .sum::<f64>()
+            };
             let (mut steps, mut found, mut open) = (vec![(0.0, 1.0)], 0, 0);
             while let Some((from, to)) = steps.pop() {
                 let inside = zeros.iter().filter(|z| (from..to).contains(*z)).count();
@@ -188,9 +250,17 @@ mod tests {
     /// A kink in the middle of the step that dips below zero, with slopes that show it.
     #[test]
     fn a_kink_below_zero_is_not_proved_away() {
-        let kink = of(|s| (s - 0.5).abs() - 0.01, |s| (s - 0.5).signum(), (0.0, 1.0));
+        let kink = of(
+            |s| (s - 0.5).abs() - 0.01,
+            |s| (s - 0.5).signum(),
+            (0.0, 1.0),
+        );
         assert_ne!(kink.crossings(), Some(0));
-        let above = of(|s| (s - 0.5).abs() + 0.6, |s| (s - 0.5).signum(), (0.0, 1.0));
+        let above = of(
+            |s| (s - 0.5).abs() + 0.6,
+            |s| (s - 0.5).signum(),
+            (0.0, 1.0),
+        );
         assert_eq!(above.crossings(), Some(0));
     }
 }

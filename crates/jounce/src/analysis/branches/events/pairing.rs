@@ -2,8 +2,10 @@
 
 /// Pairs of places in two lists of some lengths, the least cost first; what has no finite cost with anything left stays alone.
 pub fn paired(from: usize, to: usize, cost: impl Fn(usize, usize) -> f64) -> Vec<(usize, usize)> {
-    let mut costs: Vec<(f64, usize, usize)> =
-        (0..from).flat_map(|i| (0..to).map(move |j| (i, j))).map(|(i, j)| (cost(i, j), i, j)).collect();
+    let mut costs: Vec<(f64, usize, usize)> = (0..from)
+        .flat_map(|i| (0..to).map(move |j| (i, j)))
+        .map(|(i, j)| (cost(i, j), i, j))
+        .collect();
     costs.retain(|(cost, ..)| cost.is_finite());
     costs.sort_by(|a, b| a.0.total_cmp(&b.0));
     let (mut taken_from, mut taken_to) = (vec![false; from], vec![false; to]);
@@ -25,7 +27,13 @@ mod tests {
     #[test]
     fn the_nearest_are_joined_first_and_what_is_left_over_stays_alone() {
         let (one, two): ([f64; 3], [f64; 2]) = ([0.0, 1.0, 5.0], [1.1, 0.2]);
-        assert_eq!(paired(3, 2, |i, j| (one[i] - two[j]).abs()), [(0, 1), (1, 0)]);
-        assert_eq!(paired(3, 2, |i, _| if i == 2 { 0.0 } else { f64::INFINITY }), [(2, 0)]);
+        assert_eq!(
+            paired(3, 2, |i, j| (one[i] - two[j]).abs()),
+            [(0, 1), (1, 0)]
+        );
+        assert_eq!(
+            paired(3, 2, |i, _| if i == 2 { 0.0 } else { f64::INFINITY }),
+            [(2, 0)]
+        );
     }
 }

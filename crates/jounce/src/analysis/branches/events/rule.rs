@@ -2,7 +2,10 @@
 
 use super::coupling::{Couplings, may_push_out};
 use super::interpolant::Interpolant;
-use super::spectrum::{MultiplierGroup, StepEnd, TestFunction, between, doubling, fold, groups, is_enclosed, is_torus_crossing, torus};
+use super::spectrum::{
+    MultiplierGroup, StepEnd, TestFunction, between, doubling, fold, groups, is_enclosed,
+    is_torus_crossing, torus,
+};
 use super::turning_points::{Extremum, extrema, may_touch_unseen};
 use crate::analysis::branches::branch::BranchKind;
 use crate::analysis::branches::halves::meets_halves;
@@ -34,9 +37,19 @@ pub struct NotProved {
 impl NotProved {
     /// Adds a part to a list, to the part before it where that is of the same kind.
     fn add(list: &mut Vec<Self>, event: BranchKind, [from, to]: [f64; 2], why: &str) {
-        match list.iter_mut().rev().find(|known| known.event == event).filter(|known| known.to == from && known.why == why) {
+        match list
+            .iter_mut()
+            .rev()
+            .find(|known| known.event == event)
+            .filter(|known| known.to == from && known.why == why)
+        {
             Some(known) => known.to = to,
-            None => list.push(Self { event, from, to, why: why.to_owned() }),
+            None => list.push(Self {
+                event,
+                from,
+                to,
+                why: why.to_owned(),
+            }),
         }
     }
 }
@@ -53,7 +66,13 @@ impl BranchTracer {
         after: OrbitPoint<M>,
         not_proved: &mut Vec<NotProved>,
     ) -> Result<Vec<OrbitPoint<M>>, M::Error> {
-        self.halved(method, (before, after), MAX_STEP_HALVINGS, &mut { MAX_STEP_POINTS }, not_proved)
+        self.halved(
+            method,
+            (before, after),
+            MAX_STEP_HALVINGS,
+            &mut { MAX_STEP_POINTS },
+            not_proved,
+        )
     }
 
     fn halved<M: OrbitMethod>(
@@ -69,10 +88,25 @@ impl BranchTracer {
             return Ok(vec![after]);
         }
         let is_left = halvings > 0 && *points > 0;
-        let middle = if is_left { self.half_way(method, &before.step, &after.step) } else { None };
+        let middle = if is_left {
+            self.half_way(method, &before.step, &after.step)
+        } else {
+            None
+        };
         let Some(middle) = middle else {
-            let why = if is_left { "no orbit was found half-way" } else { "the shortest steps do not prove it" };
-            doubts.into_iter().for_each(|event| NotProved::add(not_proved, event, [before, &after].map(|at| at.point.parameter), why));
+            let why = if is_left {
+                "no orbit was found half-way"
+            } else {
+                "the shortest steps do not prove it"
+            };
+            doubts.into_iter().for_each(|event| {
+                NotProved::add(
+                    not_proved,
+                    event,
+                    [before, &after].map(|at| at.point.parameter),
+                    why,
+                )
+            });
             return Ok(vec![after]);
         };
         *points -= 1;
@@ -94,36 +128,77 @@ impl BranchTracer {
         after: &CurvePoint<M::Evaluation>,
     ) -> Option<CurvePoint<M::Evaluation>> {
         let metric = Metric::at(&before.position, self.parameter_scale());
-        let stretch = HermiteSegment::between(&metric, (&before.position, &before.tangent), (&after.position, &after.tangent));
+        let stretch = HermiteSegment::between(
+            &metric,
+            (&before.position, &before.tangent),
+            (&after.position, &after.tangent),
+        );
         let ahead = metric.unit(before.position.to(&after.position));
-        let found = correct(method, &self.corrector, &metric, &ahead, stretch.at(0.5 * stretch.length)).ok()?;
+        let found = correct(
+            method,
+            &self.corrector,
+            &metric,
+            &ahead,
+            stretch.at(0.5 * stretch.length),
+        )
+        .ok()?;
         let ahead = tangent(&found.local, &metric, &ahead)?;
-        Some(CurvePoint { position: found.position, tangent: ahead, local: found.local, error: found.error })
+        Some(CurvePoint {
+            position: found.position,
+            tangent: ahead,
+            local: found.local,
+            error: found.error,
+        })
     }
 
     /// Kinds of events of which a step may hold more than one.
-    fn doubts<M: OrbitMethod>(&self, method: &M, before: &OrbitPoint<M>, after: &OrbitPoint<M>) -> Vec<BranchKind> {
+    fn doubts<M: OrbitMethod>(
+        &self,
+        method: &M,
+        before: &OrbitPoint<M>,
+        after: &OrbitPoint<M>,
+    ) -> Vec<BranchKind> {
         let mut doubts = Vec::new();
         let meets = meets_halves(&before.point.orbit, &after.point.orbit);
-        if !meets && self.turns(&before.step, &after.step).crossings().is_none_or(|count| count > 1) {
+        if !meets
+            && self
+                .turns(&before.step, &after.step)
+                .crossings()
+                .is_none_or(|count| count > 1)
+        {
             doubts.push(BranchKind::Fold);
         }
         let Some(ends) = self.ends(method, before, after) else {
-            doubts.extend([BranchKind::PeriodDoubling, BranchKind::NeimarkSacker, BranchKind::Grazing]);
+            doubts.extend([
+                BranchKind::PeriodDoubling,
+                BranchKind::NeimarkSacker,
+                BranchKind::Grazing,
+            ]);
             return doubts;
         };
         let [one, two] = ends.map(|end| end.readings);
         // Without contacts and switches multipliers are those of the plant, all inside.
         if !(one.here.is_free && two.here.is_free) {
             let couplings = Self::couplings(method, before, after);
-            let is_tied = |one, two| couplings.as_ref().is_none_or(|couplings| may_push_out(ends, couplings, one, two));
-            doubts.extend(doubtful_multipliers(ends, is_tied).into_iter().filter(|kind| !(meets && *kind == BranchKind::BranchPoint)));
+            let is_tied = |one, two| {
+                couplings
+                    .as_ref()
+                    .is_none_or(|couplings| may_push_out(ends, couplings, one, two))
+            };
+            doubts.extend(
+                doubtful_multipliers(ends, is_tied)
+                    .into_iter()
+                    .filter(|kind| !(meets && *kind == BranchKind::BranchPoint)),
+            );
         }
         let is_open = |turn: &Extremum| turn.past_m.crossings().is_none_or(|count| count > 1);
         if may_touch_unseen(ends) || extrema(ends).iter().any(is_open) {
             doubts.push(BranchKind::Grazing);
         }
-        let level = |k: usize| Interpolant { values: [one, two].map(|at| at.here.levels[k]), slopes: ends.map(|end| end.level(k)) };
+        let level = |k: usize| Interpolant {
+            values: [one, two].map(|at| at.here.levels[k]),
+            slopes: ends.map(|end| end.level(k)),
+        };
         if (0..self.levels.len()).any(|k| level(k).crossings().is_none_or(|count| count > 1)) {
             doubts.push(BranchKind::Level);
         }
@@ -139,13 +214,20 @@ impl BranchTracer {
     ) -> Option<[StepEnd<'p>; 2]> {
         let end = |at: &'p OrbitPoint<M>| {
             let metric = Metric::at(&at.step.position, self.parameter_scale());
-            Some(StepEnd { readings: at.readings(method, self)?, length: metric.length(&before.step.position.to(&after.step.position)) })
+            Some(StepEnd {
+                readings: at.readings(method, self)?,
+                length: metric.length(&before.step.position.to(&after.step.position)),
+            })
         };
         Some([end(before)?, end(after)?])
     }
 
     /// Couplings of the multipliers at each end of a step, read from the map at the other end.
-    fn couplings<M: OrbitMethod>(method: &M, before: &OrbitPoint<M>, after: &OrbitPoint<M>) -> Option<[Couplings; 2]> {
+    fn couplings<M: OrbitMethod>(
+        method: &M,
+        before: &OrbitPoint<M>,
+        after: &OrbitPoint<M>,
+    ) -> Option<[Couplings; 2]> {
         let maps = [before, after].map(|place| method.shot(&place.step.local).ok());
         let one = (&maps[0]?.block_map, before.eigenbasis(method));
         let two = (&maps[1]?.block_map, after.eigenbasis(method));
@@ -162,24 +244,46 @@ impl BranchTracer {
         let [first, last] = [rate(before), rate(after)];
         // Bernstein coefficients of its derivative: first, middle, last.
         let middle = 3.0 * way.parameter - first - last;
-        Interpolant { values: [first, last], slopes: [2.0 * (middle - first), 2.0 * (last - middle)] }
+        Interpolant {
+            values: [first, last],
+            slopes: [2.0 * (middle - first), 2.0 * (last - middle)],
+        }
     }
 }
 
 /// Kinds of which more than one multiplier may pass its critical value, or one of them more than once.
-fn doubtful_multipliers(ends: [StepEnd; 2], is_tied: impl Fn((usize, usize), (usize, usize)) -> bool) -> Vec<BranchKind> {
-    let groups: Vec<MultiplierGroup> = groups(ends, is_tied).into_iter().filter(|group| !is_enclosed(ends, group)).collect();
-    let kinds: [(BranchKind, TestFunction); 3] =
-        [(BranchKind::PeriodDoubling, doubling), (BranchKind::BranchPoint, fold), (BranchKind::NeimarkSacker, torus)];
+fn doubtful_multipliers(
+    ends: [StepEnd; 2],
+    is_tied: impl Fn((usize, usize), (usize, usize)) -> bool,
+) -> Vec<BranchKind> {
+    let groups: Vec<MultiplierGroup> = groups(ends, is_tied)
+        .into_iter()
+        .filter(|group| !is_enclosed(ends, group))
+        .collect();
+    let kinds: [(BranchKind, TestFunction); 3] = [
+        (BranchKind::PeriodDoubling, doubling),
+        (BranchKind::BranchPoint, fold),
+        (BranchKind::NeimarkSacker, torus),
+    ];
     let is_doubtful = |kind: BranchKind, f: TestFunction| {
         let mut count = 0;
         for group in &groups {
-            let Some(own) = between(ends, group, f).crossings() else { return true };
-            let crosses = if kind == BranchKind::NeimarkSacker && own > 0 { is_torus_crossing(ends, group) } else { Some(true) };
+            let Some(own) = between(ends, group, f).crossings() else {
+                return true;
+            };
+            let crosses = if kind == BranchKind::NeimarkSacker && own > 0 {
+                is_torus_crossing(ends, group)
+            } else {
+                Some(true)
+            };
             let Some(crosses) = crosses else { return true };
             count += if crosses { own } else { 0 };
         }
         count > 1
     };
-    kinds.into_iter().filter(|(kind, f)| is_doubtful(*kind, *f)).map(|(kind, _)| kind).collect()
+    kinds
+        .into_iter()
+        .filter(|(kind, f)| is_doubtful(*kind, *f))
+        .map(|(kind, _)| kind)
+        .collect()
 }

@@ -56,7 +56,13 @@ impl StepEnd<'_> {
     fn conjugate(&self, i: usize) -> usize {
         let conjugate = self.value(i).conj();
         let off = |j: &usize| (self.value(*j) - conjugate).norm();
-        if conjugate.im == 0.0 { i } else { (0..self.count()).min_by(|a, b| off(a).total_cmp(&off(b))).unwrap_or(i) }
+        if conjugate.im == 0.0 {
+            i
+        } else {
+            (0..self.count())
+                .min_by(|a, b| off(a).total_cmp(&off(b)))
+                .unwrap_or(i)
+        }
     }
 
     /// A function of some multipliers, and its change over the step by its derivative.
@@ -68,15 +74,26 @@ impl StepEnd<'_> {
 }
 
 /// A function of a group between two ends.
-pub(super) fn between([a, b]: [StepEnd; 2], group: &MultiplierGroup, f: TestFunction) -> Interpolant {
+pub(super) fn between(
+    [a, b]: [StepEnd; 2],
+    group: &MultiplierGroup,
+    f: TestFunction,
+) -> Interpolant {
     let (from, to) = (a.of(&group.from, f), b.of(&group.to, f));
-    Interpolant { values: [from.0, to.0], slopes: [from.1, to.1] }
+    Interpolant {
+        values: [from.0, to.0],
+        slopes: [from.1, to.1],
+    }
 }
 
 /// True where the blocks that the group belongs to keep it inside the unit circle on the step: their discs lie inside it at both ends, and stay
 /// inside where they change once more as much.
 pub(super) fn is_enclosed([a, b]: [StepEnd; 2], group: &MultiplierGroup) -> bool {
-    let radius = |end: StepEnd, own: &[usize]| own.iter().map(|i| end.readings.here.radii[*i]).fold(0.0, f64::max);
+    let radius = |end: StepEnd, own: &[usize]| {
+        own.iter()
+            .map(|i| end.readings.here.radii[*i])
+            .fold(0.0, f64::max)
+    };
     let [one, two] = [radius(a, &group.from), radius(b, &group.to)];
     one.max(two) + (one - two).abs() < 1.0
 }
@@ -107,10 +124,13 @@ fn discriminant(values: &[c64]) -> f64 {
 pub(super) fn is_torus_crossing(ends: [StepEnd; 2], group: &MultiplierGroup) -> Option<bool> {
     let [a, b] = ends;
     let is_real = |i: &usize, end: StepEnd| end.value(*i).im == 0.0;
-    let real = group.from.iter().filter(|i| is_real(i, a)).count() + group.to.iter().filter(|i| is_real(i, b)).count();
+    let real = group.from.iter().filter(|i| is_real(i, a)).count()
+        + group.to.iter().filter(|i| is_real(i, b)).count();
     match real {
         0 => Some(true),
-        4 if group.from.len() == 2 && between(ends, group, discriminant).crossings() == Some(0) => Some(false),
+        4 if group.from.len() == 2 && between(ends, group, discriminant).crossings() == Some(0) => {
+            Some(false)
+        }
         _ => None,
     }
 }
@@ -125,7 +145,11 @@ struct LinkedMultiplier {
 
 impl LinkedMultiplier {
     fn all(end: StepEnd) -> Vec<Self> {
-        let led = |i: usize| Self { value: end.value(i), log: end.value(i).ln(), half: 0.5 * end.change(i) / end.value(i) };
+        let led = |i: usize| Self {
+            value: end.value(i),
+            log: end.value(i).ln(),
+            half: 0.5 * end.change(i) / end.value(i),
+        };
         (0..end.count()).map(led).collect()
     }
 
@@ -147,7 +171,10 @@ impl LinkedMultiplier {
 }
 
 /// Groups between two ends. `is_tied` returns true for two complex multipliers, given by their indices at both ends, that belong to one group.
-pub(super) fn groups(ends: [StepEnd; 2], is_tied: impl Fn((usize, usize), (usize, usize)) -> bool) -> Vec<MultiplierGroup> {
+pub(super) fn groups(
+    ends: [StepEnd; 2],
+    is_tied: impl Fn((usize, usize), (usize, usize)) -> bool,
+) -> Vec<MultiplierGroup> {
     let [a, b] = ends;
     let (from, to) = (LinkedMultiplier::all(a), LinkedMultiplier::all(b));
     let pairs = paired(from.len(), to.len(), |i, j| from[i].off(&to[j]));
@@ -155,7 +182,10 @@ pub(super) fn groups(ends: [StepEnd; 2], is_tied: impl Fn((usize, usize), (usize
     let mut group: Vec<usize> = (0..pairs.len()).collect();
     let join = |group: &mut Vec<usize>, one: usize, two: usize| {
         let (one, two) = (group[one], group[two]);
-        group.iter_mut().filter(|own| **own == two).for_each(|own| *own = one);
+        group
+            .iter_mut()
+            .filter(|own| **own == two)
+            .for_each(|own| *own = one);
     };
     for (k, (i, j)) in pairs.iter().enumerate() {
         let (beside, opposite) = (a.conjugate(*i), b.conjugate(*j));
@@ -166,16 +196,34 @@ pub(super) fn groups(ends: [StepEnd; 2], is_tied: impl Fn((usize, usize), (usize
         }
     }
     let members = |group: &[usize], number: usize| {
-        let own = || pairs.iter().zip(group).filter(move |(_, own)| **own == number);
-        MultiplierGroup { from: own().map(|((i, _), _)| *i).collect(), to: own().map(|((_, j), _)| *j).collect() }
+        let own = || {
+            pairs
+                .iter()
+                .zip(group)
+                .filter(move |(_, own)| **own == number)
+        };
+        MultiplierGroup {
+            from: own().map(|((i, _), _)| *i).collect(),
+            to: own().map(|((_, j), _)| *j).collect(),
+        }
     };
     // Two real ones may meet and part again on the way.
     for k in 0..pairs.len() {
         for other in 0..k {
             let (one, two) = (pairs[k], pairs[other]);
-            let values = [a.value(one.0), a.value(two.0), b.value(one.1), b.value(two.1)];
-            let is_real = values.iter().all(|mu| mu.im == 0.0 && (mu.re > 0.0) == (values[0].re > 0.0));
-            let both = MultiplierGroup { from: vec![one.0, two.0], to: vec![one.1, two.1] };
+            let values = [
+                a.value(one.0),
+                a.value(two.0),
+                b.value(one.1),
+                b.value(two.1),
+            ];
+            let is_real = values
+                .iter()
+                .all(|mu| mu.im == 0.0 && (mu.re > 0.0) == (values[0].re > 0.0));
+            let both = MultiplierGroup {
+                from: vec![one.0, two.0],
+                to: vec![one.1, two.1],
+            };
             let meets = || is_real && between(ends, &both, discriminant).crossings() != Some(0);
             if group[k] != group[other] && (meets() || is_tied(one, two)) {
                 join(&mut group, k, other);
@@ -185,7 +233,10 @@ pub(super) fn groups(ends: [StepEnd; 2], is_tied: impl Fn((usize, usize), (usize
     let mut numbers = group.clone();
     numbers.sort_unstable();
     numbers.dedup();
-    numbers.into_iter().map(|number| members(&group, number)).collect()
+    numbers
+        .into_iter()
+        .map(|number| members(&group, number))
+        .collect()
 }
 
 #[cfg(test)]
@@ -196,13 +247,33 @@ mod tests {
     /// Readings of multipliers at a place of a curve, and at 1e-6 ahead.
     fn at(multipliers: impl Fn(f64) -> Vec<c64>, s: f64) -> TestDataPair {
         let (turns, levels, radii) = (Vec::new(), Vec::new(), vec![2.0; multipliers(s).len()]);
-        let here = TestData { multipliers: multipliers(s), radii, turns, levels, period_s: 1.0, cycles: 1, is_free: false };
-        TestDataPair { here, multipliers: multipliers(s + 1e-6), turns: Vec::new(), levels: Vec::new(), length: 1e-6 }
+        let here = TestData {
+            multipliers: multipliers(s),
+            radii,
+            turns,
+            levels,
+            period_s: 1.0,
+            cycles: 1,
+            is_free: false,
+        };
+        TestDataPair {
+            here,
+            multipliers: multipliers(s + 1e-6),
+            turns: Vec::new(),
+            levels: Vec::new(),
+            length: 1e-6,
+        }
     }
 
-    fn groups_of(multipliers: impl Fn(f64) -> Vec<c64>, (from, to): (f64, f64)) -> (Vec<MultiplierGroup>, [TestDataPair; 2]) {
+    fn groups_of(
+        multipliers: impl Fn(f64) -> Vec<c64>,
+        (from, to): (f64, f64),
+    ) -> (Vec<MultiplierGroup>, [TestDataPair; 2]) {
         let readings = [at(&multipliers, from), at(&multipliers, to)];
-        let ends = readings.each_ref().map(|readings| StepEnd { readings, length: to - from });
+        let ends = readings.each_ref().map(|readings| StepEnd {
+            readings,
+            length: to - from,
+        });
         (groups(ends, |_, _| false), readings.clone())
     }
 
@@ -217,19 +288,36 @@ mod tests {
         let (found, readings) = groups_of(pair, (0.0, 0.6));
         let wide = found.iter().find(|group| group.from.len() == 2);
         assert!(wide.is_some() && found.len() == 2, "{found:?}");
-        let ends = readings.each_ref().map(|readings| StepEnd { readings, length: 0.6 });
+        let ends = readings.each_ref().map(|readings| StepEnd {
+            readings,
+            length: 0.6,
+        });
         let test = wide.map(|group| between(ends, group, doubling));
         let exact = |s: f64| 1.9 - 2.0 * (0.97 - 0.3 * (s - 0.5) * (s - 0.5));
-        assert!(test.is_some_and(|test| (test.values[0] - exact(0.0)).abs() < 1e-12 && (test.slopes[0] + 0.36).abs() < 1e-4), "{test:?}");
+        assert!(
+            test.is_some_and(|test| (test.values[0] - exact(0.0)).abs() < 1e-12
+                && (test.slopes[0] + 0.36).abs() < 1e-4),
+            "{test:?}"
+        );
     }
 
     /// Two pairs that turn by 1.5 and by 9 rad, of which the second ends where the first began.
     #[test]
     fn pairs_are_joined_by_where_they_turn() {
-        let pair = |size: f64, angle: f64| [c64::from_polar(size, angle), c64::from_polar(size, -angle)];
-        let both = |s: f64| [pair(0.97, 0.4 + 1.5 * s), pair(0.9, 0.4 - 9.0 * s + 0.1 * s * s)].concat();
+        let pair =
+            |size: f64, angle: f64| [c64::from_polar(size, angle), c64::from_polar(size, -angle)];
+        let both = |s: f64| {
+            [
+                pair(0.97, 0.4 + 1.5 * s),
+                pair(0.9, 0.4 - 9.0 * s + 0.1 * s * s),
+            ]
+            .concat()
+        };
         let (found, _) = groups_of(both, (0.0, 1.0));
         assert_eq!(found.len(), 2);
-        assert!(found.iter().all(|group| group.from == group.to), "{found:?}");
+        assert!(
+            found.iter().all(|group| group.from == group.to),
+            "{found:?}"
+        );
     }
 }

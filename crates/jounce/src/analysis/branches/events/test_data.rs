@@ -3,7 +3,9 @@
 use super::level::QuantityLevel;
 use super::pairing::paired;
 use crate::continuation::{CurvePoint, Metric};
-use crate::orbit::{Orbit, OrbitMethod, ShootingEvaluation, TurningPoint, discs, multipliers, turns};
+use crate::orbit::{
+    Orbit, OrbitMethod, ShootingEvaluation, TurningPoint, discs, multipliers, turns,
+};
 use faer::c64;
 
 /// Way ahead, in the metric, beside the root of the tolerance of the marches: there the error that a march leaves in the difference and the
@@ -45,7 +47,10 @@ pub(in crate::analysis::branches) struct TestDataPair {
 
 impl TestData {
     fn of(shot: &ShootingEvaluation, multipliers: Vec<c64>, levels: &[QuantityLevel]) -> Self {
-        let switches = shot.trajectories.iter().any(|trajectory| !trajectory.changes().is_empty());
+        let switches = shot
+            .trajectories
+            .iter()
+            .any(|trajectory| !trajectory.changes().is_empty());
         Self {
             multipliers,
             radii: Vec::new(),
@@ -59,8 +64,13 @@ impl TestData {
 
     /// With the radius of the disc of the block that each multiplier lies nearest to.
     fn with_radii(mut self, shot: &ShootingEvaluation) -> Self {
-        let discs = discs(&shot.block_map, shot.kernel.plant.diagonal.block.pairs.len());
-        let pairs = paired(self.multipliers.len(), discs.len(), |i, j| (self.multipliers[i] - discs[j].value).norm_sqr());
+        let discs = discs(
+            &shot.block_map,
+            shot.kernel.plant.diagonal.block.pairs.len(),
+        );
+        let pairs = paired(self.multipliers.len(), discs.len(), |i, j| {
+            (self.multipliers[i] - discs[j].value).norm_sqr()
+        });
         self.radii = pairs.into_iter().map(|(_, j)| discs[j].radius).collect();
         self
     }
@@ -89,7 +99,10 @@ impl TestDataPair {
             let local = method.at(&there.unknown, there.parameter).ok()?;
             let near = method.shot(&local).ok()?;
             let reading = TestData::of(near, multipliers(&near.block_map)?, levels);
-            Some((near.contacts == shot.contacts, Self::joined(here.clone(), &reading, length)))
+            Some((
+                near.contacts == shot.contacts,
+                Self::joined(here.clone(), &reading, length),
+            ))
         };
         // The flow has no derivative across a grazing on a rigid stop: the difference is taken on the side with the same contacts.
         let mut other = None;
@@ -105,17 +118,31 @@ impl TestDataPair {
     fn joined(here: TestData, ahead: &TestData, length: f64) -> Self {
         let apart = |i: usize, j: usize| (here.multipliers[i] - ahead.multipliers[j]).norm_sqr();
         let same = paired(here.multipliers.len(), ahead.multipliers.len(), apart);
-        let multipliers = same.into_iter().map(|(_, j)| ahead.multipliers[j]).collect();
+        let multipliers = same
+            .into_iter()
+            .map(|(_, j)| ahead.multipliers[j])
+            .collect();
         let mut turns = vec![None; here.turns.len()];
-        for (i, j) in paired(here.turns.len(), ahead.turns.len(), |i, j| way((&here, &here.turns[i]), (ahead, &ahead.turns[j])).abs()) {
+        for (i, j) in paired(here.turns.len(), ahead.turns.len(), |i, j| {
+            way((&here, &here.turns[i]), (ahead, &ahead.turns[j])).abs()
+        }) {
             turns[i] = Some(ahead.turns[j]);
         }
-        Self { here, multipliers, turns, levels: ahead.levels.clone(), length }
+        Self {
+            here,
+            multipliers,
+            turns,
+            levels: ahead.levels.clone(),
+            length,
+        }
     }
 }
 
 /// Way in phase from a turning point of an orbit to one of another; infinite where they are no two of a kind.
-pub(super) fn way((one, from): (&TestData, &TurningPoint), (two, to): (&TestData, &TurningPoint)) -> f64 {
+pub(super) fn way(
+    (one, from): (&TestData, &TurningPoint),
+    (two, to): (&TestData, &TurningPoint),
+) -> f64 {
     if (from.port, from.is_maximum) != (to.port, to.is_maximum) {
         return f64::INFINITY;
     }

@@ -34,11 +34,16 @@ impl Extremum {
         let cycles = shot.trajectories.len() as f64;
         let expected = self.phase + share * self.way;
         let off = |turn: &TurningPoint| {
-            let off = (turn.cycle as f64 + turn.time_s * cycles / shot.period_s) / cycles - expected;
+            let off =
+                (turn.cycle as f64 + turn.time_s * cycles / shot.period_s) / cycles - expected;
             (off - off.round()).abs()
         };
-        let alike = turns(shot).into_iter().filter(|turn| (turn.port, turn.is_maximum) == (self.from.port, self.from.is_maximum));
-        alike.min_by(|a, b| off(a).total_cmp(&off(b))).map_or(f64::NAN, |turn| turn.refined(shot).past_m)
+        let alike = turns(shot)
+            .into_iter()
+            .filter(|turn| (turn.port, turn.is_maximum) == (self.from.port, self.from.is_maximum));
+        alike
+            .min_by(|a, b| off(a).total_cmp(&off(b)))
+            .map_or(f64::NAN, |turn| turn.refined(shot).past_m)
     }
 }
 
@@ -47,7 +52,10 @@ pub(in crate::analysis::branches) fn extrema(ends: [StepEnd; 2]) -> Vec<Extremum
     let [a, b] = ends;
     let (from, to) = (&a.readings.here, &b.readings.here);
     let joined = |(i, j): (usize, usize)| Extremum {
-        past_m: Interpolant { values: [from.turns[i].past_m, to.turns[j].past_m], slopes: [a.fall_m(i), b.fall_m(j)] },
+        past_m: Interpolant {
+            values: [from.turns[i].past_m, to.turns[j].past_m],
+            slopes: [a.fall_m(i), b.fall_m(j)],
+        },
         from: from.turns[i],
         phase: from.phase(&from.turns[i]),
         way: way((from, &from.turns[i]), (to, &to.turns[j])),
@@ -69,19 +77,32 @@ pub(super) fn may_touch_unseen(ends: [StepEnd; 2]) -> bool {
 
 fn pairs(ends: [StepEnd; 2]) -> Vec<(usize, usize)> {
     let [from, to] = ends.map(|end| &end.readings.here);
-    let [near, far] = [from, to].map(|reading| (0..reading.turns.len()).map(|k| to_neighbour(reading, k)).collect::<Vec<f64>>());
+    let [near, far] = [from, to].map(|reading| {
+        (0..reading.turns.len())
+            .map(|k| to_neighbour(reading, k))
+            .collect::<Vec<f64>>()
+    });
     paired(near.len(), far.len(), |i, j| {
         let off = off(ends, (i, j));
         // A turning point cannot pass its neighbours.
-        if off < near[i].min(far[j]) { off } else { f64::INFINITY }
+        if off < near[i].min(far[j]) {
+            off
+        } else {
+            f64::INFINITY
+        }
     })
 }
 
 /// Distance in phase from a turning point to the nearest one of the other kind of its port; infinite without one.
 fn to_neighbour(reading: &TestData, k: usize) -> f64 {
     let own = &reading.turns[k];
-    let neighbours = reading.turns.iter().filter(|turn| turn.port == own.port && turn.is_maximum != own.is_maximum);
-    let away = neighbours.map(|turn| reading.phase(turn) - reading.phase(own)).map(|away| (away - away.round()).abs());
+    let neighbours = reading
+        .turns
+        .iter()
+        .filter(|turn| turn.port == own.port && turn.is_maximum != own.is_maximum);
+    let away = neighbours
+        .map(|turn| reading.phase(turn) - reading.phase(own))
+        .map(|away| (away - away.round()).abs());
     away.fold(f64::INFINITY, f64::min)
 }
 
@@ -99,7 +120,9 @@ impl StepEnd<'_> {
 
     /// Change of the distance past the surface over the step, m, by its derivative; not a number where the turning point ends at once.
     fn fall_m(&self, k: usize) -> f64 {
-        self.ahead(k).map_or(f64::NAN, |(here, ahead)| (ahead.past_m - here.past_m) * self.per())
+        self.ahead(k).map_or(f64::NAN, |(here, ahead)| {
+            (ahead.past_m - here.past_m) * self.per()
+        })
     }
 
     /// Change of a level over the step, by its derivative.
@@ -110,6 +133,8 @@ impl StepEnd<'_> {
     /// Change of the phase over the step, by its derivative.
     fn turn(&self, k: usize) -> f64 {
         let here = &self.readings.here;
-        self.ahead(k).map_or(0.0, |(from, to)| way((here, from), (here, &to)) * self.per())
+        self.ahead(k).map_or(0.0, |(from, to)| {
+            way((here, from), (here, &to)) * self.per()
+        })
     }
 }
