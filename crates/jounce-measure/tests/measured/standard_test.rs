@@ -126,8 +126,13 @@ fn record(response: &[Complex<f64>], stream: &mut RandomStream) -> Recording {
     let last = bins.len() - 1;
     (bins[0].im, bins[last].im) = (0.0, 0.0);
     let mut volts = backward.make_output_vec();
-    backward.process(&mut bins, &mut volts).expect("the plan made the length");
-    let sensor = Sensor { noise_ratio: NOISE, bits: Some(16) };
+    backward
+        .process(&mut bins, &mut volts)
+        .expect("the plan made the length");
+    let sensor = Sensor {
+        noise_ratio: NOISE,
+        bits: Some(16),
+    };
     let channels = vec![
         Channel::new(
             "base",
@@ -261,10 +266,19 @@ fn power(spec: &Spec, base: &[(f64, f64)]) -> Result<f64, AnalysisError> {
 fn sensor_deviation(spec: &Spec, base: &[(f64, f64)]) -> f64 {
     let frequency_hz: Vec<f64> = base.iter().map(|(hz, _)| *hz).collect();
     let found = voltage(&over_load(spec, FIFTH_OHM), &frequency_hz);
-    let squares: Vec<(f64, f64)> = found.iter().zip(base).map(|(h, (_, square))| (h.norm_sqr(), *square)).collect();
-    let base_noise = NOISE.powi(2) * base.iter().map(|(_, square)| square).sum::<f64>() / squares.len() as f64;
-    let volt_noise = NOISE.powi(2) * squares.iter().map(|(h, square)| h * square).sum::<f64>() / squares.len() as f64;
-    let variance = squares.iter().map(|(h, square)| 2.0 * h * square * (h * base_noise + volt_noise)).sum::<f64>();
+    let squares: Vec<(f64, f64)> = found
+        .iter()
+        .zip(base)
+        .map(|(h, (_, square))| (h.norm_sqr(), *square))
+        .collect();
+    let base_noise =
+        NOISE.powi(2) * base.iter().map(|(_, square)| square).sum::<f64>() / squares.len() as f64;
+    let volt_noise = NOISE.powi(2) * squares.iter().map(|(h, square)| h * square).sum::<f64>()
+        / squares.len() as f64;
+    let variance = squares
+        .iter()
+        .map(|(h, square)| 2.0 * h * square * (h * base_noise + volt_noise))
+        .sum::<f64>();
     variance.sqrt() / FIFTH_OHM
 }
 
@@ -362,11 +376,20 @@ fn trial(truth: &Spec, responses: &[Vec<Complex<f64>>], seed: u64) -> Inside {
         .expect("a power")
         .mean_power_w;
     let base = squares(&fifth.channels[0].values);
-    let predicted = answer.derived(&fitted, |spec| power(spec, &base)).expect("a power");
+    let predicted = answer
+        .derived(&fitted, |spec| power(spec, &base))
+        .expect("a power");
     // The interval of the prediction is that of the fitted keys; the noise of the sensors adds to it.
     let noise = Mode::QUANTILE_95 * sensor_deviation(&fitted, &base);
-    let widened = |end: f64, sign: f64| predicted.value + sign * (end - predicted.value).hypot(noise);
-    inside.push(("fifth load", place((widened(predicted.low, -1.0), widened(predicted.high, 1.0)), measured)));
+    let widened =
+        |end: f64, sign: f64| predicted.value + sign * (end - predicted.value).hypot(noise);
+    inside.push((
+        "fifth load",
+        place(
+            (widened(predicted.low, -1.0), widened(predicted.high, 1.0)),
+            measured,
+        ),
+    ));
     inside
 }
 
