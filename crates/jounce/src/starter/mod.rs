@@ -39,7 +39,7 @@ pub const STARTERS: &[Starter] = &[
     },
     Starter {
         kind: "random-base",
-        summary: "a cantilever between two stops on a base that shakes at random",
+        summary: "a cantilever between two stops on a randomly excited base",
         spec: include_str!("random-base.toml"),
     },
 ];
