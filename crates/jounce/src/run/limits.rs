@@ -262,8 +262,8 @@ mod tests {
     use crate::run::{RunPlan, StartState, simulate};
     use crate::structure::modes;
 
-    /// Cantilever with a patch of known static strain: a force F at the end gives the curvature `F
-    /// L / EI` at the root.
+    /// Cantilever with a patch of known static strain: a force F at the end gives the curvature
+    /// `F L / EI` at the root.
     #[test]
     fn a_slow_force_strains_the_patch_as_statics_says() {
         let text = "[beam.b]\nmaterial = \"aluminium\"\nlength = \"100 mm\"\nwidth = \"28 mm\"\nthickness = \"1 mm\"\n\
