@@ -30,7 +30,7 @@ def main() -> None:
     chosen = options()
     described = [
         f"CPU: {machine.processor()}, {os.cpu_count()} cores; load average at the start {os.getloadavg()[0]:.1f}",
-        f"Each run is a process of its own on one thread; the time is that of the marching alone, as it states itself. {chosen.repeats} runs of each.",
+        f"Each run is a separate process on one thread; the time is the integration time that jounce reports. {chosen.repeats} runs of each.",
     ]
     found = marches.marches(chosen.jounce.resolve(strict=True), HERE / "plant.toml", chosen.spec.resolve(), chosen.repeats, chosen.cap)
     text = marches.report(described, found)

@@ -30,7 +30,7 @@ FULL = 200
 #: What the package may add to the library's own call, s.
 WANTED_S = 0.2e-3
 
-PYTHON, LIBRARY, MARCHING = "`Spec.run` in Python", "what it asks of the library, in Rust", "`simulate` alone, in Rust"
+PYTHON, LIBRARY, MARCHING = "`Spec.run` in Python", "the same library calls, in Rust", "`simulate` alone, in Rust"
 
 
 def options() -> argparse.Namespace:
@@ -81,15 +81,15 @@ def row(name: str, times: Sequence[tuple[float, float]]) -> str:
 def report(described: list[str], found: dict[str, list[tuple[float, float]]]) -> str:
     """The figures for reading."""
     outside_s = {name: [outside for _, outside in times] for name, times in found.items()}
-    lines = ["# What Python adds to a run", "", "Written by `bench/python_overhead.py`; how to read it is in `bench/README.md`.", ""]
+    lines = ["# Overhead of Python per run", "", "Written by `bench/python_overhead.py`; `bench/README.md` explains it.", ""]
     lines += [f"- {line}" for line in described]
-    lines += ["", "| call | wall ms, least | median | not marching ms, least | median |", "|---|---|---|---|---|"]
+    lines += ["", "| call | wall ms, least | median | outside integration ms, least | median |", "|---|---|---|---|---|"]
     lines += [row(name, times) for name, times in found.items()]
     lines.append("")
     for name in (LIBRARY, MARCHING):
         least_s, middle_s = (pick(outside_s[PYTHON]) - pick(outside_s[name]) for pick in (min, median))
-        lines.append(f"- Python beside {name}: {1e3 * least_s:+.3f} ms by the least, {1e3 * middle_s:+.3f} ms by the medians.")
-    lines.append(f"- Wanted: less than {1e3 * WANTED_S:.1f} ms beside the library's own call.")
+        lines.append(f"- Python minus {name}: {1e3 * least_s:+.3f} ms by the minima, {1e3 * middle_s:+.3f} ms by the medians.")
+    lines.append(f"- Target: less than {1e3 * WANTED_S:.1f} ms more than the library calls.")
     return "\n".join(lines) + "\n"
 
 

@@ -171,27 +171,27 @@ def report(described: list[str], found: dict[str, Any]) -> str:
     lines = [
         "# Studies",
         "",
-        "Written by `bench/python_study.py`; how to read it is in `bench/README.md`.",
+        "Written by `bench/python_study.py`; `bench/README.md` explains it.",
         "",
         *(f"- {line}" for line in described),
     ]
     lines += [
         f"- Runs of {found['duration']} over gap, frequency and load.",
         "",
-        f"| study | wall s | marches over {threads} s | wall beside it | most memory MiB |",
+        f"| study | wall s | integration over {threads} threads s | overhead | peak memory MiB |",
     ]
     lines.append("|---|---|---|---|---|")
     for name, taken in rows.items():
         share, size = 100 * taken.beside_marches(threads), taken.peak_bytes / 2**20
         lines.append(f"| {name} | {taken.wall_s:.2f} | {taken.wall_time_s / threads:.2f} | {share:+.1f} % | {size:.0f} |")
-    lines += ["", f"- Wanted: less than {100 * WANTED_STUDY:+.0f} % beside the marches, and memory that does not grow with the points."]
+    lines += ["", f"- Target: overhead below {100 * WANTED_STUDY:+.0f} %, and memory independent of the number of points."]
     if "dask" in found:
         over, same = 100 * (found["dask"].wall_s / whole.wall_s - 1.0), "the same table" if found["dask_same_table"] else "ANOTHER table"
-        lines.append(f"- Dask beside the plain study: {over:+.1f} %, wanted less than {100 * WANTED_DASK:+.0f} %; {same}.")
+        lines.append(f"- Dask relative to the study on threads: {over:+.1f} %, target below {100 * WANTED_DASK:+.0f} %; {same}.")
     if "killed" in found:
         parts, same = found["killed"]["parts_after_each_kill"], "the same table" if found["killed"]["same_table"] else "ANOTHER table"
         lines.append(
-            f"- Killed {KILLS} times by SIGKILL, with {parts} of {found['killed']['parts']} parts there, and resumed: {same}, bit by bit."
+            f"- Killed {KILLS} times by SIGKILL, with {parts} of {found['killed']['parts']} parts complete, and resumed: {same}, bit by bit."
         )
     return "\n".join(lines) + "\n"
 
@@ -201,7 +201,7 @@ def main() -> None:
     chosen = options()
     described = [
         f"CPU: {machine.processor()}, {os.cpu_count()} cores; load average at the start {os.getloadavg()[0]:.1f}",
-        f"jounce {jounce.__version__}, Python {sys.version.split()[0]}, {chosen.threads} threads; Dask with as many workers that stand already",
+        f"jounce {jounce.__version__}, Python {sys.version.split()[0]}, {chosen.threads} threads; Dask with as many running workers",
     ]
     with tempfile.TemporaryDirectory() as folder:
         found = measured(chosen, Path(folder))

@@ -132,14 +132,14 @@ def ratio_of_stops(found: list[March]) -> list[str]:
             if one and two:
                 times = median(two.wall_time_s) / median(one.wall_time_s)
                 steps = two.steps / one.steps
-                lines.append(f"- At {hertz} Hz a second stop that is {kind} costs {times:.2g} times one for {steps:.2g} times the steps.")
+                lines.append(f"- At {hertz} Hz a second stop that is {kind} takes {times:.2g} times as long as one stop, in {steps:.2g} times as many steps.")
     return lines
 
 
 def report(described: list[str], found: list[March]) -> str:
     """The whole file."""
-    head = ["# Marching alone", "", "Written by `bench/marches.py`; how to read it is in `bench/README.md`.", "", *(f"- {line}" for line in described)]
-    rows = ["", "| task | march ms, median [min .. max] | steps | contacts |", "|---|---|---|---|"]
+    head = ["# Time integration of jounce alone", "", "Written by `bench/marches.py`; `bench/README.md` explains it.", "", *(f"- {line}" for line in described)]
+    rows = ["", "| task | integration ms, median [min .. max] | steps | contacts |", "|---|---|---|---|"]
     for march in found:
         cells = f"{march.failed} | | " if march.failed else f"{span(march.wall_time_s)} | {march.steps} | {march.contacts}"
         rows.append(f"| {march.task} | {cells} |")

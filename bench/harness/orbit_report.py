@@ -32,8 +32,8 @@ def time_table(drawn: list[Drawn]) -> list[str]:
         ratio = f"{taken_s / median(base.cpu_s):.3g}" if base else ""
         kinds = [label[0] for label in each.found.labels]
         labels = ", ".join(f"{kinds.count(kind)} {kind}" for kind in dict.fromkeys(kinds))
-        ends = "" if each.found.reached else "; the branch ends before the range does, or is in pieces"
-        varies = "; not the same in every repetition" if each.varies else ""
+        ends = "" if each.found.reached else "; the branch ends inside the range, or is in pieces"
+        varies = "; differs between repetitions" if each.varies else ""
         per_point = f"{1e3 * taken_s / each.found.points:.3g}"
         lines.append(f"| {each.method} | {span(each.cpu_s)} | {ratio} | {each.found.points} | {per_point} | {labels}{ends}{varies} |")
     return lines
@@ -97,23 +97,23 @@ def report(machine: list[str], drawn: list[Drawn], references: dict[float, tuple
     lines = [
         "# Periodic orbits",
         "",
-        "Written by `bench/orbits.py`; how to read it is in `bench/README.md`.",
+        "Written by `bench/orbits.py`; `bench/README.md` explains it.",
         "",
         *(f"- {line}" for line in machine),
-        f"- A run was stopped after {cap_s:g} s of CPU time.",
+        f"- Each run was limited to {cap_s:g} s of CPU time.",
         "",
         f"## The branch of period 1, {LOWEST_HZ:g} to {HIGHEST_HZ:g} Hz at {FORCE_N:g} N",
         "",
         *time_table(drawn),
         "",
-        "Where it turns:",
+        "Folds:",
         "",
         *fold_table(drawn),
         "",
-        "Mean power against a march of 300 s that has settled on the orbit"
+        "Mean power, relative to a run of 300 s in steady state on the orbit"
         f" (RK4, confirmed by DOP853; {known}), and the largest Floquet multiplier:"
         if references
-        else "No reference could be marched:",
+        else "No reference could be computed:",
         "",
         *(check_table(drawn, references) if references else []),
         "",

@@ -18,8 +18,8 @@ from .process import finish
 SETTLING_S, AVERAGE_S, STEPS_PER_S = 300.0, 10.0, "200000"
 MODES = (8, 16, 24, 32, 40)
 SHORT_HZ = (10.5, 12.0)
-EQUATIONS = "the equations of harmonic balance alone"
-ORBITS = "the same with each point's multipliers and error"
+EQUATIONS = "harmonic balance equations alone"
+ORBITS = "harmonic balance with multipliers and error"
 WALKS = {EQUATIONS: "balance", ORBITS: "orbits"}
 LONG_S = 10.0  # a short branch that takes longer is not repeated
 

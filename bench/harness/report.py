@@ -61,7 +61,7 @@ def case_section(results: list[Result], case: str, reference: tuple[float, float
     return [
         f"### {case}",
         "",
-        f"Reference {reference[0]:.13e} W; the two methods behind it differ by {reference[1]:.1e}.",
+        f"Reference {reference[0]:.13e} W; its two methods differ by {reference[1]:.1e}.",
         "",
         f"CPU time, ms, at a relative error of the mean power (in brackets: times {base}):",
         "",
@@ -94,8 +94,8 @@ def report(
     cap_s: float,
 ) -> str:
     """The whole file."""
-    lines = ["# Results", "", "Written by `bench/run.py`; how to read it is in `bench/README.md`.", "", *(f"- {line}" for line in machine)]
-    lines += [f"- A run was stopped after {cap_s:g} s of CPU time.", ""]
+    lines = ["# Results", "", "Written by `bench/run.py`; `bench/README.md` explains it.", "", *(f"- {line}" for line in machine)]
+    lines += [f"- Each run was limited to {cap_s:g} s of CPU time.", ""]
     for plant, found in results.items():
         lines += [f"## {plant}", ""]
         for case, reference in references[plant].items():

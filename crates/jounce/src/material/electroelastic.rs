@@ -1,4 +1,4 @@
-//! Electroelastic constants of a poled material, and what follows from them.
+//! Electroelastic constants of a poled material, and derived constants.
 
 use super::{Ceramic, VACUUM_PERMITTIVITY_F_M};
 use faer::Mat;
@@ -7,25 +7,25 @@ use faer::linalg::solvers::DenseSolveCore;
 /// Electroelastic constants of a material poled along axis 3, isotropic around it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Electroelastic {
-    /// Stiffness at constant field, Pa.
+    /// Stiffness `C11` at constant electric field, as all stiffnesses, Pa.
     pub c11_pa: f64,
-    /// Pa.
+    /// Stiffness `C12`, Pa.
     pub c12_pa: f64,
-    /// Pa.
+    /// Stiffness `C13`, Pa.
     pub c13_pa: f64,
-    /// Pa.
+    /// Stiffness `C33`, Pa.
     pub c33_pa: f64,
-    /// Pa.
+    /// Stiffness `C44`, Pa.
     pub c44_pa: f64,
-    /// Charge per strain, C/m^2.
+    /// Charge per strain `e31`, C/m^2.
     pub e31_c_m2: f64,
-    /// C/m^2.
+    /// Charge per strain `e33`, C/m^2.
     pub e33_c_m2: f64,
-    /// C/m^2.
+    /// Charge per strain `e15`, C/m^2.
     pub e15_c_m2: f64,
-    /// Permittivity at constant strain across the pole, F/m.
+    /// Permittivity at constant strain, transverse to the poling axis, F/m.
     pub permittivity_11_f_m: f64,
-    /// Permittivity at constant strain along the pole, F/m.
+    /// Permittivity at constant strain, along the poling axis, F/m.
     pub permittivity_33_f_m: f64,
 }
 
@@ -44,7 +44,8 @@ pub const PZT_5A: Electroelastic = Electroelastic {
 };
 
 impl Electroelastic {
-    /// What a patch needs: compliance along axis 1, `d31`, and the relative permittivity at constant stress.
+    /// Returns the constants of a patch: compliance along axis 1, `d31`, and relative permittivity
+    /// at constant stress.
     pub fn ceramic(&self) -> Ceramic {
         let [d31_m_per_v, _, permittivity_f_m] = self.free();
         let relative_permittivity = permittivity_f_m / VACUUM_PERMITTIVITY_F_M;
@@ -55,7 +56,8 @@ impl Electroelastic {
         }
     }
 
-    /// `d31` and `d33`, m/V, and the permittivity at constant stress along the pole, F/m: `d = e S`, `kappa_T = kappa + d e^T`.
+    /// Returns `d31` and `d33`, m/V, and the permittivity at constant stress along the poling axis,
+    /// F/m: `d = e S`, `kappa_T = kappa + d e^T`.
     pub fn free(&self) -> [f64; 3] {
         let compliance = self.compliance();
         let e3 = [self.e31_c_m2, self.e31_c_m2, self.e33_c_m2];
@@ -64,7 +66,7 @@ impl Electroelastic {
         [d(0), d(2), permittivity]
     }
 
-    /// Compliance of the three normal strains, 1/Pa.
+    /// Returns the compliance of the three normal strains, 1/Pa.
     fn compliance(&self) -> Mat<f64> {
         let (a, b, c, d) = (self.c11_pa, self.c12_pa, self.c13_pa, self.c33_pa);
         let rows = [[a, b, c], [b, a, c], [c, c, d]];
@@ -73,7 +75,7 @@ impl Electroelastic {
             .inverse()
     }
 
-    /// Field, V/m, by which `-E` is measured so that all entries of `L` have one size.
+    /// Returns the scale of `-E`, V/m, that gives all entries of `L` similar magnitude.
     pub(super) fn field_scale(&self) -> f64 {
         (self.c33_pa / self.permittivity_33_f_m).sqrt()
     }

@@ -1,4 +1,4 @@
-//! The electro-elastic Hill operator of a pore.
+//! Electroelastic Hill operator of a pore.
 //!
 //! ```text
 //! P = < B (B^T L B)^-1 B^T >      average over the unit sphere, B(z): gradient of (u, phi) along z, z_i = zeta_i / a_i
@@ -11,11 +11,12 @@ use faer::Mat;
 use faer::linalg::solvers::DenseSolveCore;
 use std::f64::consts::{PI, TAU};
 
-/// Places of a quadrature along the polar axis; around it few are needed, the integrand being of degree four in the angle.
+/// Quadrature points along the polar axis. Few points suffice around the axis, because the
+/// integrand has degree four in the angle.
 const POLAR_PLACES: usize = 48;
 const AROUND_PLACES: usize = 12;
 
-/// `P` of a medium, an average over the directions that the shape of the pore gives.
+/// Computes `P` of a medium: an average over directions scaled by the shape of the pore.
 pub(super) fn hill(medium: &Mat<f64>, pores: PoreGeometry) -> Mat<f64> {
     let mut sum = Mat::zeros(9, 9);
     let polar = match pores {
@@ -39,7 +40,7 @@ pub(super) fn hill(medium: &Mat<f64>, pores: PoreGeometry) -> Mat<f64> {
     sum
 }
 
-/// `B`: `(strain, -E)` of a field `(u, phi)` that varies along `z`.
+/// Returns `B`: `(strain, -E)` of a field `(u, phi)` that varies along `z`.
 fn gradient(z: [f64; 3]) -> Mat<f64> {
     let mut b = Mat::zeros(9, 4);
     for i in 0..3 {
@@ -51,7 +52,8 @@ fn gradient(z: [f64; 3]) -> Mat<f64> {
     b
 }
 
-/// Places and weights of Gauss and Legendre on (-1, 1), by Newton's method from Tricomi's first guess.
+/// Computes Gauss-Legendre points and weights on (-1, 1), by Newton's method from Tricomi's initial
+/// guess.
 fn gauss_legendre(count: usize) -> Vec<(f64, f64)> {
     let legendre = |x: f64| {
         let (mut before, mut now) = (1.0, x);

@@ -1,20 +1,21 @@
-//! The numbers: one entry for each material, with its source.
+//! Material data: one entry for each material, with its source.
 
 use super::{Active, Ceramic, Material};
 
-/// Materials of patches, by the names of a spec.
+/// Names of the patch materials in a spec.
 pub const PIEZOELECTRIC: &[&str] = &["PZT-5A", "PZT-5H", "PSI-5A4E", "PVDF", "MFC-P1", "MFC-P2"];
 
-/// Materials of beams, by the names of a spec.
+/// Names of the beam materials in a spec.
 pub const STRUCTURAL: &[&str] = &["aluminium", "steel", "brass", "bronze", "silicon"];
 
-/// Thickness of a Macro Fiber Composite with its foils, m; its effective constants are those of this thickness.
+/// Thickness of a Macro Fiber Composite with its foils, m; the effective constants refer to this
+/// thickness.
 const MFC_THICKNESS_M: f64 = 0.3e-3;
 
 const MFC_SOURCE: &str = "Smart Material Corp., MFC engineering properties (E1, d31 and d33 at low field, capacitance per area, voltage range, \
      600 ppm recommended for harvesting); constants are those of the whole 0.3 mm; electrode spacing 0.5 mm: Bilgen et al. (2010)";
 
-/// Every material.
+/// All materials.
 pub const LIBRARY: &[Material] = &[
     ceramic(
         "PZT-5A",

@@ -1,14 +1,15 @@
-//! Materials with their sources, reduced to what a slender beam needs.
+//! Materials with their sources, reduced to the constants of a slender beam.
 //!
-//! In a narrow beam only the stress along it acts. A ceramic of compliance `s11E` (1/Pa), charge coefficient `d31` (C/N) and
-//! permittivity `eps33T` (F/m) at constant stress then has
+//! A narrow beam carries only axial stress. A ceramic of compliance `s11E` (1/Pa), charge
+//! coefficient `d31` (C/N) and permittivity `eps33T` (F/m) at constant stress then has
 //!
 //! ```text
 //! Y = 1 / s11E,      e31bar = d31 / s11E,      eps33bar = eps33T - d31^2 / s11E
 //! ```
 //!
-//! with the modulus at short circuit `Y` (Pa), the charge per strain `e31bar` (C/m^2) and the permittivity at constant strain
-//! `eps33bar` (F/m). Source: Erturk and Inman, Piezoelectric Energy Harvesting (2011), appendix A.
+//! with the modulus at short circuit `Y` (Pa), the charge per strain `e31bar` (C/m^2) and the
+//! permittivity at constant strain `eps33bar` (F/m). Source: Erturk and Inman, Piezoelectric Energy
+//! Harvesting (2011), appendix A.
 
 mod electroelastic;
 mod hill;
@@ -20,29 +21,30 @@ pub use library::{LIBRARY, PIEZOELECTRIC, STRUCTURAL};
 /// Permittivity of vacuum, F/m (CODATA 2018).
 pub const VACUUM_PERMITTIVITY_F_M: f64 = 8.854_187_812_8e-12;
 
-/// A material of the library.
+/// Material of the library.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct Material {
-    /// Its name in a spec.
+    /// Name in a spec.
     pub name: &'static str,
     /// Young's modulus along the beam, at short circuit, Pa.
     pub youngs_modulus_pa: f64,
-    /// Mass per volume, kg/m^3.
+    /// Density, kg/m^3.
     pub density_kg_m3: f64,
-    /// Largest strain along the beam that is recommended, dimensionless.
+    /// Largest recommended strain along the beam, dimensionless.
     pub strain_limit: Option<f64>,
-    /// Lowest and highest voltage that it bears, V.
+    /// Lowest and highest allowed voltage, V.
     pub voltage_limits_v: Option<[f64; 2]>,
-    /// What makes it piezoelectric.
+    /// Piezoelectric constants, for a piezoelectric material.
     pub active: Option<Active>,
-    /// Where the numbers come from.
+    /// Source of the numbers.
     pub source: &'static str,
 }
 
-/// The piezoelectric part of a material.
+/// Piezoelectric constants of a material.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct Active {
-    /// Strain along the beam per field, m/V: `d31` for a field through the thickness, `d33` for one along the beam.
+    /// Strain along the beam per field, m/V: `d31` for a field through the thickness, `d33` for a
+    /// field along the beam.
     pub charge_coefficient_m_per_v: f64,
     /// Permittivity at constant strain of the layer as a plate capacitor, F/m.
     pub permittivity_f_m: f64,
@@ -50,42 +52,42 @@ pub struct Active {
     pub electrode_spacing_m: Option<f64>,
 }
 
-/// A piezoelectric ceramic or film with electrodes on its two faces.
+/// Piezoelectric ceramic or film with electrodes on its two faces.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ceramic {
     /// `s11E`, compliance along the beam at constant field, 1/Pa.
     pub compliance_per_pa: f64,
     /// `d31`, m/V.
     pub d31_m_per_v: f64,
-    /// `eps33T / eps0`, at constant stress.
+    /// `eps33T / eps0`, relative permittivity at constant stress.
     pub relative_permittivity: f64,
 }
 
 impl Ceramic {
-    /// `Y = 1 / s11E`, Pa.
+    /// Returns `Y = 1 / s11E`, Pa.
     pub const fn youngs_modulus_pa(&self) -> f64 {
         1.0 / self.compliance_per_pa
     }
 
-    /// `e31bar = d31 / s11E`, C/m^2.
+    /// Returns `e31bar = d31 / s11E`, C/m^2.
     pub const fn charge_per_strain_c_m2(&self) -> f64 {
         self.d31_m_per_v / self.compliance_per_pa
     }
 
-    /// `eps33bar = eps33T - d31^2 / s11E`, F/m.
+    /// Returns `eps33bar = eps33T - d31^2 / s11E`, F/m.
     pub const fn clamped_permittivity_f_m(&self) -> f64 {
         self.relative_permittivity * VACUUM_PERMITTIVITY_F_M
             - self.d31_m_per_v * self.d31_m_per_v / self.compliance_per_pa
     }
 }
 
-/// The material of a name.
+/// Returns the material with a name.
 pub fn named(name: &str) -> Option<&'static Material> {
     LIBRARY.iter().find(|material| material.name == name)
 }
 
-/// All electroelastic constants of a material of the library, where they are known: what a porous material is made from. Along the beam
-/// they are nearly, not exactly, those of [`named`], which come from another source.
+/// Returns all electroelastic constants of a library material, if known; they are the basis of a
+/// porous material. Their beam constants differ slightly from [`named`], which uses another source.
 pub fn full_constants(name: &str) -> Option<electroelastic::Electroelastic> {
     (name == "PZT-5A").then_some(electroelastic::PZT_5A)
 }
@@ -107,7 +109,8 @@ mod tests {
         assert!(active(false).eq(STRUCTURAL.iter().copied()));
     }
 
-    /// Erturk and Inman (2011), table E.2, thin beams: 61.0 and 60.6 GPa, -10.4 and -16.6 C/m^2, 13.3 and 25.55 nF/m, as printed.
+    /// Erturk and Inman (2011), table E.2, thin beams: 61.0 and 60.6 GPa, -10.4 and -16.6 C/m^2,
+    /// 13.3 and 25.55 nF/m, as printed.
     #[test]
     fn ceramics_reduce_to_the_published_beam_constants() {
         for (name, modulus_gpa, charge_c_m2, permittivity_nf_m) in [

@@ -1,6 +1,7 @@
 //! Porous piezoelectric composites: effective constants of a matrix with aligned pores.
 //!
-//! With `Z = (strain, -E)` and `S = (stress, D)` as vectors of nine, `S = L Z`, `L = [C e^T; e -kappa]`. In a matrix `L` a pore feels
+//! With `Z = (strain, -E)` and `S = (stress, D)` as vectors of nine components, `S = L Z`,
+//! `L = [C e^T; e -kappa]`. For a pore in a matrix `L`
 //!
 //! ```text
 //! P     = < B (B^T L B)^-1 B^T >      average over the unit sphere, B(z): gradient of (u, phi) along z, z_i = zeta_i / a_i
@@ -9,10 +10,12 @@
 //! L*    = [(1 - f) L A_m + f L_pore A_p] [(1 - f) A_m + f A_p]^-1,  A from L* itself  self-consistent
 //! ```
 //!
-//! The pole is axis 3; pores are spheres, spheroids or cylinders along it, with no stiffness and the permittivity of vacuum.
+//! The poling direction is axis 3. Pores are spheres, spheroids or cylinders along it, with zero
+//! stiffness and the permittivity of vacuum.
 //!
-//! Source: Dunn and Taya, Int. J. Solids Struct. 30 (1993) 161; Martinez-Ayuso et al., Int. J. Solids Struct. 113-114 (2017) 218.
-//! Validation: isotropic spheres against the closed forms of Mori and Tanaka, `d31` and `d33` of cylinders exactly those of the matrix.
+//! Source: Dunn and Taya, Int. J. Solids Struct. 30 (1993) 161; Martinez-Ayuso et al., Int. J.
+//! Solids Struct. 113-114 (2017) 218. Validation: isotropic spheres, closed forms of Mori and
+//! Tanaka; cylinders, `d31` and `d33` exactly equal to the matrix values.
 
 use super::VACUUM_PERMITTIVITY_F_M;
 pub use super::electroelastic::{Electroelastic, PZT_5A};
@@ -20,20 +23,20 @@ use super::hill::hill;
 use faer::Mat;
 use faer::linalg::solvers::DenseSolveCore;
 
-/// Relative change at which the self-consistent iteration ends, and most of its steps.
+/// Relative change at which the self-consistent iteration ends, and its largest number of steps.
 const SCHEME_TOLERANCE: f64 = 1e-12;
 const MAX_SCHEME_STEPS: usize = 500;
 
-/// The shape of the pores.
+/// Shape of the pores.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum PoreGeometry {
-    /// Length along the pole over width; 1 for spheres.
+    /// Spheroids with the ratio of length along the poling direction to width; 1 for spheres.
     Spheroids(f64),
-    /// Endless along the pole.
+    /// Infinite cylinders along the poling direction.
     Cylinders,
 }
 
-/// How pores act on each other.
+/// Homogenisation scheme: the interaction of the pores.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Scheme {
     /// Each pore lies in the mean field of the matrix.
@@ -43,8 +46,9 @@ pub enum Scheme {
 }
 
 impl Electroelastic {
-    /// The composite with a fraction `porosity` (0 to below 1) of pores; `None` outside that, or where the iteration does not end (above
-    /// the fraction at which the scheme predicts no stiffness at all).
+    /// Returns the composite with a pore fraction `porosity` (0 to below 1); `None` outside this
+    /// range, or if the iteration does not converge (above the fraction of zero predicted
+    /// stiffness).
     pub fn porous(&self, porosity: f64, pores: PoreGeometry, scheme: Scheme) -> Option<Self> {
         if !(0.0..1.0).contains(&porosity) {
             return None;
@@ -71,7 +75,7 @@ impl Electroelastic {
     }
 }
 
-/// The fixed point of the self-consistent equations, half a step at a time.
+/// Computes the fixed point of the self-consistent equations, with half steps.
 fn self_consistent(
     matrix: &Mat<f64>,
     pore: &Mat<f64>,
@@ -130,7 +134,8 @@ mod tests {
         }
     }
 
-    /// `K* = K (1 - f (3K + 4G) / (3K + 4G - 3 (1 - f) K))`, likewise `G*`; Maxwell and Garnett for the permittivity. Measured 4e-15.
+    /// `K* = K (1 - f (3K + 4G) / (3K + 4G - 3 (1 - f) K))`, likewise `G*`; Maxwell-Garnett for the
+    /// permittivity. Measured 4e-15.
     #[test]
     fn spherical_pores_in_an_isotropic_matrix_have_closed_forms() {
         let (k, g, f) = (100e9, 60e9, 0.2);
@@ -156,7 +161,8 @@ mod tests {
         close(bulk, 64e9);
     }
 
-    /// Pores along the pole leave `d31` and `d33` as they are, and the permittivity follows the law of mixtures, in both schemes.
+    /// Pores along the poling direction do not change `d31` and `d33`, and the permittivity follows
+    /// the law of mixtures, in both schemes.
     #[test]
     fn cylinders_along_the_pole_are_exact() {
         let [d31, d33, permittivity] = PZT_5A.free();
@@ -175,8 +181,9 @@ mod tests {
         }
     }
 
-    /// PZT-5A with pores, second program: C11, C13, C33, C44 (GPa), e31, e33 (C/m^2), relative permittivities at constant strain and
-    /// stress, d31, d33 (pC/N). Allowed 0.1 % for Mori and Tanaka, 0.5 % for the self-consistent scheme.
+    /// PZT-5A with pores, second program: C11, C13, C33, C44 (GPa), e31, e33 (C/m^2), relative
+    /// permittivities at constant strain and stress, d31, d33 (pC/N). Tolerance 0.1 % for
+    /// Mori-Tanaka, 0.5 % for the self-consistent scheme.
     #[test]
     fn porous_pzt_5a_is_that_of_a_second_program() {
         let spheres = PoreGeometry::Spheroids(1.0);
@@ -240,7 +247,7 @@ mod tests {
                 5e-3
             };
             for (found, expected) in found.iter().zip(expected) {
-                // The last printed digit of small constants is coarser than that.
+                // The last printed digit of small constants is coarser than this tolerance.
                 let digit = if scheme == Scheme::MoriTanaka {
                     6e-4
                 } else {

@@ -1,4 +1,4 @@
-//! A self-contained HTML document, block by block.
+//! Self-contained HTML document, built from blocks.
 
 use std::fmt::Write as _;
 use std::path::Path;
@@ -10,7 +10,7 @@ use crate::table::{Table, Values};
 
 const STYLE: &str = include_str!("style.css");
 
-/// A report under construction. Texts are plain; what stands between backticks is set as code.
+/// Report under construction. Texts are plain; text between backticks is formatted as code.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Document {
     title: String,
@@ -18,19 +18,19 @@ pub struct Document {
     sections: Vec<String>,
 }
 
-/// What the evidence says about a claim.
+/// Verdict on a claim.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Verdict {
     /// The claim holds.
     Holds,
     /// The claim does not hold.
     DoesNotHold,
-    /// The evidence does not decide.
+    /// The evidence is inconclusive.
     Open,
 }
 
 impl Verdict {
-    /// The words on the badge.
+    /// Returns the text of the badge.
     pub fn words(self) -> &'static str {
         match self {
             Self::Holds => "holds",
@@ -49,7 +49,7 @@ impl Verdict {
 }
 
 impl Document {
-    /// An empty report.
+    /// Creates an empty report.
     pub fn new(title: &str) -> Self {
         Self {
             title: title.to_owned(),
@@ -69,17 +69,17 @@ impl Document {
         );
     }
 
-    /// Starts a part of a section.
+    /// Starts a subsection.
     pub fn subsection(&mut self, heading: &str) {
         let _ = writeln!(self.body, "<h3>{}</h3>", inline(heading));
     }
 
-    /// A paragraph.
+    /// Adds a paragraph.
     pub fn paragraph(&mut self, text: &str) {
         let _ = writeln!(self.body, "<p>{}</p>", inline(text));
     }
 
-    /// A list of points.
+    /// Adds a list of points.
     pub fn list(&mut self, points: &[&str]) {
         let points: String = points
             .iter()
@@ -88,8 +88,8 @@ impl Document {
         let _ = writeln!(self.body, "<ul>\n{points}</ul>");
     }
 
-    /// A table under a caption, real numbers with `digits` significant digits. A column is headed by its description (its name where it has none)
-    /// and its unit.
+    /// Adds a table under a caption, with `digits` significant digits for real numbers. The header
+    /// of a column is its description, or its name without one, and its unit.
     pub fn table(&mut self, caption: &str, table: &Table, digits: usize) {
         let _ = write!(
             self.body,
@@ -130,7 +130,7 @@ impl Document {
         self.body.push_str("</tbody></table></div>\n");
     }
 
-    /// A figure over its caption, as inline SVG.
+    /// Adds a figure with a caption, as inline SVG.
     ///
     /// # Errors
     /// The figure cannot be drawn.
@@ -144,7 +144,7 @@ impl Document {
         Ok(())
     }
 
-    /// A claim with its verdict and the evidence for it.
+    /// Adds a claim with its verdict and evidence.
     pub fn claim(&mut self, claim: &str, verdict: Verdict, evidence: &str) {
         let _ = writeln!(
             self.body,
@@ -156,7 +156,7 @@ impl Document {
         );
     }
 
-    /// The finished document.
+    /// Returns the complete document.
     pub fn to_html(&self) -> String {
         let title = escape(&self.title);
         let entry = |(index, heading): (usize, &String)| {
@@ -180,16 +180,16 @@ impl Document {
         )
     }
 
-    /// Writes the document whole or not at all.
+    /// Writes the document atomically.
     ///
     /// # Errors
-    /// The place cannot be written.
+    /// The path is not writable.
     pub fn write(&self, path: &Path) -> Result<(), StoreError> {
         store::write(path, self.to_html().as_bytes())
     }
 }
 
-/// Numbers stand at the right, words at the left.
+/// Aligns numbers right and words left.
 fn side(values: &Values) -> &'static str {
     if matches!(values, Values::Text(_) | Values::Flag(_)) {
         " class=\"words\""
@@ -198,7 +198,7 @@ fn side(values: &Values) -> &'static str {
     }
 }
 
-/// Escaped text in which every pair of backticks encloses code.
+/// Escapes text and formats parts between backticks as code.
 fn inline(text: &str) -> String {
     let parts: Vec<_> = escape(text).split('`').map(str::to_owned).collect();
     if parts.len() % 2 == 0 {
@@ -254,7 +254,8 @@ mod tests {
     #[test]
     fn the_document_is_well_formed_and_escaped() {
         let html = report().to_html();
-        // An HTML file that is also XML, but for its first line and its unclosed <meta>, has no stray markup.
+        // Except for its first line and the unclosed <meta>, the HTML must also be valid XML: no
+        // stray markup.
         let xml = html
             .replacen("<!DOCTYPE html>", "", 1)
             .replace("scale=1\">", "scale=1\"/>")

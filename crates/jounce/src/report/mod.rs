@@ -1,7 +1,8 @@
-//! Reports: one HTML file that holds everything it shows, opens without a network and prints well.
+//! Reports: one self-contained HTML file that opens without a network and can be printed.
 //!
-//! [`Document`] has the blocks that a report is made of: headings, paragraphs, tables, figures (inline SVG) and verdicts on claims. It has no scripts
-//! and loads nothing; colours follow the reader's light or dark setting, and paper is always light.
+//! [`Document`] provides the blocks of a report: headings, paragraphs, tables, figures (inline SVG)
+//! and verdicts on claims. It has no scripts and loads no other file. Colours follow the reader's
+//! light or dark setting; printed pages are always light.
 mod html;
 mod numbers;
 

@@ -1,9 +1,10 @@
-//! Numbers as read by people.
+//! Formatting of numbers.
 
 use crate::picture::escape;
 use crate::table::Values;
 
-/// One cell of a table as HTML, with `digits` significant digits for real numbers. NaN and cells beyond the last row are a dash.
+/// Returns one cell of a table as HTML, with `digits` significant digits for real numbers. NaN and
+/// cells beyond the last row are a dash.
 pub(super) fn cell(values: &Values, row: usize, digits: usize) -> String {
     match values {
         Values::Float(v) => v.get(row).map_or_else(dash, |x| number(*x, digits)),
@@ -21,7 +22,8 @@ fn dash() -> String {
     "–".to_owned()
 }
 
-/// A real number with so many significant digits, as a decimal from 0.001 to 100000, else with a power of ten.
+/// Formats a real number with `digits` significant digits: as a decimal from 0.001 to 100000, else
+/// with a power of ten.
 pub(super) fn number(value: f64, digits: usize) -> String {
     if !value.is_finite() {
         return if value.is_nan() {
@@ -30,7 +32,7 @@ pub(super) fn number(value: f64, digits: usize) -> String {
             format!("{}∞", if value < 0.0 { "−" } else { "" })
         };
     }
-    // The rounded mantissa decides on the exponent: 9.9996 with four digits is 10.00.
+    // The exponent follows from the rounded mantissa: 9.9996 with four digits is 10.00.
     let text = format!("{value:.*e}", digits.max(1) - 1);
     let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
     let power: i32 = exponent.parse().unwrap_or(0);

@@ -1,4 +1,5 @@
-//! What the paper leaves open: the choice made here, the other choice, and the power at 13 Hz and 200 N with each.
+//! Assumptions that the paper does not specify: the default, the alternative, and the power at 13
+//! Hz and 200 N with each.
 
 use super::harvester::{ABOVE_RESONANCE, PaperHarvester};
 use super::impact::long_run;
@@ -9,7 +10,7 @@ use crate::structure::section::CrossSection;
 use crate::table::{Column, Table};
 use rayon::prelude::*;
 
-/// Question, default, other choice, keys to set for it.
+/// Question, default, alternative, keys to set for the alternative.
 type Choice = (
     &'static str,
     &'static str,
@@ -96,18 +97,18 @@ const CHOICES: [Choice; 13] = [
     ),
 ];
 
-/// One choice and what comes of it.
+/// One alternative and its results.
 pub(super) struct Variant {
     question: &'static str,
     default: &'static str,
     other: &'static str,
     /// Mean power over the last 10 s of 20 s and of the long run, W.
     pub power_w: [f64; 2],
-    /// Whether each had settled.
+    /// True where the run has settled, for each duration.
     pub settled: [bool; 2],
 }
 
-/// Marches every choice.
+/// Runs every alternative.
 pub(super) fn variants(control: &Control) -> Result<Vec<Variant>, ReproduceError> {
     let own = |(key, value): &(&str, &str)| ((*key).to_owned(), (*value).to_owned());
     let mut choices: Vec<_> = CHOICES
@@ -131,7 +132,7 @@ pub(super) fn variants(control: &Control) -> Result<Vec<Variant>, ReproduceError
         .collect()
 }
 
-/// A `d31` that gives the patch the moment that it would have about the beam's mid-plane.
+/// Returns the `d31` that gives the patch its moment about the mid-plane of the beam.
 fn mid_plane(spec: &Spec) -> Vec<(String, String)> {
     let (beam, patch) = (&spec.beam["beam"], &spec.patch["mfc"]);
     let middle_m = beam.thickness_m + patch.thickness_m / 2.0;
@@ -166,7 +167,7 @@ impl Variant {
     }
 }
 
-/// The table of all choices.
+/// Returns the table of all alternatives.
 pub(super) fn table(variants: &[Variant]) -> Result<NamedTable, ReproduceError> {
     let texts = |of: fn(&Variant) -> &'static str| {
         variants

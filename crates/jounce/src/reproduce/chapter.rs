@@ -1,18 +1,18 @@
-//! A chapter of the report that is computed elsewhere.
+//! Chapter of the report from another crate.
 
 use super::{NamedFigure, NamedTable, ReproduceError};
 use crate::report::Document;
 
-/// Words, tables and figures under one heading.
+/// Paragraphs, tables and figures under one heading.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Chapter {
-    /// The heading.
+    /// Heading of the chapter.
     pub heading: String,
-    /// What stands above the tables and figures.
+    /// Text above the tables and figures.
     pub paragraphs: Vec<String>,
-    /// Tables that are shown; a table without a caption is only written to its files.
+    /// Tables of the chapter; a table without a caption is written to its files and not shown.
     pub tables: Vec<NamedTable>,
-    /// Figures.
+    /// Figures of the chapter.
     pub figures: Vec<NamedFigure>,
 }
 

@@ -1,15 +1,15 @@
-//! A claim of the paper with its verdict.
+//! Claims of the paper with their verdicts.
 
 use serde::Serialize;
 
-/// What the paper says, whether our numbers agree, and the numbers.
+/// Claim of the paper, with verdict and evidence.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Claim {
-    /// The claim, in a sentence, with its number in the literature notes (`S2` to `S9`).
+    /// The claim in one sentence, with its number in the literature notes (`S2` to `S9`).
     pub claim: String,
-    /// Whether the criterion that `evidence` names is met.
+    /// True where the criterion in `evidence` is met.
     pub holds: bool,
-    /// The criterion and the numbers it was judged on.
+    /// The criterion and the numbers for the verdict.
     pub evidence: String,
 }
 

@@ -1,4 +1,4 @@
-//! Claims S2 to S9 of the paper, each judged on computed numbers only.
+//! Claims S2 to S9 of the paper, each tested with computed numbers only.
 
 use super::impact::{Impact, LONG_RUN_S};
 use super::power_over_resistance::PowerOverResistance;
@@ -6,7 +6,8 @@ use super::stepped::{DriveLevel, SteppedBranch};
 use super::{Claim, NamedTable, ReproduceError};
 use crate::table::{Column, Table};
 
-/// All claims in order, judged with the stop on the ground; the evidence ends with the verdict for the stop on the shaker table.
+/// Returns all claims in order, tested with the stop on the ground. The evidence ends with the
+/// verdict for the stop on the shaker table.
 pub(super) fn claims(ground: &[Claim], on_table: &[Claim]) -> Vec<Claim> {
     let join = |(ground, on_table): (&Claim, &Claim)| {
         let words = match (ground.holds, on_table.holds) {
@@ -23,7 +24,7 @@ pub(super) fn claims(ground: &[Claim], on_table: &[Claim]) -> Vec<Claim> {
     ground.iter().zip(on_table).map(join).collect()
 }
 
-/// Both readings side by side.
+/// Returns the table that compares both positions of the stop.
 pub(super) fn table(ground: &[Claim], on_table: &[Claim]) -> Result<NamedTable, ReproduceError> {
     let texts = |claims: &[Claim], of: fn(&Claim) -> &String| {
         claims
@@ -56,7 +57,7 @@ pub(super) fn table(ground: &[Claim], on_table: &[Claim]) -> Result<NamedTable, 
     ))
 }
 
-/// All claims in order for one reading.
+/// Tests all claims in order for one position of the stop.
 pub(super) fn judged(computed: &Impact) -> Vec<Claim> {
     vec![
         linear_best_near_resonance(computed),

@@ -1,4 +1,5 @@
-//! Do the ways up and down end on different orbits? Both are marched on at one frequency until transients are gone.
+//! Coexisting orbits: the upward and downward sweeps continue at one frequency until transients
+//! decay.
 
 use super::ReproduceError;
 use super::harvester::{MEGOHM, PaperCase, PaperHarvester};
@@ -6,21 +7,21 @@ use super::impact::LONG_RUN_S;
 use super::stepped::SteppedBranch;
 use crate::run::{RunPlan, StartState, simulate};
 
-/// Where jumps are looked for: so far from the peak on the way up, Hz.
+/// Distance from the peak of the upward sweep within which jumps are searched, Hz.
 const AROUND_PEAK_HZ: f64 = 2.0;
 
 /// Two continued runs at one frequency.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Coexistence {
     pub frequency_hz: f64,
-    /// Mean power per force squared after the way up, W/N^2.
+    /// Mean power per force squared after the upward sweep, W/N^2.
     pub up_w_n2: f64,
-    /// The same after the way down.
+    /// Mean power per force squared after the downward sweep, W/N^2.
     pub down_w_n2: f64,
 }
 
 impl Coexistence {
-    /// At the frequency near the peak where both ways differ most.
+    /// Continues both sweeps at the frequency near the peak where they differ most.
     pub fn compute(
         harvester: &PaperHarvester,
         amplitude_n: f64,
@@ -50,7 +51,7 @@ impl Coexistence {
         })
     }
 
-    /// How many times one power is the other, at least 1.
+    /// Returns the ratio of the two powers, at least 1.
     pub fn factor(&self) -> f64 {
         (self.up_w_n2 / self.down_w_n2).max(self.down_w_n2 / self.up_w_n2)
     }

@@ -1,4 +1,4 @@
-//! All numbers of the reproduction, before they become tables, figures and claims.
+//! All numbers of the reproduction, for tables, figures and claims.
 
 use super::ReproduceError;
 use super::assumptions::{Variant, variants};
@@ -9,20 +9,20 @@ use super::power_over_frequency::{FEWER_LEVELS_N, LEVELS_N};
 use super::table_2::Frequencies;
 use crate::integrate::Control;
 
-/// Everything that is computed.
+/// All computed results.
 pub(super) struct Computed {
     pub table_2: Frequencies,
     pub hammer: HammerTest,
-    /// The stop on the ground: eq. (5) as printed, the default.
+    /// Results with the stop on the ground: eq. (5) as printed, the default.
     pub ground: Impact,
-    /// The stop on the shaker table.
+    /// Results with the stop on the shaker table.
     pub table: Impact,
     pub orbits: PaperOrbits,
     pub variants: Vec<Variant>,
 }
 
 impl Computed {
-    /// Computes everything.
+    /// Computes all results.
     pub fn new(control: &Control, progress: &dyn Fn(&str)) -> Result<Self, ReproduceError> {
         progress("Table 2, figures 4 and 5: modes and frequency responses");
         let (table_2, hammer) = (Frequencies::compute()?, HammerTest::compute()?);

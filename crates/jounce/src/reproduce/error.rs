@@ -1,4 +1,4 @@
-//! Why the paper could not be computed again or written down.
+//! Errors of a reproduction.
 
 use crate::analysis::AnalysisError;
 use crate::orbit::OrbitError;
@@ -12,8 +12,8 @@ use crate::structure::StructureError;
 use crate::table::TableError;
 use std::path::PathBuf;
 
-/// What can stop a reproduction. The inputs are built in, so that only [`ReproduceError::Folder`] and [`ReproduceError::Store`] are the
-/// user's to mend; the others would be faults of jounce.
+/// Error of a reproduction. The inputs are built in, so the user can resolve only
+/// [`ReproduceError::Folder`] and [`ReproduceError::Store`]; any other error is a defect of jounce.
 #[derive(Debug, thiserror::Error)]
 pub enum ReproduceError {
     /// See [`Faults`].
@@ -46,12 +46,12 @@ pub enum ReproduceError {
     /// See [`OrbitError`].
     #[error(transparent)]
     Orbit(#[from] OrbitError<AnalysisError>),
-    /// The output folder cannot be made.
+    /// The output folder cannot be created.
     #[error("cannot create the folder \"{path}\": {reason}; choose another one")]
     Folder {
-        /// The folder.
+        /// Path of the folder.
         path: PathBuf,
-        /// What stood in the way.
+        /// Reason of the failure.
         reason: String,
     },
 }

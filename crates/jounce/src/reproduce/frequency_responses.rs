@@ -1,4 +1,5 @@
-//! Figures 4 and 5: tip acceleration and open-circuit patch voltage per force of a hammer 15 mm from the root, table fixed.
+//! Figures 4 and 5: tip acceleration and open-circuit patch voltage per hammer force 15 mm from the
+//! root, with fixed table.
 
 use super::harvester::PaperHarvester;
 use super::{NamedFigure, NamedTable, ReproduceError};
@@ -8,17 +9,17 @@ use crate::plant::{Plant, System};
 use crate::structure::modes_holding;
 use crate::table::{Column, Table};
 
-/// The two responses, complex, per newton.
+/// The two complex frequency responses, per newton.
 pub(super) struct HammerTest {
     frequency_hz: Vec<f64>,
-    /// m/s^2/N
+    /// Tip acceleration, m/s^2/N.
     acceleration: Curve,
-    /// V/N
+    /// Patch voltage, V/N.
     voltage: Curve,
 }
 
 impl HammerTest {
-    /// From 1 to 1000 Hz.
+    /// Computes the responses from 1 to 1000 Hz.
     pub fn compute() -> Result<Self, ReproduceError> {
         let spec = PaperHarvester::spec(&[])?;
         let mut system = System::assemble(&spec, modes_holding(&spec, &["table".to_owned()])?)?;
@@ -52,7 +53,7 @@ impl HammerTest {
         })
     }
 
-    /// Figures 4 and 5.
+    /// Returns figures 4 and 5.
     pub fn figures(&self) -> Vec<NamedFigure> {
         let draw = |title: &str, quantity: &str, unit: &str, curve: &Curve| {
             frequency_responses(
@@ -90,7 +91,7 @@ impl HammerTest {
         ]
     }
 
-    /// The data of both.
+    /// Returns the data of both figures.
     pub fn table(&self) -> Result<NamedTable, ReproduceError> {
         let table = Table::new(vec![
             Column::new("frequency_hz", "Hz", "Frequency", self.frequency_hz.clone()),
@@ -128,7 +129,8 @@ impl HammerTest {
     }
 }
 
-/// Steps of 0.5 Hz, and close to each resonance steps of an eighth of its half width, so that peaks are drawn to their full height.
+/// Returns frequencies in steps of 0.5 Hz. Near each resonance the step is an eighth of its half
+/// width, to resolve the peak.
 fn frequencies_hz(plant: &Plant) -> Vec<f64> {
     let mut all: Vec<f64> = (2..=2000).map(|i| f64::from(i) / 2.0).collect();
     for value in plant

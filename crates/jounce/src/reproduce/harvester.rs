@@ -9,18 +9,18 @@ use crate::structure::modes;
 
 const PAPER: &str = include_str!("../../../../examples/impact-harvester-2019/harvester.toml");
 
-/// The spec of the paper's harvester with some keys set.
+/// Returns the spec of the paper's harvester with some keys set.
 ///
 /// # Errors
-/// A key or value that the spec does not allow.
+/// The spec does not allow a key or value.
 pub fn paper_spec(settings: &[(&str, &str)]) -> Result<Spec, ReproduceError> {
     Ok(paper_file(settings)?.spec()?)
 }
 
-/// The file of the paper's harvester with some keys set.
+/// Returns the file of the paper's harvester with some keys set.
 ///
 /// # Errors
-/// A key that there is not.
+/// A key does not exist.
 pub fn paper_file(settings: &[(&str, &str)]) -> Result<SpecFile, ReproduceError> {
     let mut file = SpecFile::from_text(PAPER);
     for (key, value) in settings {
@@ -29,15 +29,15 @@ pub fn paper_file(settings: &[(&str, &str)]) -> Result<SpecFile, ReproduceError>
     Ok(file)
 }
 
-/// A harvester with its modes: cases of drive and load are made from it without solving the structure again.
+/// Harvester with its modes. Cases of drive and load reuse the solution of the structure.
 pub(super) struct PaperHarvester {
     pub spec: Spec,
     pub system: System,
-    /// Ends its marches early, and counts the runs of the figures.
+    /// Cancels the runs, and counts the runs of the figures.
     pub control: Control,
 }
 
-/// A drive and a load.
+/// Case of one drive and one load.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct PaperCase {
     pub frequency_hz: f64,
@@ -45,17 +45,17 @@ pub(super) struct PaperCase {
     pub resistance_ohm: f64,
 }
 
-/// The load of figures 6 and 7.
+/// Load of figures 6 and 7, ohm.
 pub(super) const MEGOHM: f64 = 1e6;
 
-/// The case of figure 7; figure 8 varies its load.
+/// Case of figure 7; figure 8 varies its load.
 pub(super) const ABOVE_RESONANCE: PaperCase = PaperCase {
     frequency_hz: 13.0,
     amplitude_n: 200.0,
     resistance_ohm: MEGOHM,
 };
 
-/// The case of figure 9, at the load of figure 7.
+/// Case of figure 9, at the load of figure 7.
 pub(super) const BELOW_RESONANCE: PaperCase = PaperCase {
     frequency_hz: 6.0,
     amplitude_n: 50.0,
@@ -63,7 +63,7 @@ pub(super) const BELOW_RESONANCE: PaperCase = PaperCase {
 };
 
 impl PaperHarvester {
-    /// The paper's harvester with some keys set, its marches under a control.
+    /// Builds the paper's harvester with some keys set; a control can cancel its runs.
     pub fn with(settings: &[(String, String)], control: &Control) -> Result<Self, ReproduceError> {
         let spec = Self::spec(settings)?;
         let system = System::assemble(&spec, modes(&spec)?)?;
@@ -74,7 +74,7 @@ impl PaperHarvester {
         })
     }
 
-    /// Its spec alone.
+    /// Returns the spec with some keys set.
     pub fn spec(settings: &[(String, String)]) -> Result<Spec, ReproduceError> {
         let settings: Vec<(&str, &str)> = settings
             .iter()
@@ -83,7 +83,7 @@ impl PaperHarvester {
         paper_spec(&settings)
     }
 
-    /// The linear plant of a case.
+    /// Builds the linear plant of a case.
     pub fn plant(&self, case: PaperCase) -> Result<Plant, ReproduceError> {
         let mut system = self.system.clone();
         for load in &mut system.loads {
@@ -96,17 +96,17 @@ impl PaperHarvester {
         Ok(Plant::new(system)?)
     }
 
-    /// A case ready to be marched.
+    /// Builds the kernel of a case.
     pub fn kernel(&self, case: PaperCase) -> Result<Kernel, ReproduceError> {
         Ok(Kernel::new(self.plant(case)?)?.with_control(&self.control))
     }
 
-    /// The paper's run: 20 s, the last 10 s averaged.
+    /// Returns the plan of the paper: 20 s, the last 10 s averaged.
     pub fn plan(&self) -> RunPlan {
         RunPlan::of(&self.spec.run, 0.0)
     }
 
-    /// The paper's run of one case from rest.
+    /// Executes the paper's run of one case from rest.
     pub fn run(&self, case: PaperCase) -> Result<RunResult, ReproduceError> {
         let kernel = self.kernel(case)?;
         Ok(simulate(
@@ -118,7 +118,7 @@ impl PaperHarvester {
 }
 
 impl PaperCase {
-    /// Mean power per force squared, W/N^2.
+    /// Returns the mean power per force squared, W/N^2.
     pub fn normalised(&self, power_w: f64) -> f64 {
         power_w / (self.amplitude_n * self.amplitude_n)
     }

@@ -1,4 +1,4 @@
-//! All impact results of the paper under one reading of where the stop stands.
+//! All impact results of the paper for one position of the stop.
 
 use super::ReproduceError;
 use super::harvester::{ABOVE_RESONANCE, BELOW_RESONANCE, PaperHarvester};
@@ -9,10 +9,10 @@ use crate::integrate::Control;
 use crate::linear::{Coupling, couplings};
 use crate::run::{RunPlan, RunResult, StartState, simulate};
 
-/// Length of the runs that show what a case settles to, s.
+/// Duration of the runs that reach steady state, s.
 pub(super) const LONG_RUN_S: f64 = 100.0;
 
-/// Figures 6 to 9 and the runs beside them.
+/// Figures 6 to 9 and their runs.
 pub(super) struct Impact {
     pub harvester: PaperHarvester,
     pub frequency: PowerOverFrequency,
@@ -20,16 +20,17 @@ pub(super) struct Impact {
     pub above: PowerOverResistance,
     pub below: PowerOverResistance,
     pub below_run: RunResult,
-    /// 13 Hz and 200 N for [`LONG_RUN_S`].
+    /// Run at 13 Hz and 200 N for [`LONG_RUN_S`].
     pub long_run: RunResult,
-    /// The first bending mode of the harvester on its table.
+    /// First bending mode of the harvester on its table.
     pub first_mode: Coupling,
-    /// Frequency of its second bending mode, Hz.
+    /// Frequency of the second bending mode, Hz.
     pub second_mode_hz: f64,
 }
 
 impl Impact {
-    /// Marches everything with the stop on `"ground"` or `"table"`, figure 6 at some levels of force, N; the many runs share all cores.
+    /// Computes all runs with the stop on `"ground"` or `"table"`, figure 6 at some force levels,
+    /// N; the runs use all cores.
     pub fn compute(
         frame: &str,
         levels_n: &[f64],
@@ -44,7 +45,7 @@ impl Impact {
                 rayon::join(|| over(ABOVE_RESONANCE), || over(BELOW_RESONANCE))
             },
         );
-        // Mode 0 is that of the table on its spring.
+        // Mode 0 is the table on its spring.
         let bending: Vec<Coupling> = couplings(&harvester.system.modes)
             .into_iter()
             .filter(|coupling| coupling.mode > 0)
@@ -63,7 +64,7 @@ impl Impact {
     }
 }
 
-/// 13 Hz and 200 N from rest for [`LONG_RUN_S`], the last 10 s averaged.
+/// Runs 13 Hz and 200 N from rest for [`LONG_RUN_S`], the last 10 s averaged.
 pub(super) fn long_run(harvester: &PaperHarvester) -> Result<RunResult, ReproduceError> {
     let kernel = harvester.kernel(ABOVE_RESONANCE)?;
     let plan = RunPlan {

@@ -1,7 +1,9 @@
-//! The paper computed again: Table 2, figures 4 to 9, a verdict on every claim, and what changes with each open choice.
+//! Reproduction of the paper: Table 2, figures 4 to 9, a verdict on every claim, and the effect of
+//! each assumption.
 //!
-//! Source: "Experimental validation of an impact off-resonance energy harvester" (2019), sections 2 to 4. The spec of its harvester is
-//! built in. Figures 10 to 13 are measured: what takes recordings to answers uses this library, and adds them as a [`Chapter`].
+//! Source: "Experimental validation of an impact off-resonance energy harvester" (2019), sections 2
+//! to 4. The spec of its harvester is built in. Figures 10 to 13 are measured: `jounce-measure`
+//! uses this library and adds them as a [`Chapter`].
 //!
 //! ```no_run
 //! let control = jounce::integrate::Control::default();

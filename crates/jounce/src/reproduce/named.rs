@@ -1,52 +1,52 @@
-//! Tables and figures under the name of their files.
+//! Tables and figures with the names of their files.
 
 use crate::picture::Figure;
 use crate::table::Table;
 
-/// A table of the report.
+/// Table of the report.
 #[derive(Debug, Clone, PartialEq)]
 pub struct NamedTable {
-    /// Name of its files, without an ending: `table-2`.
+    /// Name of its files, without extension: `table-2`.
     pub name: String,
-    /// What stands above it.
+    /// Caption above the table.
     pub caption: String,
-    /// Significant digits where people read it; files hold all of them.
+    /// Significant digits in the report; files contain all digits.
     pub digits: usize,
-    /// The data.
+    /// Data of the table.
     pub table: Table,
 }
 
-/// A figure of the report.
+/// Figure of the report.
 #[derive(Debug, Clone, PartialEq)]
 pub struct NamedFigure {
-    /// Name of its files, without an ending: `figure-6`.
+    /// Name of its files, without extension: `figure-6`.
     pub name: String,
-    /// What stands below it.
+    /// Caption below the figure.
     pub caption: String,
-    /// The picture.
+    /// The figure.
     pub figure: Figure,
 }
 
-/// Where the stop stands, as it enters names and captions.
+/// Position of the stop in names and captions.
 pub(super) struct NamedStop {
     pub suffix: &'static str,
     pub words: &'static str,
 }
 
-/// Eq. (5) as printed; the default.
+/// Stop on the ground: eq. (5) as printed, the default.
 pub(super) const ON_GROUND: NamedStop = NamedStop {
     suffix: "",
     words: "",
 };
 
-/// The other reading.
+/// Stop on the shaker table: the alternative.
 pub(super) const ON_TABLE: NamedStop = NamedStop {
     suffix: "-stop-on-table",
     words: " Here the stop rides on the shaker table.",
 };
 
 impl NamedTable {
-    /// A table under the name of its files.
+    /// Creates a table with the name of its files.
     pub fn new(name: &str, caption: &str, digits: usize, table: Table) -> Self {
         Self {
             name: name.to_owned(),
@@ -58,7 +58,7 @@ impl NamedTable {
 }
 
 impl NamedFigure {
-    /// A figure under the name of its files.
+    /// Creates a figure with the name of its files.
     pub fn new(name: &str, caption: &str, figure: Figure) -> Self {
         Self {
             name: name.to_owned(),

@@ -1,4 +1,5 @@
-//! What the paper could not see by stepping: every branch under figure 6, and where the jumps go when the gap is tuned.
+//! Results that stepped sweeps cannot give: all branches of figure 6, and the jumps as functions of
+//! the gap.
 
 use super::harvester::{MEGOHM, PaperHarvester};
 use super::power_over_frequency::{LEVELS_N, PowerOverFrequency};
@@ -15,29 +16,30 @@ use crate::spec::NumericKey;
 use crate::table::{Column, Table};
 use rayon::prelude::*;
 
-/// Frequencies of figure 6, Hz.
+/// Frequency range of figure 6, Hz.
 const FREQUENCIES_HZ: (f64, f64) = (4.0, 20.0);
 
-/// Frequencies (Hz) and gaps (m) of the map of jumps, and its level of force, N.
+/// Frequency range (Hz), gap range (m) and force (N) of the map of jumps.
 const MAP_HZ: (f64, f64) = (9.0, 15.0);
 const GAPS_M: (f64, f64) = (0.25e-3, 2e-3);
 const MAP_LEVEL_N: f64 = 50.0;
 
-/// Frequencies between the ends at which branches are sought by marching, and the longest period of one, drive cycles.
+/// Number of frequencies at which time integration searches for branches, and the longest period of
+/// an orbit, drive cycles.
 const START_VALUES: usize = 15;
 const MAX_PERIOD_CYCLES: u32 = 4;
 
-/// Relative tolerance of the marches.
+/// Relative tolerance of the runs.
 const TOLERANCE: f64 = 1e-9;
 
-/// Branches of every level of force, N, and the map of jumps.
+/// Branches of every force level, N, and the map of jumps.
 pub(super) struct PaperOrbits {
     levels: Vec<(f64, Vec<Branch>)>,
     jumps: Vec<BifurcationCurve>,
 }
 
 impl PaperOrbits {
-    /// Follows everything, with the stop on the ground.
+    /// Continues all branches and jumps, with the stop on the ground.
     pub fn compute(control: &Control) -> Result<Self, ReproduceError> {
         let (levels, jumps) = rayon::join(
             || {
@@ -54,7 +56,7 @@ impl PaperOrbits {
         })
     }
 
-    /// The branches with the points of the stepped sweeps on them.
+    /// Returns the figure of the branches, with the points of the stepped sweeps.
     pub fn figure(&self, swept: &PowerOverFrequency) -> NamedFigure {
         let (mut lines, mut marks) = (Vec::new(), Vec::new());
         for (level, found) in &self.levels {
@@ -105,7 +107,7 @@ impl PaperOrbits {
         NamedFigure::new("figure-6-branches", caption, figure)
     }
 
-    /// The map of jumps over frequency and gap.
+    /// Returns the map of jumps over frequency and gap.
     pub fn map(&self) -> NamedFigure {
         let lines: Vec<BifurcationLine> = (self.jumps.iter())
             .map(|curve| BifurcationLine {
@@ -130,7 +132,7 @@ impl PaperOrbits {
         )
     }
 
-    /// Data of both figures.
+    /// Returns the data of both figures.
     pub fn tables(&self) -> Result<Vec<NamedTable>, ReproduceError> {
         let points: Vec<(f64, u64, &BranchPoint)> = (self.levels.iter())
             .flat_map(|(level, found)| {
@@ -236,7 +238,7 @@ impl PaperOrbits {
     }
 }
 
-/// The harvester at a level of force, with its frequency as a key.
+/// Prepares the harvester at a force level, with its frequency as a key.
 fn prepared(level_n: f64, control: &Control) -> Result<(Model, NumericKey), ReproduceError> {
     let set = |key: &str, value: String| (key.to_owned(), value);
     let settings = [

@@ -1,10 +1,10 @@
-//! The report as people read it.
+//! The HTML report.
 
 use super::computed::Computed;
 use super::{ReproduceError, Reproduction};
 use crate::report::{Document, Verdict};
 
-/// What the paper leaves open and no run of 13 Hz and 200 N decides.
+/// Assumptions that a run at 13 Hz and 200 N does not test.
 const READINGS: [&str; 7] = [
     "Levels of force and frequency step of figure 6 are not printed: 50, 100 and 200 N and 0.1 Hz are guesses (50 and 200 N occur in figures 7 to 9).",
     "`b_c` and `h_c` in eq. (2) are read as the patch's own width and thickness.",
@@ -15,7 +15,7 @@ const READINGS: [&str; 7] = [
     "The paper integrates with ode45 and does not say how tightly; here every response is computed to a relative error of about 1e-7.",
 ];
 
-/// What Table 2 shows.
+/// Returns the conclusion from Table 2.
 pub(super) fn summary(computed: &Computed) -> String {
     let (thin, laminate) = computed.table_2.worst_errors();
     let print = if computed.table_2.match_print() {
@@ -32,7 +32,7 @@ pub(super) fn summary(computed: &Computed) -> String {
     )
 }
 
-/// The whole document.
+/// Builds the complete document.
 pub(super) fn page(of: &Reproduction) -> Result<Document, ReproduceError> {
     let mut page = Document::new("The impact energy harvester, computed again");
     let holding = of.claims.iter().filter(|claim| claim.holds).count();

@@ -1,6 +1,8 @@
-//! Figure 6: mean power per force squared over the drive frequency, at 1 Mohm; linear case and three levels of force, stepped up and down.
+//! Figure 6: mean power per force squared over the drive frequency, at 1 Mohm; linear case and
+//! three levels of force, stepped up and down.
 //!
-//! The paper gives neither the levels nor the step; 50, 100 and 200 N (two of which its figures 7 to 9 name) and 0.1 Hz are guesses.
+//! The paper gives neither the levels nor the step. The values 50, 100 and 200 N and 0.1 Hz are
+//! guesses; figures 7 to 9 of the paper use two of these levels.
 
 use super::harvester::{MEGOHM, PaperCase, PaperHarvester};
 use super::named::NamedStop;
@@ -11,20 +13,21 @@ use crate::picture::{LineDirection, Scale, SweepLine, SweepLook, sweep};
 use crate::table::{Column, Table};
 use rayon::prelude::*;
 
-/// Levels of force, N, zero to peak.
+/// Force levels, N, zero to peak.
 pub(super) const LEVELS_N: [f64; 3] = [50.0, 100.0, 200.0];
 
-/// Levels where the stop stands otherwise than in the paper's eq. (5): enough to compare.
+/// Force levels, N, for the comparison with the stop that differs from the paper's eq. (5).
 pub(super) const FEWER_LEVELS_N: [f64; 2] = [50.0, 200.0];
 
-/// All curves of the figure.
+/// Curves of figure 6.
 pub(super) struct PowerOverFrequency {
     pub linear: SteppedBranch,
     pub levels: Vec<DriveLevel>,
 }
 
 impl PowerOverFrequency {
-    /// 4 to 20 Hz in steps of 0.1 Hz; the linear case in closed form in steps of 10 mHz, 1 mHz at its resonance.
+    /// Computes 4 to 20 Hz in steps of 0.1 Hz; the linear case in closed form in steps of 10 mHz, 1
+    /// mHz at its resonance.
     pub fn compute(harvester: &PaperHarvester, levels_n: &[f64]) -> Result<Self, ReproduceError> {
         let frequencies_hz: Vec<f64> = (40..=200).map(|i| f64::from(i) / 10.0).collect();
         harvester
@@ -40,7 +43,7 @@ impl PowerOverFrequency {
         })
     }
 
-    /// Figure 6.
+    /// Returns figure 6.
     pub fn figure(&self, stop: &NamedStop) -> NamedFigure {
         let line = |label: &str, direction, branch: &SteppedBranch| SweepLine {
             label: label.to_owned(),
@@ -69,7 +72,7 @@ impl PowerOverFrequency {
         )
     }
 
-    /// Every point of the stepped curves.
+    /// Returns every point of the stepped curves.
     pub fn table(&self, stop: &NamedStop) -> Result<NamedTable, ReproduceError> {
         let ways: Vec<(f64, &str, &SteppedBranch)> = self
             .levels

@@ -1,6 +1,6 @@
 //! Figures 8 and 9: mean power over the load resistance, with and without impact.
 //!
-//! Every resistance is a run of its own from rest; without impact the power is the closed form.
+//! Every resistance is a separate run from rest; without impact the power is the closed form.
 
 use super::harvester::{PaperCase, PaperHarvester};
 use super::named::NamedStop;
@@ -16,7 +16,7 @@ const LINE_PER_DECADE: u32 = 60;
 /// Resistances per decade with impact.
 const PER_DECADE: u32 = 10;
 
-/// One of the two figures.
+/// Data of one of the two figures.
 pub(super) struct PowerOverResistance {
     pub case: PaperCase,
     pub resistance_ohm: Vec<f64>,
@@ -25,14 +25,15 @@ pub(super) struct PowerOverResistance {
     pub linear_w: Vec<f64>,
     /// Resistances, ohm, and powers, W, of the line without impact.
     linear_line: (Vec<f64>, Vec<f64>),
-    /// The best load without impact, closed form.
+    /// Optimal load without impact, closed form.
     pub linear_best: Optimum,
-    /// The best load with impact: top of the parabola over `ln R` through the highest point and its neighbours.
+    /// Optimal load with impact: maximum of the parabola over `ln R` through the highest point and
+    /// its neighbours.
     pub impact_best_ohm: f64,
 }
 
 impl PowerOverResistance {
-    /// 10 kohm to 10 Mohm at the drive of a case.
+    /// Computes 10 kohm to 10 Mohm at the drive of a case.
     pub fn compute(harvester: &PaperHarvester, case: PaperCase) -> Result<Self, ReproduceError> {
         let resistance_ohm = resistances_ohm(PER_DECADE);
         let at = |resistance_ohm: &f64| PaperCase {
@@ -68,7 +69,8 @@ impl PowerOverResistance {
         })
     }
 
-    /// Smallest and largest ratio of the power with impact to that without, over all resistances.
+    /// Returns the smallest and largest ratio of the powers with and without impact, over all
+    /// resistances.
     pub fn gain_range(&self) -> (f64, f64) {
         let gains = self
             .impact_w
@@ -80,7 +82,7 @@ impl PowerOverResistance {
         })
     }
 
-    /// The figure under its number in the paper.
+    /// Returns the figure with its number in the paper.
     pub fn figure(&self, number: u32, stop: &NamedStop) -> NamedFigure {
         let line =
             |label: &str, direction, ohm: &[f64], value: &[f64], settled: &[bool]| SweepLine {
@@ -122,7 +124,7 @@ impl PowerOverResistance {
         )
     }
 
-    /// Its data.
+    /// Returns the data of the figure.
     pub fn table(&self, number: u32, stop: &NamedStop) -> Result<NamedTable, ReproduceError> {
         let table = Table::new(vec![
             Column::new(
@@ -164,7 +166,8 @@ fn resistances_ohm(per_decade: u32) -> Vec<f64> {
         .collect()
 }
 
-/// Top of the parabola over `ln R` through the highest of equally spaced (in `ln R`) points and its neighbours; an end stays what it is.
+/// Returns the maximum of the parabola over `ln R` through the highest of equally spaced (in
+/// `ln R`) points and its neighbours; an end point is returned unchanged.
 fn best_ohm(resistance_ohm: &[f64], power_w: &[f64]) -> f64 {
     let highest = (0..power_w.len())
         .max_by(|&a, &b| power_w[a].total_cmp(&power_w[b]))
@@ -182,7 +185,7 @@ fn best_ohm(resistance_ohm: &[f64], power_w: &[f64]) -> f64 {
 mod tests {
     use super::*;
 
-    /// `P = 2 R R_0 / (R^2 + R_0^2)` has its top at `R_0`; measured 2e-3 off at worst.
+    /// `P = 2 R R_0 / (R^2 + R_0^2)` has its maximum at `R_0`; the largest measured error is 2e-3.
     #[test]
     fn the_best_resistance_lies_between_the_points() {
         let ohm: Vec<f64> = (0..=30)

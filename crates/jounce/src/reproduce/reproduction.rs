@@ -1,4 +1,4 @@
-//! The result: tables, figures and claims, and the folder they are written to.
+//! Result of a reproduction: tables, figures and claims, and their output folder.
 
 use super::computed::Computed;
 use super::named::{ON_GROUND, ON_TABLE};
@@ -10,37 +10,40 @@ use crate::table::Manifest;
 use rayon::prelude::*;
 use std::path::{Path, PathBuf};
 
-/// The paper computed again.
+/// Reproduction of the paper.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Reproduction {
-    /// `table-2`, `claims`, `runs`, `assumptions`, and the data of every figure.
+    /// Tables `table-2`, `claims`, `runs`, `assumptions`, and the data of every figure.
     pub tables: Vec<NamedTable>,
-    /// `figure-4` to `figure-9`, `figure-7-spectrum`, figures 6, 8 and 9 `-stop-on-table`, `figure-6-branches` and `jumps-over-gap`.
+    /// Figures `figure-4` to `figure-9`, `figure-7-spectrum`, figures 6, 8 and 9 `-stop-on-table`,
+    /// `figure-6-branches` and `jumps-over-gap`.
     pub figures: Vec<NamedFigure>,
-    /// S2 to S9.
+    /// Claims S2 to S9.
     pub claims: Vec<Claim>,
     summary: String,
     chapters: Vec<Chapter>,
     manifest: Manifest,
 }
 
-/// Where a reproduction was written.
+/// Paths of a written reproduction.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Written {
-    /// The report, one HTML file that holds everything people read.
+    /// The report, one self-contained HTML file.
     pub report: PathBuf,
-    /// `tables/NAME.csv` (with a manifest beside it) and `tables/NAME.json`.
+    /// `tables/NAME.csv` (with its manifest) and `tables/NAME.json`.
     pub tables: Vec<PathBuf>,
     /// `figures/NAME.svg` and `figures/NAME.png`.
     pub figures: Vec<PathBuf>,
 }
 
-/// Computes the paper's simulated tables and figures and judges its claims; `progress` is told each stage, `control` ends the marches early.
+/// Computes the paper's simulated tables and figures and tests its claims. `progress` receives each
+/// stage; `control` can cancel the runs.
 ///
-/// The numbers are the same bits for any number of threads.
+/// The numbers are bitwise identical for any number of threads.
 ///
 /// # Errors
-/// None is expected but where the control stops it: the inputs are built in. See [`ReproduceError`].
+/// Only cancellation by the control is expected, because the inputs are built in. See
+/// [`ReproduceError`].
 pub fn reproduce(
     control: &Control,
     progress: &dyn Fn(&str),
@@ -105,10 +108,11 @@ fn tables(computed: &Computed, claims: NamedTable) -> Result<Vec<NamedTable>, Re
     Ok(tables)
 }
 
-/// Makes a folder and in it those of tables and figures: before the work begins it tells whether the answer can be written.
+/// Creates a folder with its subfolders for tables and figures. A call before the computation
+/// checks that the results can be written.
 ///
 /// # Errors
-/// A folder that cannot be made.
+/// A folder cannot be created.
 pub fn folders(folder: &Path) -> Result<[PathBuf; 2], ReproduceError> {
     let both = [folder.join("tables"), folder.join("figures")];
     for path in [folder, &both[0], &both[1]] {
@@ -121,7 +125,7 @@ pub fn folders(folder: &Path) -> Result<[PathBuf; 2], ReproduceError> {
 }
 
 impl Reproduction {
-    /// The same with a chapter more, its tables and figures among the others.
+    /// Returns the reproduction with one more chapter, including its tables and figures.
     #[must_use]
     pub fn with(mut self, chapter: Chapter) -> Self {
         self.tables.extend(chapter.tables.iter().cloned());
@@ -130,12 +134,12 @@ impl Reproduction {
         self
     }
 
-    /// The table of that name.
+    /// Returns the table with a name.
     pub fn table(&self, name: &str) -> Option<&NamedTable> {
         self.tables.iter().find(|table| table.name == name)
     }
 
-    /// The figure of that name.
+    /// Returns the figure with a name.
     pub fn figure(&self, name: &str) -> Option<&NamedFigure> {
         self.figures.iter().find(|figure| figure.name == name)
     }
@@ -144,15 +148,15 @@ impl Reproduction {
         &self.chapters
     }
 
-    /// What Table 2 shows, in a sentence or two.
+    /// Returns the conclusion from Table 2, in one or two sentences.
     pub(super) fn summary(&self) -> &str {
         &self.summary
     }
 
-    /// Writes `report.html`, `tables/` and `figures/` into a folder, which is made where it is missing.
+    /// Writes `report.html`, `tables/` and `figures/` into a folder and creates it if necessary.
     ///
     /// # Errors
-    /// A folder or file that cannot be written.
+    /// A folder or file is not writable.
     pub fn write(&self, folder: &Path) -> Result<Written, ReproduceError> {
         let [tables, figures] = folders(folder)?;
         let report = folder.join("report.html");

@@ -1,4 +1,4 @@
-//! The two runs that the paper's figures 7 to 9 start from, in numbers.
+//! Results of the two runs behind the paper's figures 7 to 9.
 
 use super::harvester::{ABOVE_RESONANCE, BELOW_RESONANCE, PaperCase};
 use super::impact::{Impact, LONG_RUN_S};
@@ -7,7 +7,7 @@ use crate::linear::steady_power_w;
 use crate::run::RunResult;
 use crate::table::{Column, Table};
 
-/// The table of both runs, and of the first one going on until it has settled.
+/// Returns the table of both runs, and of the first run continued to steady state.
 pub(super) fn table(computed: &Impact) -> Result<NamedTable, ReproduceError> {
     let duration_s = computed.harvester.spec.run.duration_s;
     let rows: [(PaperCase, f64, &RunResult); 3] = [

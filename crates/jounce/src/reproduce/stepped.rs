@@ -1,24 +1,25 @@
-//! A frequency stepped up and down with the motion carried over and the phase continuous, as the paper describes for its figure 6.
+//! Frequency sweeps up and down with the state carried over and continuous phase, as in the paper's
+//! figure 6.
 
 use super::ReproduceError;
 use super::coexistence::Coexistence;
 use super::harvester::{MEGOHM, PaperCase, PaperHarvester};
 use crate::run::{StartState, simulate};
 
-/// One way of a stepped sweep.
+/// One direction of a stepped sweep.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct SteppedBranch {
     pub frequency_hz: Vec<f64>,
     /// Mean power per force squared, W/N^2.
     pub power_w_n2: Vec<f64>,
     pub settled: Vec<bool>,
-    /// Period of the orbit in drive cycles, where it has settled.
+    /// Period of the orbit in drive cycles, if it has settled.
     pub period_cycles: Vec<u32>,
-    /// State at the end of each point.
+    /// Final state of each point.
     pub state: Vec<StartState>,
 }
 
-/// A level of force swept up and then down.
+/// Force level swept up and then down.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct DriveLevel {
     pub amplitude_n: f64,
@@ -27,7 +28,7 @@ pub(super) struct DriveLevel {
     pub coexistence: Coexistence,
 }
 
-/// Sweeps up through the frequencies and then down through them, from rest at the first.
+/// Sweeps the frequencies up and then down, from rest at the first frequency.
 pub(super) fn stepped(
     harvester: &PaperHarvester,
     amplitude_n: f64,
@@ -82,14 +83,15 @@ pub(super) fn stepped(
 }
 
 impl SteppedBranch {
-    /// Place of the highest power.
+    /// Returns the index of the highest power.
     pub fn peak(&self) -> usize {
         (0..self.power_w_n2.len())
             .max_by(|&a, &b| self.power_w_n2[a].total_cmp(&self.power_w_n2[b]))
             .unwrap_or(0)
     }
 
-    /// The steepest change between neighbours in the order of stepping: the place before it and the factor, at least 1.
+    /// Returns the steepest change between neighbours in the order of stepping: the index before it
+    /// and the factor, at least 1.
     pub fn steepest(&self) -> (usize, f64) {
         let factor = |pair: &[f64]| (pair[1] / pair[0]).max(pair[0] / pair[1]);
         let factors = self.power_w_n2.windows(2).map(factor).enumerate();

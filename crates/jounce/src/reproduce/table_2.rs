@@ -1,17 +1,19 @@
-//! Table 2: natural frequencies of the clamped beam, with the paper's section and with the laminate.
+//! Table 2: natural frequencies of the clamped beam, with the paper's section and with the
+//! laminate.
 //!
-//! Source: impact-harvester paper (2019), Table 2; density of the patch 5440 kg/m^3 from its manufacturer (the paper neglects its mass).
+//! Source: impact-harvester paper (2019), Table 2; density of the patch 5440 kg/m^3 from its
+//! manufacturer (the paper neglects the mass of the patch).
 
 use super::harvester::PaperHarvester;
 use super::{NamedTable, ReproduceError};
 use crate::structure::modes_holding;
 use crate::table::{Column, Table};
 
-/// The paper's model, Hz, as printed.
+/// Frequencies of the paper's model, Hz, as printed.
 const PAPER_HZ: [f64; 7] = [8.66, 50.3, 140.9, 278.9, 457.6, 681.9, 960.5];
 /// Half of the last printed digit, Hz.
 const HALF_DIGIT_HZ: [f64; 7] = [0.005, 0.05, 0.05, 0.05, 0.05, 0.05, 0.05];
-/// The paper's measurement, Hz.
+/// Measured frequencies of the paper, Hz.
 const MEASURED_HZ: [f64; 7] = [9.01, 49.7, 133.2, 262.8, 436.2, 651.3, 918.1];
 
 /// Frequencies of the clamped beam, Hz.
@@ -21,7 +23,7 @@ pub(super) struct Frequencies {
 }
 
 impl Frequencies {
-    /// Both sections.
+    /// Computes the frequencies for both sections.
     pub fn compute() -> Result<Self, ReproduceError> {
         let clamped = |section: &str| -> Result<Vec<f64>, ReproduceError> {
             let spec =
@@ -39,14 +41,15 @@ impl Frequencies {
         })
     }
 
-    /// True where ours rounds to the paper's model column in every printed digit.
+    /// True where the computed frequencies match every printed digit of the paper's model column.
     pub fn match_print(&self) -> bool {
         let mut all = self.thin_skin_hz.iter().zip(PAPER_HZ).zip(HALF_DIGIT_HZ);
         self.thin_skin_hz.len() == PAPER_HZ.len()
             && all.all(|((ours, paper), half)| (ours - paper).abs() <= half)
     }
 
-    /// Largest relative distance from the measurement, for the thin skin and the laminate.
+    /// Returns the largest relative distance from the measurement, for the thin skin and the
+    /// laminate.
     pub fn worst_errors(&self) -> (f64, f64) {
         let worst = |ours: &[f64]| {
             errors_percent(ours)
@@ -57,7 +60,7 @@ impl Frequencies {
         (worst(&self.thin_skin_hz), worst(&self.laminate_hz))
     }
 
-    /// The table.
+    /// Returns the table.
     pub fn table(&self) -> Result<NamedTable, ReproduceError> {
         let table = Table::new(vec![
             Column::new("mode", "", "Mode", (1..=7).collect::<Vec<u64>>()),

@@ -1,4 +1,5 @@
-//! Figure 7: the voltage over the last second at 13 Hz and 200 N, its spectrum, and its lines at multiples of the drive frequency.
+//! Figure 7: voltage over the last second at 13 Hz and 200 N, its spectrum, and its lines at
+//! multiples of the drive frequency.
 
 use super::harvester::{ABOVE_RESONANCE, PaperHarvester};
 use super::{NamedFigure, NamedTable, ReproduceError};
@@ -7,24 +8,24 @@ use crate::run::{RunPlan, RunResult, StartState, simulate};
 use crate::signal::{OrderLine, Samples, Window};
 use crate::table::{Column, Table};
 
-/// Samples per second.
+/// Sample rate, Hz.
 const RATE_HZ: f64 = 2048.0;
-/// Highest frequency in the picture of the spectrum, Hz.
+/// Highest frequency in the figure of the spectrum, Hz.
 const HIGHEST_HZ: f64 = 120.0;
-/// Highest order that is fitted.
+/// Highest fitted order.
 const HIGHEST_ORDER: u32 = 9;
 
-/// The run and its voltage over the averaging window.
+/// Run and its voltage over the averaging window.
 pub(super) struct VoltageRecord {
     pub answer: RunResult,
     time_s: Vec<f64>,
     voltage_v: Vec<f64>,
-    /// Lines at half orders and orders.
+    /// Lines at integer and half orders.
     pub lines: Vec<OrderLine>,
 }
 
 impl VoltageRecord {
-    /// Marches 13 Hz and 200 N from rest.
+    /// Runs 13 Hz and 200 N from rest.
     pub fn compute(harvester: &PaperHarvester) -> Result<Self, ReproduceError> {
         let kernel = harvester.kernel(ABOVE_RESONANCE)?;
         let plan = RunPlan {
@@ -55,7 +56,7 @@ impl VoltageRecord {
         })
     }
 
-    /// Figure 7 and the spectrum of the same run.
+    /// Returns figure 7 and the spectrum of its run.
     pub fn figures(&self) -> Result<Vec<NamedFigure>, ReproduceError> {
         let from = self.time_s.len() - RATE_HZ as usize;
         let trace = Trace {
@@ -92,7 +93,7 @@ impl VoltageRecord {
         ])
     }
 
-    /// The last second, and the lines.
+    /// Returns the tables of the last second and of the lines.
     pub fn tables(&self) -> Result<Vec<NamedTable>, ReproduceError> {
         let from = self.time_s.len() - RATE_HZ as usize;
         let history = Table::new(vec![

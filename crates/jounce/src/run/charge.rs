@@ -1,40 +1,42 @@
-//! The balance of charge behind a rectifier over the averaging window.
+//! Charge balance of a rectified circuit over the averaging window.
 //!
 //! ```text
 //! Q = integral V / R dt + integral V / R_leak dt + C (V_end - V_start)
 //! ```
 //!
-//! `Q` (C) is what the diodes pass, which the march counts at the patches: what they displaced and did not keep. The right side is what the
-//! storage (capacitance `C`, F, voltage `V`) makes of it, from the voltage along the record, integrated step by step. So the two sides share
-//! nothing but the motion.
+//! `Q` (C) is the charge through the diodes, which the integrator sums at the patches: displaced
+//! charge minus stored charge. The right side is the charge at the storage (capacitance `C`, F,
+//! voltage `V`), from its voltage integrated step by step over the record. The two sides have only
+//! the motion in common.
 //!
-//! Validation: `tests/march/rectified.rs`, 4e-15 behind a bridge and both kinds of SSHI, beside a stop, and behind diodes that settle within
-//! 1e-9 to 1/4000 of a step; `tests/impact_examples`, 2e-13 with a storage of 2000 times the patch.
+//! Validation: `tests/march/rectified.rs`, 4e-15 with a bridge and both kinds of SSHI, with a stop,
+//! and with diodes whose current decays within 1e-9 to 1/4000 of a step; `tests/impact_examples`,
+//! 2e-13 with a storage of 2000 times the patch.
 
 use super::{RunPlan, RunResult};
 use crate::integrate::Kernel;
 use crate::plant::{Scheme, Storage};
 use serde::Serialize;
 
-/// Where the charge of one rectified circuit went within the averaging window.
+/// Charge balance of one rectified circuit over the averaging window.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ChargeResult {
     /// Name of the circuit.
     pub name: String,
-    /// Passed by the diodes, C.
+    /// Charge through the diodes, C.
     pub passed_c: f64,
-    /// Through the load, C.
+    /// Charge through the load, C.
     pub load_c: f64,
-    /// Through the leakage of the storage, C.
+    /// Charge through the leakage of the storage, C.
     pub leakage_c: f64,
-    /// Kept by the storage, C.
+    /// Change of the charge of the storage, C.
     pub storage_c: f64,
-    /// What is left over, as a part of the largest of these.
+    /// Residual of the balance, relative to the largest of these charges.
     pub residual_relative: f64,
 }
 
-/// The charges of every circuit whose diodes feed a capacitor. The run must keep a record of its averaging window (see
-/// [`RunPlan::balancing`]); without one there is no answer.
+/// Returns the charge balance of every circuit whose diodes feed a capacitor. The run must record
+/// its averaging window (see [`RunPlan::balancing`]); without this record the list is empty.
 pub fn charges(kernel: &Kernel, answer: &RunResult, plan: &RunPlan) -> Vec<ChargeResult> {
     let plant = &kernel.plant;
     let from_s = plan.duration_s - plan.average_over_s;
@@ -55,7 +57,7 @@ pub fn charges(kernel: &Kernel, answer: &RunResult, plan: &RunPlan) -> Vec<Charg
         else {
             continue;
         };
-        // What extracts energy passes no charge.
+        // SECE transfers energy and passes no charge.
         if matches!(bridge.scheme, Scheme::Extraction { .. }) {
             continue;
         }

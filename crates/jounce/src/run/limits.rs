@@ -1,7 +1,7 @@
-//! What a run did to its patches, against what they bear.
+//! Strain and voltage of the patches in a run, compared with their limits.
 //!
-//! The strain of the outer face is `sum_i strain_i q_i` at several places of each patch, the voltage that of the patch; both are looked at
-//! over the recorded end of the run.
+//! The strain of the outer face is `sum_i strain_i q_i` at several positions of each patch. Strain
+//! and voltage are sampled over the recorded end of the run.
 
 use crate::integrate::{Kernel, Trajectory};
 use crate::material;
@@ -10,10 +10,10 @@ use crate::spec::Spec;
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
-/// How many times the record is looked at.
+/// Number of sampling intervals of the record.
 const RECORD_SAMPLES: usize = 2048;
 
-/// What of a patch has limits.
+/// Quantity of a patch that has limits.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum LimitedQuantity {
@@ -23,16 +23,16 @@ pub enum LimitedQuantity {
     Voltage,
 }
 
-/// A limit of a patch that a run has passed.
+/// Limit of a patch that a run exceeds.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ExceededLimit {
     /// Name of the patch.
     pub patch: String,
-    /// What of it.
+    /// Quantity that exceeds its limits.
     pub quantity: LimitedQuantity,
-    /// The value furthest beyond.
+    /// Value with the largest excess.
     pub reached: f64,
-    /// Lowest and highest value that it bears.
+    /// Lowest and highest allowed value.
     pub limits: [f64; 2],
 }
 
@@ -61,25 +61,25 @@ impl fmt::Display for ExceededLimit {
 }
 
 impl ExceededLimit {
-    /// How far beyond its limits it is, in its unit.
+    /// Returns the excess over the limits, in the unit of the quantity.
     fn excess(&self) -> f64 {
         excess(self.reached, self.limits)
     }
 }
 
-/// One limit over many answers.
+/// Largest excess over one limit among many results.
 #[derive(Debug, Clone, PartialEq)]
 pub struct WorstExcess {
-    /// Where it is passed furthest.
+    /// The largest excess.
     pub exceeded: ExceededLimit,
-    /// Place of that answer among all.
+    /// Index of its result.
     pub place: usize,
-    /// How many answers pass it.
+    /// Number of results that exceed the limit.
     pub answers: usize,
 }
 
 impl WorstExcess {
-    /// Each limit that some of many answers pass.
+    /// Returns the worst case of each limit that any result exceeds.
     pub fn of<'e>(answers: impl IntoIterator<Item = &'e [ExceededLimit]>) -> Vec<Self> {
         let mut found: Vec<Self> = Vec::new();
         for (place, exceeded) in answers
@@ -107,7 +107,8 @@ impl WorstExcess {
         found
     }
 
-    /// The same in words: `what` are the answers, `place` tells where one of them is.
+    /// Returns the worst cases as messages. `what` names the results, `place` describes the result
+    /// at an index.
     pub fn messages(
         answers: &[&[ExceededLimit]],
         what: &str,
@@ -128,14 +129,14 @@ impl WorstExcess {
     }
 }
 
-/// What the patches of a harvester bear: `strain_limit` of each, and the voltages of its material.
+/// Limits of the patches of a harvester: `strain_limit` and the voltage limits of the material.
 #[derive(Debug, Clone)]
 pub struct Limits {
     patches: Vec<PatchLimits>,
 }
 
 impl Limits {
-    /// Of the patches of a plant.
+    /// Collects the limits of the patches of a plant.
     pub fn of(spec: &Spec, plant: &Plant) -> Self {
         let names = plant.system.modes.patch.keys().enumerate();
         Self {
@@ -145,12 +146,12 @@ impl Limits {
         }
     }
 
-    /// True where every patch bears everything.
+    /// True where no patch has a limit.
     pub fn is_empty(&self) -> bool {
         self.patches.is_empty()
     }
 
-    /// The limits that a record passes.
+    /// Returns the limits that a record exceeds.
     pub fn exceeded(&self, kernel: &Kernel, trajectory: &Trajectory) -> Vec<ExceededLimit> {
         let (Some(first), Some(last)) =
             (trajectory.segments().first(), trajectory.segments().last())
@@ -177,16 +178,17 @@ impl Limits {
     }
 }
 
-/// The limits that the recorded part of a run passes. The record is looked at only where a patch has a limit.
+/// Returns the limits that the recorded part of a run exceeds. The record is sampled only if a
+/// patch has a limit.
 pub fn exceeded(spec: &Spec, kernel: &Kernel, trajectory: &Trajectory) -> Vec<ExceededLimit> {
     Limits::of(spec, &kernel.plant).exceeded(kernel, trajectory)
 }
 
-/// A patch that does not bear everything.
+/// Limits of one patch.
 #[derive(Debug, Clone)]
 struct PatchLimits {
     name: String,
-    /// Its place among the patches of the plant.
+    /// Index among the patches of the plant.
     index: usize,
     strain: Option<f64>,
     voltages_v: Option<[f64; 2]>,
@@ -206,7 +208,7 @@ impl PatchLimits {
         })
     }
 
-    /// What the states do beyond its limits.
+    /// Returns the limits of the patch that the states exceed.
     fn exceeded(&self, plant: &Plant, states: &[Vec<f64>]) -> Vec<ExceededLimit> {
         let strained = self.strain.and_then(|limit| {
             let strain = |x: &Vec<f64>, shape: &Vec<f64>| {
@@ -247,7 +249,7 @@ fn beyond(
     })
 }
 
-/// How far a value lies beyond its limits; negative within them.
+/// Returns the excess of a value over its limits; negative within them.
 fn excess(value: f64, [low, high]: [f64; 2]) -> f64 {
     (low - value).max(value - high)
 }
@@ -260,7 +262,8 @@ mod tests {
     use crate::run::{RunPlan, StartState, simulate};
     use crate::structure::modes;
 
-    /// A cantilever with a patch of known static strain: a force F at the end bends the root by `F L / EI`.
+    /// Cantilever with a patch of known static strain: a force F at the end gives the curvature
+    /// `F L / EI` at the root.
     #[test]
     fn a_slow_force_strains_the_patch_as_statics_says() {
         let text = "[beam.b]\nmaterial = \"aluminium\"\nlength = \"100 mm\"\nwidth = \"28 mm\"\nthickness = \"1 mm\"\n\
@@ -286,7 +289,7 @@ mod tests {
             (warned.len(), warned[0].quantity),
             (1, LimitedQuantity::Strain)
         );
-        // Twelve modes give the curvature at the root within 5 %.
+        // Twelve modes give the curvature at the root to 5 %.
         assert!(
             (warned[0].reached.abs() / strain - 1.0).abs() < 0.05,
             "{} {strain}",

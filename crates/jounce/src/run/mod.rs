@@ -1,4 +1,5 @@
-//! A run: from a start to an end, with its averages, its energy balance and whether it has settled.
+//! One run: time integration from an initial state, with averages, energy balance and a
+//! steady-state test.
 
 mod charge;
 mod limits;

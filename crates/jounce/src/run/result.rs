@@ -1,21 +1,21 @@
-//! What a run answers.
+//! Results of a run.
 
 use super::{Settlement, StartState};
 use crate::integrate::{Energies, Trajectory, WorkCount};
 use serde::Serialize;
 
-/// One electrical load over the averaging window.
+/// Results of one electrical load over the averaging window.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct LoadResult {
     /// Name of the circuit.
     pub name: String,
     /// Mean power, W (paper eq. (7)).
     pub mean_power_w: f64,
-    /// Voltage, rms, V.
+    /// Voltage across the resistor, rms, V.
     pub voltage_rms_v: f64,
 }
 
-/// One rectified circuit over the averaging window.
+/// Results of one rectified circuit over the averaging window.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct RectifiedResult {
     /// Name of the circuit.
@@ -24,9 +24,10 @@ pub struct RectifiedResult {
     pub mean_power_w: f64,
     /// Voltage of the storage, rms, V.
     pub voltage_rms_v: f64,
-    /// Mean current that the diodes pass, A; 0 for SECE, which hands over energy instead.
+    /// Mean current through the diodes, A; 0 for SECE, which transfers energy instead.
     pub mean_current_a: f64,
-    /// Mean power that fills the storage capacitor, W: what is delivered besides, 0 once its voltage has settled.
+    /// Mean power that charges the storage capacitor, W; 0 at steady state. It is not part of
+    /// `mean_power_w`.
     pub storage_w: f64,
     /// Mean power lost in diodes, W.
     pub diode_loss_w: f64,
@@ -36,33 +37,33 @@ pub struct RectifiedResult {
     pub leakage_w: f64,
 }
 
-/// One patch that leaks over the averaging window.
+/// Results of one leaking patch over the averaging window.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct LeakResult {
     /// Name of the patch.
     pub patch: String,
-    /// Mean power that its leakage takes, W.
+    /// Mean power lost in the leakage, W.
     pub mean_power_w: f64,
 }
 
-/// One stop over the averaging window.
+/// Results of one stop over the averaging window.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct StopResult {
     /// Name of the stop.
     pub name: String,
-    /// Contacts that began.
+    /// Number of contacts that began in the window.
     pub contacts: u64,
     /// Contacts per second, Hz.
     pub contact_rate_hz: f64,
-    /// Mean speed at which they began, m/s.
+    /// Mean impact velocity, m/s.
     pub mean_impact_velocity_m_s: f64,
-    /// Largest of these speeds, m/s.
+    /// Largest impact velocity, m/s.
     pub max_impact_velocity_m_s: f64,
-    /// Mean time that one lasts, s: time in contact over contacts that began.
+    /// Mean contact duration, s: time in contact over number of contacts that began.
     pub mean_contact_duration_s: f64,
-    /// Longest time that one lasted within the window, s.
+    /// Longest contact duration within the window, s.
     pub max_contact_duration_s: f64,
-    /// Share of the time in contact, 0 to 1.
+    /// Fraction of the time in contact, 0 to 1.
     pub contact_duty: f64,
     /// Largest penetration, m.
     pub max_penetration_m: f64,
@@ -72,50 +73,52 @@ pub struct StopResult {
     pub impulse_n_s: f64,
 }
 
-/// Answers over the averaging window, and the audit of the whole run.
+/// Results over the averaging window, and checks of the complete run.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RunResult {
-    /// Mean power of all loads and rectified circuits together, W.
+    /// Total mean power of all loads and rectified circuits, W.
     pub mean_power_w: f64,
-    /// Each load.
+    /// Results of each load.
     pub loads: Vec<LoadResult>,
-    /// Each rectified circuit.
+    /// Results of each rectified circuit.
     pub rectified: Vec<RectifiedResult>,
-    /// Each patch that leaks.
+    /// Results of each leaking patch.
     pub leaks: Vec<LeakResult>,
-    /// Each stop.
+    /// Results of each stop.
     pub stops: Vec<StopResult>,
     /// Largest penetration of any stop, m.
     pub max_penetration_m: f64,
     /// Largest contact force of any stop, N.
     pub max_contact_force_n: f64,
-    /// Contacts that began, of all stops.
+    /// Number of contacts of all stops that began in the window.
     pub contacts: u64,
-    /// Contacts that began in the whole run, of all stops.
+    /// Number of contacts of all stops that began in the complete run.
     pub contacts_in_all: u64,
-    /// Share of the time in contact, 0 to 1, summed over the stops.
+    /// Sum over the stops of the fraction of time in contact, each 0 to 1.
     pub contact_duty: f64,
-    /// Has the run settled? `None` where the drives do not repeat themselves, so that there is no period to settle to.
+    /// Steady-state test; `None` if the drives are not periodic.
     pub settlement: Option<Settlement>,
-    /// Energies of the whole run, J.
+    /// Energies of the complete run, J.
     pub energies: Energies,
-    /// Steps and iterations of the whole run.
+    /// Steps and iterations of the complete run.
     pub work: WorkCount,
-    /// State at the end.
+    /// Final state.
     pub end: StartState,
-    /// Wall time of the marching alone, s.
+    /// Wall time of the integration alone, s.
     pub wall_time_s: f64,
-    /// The last part of the run, as long as the plan asked for.
+    /// Record of the last part of the run, of the length that the plan requests.
     pub trajectory: Trajectory,
 }
 
 impl RunResult {
-    /// True where nothing struck and no energy flowed or changed by more than roundoff, so that the energy residual says nothing.
+    /// True where no contact began and no energy changed by more than roundoff; the energy residual
+    /// is then meaningless.
     pub fn is_trivial(&self) -> bool {
         self.contacts_in_all == 0 && self.energies.are_still()
     }
 
-    /// Voltage of the first load or, without one, of the storage of the first rectified circuit, rms, V; `None` where nothing takes power.
+    /// Returns the voltage, rms, V, of the first load or, without a load, of the storage of the
+    /// first rectified circuit; `None` without either.
     pub fn voltage_rms_v(&self) -> Option<f64> {
         let storage = || self.rectified.first().map(|circuit| circuit.voltage_rms_v);
         self.loads

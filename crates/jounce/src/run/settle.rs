@@ -1,35 +1,38 @@
-//! Has a run settled? The stroboscopic states of the last drive periods decide.
+//! Steady-state test of a run, from the stroboscopic states of the last drive periods.
 //!
-//! With `d_k` the change of the state over `n` periods at two successive looks, the distance still to go is about
-//! `d_2 r / (1 - r)`, `r = d_2 / d_1`: a slow mode changes little in a period and may yet be far from its orbit.
+//! With two successive changes `d_1`, `d_2` of the state over `n` periods, the remaining distance
+//! to the orbit is about `d_2 r / (1 - r)`, `r = d_2 / d_1`: a slow mode changes little in a period
+//! and may still be far from its orbit.
 
 use serde::Serialize;
 
-/// Period-to-period change at the end of a run.
+/// Steady-state test at the end of a run.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Settlement {
     /// True when the distance to the periodic orbit is below the tolerance.
     pub settled: bool,
-    /// Period of the orbit in drive cycles, as far as it was looked for.
+    /// Period of the orbit in drive cycles, up to the longest tested period.
     pub period_cycles: u32,
     /// Relative change of the state (energy norm) over the last period of the orbit.
     pub change: f64,
-    /// Estimated relative distance to the periodic orbit; infinite when the changes do not shrink.
+    /// Estimated relative distance to the periodic orbit; infinite if the changes do not decrease.
     pub distance: f64,
 }
 
-/// Longest orbit looked for, in drive cycles.
+/// Longest tested period of an orbit, in drive cycles.
 pub(super) const MAX_PERIOD_CYCLES: usize = 4;
 
-/// States looked at: two changes of the longest orbit need three of its periods.
+/// Number of stroboscopic states: two changes over the longest period need two periods and one
+/// state.
 pub(super) const STROBE_STATES: usize = 2 * MAX_PERIOD_CYCLES + 1;
 
-/// Relative distance to the orbit below which a run counts as settled.
+/// Relative distance to the orbit below which a run has settled.
 pub const SETTLED_DISTANCE: f64 = 1e-4;
 
-/// Judges states one drive period apart, oldest first, in energy coordinates.
+/// Tests states one drive period apart, oldest first, in energy coordinates.
 ///
-/// Changes below `noise` are the march's own error, of which no ratio can be taken; a state smaller than `least` is held against that.
+/// Changes below `noise` are errors of the integration, so their ratio is meaningless. Changes are
+/// relative to the norm of the last state, or to `least` if it is smaller.
 pub(super) fn settlement(states: &[Vec<f64>], noise: f64, least: f64) -> Settlement {
     let mut best: Option<Settlement> = None;
     for period in 1..=MAX_PERIOD_CYCLES {

@@ -1,4 +1,4 @@
-//! Marches a plan and reads its answers.
+//! Time integration of a run and collection of its results.
 
 use super::settle::{STROBE_STATES, norm, settlement};
 use super::{
@@ -12,27 +12,28 @@ use crate::plant::{Bridge, Leak, Plant, Storage};
 use crate::spec::{Run, Spec};
 use std::time::Instant;
 
-/// Share of the displacements of a start by which a point may lie past a rigid stop: states that other runs saved are rounded.
+/// Relative displacement by which an initial state may lie inside a rigid stop: saved states are
+/// rounded.
 const START_ROUNDOFF: f64 = 1e-9;
 
-/// Part of the motion that the drives would force without contact below which a motion is rest.
+/// Motion, relative to the forced response without contact, below which a body counts as at rest.
 const REST_MOTION_SHARE: f64 = 1e-9;
 
-/// What to march.
+/// Duration, averaging window, tolerance and record of a run.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RunPlan {
     /// Length of the run, s.
     pub duration_s: f64,
-    /// Averaging window at its end, s.
+    /// Length of the averaging window at the end of the run, s.
     pub average_over_s: f64,
-    /// Wanted relative error of the response.
+    /// Requested relative error of the response.
     pub tolerance: f64,
-    /// Length of the record kept at the end of the run, s; 0 for none.
+    /// Length of the record at the end of the run, s; 0 for no record.
     pub record_s: f64,
 }
 
 impl RunPlan {
-    /// What `[run]` of a spec asks for, with a record of its last `record_s` seconds.
+    /// Returns the plan of `[run]` of a spec, with a record of the last `record_s` seconds.
     #[must_use]
     pub fn of(run: &Run, record_s: f64) -> Self {
         Self {
@@ -43,7 +44,8 @@ impl RunPlan {
         }
     }
 
-    /// The same with a record of the averaging window where a patch has limits and no period says where to look for them.
+    /// Returns the plan with a record of the averaging window, if a patch has limits and the drives
+    /// have no common period.
     #[must_use]
     pub fn watching(self, spec: &Spec, plant: &Plant) -> Self {
         let looks = plant.period_s().is_none() && !Limits::of(spec, plant).is_empty();
@@ -57,7 +59,8 @@ impl RunPlan {
         }
     }
 
-    /// The same with a record of the averaging window where a rectifier feeds a capacitor, for [`super::charges`].
+    /// Returns the plan with a record of the averaging window, if a rectifier feeds a capacitor;
+    /// for [`super::charges`].
     #[must_use]
     pub fn balancing(self, plant: &Plant) -> Self {
         let fed = plant
@@ -76,14 +79,14 @@ impl RunPlan {
     }
 }
 
-/// A run that could not be made.
+/// Failure of a run.
 #[derive(Debug, Clone, PartialEq, thiserror::Error, serde::Serialize)]
 #[serde(untagged)]
 pub enum RunError {
     /// See [`IntegrationError`].
     #[error(transparent)]
     March(#[from] IntegrationError),
-    /// A start state of another harvester.
+    /// The start state does not fit the harvester.
     #[error(
         "the start state has {modes} modes, {patches} electrical states and {drives} drives, or a value that is not finite; this harvester has {wanted_modes} modes, {wanted_patches} electrical states and {wanted_drives} drives"
     )]
@@ -101,24 +104,25 @@ pub enum RunError {
         /// Drives of the harvester.
         wanted_drives: usize,
     },
-    /// A start inside a rigid stop.
+    /// The run starts inside a rigid stop.
     #[error(
         "stop.{stop}.gap: the run starts {depth_m:e} m inside this stop, and nothing enters a rigid one; give a larger gap, a run.start outside it, or a law that yields"
     )]
     StartsInside {
         /// Name of the stop.
         stop: String,
-        /// How far, m.
+        /// Depth inside the stop, m.
         depth_m: f64,
     },
-    /// The plant cannot be made with the drive angles of the state.
+    /// The plant cannot be built with the drive angles of the state.
     #[error(transparent)]
     Plant(#[from] crate::plant::PlantError),
 }
 
-/// Marches from a start.
+/// Integrates from an initial state.
 ///
-/// The drives of `kernel` must start at the angles of the state (see [`super::StartState`] and [`Kernel::with_drives`]).
+/// The drives of `kernel` must start at the angles of the state (see [`super::StartState`] and
+/// [`Kernel::with_drives`]).
 ///
 /// # Errors
 /// [`RunError`].
@@ -325,7 +329,7 @@ fn check(plant: &Plant, start: &StartState) -> Result<(), RunError> {
     })
 }
 
-/// A point on a rigid stop lies past it by roundoff at most.
+/// Checks that no point lies inside a rigid stop by more than roundoff.
 pub fn check_outside(plant: &Plant, displacement: &[f64]) -> Result<(), RunError> {
     let stops = plant.system.stops.iter().enumerate();
     for (index, stop) in stops.filter(|(_, stop)| matches!(stop.law, Law::Rigid(_))) {
@@ -347,7 +351,7 @@ pub fn check_outside(plant: &Plant, displacement: &[f64]) -> Result<(), RunError
     Ok(())
 }
 
-/// Looks at the state once per period of the drives at the end of the run.
+/// Applies the steady-state test to the state at each period of the drives at the end of the run.
 fn settled(
     kernel: &Kernel,
     trajectory: &crate::integrate::Trajectory,
@@ -378,7 +382,7 @@ fn settled(
                 .collect()
         })
         .collect();
-    // A ball at rest on its table moves by roundoff of what would shake it.
+    // A ball at rest on its table moves by roundoff of the forced response.
     let driven = plant.tones.iter().map(|tone| {
         let amplitude = |i: usize| {
             (0..plant.len())

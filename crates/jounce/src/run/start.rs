@@ -1,28 +1,28 @@
-//! Where a run starts.
+//! Initial state of a run.
 
 use crate::plant::Plant;
 use crate::spec::Spec;
 use crate::structure::Modes;
 use serde::{Deserialize, Serialize};
 
-/// The state of a harvester at one time, in coordinates that outlive a change of load, stop or drive.
+/// State of a harvester at one time, in coordinates that do not depend on load, stop or drive.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct StartState {
     /// Modal displacements `q`, kg^1/2 m.
     pub displacement: Vec<f64>,
     /// Modal velocities `q'`, kg^1/2 m/s.
     pub velocity: Vec<f64>,
-    /// Voltage of each electrical node, V: of each patch where none share a circuit.
+    /// Voltage of each electrical node, V; a node is one patch unless several share a circuit.
     pub voltage_v: Vec<f64>,
     /// Current of each inductor, A.
     #[serde(default)]
     pub current_a: Vec<f64>,
-    /// Angle of each drive (argument of its sine), rad: a run that goes on from here keeps it continuous.
+    /// Angle of each drive (argument of its sine), rad; a run from this state continues it.
     pub drive_angle_rad: Vec<f64>,
 }
 
 impl StartState {
-    /// Everything at rest, drives at their own starting angle.
+    /// Returns the state at rest, with each drive at its initial angle.
     pub fn rest(plant: &Plant) -> Self {
         let n = plant.system.modes.len();
         Self {
@@ -39,13 +39,14 @@ impl StartState {
         }
     }
 
-    /// The steady state of the harvester without its stops, under its sinusoidal drives and gravity. Free bodies, which have none, are
-    /// at rest.
+    /// Returns the steady state of the harvester without its stops, under its sinusoidal drives and
+    /// gravity. Free bodies have no steady state and are at rest.
     pub fn linear(plant: &Plant) -> Self {
         Self::from_blocks(plant, &plant.resting(), 0.0)
     }
 
-    /// A state in block coordinates at a time of a run whose drives started at their own angle at time 0.
+    /// Converts a state in block coordinates at a time of a run whose drives started at their
+    /// initial angles at time 0.
     pub fn from_blocks(plant: &Plant, y: &[f64], time_s: f64) -> Self {
         let n = plant.system.modes.len();
         let x = plant.to_physical(y, time_s);
@@ -62,8 +63,8 @@ impl StartState {
         }
     }
 
-    /// The same with the velocities that a spec gives to its masses: `q' += m shape v`, with the mass `m` of each and of what is fixed to
-    /// it.
+    /// Returns the state with the initial velocities of the masses of a spec: `q' += m shape v`.
+    /// `m` is the mass of the body and of all masses fixed to it.
     #[must_use]
     pub fn with_velocities(mut self, spec: &Spec, modes: &Modes) -> Self {
         for (name, mass) in &spec.mass {
@@ -84,7 +85,7 @@ impl StartState {
         self
     }
 
-    /// `(q, q', V, i)` in one row.
+    /// Returns `(q, q', V, i)` as one vector.
     pub fn physical(&self) -> Vec<f64> {
         [
             self.displacement.as_slice(),
@@ -95,7 +96,7 @@ impl StartState {
         .concat()
     }
 
-    /// True when the state has the sizes of a plant.
+    /// True where the state has the dimensions of a plant and is finite.
     pub fn fits(&self, plant: &Plant) -> bool {
         let modes = &plant.system.modes;
         self.displacement.len() == modes.len()

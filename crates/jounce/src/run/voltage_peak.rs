@@ -1,49 +1,51 @@
-//! Largest voltage of each load and patch at the end of a run.
+//! Peak voltage of each load and patch at the end of a run.
 //!
 //! ```text
 //! V_peak = max |V(t)|,   V = c (y(t) + steady(t)) + V_zero
 //! ```
 //!
-//! `c` (V) is the row of the voltage in block coordinates, `y` the recorded state, which is exact at any time. The record is looked at
-//! every 256th part of a drive cycle, and about the highest looks at the tops of parabolas.
+//! `c` (V) is the row of the voltage in block coordinates, `y` the recorded state, which is exact
+//! at any time. The record is sampled 256 times per drive cycle. The highest samples are refined by
+//! parabolic interpolation.
 //!
-//! The times are those of one period of the orbit where the run has settled, else those of the last eight drive cycles; where the drives do
-//! not repeat themselves, all that the run has kept.
+//! The window is one period of the orbit if the run has settled, else the last eight drive cycles.
+//! If the drives are not periodic, it is the complete record.
 //!
-//! Validation: `tests/march/voltage_peak.rs`, 5e-16 of the closed form without contact; with impacts a hundred thousand looks find nothing
-//! higher.
+//! Validation: `tests/march/voltage_peak.rs`, 5e-16 of the closed form without contact; with
+//! impacts a hundred thousand samples find no higher value.
 
 use super::{RunPlan, RunResult};
 use crate::integrate::{Kernel, Trajectory};
 use crate::plant::Plant;
 use faer::c64;
 
-/// Drive cycles that are looked at where a run has not settled.
+/// Drive cycles of the window if a run has not settled.
 const UNSETTLED_CYCLES: f64 = 8.0;
-/// Looks per drive cycle.
+/// Samples per drive cycle.
 const SAMPLES_PER_CYCLE: f64 = 256.0;
-/// Looks at all that a run has kept, at least.
+/// Fewest samples of a complete record.
 const MIN_SAMPLES: f64 = 4096.0;
-/// Highest looks about which a closer look is worth it, ...
+/// Number of peaks that are refined, ...
 const REFINED_PEAKS: usize = 3;
-/// ... and how many there are about each.
+/// ... and number of refinement samples of each.
 const REFINED_SAMPLES: usize = 12;
-/// Part of a stretch by which two looks must lie apart to tell more than one.
+/// Smallest distance of two samples, relative to the bracket.
 const MIN_SAMPLE_SPACING: f64 = 1e-5;
-/// Where a stretch is divided when no parabola tells, by the golden section.
+/// Golden-section fraction at which the bracket is divided if the parabola is unusable.
 const GOLDEN_SHARE: f64 = 0.381_966_011_250_105_1;
 
-/// Largest voltages, zero to peak, V.
+/// Peak voltages, zero to peak, V.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct VoltagePeaks {
-    /// Across the resistor of each load, in the order of the loads.
+    /// Peak across the resistor of each load, in the order of the loads.
     pub loads_v: Vec<f64>,
-    /// Of each patch, in the order of the patches of the plant.
+    /// Peak of each patch, in the order of the patches of the plant.
     pub patches_v: Vec<f64>,
 }
 
 impl VoltagePeaks {
-    /// Of the first load, or of the first patch where there is none; `None` without either or without a record.
+    /// Returns the peak of the first load, or of the first patch without a load; `None` without
+    /// either or without a record.
     pub fn first_v(&self) -> Option<f64> {
         self.loads_v
             .first()
@@ -53,7 +55,8 @@ impl VoltagePeaks {
     }
 }
 
-/// Largest voltages at the end of a run; not a number where the drives do not repeat themselves and the plan keeps no record.
+/// Returns the peak voltages at the end of a run; NaN if the drives are not periodic and the plan
+/// has no record.
 pub fn voltage_peaks(kernel: &Kernel, answer: &RunResult, plan: &RunPlan) -> VoltagePeaks {
     let plant = &kernel.plant;
     let Some(stretch) = RecordWindow::of(plant, answer, plan) else {
@@ -68,7 +71,7 @@ pub fn voltage_peaks(kernel: &Kernel, answer: &RunResult, plan: &RunPlan) -> Vol
         .map(|patch| peak_v(VoltageSource::Patch(patch)))
         .collect();
     let of_load = |load: usize| {
-        // A load across a patch has its voltage.
+        // A load across a patch has the voltage of the patch.
         let own = VoltageRow::of(plant, VoltageSource::Load(load));
         let same = (0..patches_v.len())
             .find(|patch| VoltageRow::of(plant, VoltageSource::Patch(*patch)) == own);
@@ -83,7 +86,7 @@ pub fn voltage_peaks(kernel: &Kernel, answer: &RunResult, plan: &RunPlan) -> Vol
     }
 }
 
-/// Where a voltage is read.
+/// Source of a voltage.
 #[derive(Debug, Clone, Copy)]
 enum VoltageSource {
     /// Across the resistor of a load.
@@ -92,11 +95,11 @@ enum VoltageSource {
     Patch(usize),
 }
 
-/// How a voltage follows from the state of a plant in block coordinates.
+/// Output row of a voltage in block coordinates.
 #[derive(Debug, PartialEq)]
 struct VoltageRow {
     row: Vec<f64>,
-    /// Angular frequency of each tone, rad/s, and the complex amplitude of the voltage under it, V.
+    /// Angular frequency of each tone, rad/s, and complex amplitude of its voltage, V.
     steady: Vec<(f64, c64)>,
     zero_v: f64,
 }
@@ -138,11 +141,11 @@ impl VoltageRow {
     }
 }
 
-/// The part of a record that is looked at.
+/// Window of a record that is sampled.
 struct RecordWindow {
     begin_s: f64,
     end_s: f64,
-    /// Longest time between two looks, s.
+    /// Longest time between two samples, s.
     gap_s: f64,
 }
 
@@ -175,7 +178,7 @@ impl RecordWindow {
 
     fn peak_v(&self, kernel: &Kernel, trajectory: &Trajectory, place: VoltageSource) -> f64 {
         let segments = trajectory.segments();
-        // The step in which the stretch begins.
+        // Step in which the window begins.
         let first = segments
             .partition_point(|segment| segment.start_s <= self.begin_s)
             .saturating_sub(1);
@@ -225,8 +228,8 @@ impl RecordWindow {
     }
 }
 
-/// The largest value near the middle one of three looks `(time, value)`, none of which is higher: each further look is where the parabola
-/// through the three has its top.
+/// Returns the maximum near the middle of three samples `(time, value)`, where the middle one is
+/// the highest. Each new sample is at the vertex of the parabola through the three.
 fn highest([mut from, mut top, mut to]: [(f64, f64); 3], value: &impl Fn(f64) -> f64) -> f64 {
     for _ in 0..REFINED_SAMPLES {
         let (left, right) = (top.0 - from.0, to.0 - top.0);

@@ -1,4 +1,4 @@
-//! What a run should not be believed without.
+//! Warnings of a run.
 
 use super::{ExceededLimit, Limits, RunPlan, RunResult};
 use crate::integrate::Kernel;
@@ -6,20 +6,20 @@ use crate::spec::{DriveSignal, Spec};
 use jounce_data::recording::Issue;
 use serde::Serialize;
 
-/// Share of the averaging window that may lie after the end of a recording.
+/// Fraction of the averaging window that may lie after the end of a recording.
 const MAX_UNRECORDED_SHARE: f64 = 0.01;
 
-/// Energy residual, relative to the largest energy, above which the answers are those of roundoff.
+/// Energy residual, relative to the largest energy, above which roundoff dominates the results.
 const MAX_ENERGY_RESIDUAL: f64 = 1e-3;
 
 /// A warning of a run.
 #[derive(Debug, Clone, PartialEq, Serialize, thiserror::Error)]
 #[serde(tag = "warning", rename_all = "kebab-case")]
 pub enum Warning {
-    /// A patch is driven beyond what it bears.
+    /// The strain or voltage of a patch exceeds its limits.
     #[error("{0}")]
     Limit(ExceededLimit),
-    /// A recording ends before the averaging window does.
+    /// A recording ends before the averaging window.
     #[error(
         "drive {drive}: its recording ends at {ends_s} s, but the averaging window goes from {from_s} s to {to_s} s, and after its end the drive is 0; shorten run.duration, or give a longer recording"
     )]
@@ -33,12 +33,12 @@ pub enum Warning {
         /// End of the averaging window, s.
         to_s: f64,
     },
-    /// Something odd about the recording of a drive.
+    /// The recording of a drive has a data-quality issue.
     #[error("drive {drive}: {finding}")]
     Recording {
         /// Name of the drive.
         drive: String,
-        /// What was noticed or done.
+        /// The issue.
         finding: Issue,
     },
     /// The energy balance does not close.
@@ -52,7 +52,8 @@ pub enum Warning {
 }
 
 impl Warning {
-    /// The recordings of a spec that end before the averaging window of a plan does.
+    /// Returns a warning for each recording of a spec that ends before the averaging window of a
+    /// plan.
     pub fn of_recordings(spec: &Spec, plan: &RunPlan) -> Vec<Self> {
         let (from_s, to_s) = (plan.duration_s - plan.average_over_s, plan.duration_s);
         let ends = spec
@@ -78,7 +79,7 @@ impl Warning {
             .collect()
     }
 
-    /// All of a run.
+    /// Returns all warnings of a run.
     pub fn of(spec: &Spec, kernel: &Kernel, plan: &RunPlan, answer: &RunResult) -> Vec<Self> {
         let limits = Limits::of(spec, &kernel.plant)
             .exceeded(kernel, &answer.trajectory)
@@ -103,7 +104,7 @@ impl Warning {
     }
 }
 
-/// Sums of decimal times are rounded to what was meant.
+/// Rounds a sum of decimal times to nine digits after the point.
 fn printed(time_s: f64) -> f64 {
     format!("{time_s:.9e}").parse().unwrap_or(time_s)
 }

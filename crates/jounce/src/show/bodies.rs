@@ -1,4 +1,4 @@
-//! The bodies of a spec, and which of them a reference names.
+//! Bodies of a spec, and the body of a reference.
 
 use super::{circuits, words};
 use crate::picture::{
@@ -6,7 +6,7 @@ use crate::picture::{
 };
 use crate::spec::{Beam, Face, Mass, Spec};
 
-/// The place of every body in the drawing: masses, then beams, then structures given by their modes.
+/// Index of every body in the drawing: masses, then beams, then structures given by their modes.
 pub struct Index<'s> {
     masses: Vec<&'s str>,
     beams: Vec<&'s str>,
@@ -14,7 +14,7 @@ pub struct Index<'s> {
 }
 
 impl<'s> Index<'s> {
-    /// The bodies of a spec.
+    /// Collects the bodies of a spec.
     pub fn of(spec: &'s Spec) -> Self {
         Self {
             masses: spec.mass.keys().map(String::as_str).collect(),
@@ -23,9 +23,9 @@ impl<'s> Index<'s> {
         }
     }
 
-    /// The bodies that stand on a base, on others or by themselves.
+    /// Returns the bodies mounted on a base, directly or through other bodies.
     pub fn on_base(&self, spec: &Spec, base: &str) -> Vec<usize> {
-        // Any point of a beam, or of a structure given by its modes, stands for all of it.
+        // Any point of a beam, or of a structure given by its modes, represents the entire body.
         let long: Vec<String> = self
             .beams
             .iter()
@@ -44,7 +44,7 @@ impl<'s> Index<'s> {
             .collect()
     }
 
-    /// The contacts whose stop stands on a base itself, on no body.
+    /// Returns the contacts whose stop is mounted directly on a base, not on a body.
     pub fn stops_on(spec: &Spec, contacts: &[(&str, DrawnContact)], base: &str) -> Vec<usize> {
         let frame = |name: &str| spec.stop.get(name).map(|stop| stop.frame.as_str());
         let own = contacts
@@ -54,7 +54,8 @@ impl<'s> Index<'s> {
         own.map(|(index, _)| index).collect()
     }
 
-    /// What a reference names: a mass, or a point of a beam or of a structure given by its modes; nothing for the ground.
+    /// Returns the position of a reference: a mass, or a point of a beam or of a structure given by
+    /// its modes; `None` for the ground.
     pub fn place(&self, spec: &Spec, reference: &str) -> Option<DrawnPlace> {
         let find = |names: &[&str], name: &str| names.iter().position(|known| *known == name);
         let Some((body, point)) = reference.split_once('.') else {
@@ -77,7 +78,7 @@ impl<'s> Index<'s> {
     }
 }
 
-/// Distance of a point of a beam from its root, m.
+/// Returns the distance of a point of a beam from its root, m.
 fn along(beam: &Beam, point: &str) -> Option<f64> {
     match point {
         "root" => Some(0.0),
@@ -86,7 +87,7 @@ fn along(beam: &Beam, point: &str) -> Option<f64> {
     }
 }
 
-/// All bodies, in the order of their index.
+/// Returns all bodies, in the order of their index.
 pub fn bodies(spec: &Spec, index: &Index) -> Vec<DrawnBody> {
     let masses = spec
         .mass

@@ -1,10 +1,10 @@
-//! The circuits of a spec as elements between two wires.
+//! Circuits of a spec as elements between two wires.
 
 use super::words::value;
 use crate::picture::{DrawnCircuit, DrawnElement};
 use crate::spec::{Circuit, Interface, Quantity, Spec, Wiring};
 
-/// All circuits, then each patch without one, whose wires end in nothing.
+/// Returns all circuits, then each patch without a circuit, with open wires.
 pub fn circuits(spec: &Spec) -> Vec<DrawnCircuit> {
     let closed = spec.circuit.iter().map(|(name, circuit)| DrawnCircuit {
         label: name.clone(),
@@ -29,7 +29,7 @@ pub fn circuits(spec: &Spec) -> Vec<DrawnCircuit> {
     closed.chain(open).collect()
 }
 
-/// The name of a patch, marked where no circuit takes its charge.
+/// Returns the name of a patch, marked if it has no circuit.
 pub fn marked(spec: &Spec, patch: &str) -> String {
     if is_open(spec, patch) {
         format!("{patch} (open)")
@@ -95,7 +95,7 @@ fn patches(circuit: &Circuit) -> Vec<DrawnElement> {
     }
 }
 
-/// What the words in the block of an interface say.
+/// Returns the labels in the block of a power interface.
 fn block(circuit: &Circuit) -> Vec<String> {
     let name = match circuit.interface {
         Interface::Resistor => "",

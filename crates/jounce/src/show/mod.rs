@@ -1,4 +1,4 @@
-//! The harvester of a spec as a drawing to scale, so that a wrong number is seen.
+//! Scale drawing of the harvester of a spec.
 mod bodies;
 mod circuits;
 mod words;
@@ -8,8 +8,9 @@ use crate::spec::{Side, Spec, Stop};
 
 /// Draws the harvester of a spec.
 ///
-/// What strikes stands opposite to what it strikes; circuits stand apart from the bodies.
-/// The spec need not be solvable: faults that only the solver finds (a patch beyond its beam, a stop inside another) are drawn as they are.
+/// Bodies that strike each other are drawn opposite each other, and circuits apart from the bodies.
+/// The spec need not be solvable: errors that only the solver finds (a patch beyond its beam, a
+/// stop inside another) are drawn as they are.
 #[must_use]
 pub fn drawing(title: &str, spec: &Spec) -> Drawing {
     let index = bodies::Index::of(spec);
@@ -107,7 +108,8 @@ mod tests {
         assert!(stop.on.is_some_and(|on| on.body == 0) && !stop.above);
     }
 
-    /// A bond line under the patch: the patch is lifted by its thickness, and the stop begins above both.
+    /// A bond line under the patch raises the patch by its thickness, and the stop begins above
+    /// both.
     #[test]
     fn a_layer_lies_between_the_beam_and_its_patch() {
         let path = format!(
@@ -151,7 +153,8 @@ mod tests {
         assert!(svg.contains("bond: 85 mm"), "{svg}");
     }
 
-    /// A patch that nothing loads says so on the beam and beside the circuits; what a base carries has its arrow, what stands still has none.
+    /// An open patch is marked on the beam and next to the circuits. A body on a moving base has an
+    /// arrow, a fixed body has no arrow.
     #[test]
     fn open_patches_and_moving_bases_are_marked() {
         let path = format!(

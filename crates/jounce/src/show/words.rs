@@ -1,11 +1,11 @@
-//! Quantities in words.
+//! Labels of quantities and elements.
 
 use crate::spec::{
     Beam, Drive, DriveKind, DriveSignal, GROUND, Gravity, Mass, Modal, Quantity, Spec, StopLaw,
 };
 use std::f64::consts::TAU;
 
-/// A value in its unit with at most five digits; many digits before the point are written with an exponent.
+/// Formats a value in its unit with at most five digits; large numbers have an exponent.
 pub fn value(quantity: Quantity, value: f64) -> String {
     let text = quantity.write(format!("{value:.4e}").parse().unwrap_or(value));
     let (number, unit) = text.split_once(' ').unwrap_or((&text, ""));
@@ -25,7 +25,7 @@ pub fn value(quantity: Quantity, value: f64) -> String {
     )
 }
 
-/// A beam: its name and its material.
+/// Returns the label of a beam: name and material.
 pub fn beam(name: &str, beam: &Beam) -> Vec<String> {
     vec![if beam.material.is_empty() {
         name.to_owned()
@@ -34,13 +34,13 @@ pub fn beam(name: &str, beam: &Beam) -> Vec<String> {
     }]
 }
 
-/// The words of a body, with the base that it stands on where that is not the ground.
+/// Adds the base of a body to its label, if it is not the ground.
 pub fn on_base(spec: &Spec, mut words: Vec<String>, support: &str) -> Vec<String> {
     words.extend((support != GROUND && spec.is_base(support)).then(|| format!("on {support}")));
     words
 }
 
-/// A structure given by its modes.
+/// Returns the label of a structure given by its modes.
 pub fn modal(name: &str, modal: &Modal) -> Vec<String> {
     let first = modal
         .frequency_hz
@@ -54,7 +54,7 @@ pub fn modal(name: &str, modal: &Modal) -> Vec<String> {
     vec![name.to_owned(), modes]
 }
 
-/// Gravity, and whether it points up.
+/// Returns the label of gravity, and true where it points up.
 pub fn gravity(gravity: &Gravity) -> Option<(String, bool)> {
     let along = gravity.acceleration_m_s2.filter(|along| *along != 0.0)?;
     Some((
@@ -63,7 +63,7 @@ pub fn gravity(gravity: &Gravity) -> Option<(String, bool)> {
     ))
 }
 
-/// A contact law with its numbers.
+/// Returns the label of a contact law with its numbers.
 pub fn law(law: &StopLaw) -> String {
     let stiffness =
         |stiffness: f64, exponent: f64| value(Quantity::ContactStiffness { exponent }, stiffness);
@@ -110,7 +110,7 @@ pub fn law(law: &StopLaw) -> String {
     }
 }
 
-/// A mass and its spring.
+/// Returns the label of a mass and its spring.
 pub fn mass(name: &str, mass: &Mass) -> Vec<String> {
     let own = value(Quantity::Mass, mass.mass_kg);
     let how = match mass.stiffness_n_m {
@@ -127,7 +127,7 @@ pub fn mass(name: &str, mass: &Mass) -> Vec<String> {
     vec![name.to_owned(), format!("{own}{how}")]
 }
 
-/// A drive.
+/// Returns the label of a drive.
 pub fn drive(name: &str, drive: &Drive) -> String {
     let unit = match drive.kind {
         DriveKind::Force => Quantity::Force,

@@ -1,19 +1,22 @@
-//! The power spectral density of a whole record.
+//! Power spectral density of a complete record.
 
 use super::spectrum::transform;
 use super::{Samples, Window};
 
 impl Samples<'_> {
-    /// One-sided power spectral density at the frequencies `k / duration`, unit^2/Hz: a periodogram.
+    /// Returns the one-sided power spectral density at the frequencies `k / duration`, unit^2/Hz: a
+    /// periodogram.
     ///
-    /// `G_k = 2 |sum_n w_n x_n e^{-2 pi i k n / N}|^2 / (rate sum_n w_n^2)`, half of that at 0 and at half the rate, so that the lines sum to the
-    /// mean square times the duration where the window is rectangular. Of a random signal each line is as uncertain as it is high: average
-    /// over records. Source: J. S. Bendat, A. G. Piersol, Random Data, 4th ed. (2010), section 11.5.
+    /// `G_k = 2 |sum_n w_n x_n e^{-2 pi i k n / N}|^2 / (rate sum_n w_n^2)`, and half this value at
+    /// 0 and at half the rate. With a rectangular window the lines sum to the mean square times the
+    /// duration. For a random signal the standard deviation of each line equals its mean: average
+    /// over records. Source: J. S. Bendat, A. G. Piersol, Random Data, 4th ed. (2010), section
+    /// 11.5.
     pub fn density(&self, window: Window) -> Vec<f64> {
         let count = self.values().len();
         let weights = window.values(count);
         let power: f64 = weights.iter().map(|w| w * w).sum();
-        // A record of a sample or two has no room for a window.
+        // A record of one or two samples is too short for a window.
         let (weights, power) = if power > 0.0 {
             (weights, power)
         } else {
@@ -40,8 +43,8 @@ mod tests {
     use super::*;
     use crate::drive::RandomStream;
 
-    /// White numbers of variance 1 at 50 Hz have the density 2 / 50 on average: over 8000 lines within 3 / sqrt(8000), 3 %. Parseval with
-    /// the rectangular window.
+    /// White noise of variance 1 at 50 Hz has the mean density 2 / 50: over 8000 lines within 3 /
+    /// sqrt(8000), 3 %. Parseval with the rectangular window.
     #[test]
     fn white_numbers_have_a_flat_density() {
         let mut stream = RandomStream::new(1, 2);

@@ -1,27 +1,27 @@
-//! What cannot be asked of a signal.
+//! Errors of signals.
 
-/// A signal, or a question to it, that has no answer.
+/// Invalid signal, or invalid request for a signal.
 #[derive(Debug, Clone, PartialEq, thiserror::Error, serde::Serialize)]
 #[serde(untagged)]
 pub enum SignalError {
-    /// There is no sample.
+    /// The signal has no samples.
     #[error("the signal has no samples; a longer record is needed")]
     Empty,
     /// The sample rate is zero, negative or not a number.
     #[error("the sample rate is {rate_hz} Hz; it must be a finite number > 0")]
     Rate {
-        /// The rate, Hz.
+        /// Sample rate, Hz.
         rate_hz: f64,
     },
     /// A sample is NaN or infinite.
     #[error("sample {index} of the signal is {value}; all samples must be finite")]
     Sample {
-        /// Its place, from 0.
+        /// Index of the sample, from 0.
         index: usize,
-        /// Its value.
+        /// Value of the sample.
         value: f64,
     },
-    /// An order line lies at zero, beyond the Nyquist frequency, or is asked for twice.
+    /// An order line lies at zero, beyond the Nyquist frequency, or is duplicate.
     #[error(
         "order {order} of {drive_hz} Hz cannot be fitted: every order must lie above 0 and below {nyquist_hz} Hz, and be asked for once"
     )]
@@ -33,7 +33,7 @@ pub enum SignalError {
         /// Half the sample rate, Hz.
         nyquist_hz: f64,
     },
-    /// The record is too short to tell the lines apart.
+    /// The record is too short to resolve the lines.
     #[error(
         "the record lasts {duration_s} s; to tell these orders apart it must last at least {needed_s} s"
     )]

@@ -7,19 +7,23 @@
 //! c_k = 2, but 1 at k = 0 and (N even) at k = N/2
 //! ```
 //!
-//! so a sine of peak amplitude `A` on a bin gives `A_k = A`: single-sided, **zero to peak**, corrected for the window's
-//! coherent gain `sum w / N`. With the rectangular window (Parseval) `mean(x^2) = A_0^2 + sum A_k^2 / 2`, the last term
-//! whole instead of halved where `k = N/2`. Divide by sqrt 2 for rms lines; this is an amplitude spectrum, not a density.
+//! so a sine of peak amplitude `A` on a bin gives `A_k = A`: single-sided, **zero to peak**,
+//! corrected for the window's coherent gain `sum w / N`. With the rectangular window (Parseval)
+//! `mean(x^2) = A_0^2 + sum A_k^2 / 2`; the term `k = N/2` is not halved. Divide by sqrt 2 for rms
+//! lines; this is an amplitude spectrum, not a density.
 //!
-//! Order lines are amplitudes at multiples `r` of a known drive frequency `f`, halves included, from one least-squares fit
+//! Order lines are amplitudes at multiples `r` of a known drive frequency `f`, including half
+//! orders, from one least-squares fit
 //!
 //! ```text
 //! x(t) = m + sum_r (a_r cos 2 pi r f t + b_r sin 2 pi r f t),   A_r = sqrt(a_r^2 + b_r^2)
 //! ```
 //!
-//! exact for such a signal even when the record holds no whole number of periods and no line falls on a bin.
+//! It is exact for such a signal, even if the record is not an integer number of periods and no
+//! line falls on a bin.
 //!
-//! Source: G. Heinzel, A. Rüdiger, R. Schilling, Spectrum and spectral density estimation by the DFT (2002).
+//! Source: G. Heinzel, A. Rüdiger, R. Schilling, Spectrum and spectral density estimation by the
+//! DFT (2002).
 mod density;
 mod error;
 mod orders;

@@ -8,38 +8,41 @@ use faer::{Mat, Side};
 use super::samples::sum;
 use super::{Samples, SignalError};
 
-/// One line at a multiple of the drive frequency.
+/// Line at a multiple of the drive frequency.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct OrderLine {
     /// Multiple of the drive frequency; 0.5 is half of it.
     pub order: f64,
-    /// Its frequency, Hz.
+    /// Frequency, Hz.
     pub frequency_hz: f64,
     /// Peak amplitude, in the unit of the signal.
     pub amplitude_peak: f64,
-    /// Phase, rad, of `amplitude_peak * sin(2 pi frequency_hz t + phase_rad)`, `t = 0` at the first sample; -pi to pi.
+    /// Phase, rad, of `amplitude_peak * sin(2 pi frequency_hz t + phase_rad)`, `t = 0` at the first
+    /// sample; -pi to pi.
     pub phase_rad: f64,
 }
 
-/// The lines of a signal and what they leave unexplained.
+/// Order lines of a signal, its mean and the residual.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Orders {
     /// Constant part, in the unit of the signal.
     pub mean: f64,
-    /// The lines, in the order asked for.
+    /// Lines in the requested order.
     pub lines: Vec<OrderLine>,
-    /// Rms of signal minus fit: what is not periodic, or lies at other orders.
+    /// Rms of signal minus fit: nonperiodic parts and other orders.
     pub residual_rms: f64,
 }
 
 impl Samples<'_> {
-    /// Fits the lines at `orders` times `drive_hz`, for example `&[0.5, 1.0, 1.5, 2.0]`, and the mean, all at once.
+    /// Fits the lines at `orders` times `drive_hz`, for example `&[0.5, 1.0, 1.5, 2.0]`, and the
+    /// mean simultaneously.
     ///
-    /// Exact (measured 1e-14 of the largest line over 137.3 periods) for a signal of just these lines, wherever they fall between bins.
+    /// Exact for a signal of only these lines, at any position between bins (measured: 1e-14 of the
+    /// largest line over 137.3 periods).
     ///
     /// # Errors
-    /// An order at or below 0, at or beyond half the sample rate, asked for twice, or a record shorter than one period of
-    /// the smallest distance between two lines.
+    /// An order is at or below 0, at or above half the sample rate, or duplicate, or the record is
+    /// shorter than one period of the smallest distance between two lines.
     pub fn orders(&self, drive_hz: f64, orders: &[f64]) -> Result<Orders, SignalError> {
         self.check(drive_hz, orders)?;
         let basis = Basis {
@@ -79,7 +82,7 @@ impl Samples<'_> {
             });
         }
         let spacing_hz = smallest_spacing(orders) * drive_hz;
-        // A record of whole periods may come out one rounding short.
+        // Roundoff may shorten a record of an integer number of periods.
         if self.duration_s() * spacing_hz < 1.0 - 1e-9 {
             Err(self.too_short(spacing_hz))
         } else {
@@ -95,7 +98,7 @@ impl Samples<'_> {
     }
 }
 
-/// Smallest distance between two orders, the mean (order 0) among them.
+/// Returns the smallest distance between two orders, including the mean (order 0).
 fn smallest_spacing(orders: &[f64]) -> f64 {
     let mut sorted: Vec<_> = std::iter::once(0.0).chain(orders.iter().copied()).collect();
     sorted.sort_by(f64::total_cmp);
@@ -105,7 +108,7 @@ fn smallest_spacing(orders: &[f64]) -> f64 {
         .fold(f64::INFINITY, f64::min)
 }
 
-/// `1, cos, sin, cos, sin, ...` at the times of the samples.
+/// Basis `1, cos, sin, cos, sin, ...` at the times of the samples.
 struct Basis<'a> {
     drive_hz: f64,
     orders: &'a [f64],
@@ -116,13 +119,15 @@ impl Basis<'_> {
     fn at(&self, sample: usize, row: &mut [f64]) {
         row[0] = 1.0;
         for (pair, order) in row[1..].chunks_exact_mut(2).zip(self.orders) {
-            // Whole turns are dropped before the multiplication by 2 pi: no accuracy is lost in long records.
+            // Complete turns are removed before the multiplication by 2 pi, to retain accuracy in
+            // long records.
             let turns = order * self.drive_hz * sample as f64 / self.rate_hz;
             (pair[1], pair[0]) = (TAU * turns.fract()).sin_cos();
         }
     }
 
-    /// Normal equations: the columns are nearly orthogonal over a record of at least one beat, so nothing is lost by squaring.
+    /// Solves the normal equations. The columns are nearly orthogonal over a record of at least one
+    /// beat, so squaring loses no accuracy.
     fn fit(&self, values: &[f64]) -> Option<Mat<f64>> {
         let size = 2 * self.orders.len() + 1;
         let (mut matrix, mut right) = (Mat::<f64>::zeros(size, size), Mat::<f64>::zeros(size, 1));
@@ -194,7 +199,7 @@ mod tests {
         assert!(orders.residual_rms < 1e-11, "{:e}", orders.residual_rms);
     }
 
-    /// The second method: over whole periods the fit is the DFT at the bins.
+    /// Second method: over an integer number of periods the fit equals the DFT at the bins.
     #[test]
     fn over_whole_periods_the_fit_is_the_spectrum() {
         let values: Vec<_> = (0..2000)

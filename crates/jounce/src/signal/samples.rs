@@ -1,4 +1,4 @@
-//! A uniformly sampled signal and its plain measures.
+//! Uniformly sampled signals: mean, rms and peak.
 
 use super::SignalError;
 
@@ -10,10 +10,10 @@ pub struct Samples<'a> {
 }
 
 impl<'a> Samples<'a> {
-    /// Samples `values` taken every `1 / rate_hz` seconds.
+    /// Creates a signal from `values` sampled every `1 / rate_hz` seconds.
     ///
     /// # Errors
-    /// No sample, a sample that is not finite, a rate that is not positive.
+    /// The signal is empty, a sample is not finite, or the rate is not positive.
     pub fn new(values: &'a [f64], rate_hz: f64) -> Result<Self, SignalError> {
         if values.is_empty() {
             return Err(SignalError::Empty);
@@ -30,29 +30,29 @@ impl<'a> Samples<'a> {
         Ok(Self { values, rate_hz })
     }
 
-    /// The samples.
+    /// Returns the samples.
     pub fn values(&self) -> &'a [f64] {
         self.values
     }
 
-    /// Samples per second.
+    /// Returns the sample rate, Hz.
     pub fn rate_hz(&self) -> f64 {
         self.rate_hz
     }
 
-    /// Length of the record, s: number of samples over rate.
+    /// Returns the length of the record, s: number of samples over rate.
     pub fn duration_s(&self) -> f64 {
         self.values.len() as f64 / self.rate_hz
     }
 
-    /// `sum x / N`
+    /// Returns `sum x / N`.
     pub fn mean(&self) -> f64 {
         sum(self.values.iter().copied()) / self.values.len() as f64
     }
 
-    /// `sqrt(sum x^2 / N)`, the mean included.
+    /// Returns `sqrt(sum x^2 / N)`, including the mean.
     pub fn rms(&self) -> f64 {
-        // Scaled by the peak, so that squares neither overflow nor vanish.
+        // Scaled by the peak, so that squares neither overflow nor underflow.
         let peak = self.peak();
         if peak == 0.0 {
             return 0.0;
@@ -61,13 +61,13 @@ impl<'a> Samples<'a> {
             .sqrt()
     }
 
-    /// `max |x|`
+    /// Returns `max |x|`.
     pub fn peak(&self) -> f64 {
         self.values.iter().fold(0.0, |peak, x| peak.max(x.abs()))
     }
 }
 
-/// Sum with compensation (Neumaier 1974): the error does not grow with the number of terms.
+/// Computes a compensated sum (Neumaier 1974): the error does not grow with the number of terms.
 pub(super) fn sum(terms: impl Iterator<Item = f64>) -> f64 {
     let (mut sum, mut lost) = (0.0_f64, 0.0);
     for term in terms {

@@ -1,11 +1,11 @@
-//! The amplitude spectrum of a whole record.
+//! Amplitude spectrum of a complete record.
 
 use realfft::RealFftPlanner;
 use realfft::num_complex::Complex;
 
 use super::{Samples, Window};
 
-/// A single-sided amplitude spectrum, zero to peak, from 0 to half the sample rate.
+/// Single-sided amplitude spectrum, zero to peak, from 0 to half the sample rate.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Spectrum {
     /// Frequency of each line, Hz.
@@ -14,16 +14,16 @@ pub struct Spectrum {
     pub amplitude_peak: Vec<f64>,
     /// Distance of the lines, Hz: one over the length of the record.
     pub resolution_hz: f64,
-    /// The window that was used.
+    /// Window of the spectrum.
     pub window: Window,
 }
 
 impl Samples<'_> {
-    /// The amplitude spectrum with a window (convention in the head of this module).
+    /// Computes the amplitude spectrum with a window, in the convention of [`crate::signal`].
     pub fn spectrum(&self, window: Window) -> Spectrum {
         let count = self.values().len();
         let weights = window.values(count);
-        // A record of one to four samples has no room for a window; its gain would vanish.
+        // A record of one to four samples is too short for a window; its gain would vanish.
         let gain = weights.iter().sum::<f64>();
         let (weights, gain) = if gain > 0.0 {
             (weights, gain)
@@ -100,7 +100,8 @@ mod tests {
         }
     }
 
-    /// Closed forms for half a bin: rectangular 2/pi, Hann 8/(3 pi); flat-top within 0.01 dB (measured 0.0098 dB at worst).
+    /// Closed forms for half a bin: rectangular 2/pi, Hann 8/(3 pi); flat-top within 0.01 dB
+    /// (measured 0.0098 dB at worst).
     #[test]
     fn a_sine_off_bin_reads_low_by_the_known_scalloping() {
         let read = |window, offset| highest(&sine(1.0, 400.0 + offset, 4000), window);

@@ -1,15 +1,18 @@
-//! Windows, by what they are good for.
+//! Windows of spectra.
 
 use std::f64::consts::TAU;
 
-/// A window: a sum of cosines over one period of the record, `w_n = sum_m (-1)^m c_m cos(2 pi m n / N)`.
+/// Window: a sum of cosines over one period of the record,
+/// `w_n = sum_m (-1)^m c_m cos(2 pi m n / N)`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Window {
-    /// No window: exact where the record holds whole periods; else a line leaks and reads up to 3.92 dB low.
+    /// No window: exact for an integer number of periods; otherwise a line leaks and reads up to
+    /// 3.92 dB low.
     Rectangular,
     /// Hann: little leakage; a line between two bins reads up to 1.42 dB low.
     Hann,
-    /// Flat-top: amplitudes within 0.01 dB wherever the line falls; the line is five bins wide each side.
+    /// Flat-top: amplitudes within 0.01 dB at any position of the line; the line is five bins wide
+    /// on each side.
     #[default]
     FlatTop,
 }
@@ -24,7 +27,7 @@ const FLAT_TOP: [f64; 5] = [
 ];
 
 impl Window {
-    /// The window's values for a record of `n` samples (periodic, as the DFT wants it).
+    /// Returns the periodic (DFT-even) window for a record of `n` samples.
     pub fn values(self, n: usize) -> Vec<f64> {
         let coefficients: &[f64] = match self {
             Self::Rectangular => &[1.0],
@@ -43,7 +46,7 @@ impl Window {
         (0..n).map(value).collect()
     }
 
-    /// How many bins to each side of a line the window spreads it (the half width of its main lobe).
+    /// Returns the half width of the main lobe, in bins.
     pub fn half_width_bins(self) -> usize {
         match self {
             Self::Rectangular => 1,

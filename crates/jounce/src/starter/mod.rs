@@ -1,21 +1,22 @@
-//! Commented specs to start from: one per kind of harvester, valid as written, each key with its unit and what it does.
+//! Commented starter specs: one per kind of harvester, valid as written, with unit and effect of
+//! each key.
 
 use crate::spec::nearest;
 use crate::store::{self, StoreError};
 use std::path::Path;
 
-/// A spec to start from.
+/// Starter spec.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
 pub struct Starter {
-    /// The word that chooses it.
+    /// Name of the kind.
     pub kind: &'static str,
-    /// What it is, in one line.
+    /// Description in one line.
     pub summary: &'static str,
     /// The spec in TOML, with its comments.
     pub spec: &'static str,
 }
 
-/// All kinds, the simplest first.
+/// All starters, the simplest first.
 pub const STARTERS: &[Starter] = &[
     Starter {
         kind: "cantilever-with-stop",
@@ -39,29 +40,29 @@ pub const STARTERS: &[Starter] = &[
     },
     Starter {
         kind: "random-base",
-        summary: "a cantilever between two stops on a base that shakes at random",
+        summary: "a cantilever between two stops on a randomly excited base",
         spec: include_str!("random-base.toml"),
     },
 ];
 
-/// A kind that does not exist.
+/// Unknown kind of starter.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error, serde::Serialize)]
 #[error("there is no starter of the kind \"{kind}\"{}; the kinds are {}", meant(.nearest), kinds())]
 pub struct UnknownKind {
-    /// What was asked for.
+    /// The requested kind.
     pub kind: String,
-    /// The kind that was probably meant.
+    /// The nearest known kind.
     pub nearest: Option<&'static str>,
 }
 
 impl Starter {
-    /// The starter of a kind.
+    /// Returns the starter of a kind.
     ///
     /// # Errors
-    /// No such kind; the error names the nearest one.
+    /// The kind is unknown; the error names the nearest one.
     pub fn of(kind: &str) -> Result<&'static Self, UnknownKind> {
         let kinds = || STARTERS.iter().map(|starter| starter.kind);
-        // A part of a name, as "bimorph", means that name.
+        // A part of a name, such as "bimorph", matches that name.
         let meant = || {
             nearest(kind, kinds())
                 .or_else(|| kinds().find(|known| kind.len() > 2 && known.contains(kind)))
@@ -75,10 +76,10 @@ impl Starter {
             })
     }
 
-    /// Writes the spec whole or not at all; an older file is replaced only if that is asked for.
+    /// Writes the spec atomically; replaces an existing file only if `replace` is true.
     ///
     /// # Errors
-    /// A file is there already, or the place cannot be written.
+    /// The file exists already, or the path is not writable.
     pub fn write(&self, path: &Path, replace: bool) -> Result<(), StoreError> {
         let content = self.spec.as_bytes();
         if replace {

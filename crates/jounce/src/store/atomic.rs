@@ -1,16 +1,16 @@
-//! One function that replaces a file atomically.
+//! Atomic writing of files.
 
 use std::fs::{self, File};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-/// An output that could not be written. Nothing was left behind, and an older file at the path is untouched.
+/// Failure to write an output. No partial file remains, and an older file at the path is unchanged.
 #[derive(Debug, thiserror::Error, serde::Serialize)]
 #[error("cannot write \"{path}\": {reason}")]
 pub struct StoreError {
-    /// Where the file should have gone.
+    /// Path of the output.
     pub path: PathBuf,
-    /// What stood in the way, and what to do about it where that is known.
+    /// Reason, with a remedy if known.
     pub reason: String,
 }
 
@@ -23,21 +23,22 @@ impl StoreError {
     }
 }
 
-/// How the name of a file begins that is not whole yet.
+/// Prefix of the names of incomplete files.
 pub(super) const PREFIX: &str = ".jounce-";
 
-/// Writes `content` to `path`, replacing an older file in one step. A symbolic link is followed.
+/// Writes `content` to `path` and replaces an older file atomically. Symbolic links are followed.
 ///
 /// # Errors
-/// The folder is missing or not writable, the target is a folder, a device or read-only, or the disk is full.
+/// The folder is missing or not writable, the target is a folder, a device or read-only, or the
+/// disk is full.
 pub fn write(path: &Path, content: &[u8]) -> Result<(), StoreError> {
     write_from(path, |file| file.write_all(content))
 }
 
-/// The same for content that is made as it is written.
+/// Writes content that `fill` generates and replaces an older file atomically.
 ///
 /// # Errors
-/// As [`write()`], and whatever `fill` says.
+/// Those of [`write()`], and the errors of `fill`.
 pub fn write_from(
     path: &Path,
     fill: impl FnOnce(&mut File) -> io::Result<()>,
@@ -50,10 +51,11 @@ pub fn write_from(
     Ok(())
 }
 
-/// Writes `content` to `path` where nothing is yet: whatever stands there, a link too, is left alone, even if it appears meanwhile.
+/// Writes `content` to a new file at `path`. An existing file or link is unchanged, even if it
+/// appears during the call.
 ///
 /// # Errors
-/// Something stands there, the folder is missing or not writable, or the disk is full.
+/// The path exists, the folder is missing or not writable, or the disk is full.
 pub fn create(path: &Path, content: &[u8]) -> Result<(), StoreError> {
     const TAKEN: &str = "it is there already; choose another name or ask for it to be replaced";
     if path.file_name().is_none() {
@@ -72,7 +74,7 @@ pub fn create(path: &Path, content: &[u8]) -> Result<(), StoreError> {
     Ok(())
 }
 
-/// The folder of a file, where there is one.
+/// Returns the folder of a file, if it exists.
 fn folder_of(path: &Path) -> Result<&Path, StoreError> {
     let folder = path
         .parent()
@@ -87,7 +89,8 @@ fn folder_of(path: &Path) -> Result<&Path, StoreError> {
     }
 }
 
-/// The regular file to replace: the end of a chain of links, or the path itself where nothing is yet.
+/// Returns the regular file to replace: the end of a chain of links, or the path itself for a new
+/// file.
 fn target_of(path: &Path) -> Result<PathBuf, StoreError> {
     if path.file_name().is_none() {
         return Err(StoreError::new(path, "it names no file"));
@@ -113,7 +116,7 @@ fn target_of(path: &Path) -> Result<PathBuf, StoreError> {
     fs::canonicalize(path).map_err(|fault| StoreError::new(path, fault))
 }
 
-/// A temporary neighbour of the target with the content, flushed to the disk.
+/// Creates a temporary file in the folder of the target, with the content, flushed to the disk.
 fn filled(
     path: &Path,
     folder: &Path,
@@ -121,7 +124,8 @@ fn filled(
 ) -> Result<tempfile::NamedTempFile, StoreError> {
     let written = || -> io::Result<_> {
         let mut beside = beside(folder)?;
-        // Tells `clean` that somebody writes it. Where the file system knows no locks, nothing is cleaned either.
+        // The lock protects the file from `clean`. On a file system without locks, `clean` removes
+        // no file.
         let _ = beside.as_file().try_lock();
         fill(beside.as_file_mut())?;
         beside.as_file().sync_all()?;
@@ -130,7 +134,7 @@ fn filled(
     written().map_err(|fault| StoreError::new(path, fault))
 }
 
-/// The new name itself must reach the disk; a file system that cannot flush a folder has done all it can.
+/// Flushes the new name to the disk, if the file system can flush a folder.
 fn flush_name(target: &Path) {
     if let Ok(folder) = folder_of(target)
         .and_then(|folder| File::open(folder).map_err(|fault| StoreError::new(target, fault)))
@@ -139,7 +143,8 @@ fn flush_name(target: &Path) {
     }
 }
 
-/// A temporary neighbour with the permissions of an ordinary new file (the process's mask applies).
+/// Creates a temporary file with the permissions of an ordinary new file (the process's mask
+/// applies).
 fn beside(folder: &Path) -> io::Result<tempfile::NamedTempFile> {
     let mut builder = tempfile::Builder::new();
     builder.prefix(PREFIX);

@@ -1,15 +1,15 @@
-//! What a process left that was killed while it wrote.
+//! Removal of incomplete files of killed processes.
 
 use super::atomic::PREFIX;
 use std::fs::{self, DirEntry, File};
 use std::path::Path;
 use std::time::Duration;
 
-/// A file is locked by its writer within this time of its making.
+/// Time within which the writer locks a new file.
 const MIN_AGE: Duration = Duration::from_secs(5);
 
-/// Removes the files of a folder that nobody will finish. Those that somebody writes now stay, and so does what cannot be removed: such
-/// files are hidden and nothing reads them.
+/// Removes the abandoned incomplete files of a folder. Files that another process is writing
+/// remain. Files that cannot be removed also remain: they are hidden and never read.
 pub fn clean(folder: &Path) {
     let Ok(entries) = fs::read_dir(folder) else {
         return;

@@ -1,7 +1,8 @@
-//! Files appear whole or not at all.
+//! Atomic file writes.
 //!
-//! The content is written to a hidden neighbour of the target, flushed to the disk, then renamed over the target. A rename
-//! within one folder is atomic, so a reader (or a run that resumes) sees the old file or the new one, never a part.
+//! The content is written to a hidden file in the folder of the target, flushed to the disk, then
+//! renamed to the target. A rename within one folder is atomic, so a reader (or a resumed run) sees
+//! the old file or the new one, never a part.
 mod atomic;
 mod clean;
 pub use atomic::{StoreError, create, write, write_from};

@@ -1,35 +1,35 @@
-//! One column: its name, its unit, what it means, its values.
+//! Columns with name, unit, description and values.
 
-/// A column of a table.
+/// Column of a table.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Column {
     /// Name, with the unit as suffix: `mean_power_w`.
     pub name: String,
     /// Unit as printed: `W`, `Hz`, `N/m^1.5`; empty for text, flags and pure numbers.
     pub unit: String,
-    /// One line that says what it is.
+    /// Description in one line.
     pub about: String,
-    /// The values.
+    /// Values of the rows.
     pub values: Values,
 }
 
-/// The values of a column, one kind for all rows.
+/// Values of a column, of one kind for all rows.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Values {
     /// Real numbers.
     Float(Vec<f64>),
-    /// Whole numbers.
+    /// Integers.
     Integer(Vec<i64>),
     /// Counts.
     Count(Vec<u64>),
-    /// Yes or no.
+    /// Booleans.
     Flag(Vec<bool>),
     /// Text.
     Text(Vec<String>),
 }
 
 impl Column {
-    /// A column from any of the kinds of values that a table knows.
+    /// Creates a column from values of any supported kind.
     pub fn new(name: &str, unit: &str, about: &str, values: impl Into<Values>) -> Self {
         Self {
             name: name.to_owned(),
@@ -41,7 +41,7 @@ impl Column {
 }
 
 impl Values {
-    /// Number of rows.
+    /// Returns the number of rows.
     pub fn len(&self) -> usize {
         match self {
             Self::Float(v) => v.len(),
@@ -52,13 +52,13 @@ impl Values {
         }
     }
 
-    /// True when there is no row.
+    /// True where the column has no rows.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
-    /// The value of one row as text that reads back to the same value (`{:?}` of a float is the shortest such text).
-    /// `None` beyond the last row.
+    /// Returns the value of one row as text that parses back to the same value (`{:?}` of a float
+    /// is the shortest such text); `None` beyond the last row.
     pub fn text(&self, row: usize) -> Option<String> {
         match self {
             Self::Float(v) => v.get(row).map(|x| format!("{x:?}")),
@@ -69,7 +69,7 @@ impl Values {
         }
     }
 
-    /// The word for this kind in the notes of a file.
+    /// Returns the name of this kind in the notes of a file.
     pub(super) fn kind(&self) -> &'static str {
         match self {
             Self::Float(_) => "float",
@@ -80,7 +80,7 @@ impl Values {
         }
     }
 
-    /// Reads values of the given kind from text; the error names the first text that does not fit.
+    /// Parses values of the given kind; the error names the first invalid text.
     pub(super) fn parse(kind: &str, texts: Vec<String>) -> Result<Self, String> {
         match kind {
             "float" => parse_all(texts).map(Self::Float),

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use super::notes::Notes;
 use super::{Manifest, Table, Values};
 
-/// `sweep.csv` has its notes in `sweep.manifest.json`.
+/// Returns the path of the notes: `sweep.manifest.json` for `sweep.csv`.
 pub(super) fn sidecar_path(path: &Path) -> PathBuf {
     path.with_extension("manifest.json")
 }
@@ -26,7 +26,7 @@ pub(super) fn encode(table: &Table) -> Result<Vec<u8>, String> {
     writer.into_inner().map_err(|fault| fault.to_string())
 }
 
-/// Tables of the same columns, one after the other, below one line of names; only one of them is in memory at a time.
+/// Writes tables of the same columns below one header line; only one table is in memory at a time.
 pub(super) fn join<W: Write, E>(
     target: W,
     tables: impl IntoIterator<Item = Result<Table, E>>,

@@ -1,10 +1,10 @@
-//! What can be wrong with a table or its file.
+//! Errors of tables and their files.
 
 use std::path::PathBuf;
 
 use crate::store::StoreError;
 
-/// A fault of a table or of its file.
+/// Error of a table or of its file.
 #[derive(Debug, thiserror::Error, serde::Serialize)]
 #[serde(untagged)]
 pub enum TableError {
@@ -15,37 +15,37 @@ pub enum TableError {
     Lengths {
         /// Name of the column.
         column: String,
-        /// Its rows.
+        /// Rows of the column.
         rows: usize,
-        /// The rows of the table.
+        /// Rows of the table.
         expected: usize,
     },
-    /// Two columns with one name, or a column without a name.
+    /// Two columns have one name, or a column has no name.
     #[error("column name \"{column}\" is empty or used twice")]
     Name {
-        /// The name.
+        /// Name of the column.
         column: String,
     },
-    /// The ending of the file name says no known format.
+    /// The file extension is not a known format.
     #[error("cannot tell the format of \"{path}\" from its name; use .csv, .parquet or .json")]
     Format {
-        /// The path.
+        /// Path of the file.
         path: PathBuf,
     },
     /// A format library refused the content.
     #[error("cannot write \"{path}\": {reason}")]
     Encode {
-        /// The path.
+        /// Path of the file.
         path: PathBuf,
-        /// What it said.
+        /// Message of the library.
         reason: String,
     },
     /// The file could not be read back.
     #[error("cannot read the table \"{path}\": {reason}")]
     Read {
-        /// The path.
+        /// Path of the file.
         path: PathBuf,
-        /// What is wrong with it.
+        /// Reason of the failure.
         reason: String,
     },
     /// The file could not be stored.

@@ -15,7 +15,7 @@ pub(super) fn encode(table: &Table, manifest: &Manifest) -> String {
         + "\n"
 }
 
-/// JSON has no NaN and no infinity; they become `null`.
+/// NaN and infinities become `null`, because JSON lacks them.
 fn array(values: &Values) -> Value {
     match values {
         Values::Float(v) => v.iter().map(|&x| Value::from(x)).collect(),

@@ -1,27 +1,27 @@
-//! Where a table comes from: enough to make it again, nothing that changes from run to run.
+//! Origin of a table: all data to reproduce it, without time or machine.
 
 use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-/// The origin of a result. It holds no time and no machine, so that the same run gives the same bytes.
+/// Origin of a result. It contains no time and no machine, so the same run gives identical bytes.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Manifest {
-    /// The program that made it: `jounce`.
+    /// Name of the program: `jounce`.
     pub created_by: String,
-    /// Its version.
+    /// Version of the program.
     pub version: String,
-    /// SHA-256 of the spec in hexadecimal; empty where no spec was read.
+    /// SHA-256 of the spec in hexadecimal; empty without a spec.
     pub spec_sha256: String,
-    /// The command and its options, as the user would write them.
+    /// The command and its options, as typed by the user.
     pub options: BTreeMap<String, String>,
-    /// The seed of the random numbers, where any were drawn.
+    /// Seed of the random numbers, if any.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub seed: Option<u64>,
 }
 
 impl Manifest {
-    /// A manifest of this version of jounce.
+    /// Creates a manifest of this version of jounce.
     pub fn new(spec_sha256: &str) -> Self {
         Self {
             created_by: "jounce".to_owned(),
@@ -32,7 +32,7 @@ impl Manifest {
         }
     }
 
-    /// The same with one more option.
+    /// Returns the manifest with one more option.
     #[must_use]
     pub fn with(mut self, option: &str, value: impl ToString) -> Self {
         self.options.insert(option.to_owned(), value.to_string());

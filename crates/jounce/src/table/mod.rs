@@ -1,4 +1,4 @@
-//! Named columns with units, to files that other programs read without asking.
+//! Named columns with units, written to files that other programs read.
 //!
 //! | format | holds | floats |
 //! |---|---|---|
@@ -6,7 +6,7 @@
 //! | Parquet | typed columns, snappy; units, descriptions and manifest under the key `jounce` | bit for bit |
 //! | JSON | `columns`, `units`, `about`, `manifest` | shortest text; NaN and infinities become `null` |
 //!
-//! Every file is written atomically and holds no clock time: the same table gives the same bytes.
+//! Every file is written atomically and contains no time, so the same table gives identical bytes.
 //!
 //! pandas reads the CSV exactly with `read_csv(path, float_precision="round_trip")`.
 mod column;

@@ -1,4 +1,4 @@
-//! Columns of equal length, each under its own name.
+//! Tables: columns of equal length with unique names.
 
 use std::path::Path;
 
@@ -6,17 +6,17 @@ use super::{Column, Manifest, TableError, Values};
 use super::{csv, json, parquet};
 use crate::store;
 
-/// A table: columns of equal length with unique names.
+/// Table: columns of equal length with unique names.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Table {
     columns: Vec<Column>,
 }
 
 impl Table {
-    /// A table from its columns.
+    /// Creates a table from its columns.
     ///
     /// # Errors
-    /// Columns of different lengths, a name that is empty or used twice.
+    /// Columns have different lengths, or a name is empty or duplicate.
     pub fn new(columns: Vec<Column>) -> Result<Self, TableError> {
         let mut table = Self::default();
         columns
@@ -25,10 +25,10 @@ impl Table {
         Ok(table)
     }
 
-    /// Adds a column on the right.
+    /// Appends a column.
     ///
     /// # Errors
-    /// Its length differs from that of the table, its name is empty or taken.
+    /// The length differs from the number of rows, or the name is empty or duplicate.
     pub fn push(&mut self, column: Column) -> Result<(), TableError> {
         if column.name.is_empty() || self.column(&column.name).is_some() {
             return Err(TableError::Name {
@@ -47,17 +47,18 @@ impl Table {
         Ok(())
     }
 
-    /// All columns from left to right.
+    /// Returns all columns from left to right.
     pub fn columns(&self) -> &[Column] {
         &self.columns
     }
 
-    /// The column of that name.
+    /// Returns the column with a name.
     pub fn column(&self, name: &str) -> Option<&Column> {
         self.columns.iter().find(|column| column.name == name)
     }
 
-    /// The real numbers of the column of that name; `None` where there is none or it holds another kind.
+    /// Returns the real numbers of the column with a name; `None` if it is missing or of another
+    /// kind.
     pub fn floats(&self, name: &str) -> Option<&[f64]> {
         match &self.column(name)?.values {
             Values::Float(values) => Some(values),
@@ -65,19 +66,20 @@ impl Table {
         }
     }
 
-    /// Number of rows.
+    /// Returns the number of rows.
     pub fn rows(&self) -> usize {
         self.columns.first().map_or(0, |column| column.values.len())
     }
 
-    /// Writes the table in the format that the ending of `path` names: `.csv` (with its sidecar), `.parquet` or `.json`.
+    /// Writes the table in the format of the file extension: `.csv` (with its sidecar), `.parquet`
+    /// or `.json`.
     ///
     /// # Errors
-    /// Another ending, or a place that cannot be written; no partial file is left.
+    /// The extension is unknown, or the path is not writable; no partial file remains.
     pub fn write(&self, path: &Path, manifest: &Manifest) -> Result<(), TableError> {
         match ending(path) {
             Some("csv") => {
-                // The sidecar first: a CSV file that exists always has its notes.
+                // The sidecar is written first, so an existing CSV file always has its notes.
                 store::write(
                     &csv::sidecar_path(path),
                     csv::sidecar(self, manifest).as_bytes(),
@@ -101,20 +103,21 @@ impl Table {
         Ok(())
     }
 
-    /// The bytes of the table as a Parquet file.
+    /// Returns the bytes of the table as a Parquet file.
     ///
     /// # Errors
-    /// Content that Parquet refuses.
+    /// Parquet rejects the content.
     pub fn to_parquet(&self, manifest: &Manifest) -> Result<Vec<u8>, TableError> {
         parquet::encode(self, manifest)
             .map_err(|reason| encode_error(Path::new("table.parquet"), reason))
     }
 
-    /// Writes tables of the same columns one after the other to a file, each as it comes: `.parquet`, where each is a row group, or `.csv`
-    /// (with its sidecar).
+    /// Writes a sequence of tables of the same columns to one file: `.parquet`, one row group for
+    /// each table, or `.csv` (with its sidecar).
     ///
     /// # Errors
-    /// Another ending, the first table that is none, tables that do not go together, a place that cannot be written; no partial file is left.
+    /// The extension is unknown, one of the tables is an error, the columns differ, or the path is
+    /// not writable; no partial file remains.
     pub fn write_joined<E: From<TableError>>(
         path: &Path,
         manifest: &Manifest,
@@ -122,7 +125,7 @@ impl Table {
     ) -> Result<(), E> {
         let mut tables = tables.into_iter().peekable();
         match (ending(path), tables.peek()) {
-            // The sidecar first: a CSV file that exists always has its notes.
+            // The sidecar is written first, so an existing CSV file always has its notes.
             (Some("csv"), Some(Ok(first))) => {
                 store::write(
                     &csv::sidecar_path(path),
@@ -156,10 +159,10 @@ impl Table {
         }
     }
 
-    /// Reads a table that jounce wrote as CSV (with its sidecar) or Parquet, with its manifest.
+    /// Reads a table and its manifest from a CSV (with its sidecar) or Parquet file of jounce.
     ///
     /// # Errors
-    /// Another ending, a file that is missing, damaged or without the notes of jounce.
+    /// The extension is unknown, or the file is missing, damaged or without the notes of jounce.
     pub fn read(path: &Path) -> Result<(Self, Manifest), TableError> {
         let read = match ending(path) {
             Some("csv") => csv::decode(path),
@@ -248,7 +251,7 @@ mod tests {
         }
     }
 
-    /// Equal as bits, which `==` is not for NaN and -0.
+    /// True where the bits are equal; `==` differs for NaN and -0.
     fn same_bits(a: &Table, b: &Table) -> bool {
         let bits = |t: &Table| {
             t.floats("power_w")

@@ -1,19 +1,19 @@
-//! What a CSV or Parquet file says about its columns besides their names: unit, meaning, kind, and the manifest.
+//! Notes of a CSV or Parquet file: unit, description and kind of each column, and the manifest.
 
 use serde::{Deserialize, Serialize};
 
 use super::{Column, Manifest, Table, Values};
 
-/// The notes of a file, as JSON in a sidecar (CSV) or in the metadata (Parquet).
+/// Notes of a file, as JSON in a sidecar (CSV) or in the metadata (Parquet).
 #[derive(Debug, Serialize, Deserialize)]
 pub(super) struct Notes {
-    /// Where the table comes from.
+    /// Origin of the table.
     pub manifest: Manifest,
     /// One note per column, from left to right.
     pub columns: Vec<Note>,
 }
 
-/// The note of one column.
+/// Note of one column.
 #[derive(Debug, Serialize, Deserialize)]
 pub(super) struct Note {
     pub name: String,
@@ -45,7 +45,7 @@ impl Notes {
             .map_err(|fault| format!("its notes are not those of jounce ({fault})"))
     }
 
-    /// Joins the notes with the values of each column.
+    /// Combines the notes with the values of each column.
     pub(super) fn join(self, values: Vec<Values>) -> Result<(Table, Manifest), String> {
         let columns = self
             .columns

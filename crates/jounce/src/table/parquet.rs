@@ -48,7 +48,7 @@ pub(super) fn decode(path: &Path) -> Result<(Table, Manifest), String> {
     notes.join(values)
 }
 
-/// Tables of the same columns, one after the other, to one file; only one of them is in memory at a time.
+/// Writes tables of the same columns to one file; only one table is in memory at a time.
 pub(super) fn join<W: Write + Send, E>(
     target: W,
     manifest: &Manifest,
@@ -83,7 +83,7 @@ fn write(table: &Table, manifest: &Manifest) -> Result<Vec<u8>, ParquetError> {
     Ok(bytes)
 }
 
-/// A file for tables like this one.
+/// Begins a file for tables with the columns of this one.
 fn begin<W: Write + Send>(
     target: W,
     table: &Table,
@@ -101,7 +101,7 @@ fn begin<W: Write + Send>(
     SerializedFileWriter::new(target, Arc::new(schema(table)?), Arc::new(properties))
 }
 
-/// The rows of a table as one group.
+/// Appends the rows of a table as one row group.
 fn append<W: Write + Send>(
     writer: &mut SerializedFileWriter<W>,
     table: &Table,
@@ -151,7 +151,7 @@ fn write_column(
     match values {
         Values::Float(v) => target.typed::<DoubleType>().write_batch(v, None, None),
         Values::Integer(v) => target.typed::<Int64Type>().write_batch(v, None, None),
-        // Parquet stores an unsigned integer as the signed one of the same bits.
+        // Parquet stores an unsigned integer as the signed integer with the same bits.
         Values::Count(v) => target.typed::<Int64Type>().write_batch(
             &v.iter().map(|x| x.cast_signed()).collect::<Vec<_>>(),
             None,
