@@ -18,8 +18,8 @@ pub struct Coupling {
     pub coupling_squared: f64,
 }
 
-/// Returns the coupling of every mode with every patch: `w_oc^2 = w_sc^2 (1 + theta^2 / (C
-/// w_sc^2))`.
+/// Returns the coupling of every mode with every patch:
+/// `w_oc^2 = w_sc^2 (1 + theta^2 / (C w_sc^2))`.
 pub fn couplings(modes: &Modes) -> Vec<Coupling> {
     let mut all = Vec::new();
     for (name, patch) in &modes.patch {

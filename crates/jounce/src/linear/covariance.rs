@@ -6,8 +6,9 @@
 //! A P + P A^T = -(S / 2) (F b b^T + b b^T F^T),     F = (1 / 2 pi) integral over w_1 < |w| < w_2 of (i w I - A)^-1 dw
 //! ```
 //!
-//! `F` is a function of `A`. On the eigenvalue `l` it is `-i / (2 pi) [log(i w - l) - log(-i w -
-//! l)]` between `w_1` and `w_2`, and 1/2 for white noise. No numerical integration is needed. Mean
+//! `F` is a function of `A`. On the eigenvalue `l` it is
+//! `-i / (2 pi) [log(i w - l) - log(-i w - l)]` between `w_1` and `w_2`, and 1/2 for white noise.
+//! No numerical integration is needed. Mean
 //! squares and products of outputs `c` are `c P c^T`.
 //!
 //! Limits: far from every resonance, the response in a band is a difference of numbers as large as

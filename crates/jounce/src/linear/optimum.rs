@@ -26,8 +26,8 @@ pub fn steady_power_w(plant: &Plant) -> f64 {
 /// Returns the resistance of load number `load` with the largest steady mean power, others
 /// unchanged.
 ///
-/// With one tone the voltage is `V = I / (1 / R + Y)`, with `I` and `Y` independent of `R`. Then `P
-/// = |I|^2 R / (2 |1 + R Y|^2)` has its only maximum at `R = 1 / |Y|` (Thevenin).
+/// With one tone the voltage is `V = I / (1 / R + Y)`, with `I` and `Y` independent of `R`. Then
+/// `P = |I|^2 R / (2 |1 + R Y|^2)` has its only maximum at `R = 1 / |Y|` (Thevenin).
 ///
 /// # Errors
 /// [`PlantError`] of the plants at two trial resistances.
