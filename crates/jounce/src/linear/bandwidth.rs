@@ -1,13 +1,14 @@
 //! Bandwidths of a response to noise.
 //!
 //! ```text
-//! noise bandwidth        integral_0^inf |H|^2 df / max |H|^2   band of a flat filter of equal power
-//! statistical bandwidth  (integral G df)^2 / integral G^2 df   of the response with the density G
+//! noise bandwidth        integral_0^inf |H|^2 df / max |H|^2  band of a flat filter of equal power
+//! statistical bandwidth  (integral G df)^2 / integral G^2 df  of the response with the density G
 //! ```
 //!
 //! An oscillator has the noise bandwidth `pi zeta f_n` for its velocity and
 //! `pi zeta (1 - zeta^2) f_n` for its displacement. The statistical bandwidth of a flat band of
-//! noise is its width. Source: J. S. Bendat, A. G. Piersol, Random Data, 4th ed. (2010), sections 8.2 and 8.5.
+//! noise is its width. Source: J. S. Bendat, A. G. Piersol, Random Data, 4th ed. (2010), sections
+//! 8.2 and 8.5.
 
 use super::covariance::{covariance, product};
 use super::noise::{NoiseInput, gain, spectral_moment};
