@@ -1,4 +1,4 @@
-"""Time of the marching alone, as jounce states it, for what has no peer: a second stop, noise, a recording."""
+"""Wall time of the integration only, as jounce reports it, for tasks without a peer: a second stop, noise, a recording."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ scale = 5
 
 @dataclass
 class March:
-    """Times of marching, s, the steps of the march and the contacts in its averaging window; `failed` says why there are none."""
+    """Times of the integration, s, its steps and the contacts in its averaging window; `failed` is the reason of a failure."""
 
     task: str
     wall_time_s: list[float] = field(default_factory=list)
@@ -62,18 +62,18 @@ class March:
 
 
 def without(spec: str, table: str) -> str:
-    """The spec without one of its tables."""
+    """Returns the spec without one of its tables."""
     return re.sub(rf"^\[{re.escape(table)}\]\n(?:(?!\[).*\n?)*", "", spec, flags=re.MULTILINE)
 
 
 def with_drive(spec: str, drive: str, duration_s: int) -> str:
-    """The spec with another drive and another duration; everything else stays."""
+    """Returns the spec with another drive and another duration, otherwise unchanged."""
     run = f'[run]\nstart = "rest"\nduration = "{duration_s} s"\naverage_over = "{duration_s - 10} s"\n'
     return f"{without(without(spec, 'drive.shaker'), 'run')}{drive}\n{run}"
 
 
 def recording(duration_s: int, rate_hz: int) -> str:
-    """Filtered noise as a file of two columns, the same at every call."""
+    """Returns filtered noise as a file of two columns, identical at every call."""
     drawn, value, lines = random.Random(1), 0.0, ["time_s,value"]
     for k in range(duration_s * rate_hz + 1):
         value += 0.02 * (drawn.gauss(0.0, 5.0) - value)
@@ -82,7 +82,7 @@ def recording(duration_s: int, rate_hz: int) -> str:
 
 
 def tasks(plant: str, harvester: str) -> list[tuple[str, str, tuple[str, ...]]]:
-    """Name, text of the spec and options of every task: of the plant given by modes, and of the paper's harvester on a moving base."""
+    """Returns name, spec and options of every task: of the plant given by modes, and of the paper's harvester on a moving base."""
     found = []
     for hertz in FREQUENCIES_HZ:
         options = (*TOLERANCE, "--set", f"drive.shaker.frequency={hertz} Hz")
@@ -95,7 +95,7 @@ def tasks(plant: str, harvester: str) -> list[tuple[str, str, tuple[str, ...]]]:
 
 
 def marches(binary: Path, plant: Path, spec: Path, repeats: int, cap_s: float) -> list[March]:
-    """Every task, interleaved, each in a process of its own on one thread."""
+    """Runs every task, interleaved, each in its own process on one thread."""
     wanted = tasks(plant.read_text(), spec.read_text())
     found = [March(name) for name, _, _ in wanted]
     with tempfile.TemporaryDirectory() as name:
@@ -122,7 +122,7 @@ def record(march: March, answer: dict[str, Any]) -> None:
 
 
 def ratio_of_stops(found: list[March]) -> list[str]:
-    """What a second stop costs per frequency: in all, and per step."""
+    """Returns the cost of a second stop per frequency: total, and per step."""
     done = {march.task: march for march in found if march.wall_time_s}
     lines = []
     for hertz in FREQUENCIES_HZ:
@@ -137,7 +137,7 @@ def ratio_of_stops(found: list[March]) -> list[str]:
 
 
 def report(described: list[str], found: list[March]) -> str:
-    """The whole file."""
+    """Returns the text of the file."""
     head = ["# Marching alone", "", "Written by `bench/marches.py`; how to read it is in `bench/README.md`.", "", *(f"- {line}" for line in described)]
     rows = ["", "| task | march ms, median [min .. max] | steps | contacts |", "|---|---|---|---|"]
     for march in found:

@@ -1,4 +1,4 @@
-"""RESULTS.md: what was measured, on what, and how far apart the methods stand at the same error."""
+"""RESULTS.md: measurements, machine, and the ratios of the methods at the same error."""
 
 from __future__ import annotations
 
@@ -12,23 +12,23 @@ TARGETS = (1e-4, 1e-6, 1e-8, 1e-9)
 
 
 def milliseconds(seconds: float) -> str:
-    """Three digits, in ms."""
+    """Returns a time with three digits, in ms."""
     return f"{1e3 * seconds:.3g}" if seconds < 1.0 else f"{1e3 * seconds:.0f}"
 
 
 def span(seconds: list[float]) -> str:
-    """Median and extremes, ms."""
+    """Returns median and extremes, ms."""
     return f"{milliseconds(median(seconds))} [{milliseconds(min(seconds))} .. {milliseconds(max(seconds))}]"
 
 
 def base_of(results: list[Result]) -> str:
-    """What ratios are taken to: jounce where it ran, else RK4."""
+    """Returns the base of the ratios: jounce if it ran, else RK4."""
     ran = {result.peer for result in results if result.cpu_s}
     return "jounce" if "jounce" in ran else "RK4 (C)"
 
 
 def row(result: Result, results: list[Result], base: str) -> str:
-    """One line of the long table."""
+    """Returns one line of the long table."""
     setting = f"{result.setting:.0e}" if result.setting < 1.0 else f"{result.setting:.0f}"
     head = f"| {result.peer} | {setting} {result.setting_name} |"
     if result.error is None or not result.cpu_s:
@@ -43,7 +43,7 @@ def row(result: Result, results: list[Result], base: str) -> str:
 
 
 def at_the_same_error(results: list[Result], case: str, base: str) -> list[str]:
-    """Times of every method at a few errors, and their ratios to the base."""
+    """Returns the times of every method at a few errors, and their ratios to the base."""
     lines = ["| method | " + " | ".join(f"{target:.0e}" for target in TARGETS) + " |", "|---|" + "---|" * len(TARGETS)]
     for peer in dict.fromkeys(result.peer for result in results if result.case == case):
         cells = []
@@ -56,7 +56,7 @@ def at_the_same_error(results: list[Result], case: str, base: str) -> list[str]:
 
 
 def case_section(results: list[Result], case: str, reference: tuple[float, float], base: str) -> list[str]:
-    """One case of one plant: the short table, then the long one."""
+    """Returns one case of one plant: the short table, then the long one."""
     rows = [row(result, results, base) for result in results if result.case == case]
     return [
         f"### {case}",
@@ -75,7 +75,7 @@ def case_section(results: list[Result], case: str, reference: tuple[float, float
 
 
 def whole_section(wholes: list[Whole]) -> list[str]:
-    """The times of jounce alone."""
+    """Returns the times of jounce only."""
     if not wholes:
         return []
     head = "| task | CPU ms, all cores, median [min .. max] | wall ms, median [min .. max] |"
@@ -93,7 +93,7 @@ def report(
     wholes: list[Whole],
     cap_s: float,
 ) -> str:
-    """The whole file."""
+    """Returns the text of the file."""
     lines = ["# Results", "", "Written by `bench/run.py`; how to read it is in `bench/README.md`.", "", *(f"- {line}" for line in machine)]
     lines += [f"- A run was stopped after {cap_s:g} s of CPU time.", ""]
     for plant, found in results.items():

@@ -148,8 +148,8 @@ pub fn size(drawing: &Drawing, body: usize) -> (f64, f64) {
     }
 }
 
-/// Returns the area of a body. A mass with contacts on both sides includes its spring at the side,
-/// clear of the contacts.
+/// Returns the area of a body. A sprung mass with contacts on both sides is shifted sideways,
+/// so that its spring is clear of them.
 pub fn room(drawing: &Drawing, body: usize, spot: DrawnSpot, px_per_m: f64) -> Rect {
     match &drawing.bodies[body].shape {
         DrawnShape::Beam(beam) => {
