@@ -1,6 +1,7 @@
 //! Exact covariance of the state under noise in a band: the frequency-limited Gramian.
 //!
-//! Noise of the one-sided density `S` between `f_1` and `f_2` on the column `b` gives the state `y` the covariance `P`,
+//! Noise with the one-sided density `S` between `f_1` and `f_2` on the column `b` gives the state
+//! `y` the covariance `P`,
 //!
 //! ```text
 //! A P + P A^T = -(S / 2) (F b b^T + b b^T F^T),     F = (1 / 2 pi) integral over w_1 < |w| < w_2 of (i w I - A)^-1 dw

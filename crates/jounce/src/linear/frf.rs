@@ -1,4 +1,4 @@
-//! Frequency response functions of any output to a force on any point or to an acceleration of the base.
+//! Frequency response functions of any output to a force on a point or an acceleration of the base.
 
 use crate::plant::{Plant, PlantError};
 use faer::c64;

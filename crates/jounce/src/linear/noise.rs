@@ -1,6 +1,7 @@
 //! Stationary noise, and the mean power under noise by integrals over frequency.
 //!
-//! With the one-sided power spectral density `S` of a drive (unit^2 per Hz) the mean power of a resistor `R` is
+//! With the one-sided power spectral density `S` of a drive (unit^2 per Hz) the mean power of a
+//! resistor `R` is
 //!
 //! ```text
 //! E[V^2] / R = integral S |V(f) / u|^2 / R df                        (Wiener and Khinchin)

@@ -1,4 +1,5 @@
-//! Integrals of functions with sharp peaks at the ends of the interval: the double exponential rule.
+//! Integrals of functions with sharp peaks at the ends of the interval by the double exponential
+//! rule.
 //!
 //! ```text
 //! x = (a + b) / 2 + (b - a) / 2 tanh((pi / 2) sinh t),      integral = h sum_k f(x(k h)) x'(k h)

@@ -1,6 +1,7 @@
 //! An axis with fixed ends: position of a value along it.
 //!
-//! Linear: `(x - low) / (high - low)`; logarithmic: `ln(x / low) / ln(high / low)`; 0 at the low end, 1 at the high end.
+//! Linear: `(x - low) / (high - low)`; logarithmic: `ln(x / low) / ln(high / low)`; 0 at the low
+//! end, 1 at the high end.
 
 use super::axis::MAX_PLOTTED_VALUE;
 use super::{Axis, PictureError, Scale};

@@ -36,14 +36,15 @@ pub struct Grip {
 /// Kind of a movable part.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum GripPart {
-    /// The end of a patch near the root, by the indices of body and patch; it grows with the distance from the root.
+    /// End of a patch near the root, by the indices of body and patch; it grows with the distance
+    /// from the root.
     PatchStart {
         /// Index of the body.
         body: usize,
         /// Index of the patch on it.
         patch: usize,
     },
-    /// The other end of a patch; it grows with the length of the patch.
+    /// Other end of a patch; it grows with the length of the patch.
     PatchEnd {
         /// Index of the body.
         body: usize,

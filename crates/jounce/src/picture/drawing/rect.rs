@@ -90,7 +90,7 @@ impl Rect {
 
     /// True where a straight line segment passes through it.
     pub fn crossed(&self, from: (f64, f64), to: (f64, f64)) -> bool {
-        // The part of the line between two opposite edges, in each direction (Liang and Barsky 1984).
+        // Part of the line between two opposite edges, in each direction (Liang and Barsky 1984).
         let (mut first, mut last) = (0.0_f64, 1.0_f64);
         for (start, step, low, high) in [
             (from.0, to.0 - from.0, self.left, self.right),

@@ -1,4 +1,4 @@
-//! Frequency responses: magnitude on a logarithmic axis over phase, as in the paper's figures 4 and 5.
+//! Frequency responses: magnitude on a logarithmic axis over phase (figures 4 and 5 of the paper).
 
 use crate::picture::{Axis, Colour, Figure, Line, Panel, Scale, Series};
 

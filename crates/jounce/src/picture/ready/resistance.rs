@@ -102,7 +102,8 @@ mod tests {
         }
     }
 
-    /// `P = P_0 2 R R_0 / (R^2 + R_0^2)` has its maximum at `R_0`; ten points a decade: measured 0.1 % off at worst.
+    /// `P = P_0 2 R R_0 / (R^2 + R_0^2)` has its maximum at `R_0`. With ten points a decade the
+    /// largest measured error is 0.1 %.
     #[test]
     fn the_best_resistance_lies_between_the_points() {
         for best in [60e3, 67e3, 69.2e3, 75e3] {

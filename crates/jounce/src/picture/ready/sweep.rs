@@ -1,4 +1,5 @@
-//! Sweeps: a result over a parameter stepped up and down, at several levels, as in the paper's figure 6.
+//! Sweeps: a result over a parameter stepped up and down, at several levels (figure 6 of the
+//! paper).
 
 use crate::picture::{Axis, Colour, Figure, Line, Marker, Panel, Scale, Series};
 
