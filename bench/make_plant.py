@@ -57,7 +57,7 @@ def electromechanical_n_m_per_v() -> float:
 
 
 def displacement_rows(x_m: Array) -> Array:
-    """Displacement at x per unit of each unknown: the table first, then the curvature terms piece by piece."""
+    """Returns the displacement at x per unit of each unknown: the table first, then the curvature terms piece by piece."""
     rows = np.zeros((x_m.size, 1 + 3 * TERMS))
     rows[:, 0] = 1.0
     for piece in range(3):
@@ -75,7 +75,7 @@ def displacement_rows(x_m: Array) -> Array:
 
 
 def mass_matrix() -> Array:
-    """Mass in the unknowns of `displacement_rows`, kg, by Gauss quadrature that is exact for these polynomials."""
+    """Returns the mass in the unknowns of `displacement_rows`, kg, by Gauss quadrature that is exact for these polynomials."""
     nodes, weights = legendre.leggauss(TERMS + 4)
     mass = np.zeros((1 + 3 * TERMS, 1 + 3 * TERMS))
     mass[0, 0] = TABLE_KG
@@ -87,14 +87,14 @@ def mass_matrix() -> Array:
 
 
 def stiffness_diagonal() -> Array:
-    """Stiffness in the same unknowns, diagonal: the table's spring, then EI times the norm of each Legendre term."""
+    """Returns the diagonal stiffness in the same unknowns: the table's spring, then EI times the norm of each Legendre term."""
     norms = 2.0 / (2.0 * np.arange(TERMS) + 1.0)
     halves = np.diff(BREAKS_M) / 2.0
     return np.concatenate([[TABLE_STIFFNESS_N_M], *(ei * half * norms for ei, half in zip(bending_stiffness_n_m2(), halves, strict=True))])
 
 
 def solve(count: int) -> Modes:
-    """The lowest `count` modes; damping beyond the measured seven repeats the last measured ratio."""
+    """Returns the lowest `count` modes; damping beyond the measured seven repeats the last measured ratio."""
     scale = 1.0 / np.sqrt(stiffness_diagonal())
     squared_periods, shapes = np.linalg.eigh(mass_matrix() * scale[:, None] * scale[None, :])
     squared_periods, shapes = squared_periods[::-1][:count], shapes[:, ::-1][:, :count]
@@ -112,12 +112,12 @@ def solve(count: int) -> Modes:
 
 
 def numbers(values: Array) -> str:
-    """A TOML array whose numbers read back to the same bits."""
+    """Returns a TOML array whose numbers read back to the same bits."""
     return "[" + ", ".join(repr(float(value)) for value in values) + "]"
 
 
 def spec(modes: Modes) -> str:
-    """The plant as a jounce spec."""
+    """Returns the plant as a jounce spec."""
     count = modes.frequency_hz.size
     return f"""# The harvester of "Experimental validation of an impact off-resonance energy harvester" (2019) by {count} of its modes:
 # one of the table (damping ratio {TABLE_DAMPING}) and {count - 1} of the beam. Written by make_plant.py; do not edit.
@@ -159,7 +159,7 @@ average_over = "10 s"
 
 
 def main() -> None:
-    """Writes both plants beside this file."""
+    """Writes both plants next to this file."""
     here = Path(__file__).parent
     (here / "plant.toml").write_text(spec(solve(8)))
     (here / "plant-24.toml").write_text(spec(solve(24)))

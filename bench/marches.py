@@ -1,6 +1,6 @@
-"""Times jounce where it has no peer, a second stop, noise and a recording, and writes MARCHES.md.
+"""Times jounce on tasks without a peer, a second stop, noise and a recording, and writes MARCHES.md.
 
-`python3 bench/marches.py --help` lists the options. Needs nothing but Python 3.11 and the program.
+`python3 bench/marches.py --help` lists the options. Needs only Python 3.11 and the program.
 """
 
 from __future__ import annotations

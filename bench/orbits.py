@@ -1,6 +1,7 @@
-"""Runs jounce beside AUTO-07p and a plain harmonic balance on the branch of periodic orbits, and writes ORBITS.md.
+"""Runs jounce, AUTO-07p and a plain harmonic balance on the branch of periodic orbits, and writes ORBITS.md.
 
-`python3 bench/orbits.py --help` lists the options. Needs Python 3.11 and gcc; AUTO-07p also needs the Debian packages auto-07p and gfortran.
+`python3 bench/orbits.py --help` lists the options. Needs Python 3.11 and gcc; AUTO-07p also needs the Debian packages auto-07p and
+gfortran.
 """
 
 from __future__ import annotations
@@ -58,7 +59,7 @@ def main() -> None:
 
 
 def write(text: str, stem: Path, parts: dict[str, Sequence[Any]], keep: bool) -> None:
-    """Keeps every number of this run under bench/results, and the report in ORBITS.md."""
+    """Stores every number of this run under bench/results, and the report in ORBITS.md."""
     stem.parent.mkdir(exist_ok=True)
     raw = {name: [dataclasses.asdict(each) for each in part] for name, part in parts.items()}
     stem.with_suffix(".json").write_text(json.dumps(raw, indent=1))
@@ -68,7 +69,7 @@ def write(text: str, stem: Path, parts: dict[str, Sequence[Any]], keep: bool) ->
 
 
 def specs(modes: tuple[int, ...]) -> dict[int, Path]:
-    """The harvester by more and more of its modes."""
+    """Returns specs of the harvester with increasing numbers of modes."""
     import make_plant
     from harness.build import BUILD
 

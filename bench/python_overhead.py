@@ -1,7 +1,7 @@
-"""Measures what the Python package adds to one run of the library, and writes PYTHON.md; `python_study.py` measures studies.
+"""Measures the overhead of the Python package on one run of the library, and writes PYTHON.md; `python_study.py` measures studies.
 
-`python bench/python_overhead.py --help` lists the options. Needs the package, and cargo or a built `peer-jounce`; load on the machine falls
-on all figures, so leave it alone meanwhile. PYTHON.md is written by a full run only.
+`python bench/python_overhead.py --help` lists the options. Needs the package, and cargo or a built `peer-jounce`. Other load on the machine
+changes all figures. Only a full run writes PYTHON.md.
 """
 
 from __future__ import annotations
@@ -24,10 +24,10 @@ from harness import build, machine
 HERE = Path(__file__).resolve().parent
 SPEC = HERE.parent / "examples" / "impact-harvester-2019" / "harvester.toml"
 
-#: Fewest repetitions of a full run.
+#: Smallest number of repetitions of a full run.
 FULL = 200
 
-#: What the package may add to the library's own call, s.
+#: Largest allowed overhead over the library's own call, s.
 WANTED_S = 0.2e-3
 
 PYTHON, LIBRARY, MARCHING = "`Spec.run` in Python", "the same library calls, in Rust", "`simulate` alone, in Rust"
@@ -44,7 +44,7 @@ def options() -> argparse.Namespace:
 
 
 def in_turn(peer: subprocess.Popen[str], repeats: int) -> dict[str, list[tuple[float, float]]]:
-    """Wall time of each call, and the part of it that is not marching, s; the calls of both in turn, all warm."""
+    """Returns the wall time of each call, and its part outside the integration, s; the calls alternate, all warm."""
     spec = jounce.read(SPEC)
     spec.run()
     found: dict[str, list[tuple[float, float]]] = {PYTHON: [], LIBRARY: [], MARCHING: []}
@@ -64,7 +64,7 @@ def in_turn(peer: subprocess.Popen[str], repeats: int) -> dict[str, list[tuple[f
 
 
 def asked(to: IO[str] | None, of: IO[str] | None) -> str:
-    """One more run of the peer."""
+    """Requests one more run of the peer."""
     assert to is not None and of is not None
     to.write("\n")
     to.flush()
@@ -72,14 +72,14 @@ def asked(to: IO[str] | None, of: IO[str] | None) -> str:
 
 
 def row(name: str, times: Sequence[tuple[float, float]]) -> str:
-    """A line of the table."""
+    """Returns a line of the table."""
     wall_s, outside_s = zip(*times, strict=True)
     cells = (f"{1e3 * pick(kind):.3f}" for kind in (wall_s, outside_s) for pick in (min, median))
     return f"| {name} | {' | '.join(cells)} |"
 
 
 def report(described: list[str], found: dict[str, list[tuple[float, float]]]) -> str:
-    """The figures for reading."""
+    """Returns the text of the report."""
     outside_s = {name: [outside for _, outside in times] for name, times in found.items()}
     lines = ["# Overhead of Python per run", "", "Written by `bench/python_overhead.py`; `bench/README.md` explains it.", ""]
     lines += [f"- {line}" for line in described]

@@ -1,9 +1,9 @@
-"""Measures a study of many short runs over gap, frequency and load, and writes STUDIES.md: its time beside that of its marches, its
-memory, what kills lose.
+"""Measures a study of many short runs over gap, frequency and load: its time relative to its integrations, its memory, and the loss by
+kills. Writes STUDIES.md.
 
-`python bench/python_study.py --help` lists the options. Needs the package with its extra `dask`; load on the machine falls on all
-figures, so leave it alone meanwhile. The table must come out bit by bit the same on threads, after the kills and through Dask: where
-it does not, this ends with an error. STUDIES.md is written by a full run only.
+`python bench/python_study.py --help` lists the options. Needs the package with its extra `dask`. Other load on the machine changes all
+figures. The table must have the same bits on threads, after the kills and through Dask; otherwise the program ends with an error. Only a
+full run writes STUDIES.md.
 """
 
 from __future__ import annotations
@@ -32,14 +32,13 @@ SPEC = HERE.parent / "examples" / "impact-harvester-2019" / "harvester.toml"
 KEYS = ("stop.tip.gap", "drive.shaker.frequency", "circuit.load.resistance")
 KILLS = 5
 
-#: Points of a full run.
+#: Number of points of a full run.
 FULL = 100_000
 
-#: What may be added to the time of the marches by the study, and to the time of the study by Dask.
+#: Largest allowed overhead of the study over its integrations, and of Dask over the study.
 WANTED_STUDY, WANTED_DASK = 0.10, 0.15
 
-#: Runs a study in a process of its own and prints how long that took and how long all threads marched, s, and the most memory that it
-#: held, bytes.
+#: Runs a study in its own process and prints its wall time, the integration time of all threads, s, and its peak memory, bytes.
 CHILD = """
 import pickle, resource, sys, time
 study, out, threads = pickle.loads(sys.stdin.buffer.read())
@@ -50,14 +49,14 @@ print(time.perf_counter() - begin, result.wall_time_s, 1024 * resource.getrusage
 
 
 class Taken(NamedTuple):
-    """What a study took: wall time and the marching of all threads together, s, and the most memory of a process, bytes."""
+    """Cost of a study: wall time and the integration time of all threads, s, and the peak memory of a process, bytes."""
 
     wall_s: float
     wall_time_s: float
     peak_bytes: int
 
     def beside_marches(self, threads: int) -> float:
-        """Wall time over that of the marches shared evenly by the threads, less 1."""
+        """Returns the wall time relative to the integration time per thread, minus 1."""
         return self.wall_s * threads / self.wall_time_s - 1.0
 
 
@@ -74,7 +73,7 @@ def options() -> argparse.Namespace:
 
 
 def study_of(points: int, duration: str) -> jounce.Study:
-    """Gap times frequency times load, about so many points."""
+    """Returns a study of gap times frequency times load, with about so many points."""
     side = max(2, round(points ** (1.0 / 3.0)))
     load = max(2, round(points / side**2))
     half = 0.5 * jounce.read(SPEC).changed({"run.duration": duration, "run.average_over": "1 ms"}).si("run.duration")
@@ -84,7 +83,7 @@ def study_of(points: int, duration: str) -> jounce.Study:
 
 
 def started(study: jounce.Study, folder: Path, threads: int) -> subprocess.Popen[bytes]:
-    """A process at work on the study."""
+    """Starts a process that computes the study."""
     child = subprocess.Popen([sys.executable, "-c", CHILD], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
     assert child.stdin is not None
     child.stdin.write(pickle.dumps((study, str(folder), threads)))
@@ -93,7 +92,7 @@ def started(study: jounce.Study, folder: Path, threads: int) -> subprocess.Popen
 
 
 def finished(child: subprocess.Popen[bytes]) -> Taken:
-    """What a process that ends by itself took."""
+    """Returns the cost of a process that ends normally."""
     assert child.stdout is not None
     said = child.stdout.read().split()
     if child.wait() != 0:
@@ -102,13 +101,13 @@ def finished(child: subprocess.Popen[bytes]) -> Taken:
 
 
 def digest(folder: Path) -> str:
-    """SHA-256 of the table."""
+    """Returns the SHA-256 of the table."""
     with open(jounce.StudyResult(folder).path, "rb") as file:
         return hashlib.file_digest(file, "sha256").hexdigest()
 
 
 def killed(study: jounce.Study, folder: Path, threads: int, expected_s: float, seed: int) -> dict[str, Any]:
-    """The study killed at random times that are spread over its length, resumed each time, and finished."""
+    """Runs the study with kills at random times spread over its length; it is resumed each time, and finished."""
     pauses_s = np.random.default_rng(seed).uniform(0.3, 1.0, KILLS) * expected_s / (KILLS + 1)
     parts = []
     for pause_s in pauses_s:
@@ -125,7 +124,7 @@ def killed(study: jounce.Study, folder: Path, threads: int, expected_s: float, s
 
 
 def through_dask(study: jounce.Study, folder: Path, workers: int) -> Taken:
-    """The study on a cluster that stands and has imported the package; its memory is the most of this process and of a worker."""
+    """Runs the study on a started cluster that has imported the package; its memory is the largest of this process and of a worker."""
     from distributed import Client, LocalCluster
 
     def peak_bytes() -> int:
@@ -141,7 +140,7 @@ def through_dask(study: jounce.Study, folder: Path, workers: int) -> Taken:
 
 
 def measured(chosen: argparse.Namespace, folder: Path) -> dict[str, Any]:
-    """Every figure."""
+    """Measures every figure."""
     study, small = study_of(chosen.points, chosen.duration), study_of(max(1, chosen.points // 10), chosen.duration)
     build.say(f"{len(small)} points, then {len(study)} in {study.parts} parts")
     tenth = finished(started(small, folder / "small", chosen.threads))
@@ -161,7 +160,7 @@ def measured(chosen: argparse.Namespace, folder: Path) -> dict[str, Any]:
 
 
 def report(described: list[str], found: dict[str, Any]) -> str:
-    """The figures for reading."""
+    """Returns the text of the report."""
     threads, whole = found["threads"], found["whole"]
     rows = {
         f"{found['points'][0]} points": found["tenth"],

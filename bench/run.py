@@ -1,4 +1,4 @@
-"""Runs jounce beside its peers on one model, in one interleaved run, and writes RESULTS.md and the work-precision picture.
+"""Runs jounce and its peers on one model, in one interleaved run, and writes RESULTS.md and the work-precision picture.
 
 `python3 bench/run.py --help` lists the options. Needs Python 3.11, gcc, cargo and, for ode45, Octave.
 """
@@ -23,7 +23,7 @@ MANY_MODE_CASES = ((50.0, 11.0), (50.0, 6.0))
 
 
 def enter_venv() -> None:
-    """Makes bench/.venv once and goes on inside it."""
+    """Makes bench/.venv once and continues inside it."""
     python = VENV / "bin" / "python"
     if Path(sys.prefix) == VENV:
         return
@@ -88,7 +88,7 @@ def main() -> None:
 
 
 def keep(results: dict[str, list[Any]], wholes: list[Any]) -> Path:
-    """Keeps every number of this run under bench/results, before anything is made of them; the name without its ending."""
+    """Stores every number of this run under bench/results before processing; returns the file name without extension."""
     folder = HERE / "results"
     folder.mkdir(exist_ok=True)
     stem = folder / time.strftime("%Y-%m-%dT%H-%M-%S")

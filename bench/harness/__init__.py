@@ -1,1 +1,1 @@
-"""Runs jounce beside its peers on one model and sets their times against their errors."""
+"""Runs jounce and its peers on one model and compares their times at equal errors."""

@@ -1,4 +1,4 @@
-"""AUTO-07p: the constants of a run, and what its two output files say."""
+"""AUTO-07p: the constants of a run, and readers of its two output files."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ FAILED = -9  # MX
 
 @dataclass(frozen=True)
 class Mesh:
-    """Collocation on `intervals` with 4 points each, adapted at every step, and what Newton's method is held to."""
+    """Collocation on `intervals` with 4 points each, adapted at every step, and the tolerance of Newton's method."""
 
     name: str
     intervals: int
@@ -21,7 +21,7 @@ class Mesh:
 
 @dataclass(frozen=True)
 class Row:
-    """One point of the branch: its AUTO type, 0 for none, its frequency and the mean power of the orbit."""
+    """One point of the branch: its AUTO type (0 without one), its frequency and the mean power of the orbit."""
 
     kind: int
     frequency_hz: float
@@ -29,7 +29,7 @@ class Row:
 
 
 def constants(modes: int, mesh: Mesh, from_hz: float, to_hz: float, at_hz: tuple[float, ...]) -> str:
-    """The constants file `fort.2`: periodic orbits (IPS 2) from the one in the code (IRS 0), with folds and multipliers."""
+    """Returns the constants file `fort.2`: periodic orbits (IPS 2) from the one in the code (IRS 0), with folds and multipliers."""
     listed = ", ".join(repr(each) for each in at_hz)
     return f"""\
 NDIM= {2 * modes + 3}, IPS= 2, IRS= 0, ILP= 1, ISP= 2, ISW= 1
@@ -44,7 +44,7 @@ UZR= {{1: [{listed}]}}, UZSTOP= {{1: [{to_hz!r}]}}
 
 
 def rows(diagram: str) -> list[Row]:
-    """The points in `fort.7`; its header lines begin with 0. AUTO ends a number below 1e-99 with no E, which only a norm here can be."""
+    """Reads the points in `fort.7`; header lines begin with 0. AUTO writes a number below 1e-99 without E; here that can only be a norm."""
     found = []
     for line in diagram.splitlines():
         words = line.split()
@@ -54,9 +54,9 @@ def rows(diagram: str) -> list[Row]:
 
 
 def largest_multipliers(log: str, frequencies_hz: tuple[float, ...]) -> dict[float, float]:
-    """Largest modulus at each frequency from `fort.9`, the trivial multiplier 1 left out.
+    """Returns the largest modulus at each frequency from `fort.9`, without the trivial multiplier 1.
 
-    The last list before the line of a user-defined point (UZ) is that of its orbit.
+    The last list before the line of a user-defined point (UZ) belongs to its orbit.
     """
     found: dict[float, float] = {}
     moduli: list[tuple[float, float]] = []

@@ -1,4 +1,4 @@
-"""The branch of period-1 orbits over the drive frequency, by jounce and by its peers: how each is run and what it found."""
+"""The branch of period-1 orbits over the drive frequency, by jounce and by its peers: runs and results."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ JOUNCE_METHODS = {"jounce, shooting": "shooting", "jounce, harmonic balance": "h
 
 @dataclass
 class Found:
-    """A branch as one method drew it: labels in order, and at each frequency of CHECKS_HZ its power and largest multiplier."""
+    """A branch by one method: labels in order, and at each frequency of CHECKS_HZ its power and largest multiplier."""
 
     points: int = 0
     labels: list[tuple[str, float, float]] = field(default_factory=list)
@@ -33,13 +33,13 @@ class Found:
     failed: str | None = None
 
     def folds(self) -> list[tuple[float, float]]:
-        """Frequency, Hz, and mean power, W."""
+        """Returns frequency, Hz, and mean power, W, of each fold."""
         return [(hz, watt) for kind, hz, watt in self.labels if kind == "fold"]
 
 
 @dataclass(frozen=True)
 class Method:
-    """One way to the whole branch: `follow` gives what it found and the CPU time of its process."""
+    """One method for the complete branch: `follow` returns its result and the CPU time of its process."""
 
     name: str
     repeats: int
@@ -47,13 +47,13 @@ class Method:
 
 
 def jounce_words(spec: Path, method: str, from_hz: float, to_hz: float) -> list[str]:
-    """Arguments of `jounce branch` for the branch that reaches the ends of a range, on one core as its peers."""
+    """Returns the arguments of `jounce branch` for the branch across a range, on one core as for its peers."""
     over = f"drive.shaker.frequency={from_hz!r}Hz:{to_hz!r}Hz"
     return ["branch", str(spec), "--over", over, "--longest-period", "1", "--seeds", "0", "--threads", "1", "--method", method, "--json"]
 
 
 def read_jounce(done: Finished) -> Found:
-    """The branch with the most points; others, if any, count as not reached."""
+    """Reads the branch with the most points; other branches, if any, count as not reached."""
     if done.failed:
         return Found(failed=done.failed)
     branches = json.loads(done.stdout)["branches"]
@@ -66,7 +66,7 @@ def read_jounce(done: Finished) -> Found:
 
 
 def jounce(program: Path, plant: Plant, name: str, repeats: int, cap_s: float) -> Method:
-    """jounce by one of its methods. What it says at CHECKS_HZ comes from runs of their own, outside the time."""
+    """jounce by one of its methods. Results at CHECKS_HZ come from separate runs outside the timed interval."""
     method = JOUNCE_METHODS[name]
     checked: dict[float, tuple[float, float]] = {}
 
@@ -91,7 +91,7 @@ def jounce(program: Path, plant: Plant, name: str, repeats: int, cap_s: float) -
 
 
 def auto_07p(program: Path, plant: Plant, mesh: auto.Mesh) -> Method:
-    """AUTO-07p from the linear answer at the upper end downwards, in an empty folder; reading and writing are in the time."""
+    """AUTO-07p downwards from the linear response at the upper end, in an empty folder; the time includes reading and writing."""
 
     def follow(limit_s: float) -> tuple[Found, float]:
         with tempfile.TemporaryDirectory(dir=BUILD) as name:
@@ -110,7 +110,7 @@ def auto_07p(program: Path, plant: Plant, mesh: auto.Mesh) -> Method:
 
 
 def read_auto(diagram: str, log: str) -> Found:
-    """What AUTO's files say."""
+    """Reads AUTO's files."""
     rows = auto.rows(diagram)
     labels = [(auto.KINDS[row.kind], row.frequency_hz, row.mean_power_w) for row in rows if row.kind in auto.KINDS]
     exact = [row for row in rows if row.kind == auto.AT_A_GIVEN_FREQUENCY]
@@ -120,7 +120,7 @@ def read_auto(diagram: str, log: str) -> Found:
 
 
 def numpy_balance(python: str, plant: Plant, repeats: int) -> Method:
-    """The NumPy peer; its time is that of the continuation alone, which flatters it by the start of Python."""
+    """The NumPy peer; its time covers only the continuation, which favours it by the start time of Python."""
 
     def follow(limit_s: float) -> tuple[Found, float]:
         file = BUILD / f"{plant.path.stem}-orbits.txt"

@@ -1,4 +1,4 @@
-"""Compiles the peers; what cannot be built is named and left out, never silently."""
+"""Compiles the peers; a peer that cannot be built is reported and omitted."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ FORTRAN_FLAGS = ["-O3", "-march=native", "-fopenmp"]
 
 
 def say(text: str) -> None:
-    """To stderr, at once."""
+    """Prints to stderr at once."""
     print(text, file=sys.stderr, flush=True)
 
 
 def write_coefficients() -> None:
-    """The table of DOP853 as a C header, from the one that SciPy carries."""
+    """Writes the table of DOP853 as a C header, from the table in SciPy."""
     from scipy.integrate._ivp import dop853_coefficients as table
 
     def row(values: list[float]) -> str:
@@ -33,7 +33,7 @@ def write_coefficients() -> None:
 
 
 def compile_c(name: str, modes: int) -> Path | None:
-    """A C peer for a number of modes."""
+    """Compiles a C peer for a number of modes."""
     compiler = shutil.which("gcc")
     if compiler is None:
         say(f"left out: {name}: gcc is not installed")
@@ -46,7 +46,7 @@ def compile_c(name: str, modes: int) -> Path | None:
 
 
 def cargo(folder: str, program: str) -> Path | None:
-    """A Rust program with a workspace and a target folder of its own."""
+    """Builds a Rust program with its own workspace and target folder."""
     if shutil.which("cargo") is None:
         say(f"left out: {folder}: cargo is not installed")
         return None
@@ -57,17 +57,17 @@ def cargo(folder: str, program: str) -> Path | None:
 
 
 def compile_rust() -> Path | None:
-    """The Rust libraries that jounce is compared with."""
+    """Compiles the Rust libraries that jounce is compared with."""
     return cargo("peers-rust", "peers")
 
 
 def compile_jounce() -> Path | None:
-    """jounce as a library, from the sources beside this folder."""
+    """Compiles jounce as a library, from the sources next to this folder."""
     return cargo("peer-jounce", "peer-jounce")
 
 
 def compile_auto() -> Path | None:
-    """AUTO-07p with the plant's equations, linked as its own `@r` script does."""
+    """Compiles AUTO-07p with the plant's equations, linked as its own `@r` script does."""
     objects = sorted(Path(os.environ.get("AUTO_DIR", "/usr/lib/auto-07p")).glob("lib/*.o"))
     compiler = shutil.which("gfortran")
     if compiler is None or not objects:
@@ -80,7 +80,7 @@ def compile_auto() -> Path | None:
 
 
 def find_octave() -> Path | None:
-    """Octave's command line, if it is installed."""
+    """Finds Octave's command line, if it is installed."""
     found = shutil.which("octave-cli")
     if found is None:
         say("left out: ode45: octave-cli is not installed (Debian package octave)")

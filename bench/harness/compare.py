@@ -1,4 +1,4 @@
-"""Errors against a reference that two methods agree on, and times at the same error."""
+"""Errors relative to a reference on which two methods agree, and times at the same error."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ class NoReferenceError(ArithmeticError):
 
 
 def reference_w(plant: Plant, case: Case, rk4: Path, dop853: Path, steps_per_s: str = FINEST_STEPS_PER_S) -> tuple[float, float]:
-    """Mean power by RK4 in very many steps, W, and its relative distance from DOP853 at a tolerance of 1e-13."""
+    """Returns the mean power by RK4 in very many steps, W, and its relative distance from DOP853 at a tolerance of 1e-13."""
     file = str(parameter_file(plant, case))
     found = [outcome([str(rk4), file, steps_per_s], 600.0), outcome([str(dop853), file, *TIGHTEST], 600.0)]
     for each in found:
@@ -32,7 +32,7 @@ def reference_w(plant: Plant, case: Case, rk4: Path, dop853: Path, steps_per_s: 
 
 
 def set_errors(results: list[Result], references_w: dict[str, float]) -> None:
-    """Relative error of the mean power in every result that has one; a step beyond the stability limit gives none."""
+    """Sets the relative error of the mean power in every result that has one; a step beyond the stability limit gives no error."""
     for result in results:
         if result.mean_power_w is None:
             continue
@@ -43,9 +43,9 @@ def set_errors(results: list[Result], references_w: dict[str, float]) -> None:
 
 
 def curve(results: list[Result], case: str, peer: str) -> list[tuple[float, float]]:
-    """(error, median time) of one peer from loose to tight, where the error of a setting is the largest at it or at any tighter one.
+    """Returns (error, median time) of one peer from loose to tight; the error is the largest at the setting or any tighter one.
 
-    An error that crosses zero by luck at one setting is so not taken for accuracy.
+    An error that crosses zero by chance at one setting therefore does not count as accuracy.
     """
     ladder = [r for r in results if r.case == case and r.peer == peer and r.error is not None and r.cpu_s]
     points: list[tuple[float, float]] = []
@@ -57,7 +57,7 @@ def curve(results: list[Result], case: str, peer: str) -> list[tuple[float, floa
 
 
 def time_at(points: list[tuple[float, float]], error: float) -> float | None:
-    """The time at which a curve reaches an error, interpolated in logarithms; None where it never does."""
+    """Returns the time at which a curve reaches an error, interpolated in logarithms; None if it never does."""
     if not points or error < points[-1][0]:
         return None
     for (loose, early), (tight, late) in zip(points, points[1:], strict=False):

@@ -1,4 +1,4 @@
-"""What the numbers were measured on, in general words."""
+"""Description of the machine in general words."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from pathlib import Path
 
 
 def first_line(*command: str) -> str:
-    """The first line that a command prints, or that it is absent."""
+    """Returns the first line that a command prints, or reports its absence."""
     try:
         return subprocess.run(command, capture_output=True, text=True, check=True).stdout.splitlines()[0].strip()
     except (OSError, subprocess.CalledProcessError, IndexError):
@@ -17,7 +17,7 @@ def first_line(*command: str) -> str:
 
 
 def processor() -> str:
-    """The name of the CPU."""
+    """Returns the name of the CPU."""
     try:
         lines = Path("/proc/cpuinfo").read_text().splitlines()
     except OSError:
@@ -26,7 +26,7 @@ def processor() -> str:
 
 
 def describe() -> list[str]:
-    """One line for each thing that matters to the times."""
+    """Returns one line for each property that affects the times."""
     import numpy
     import scipy
 

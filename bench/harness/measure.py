@@ -1,4 +1,4 @@
-"""Runs every peer at every setting, interleaved in a shuffled order, so that noise of the machine falls on all alike."""
+"""Runs every peer at every setting, interleaved in a shuffled order, so that noise of the machine affects all equally."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from .process import finish
 
 @dataclass
 class Result:
-    """All repetitions of one peer at one setting on one case; `failed` says why there are none."""
+    """All repetitions of one peer at one setting on one case; `failed` is the reason of a failure."""
 
     plant: str
     case: str
@@ -33,12 +33,12 @@ class Result:
 
     @property
     def median_s(self) -> float:
-        """Median CPU time, s."""
+        """Returns the median CPU time, s."""
         return median(self.cpu_s)
 
 
 def outcome(command: list[str], cap_s: float) -> dict[str, Any]:
-    """The JSON that one process prints, or why there is none; the process is stopped after `cap_s` of CPU time."""
+    """Returns the JSON that one process prints, or the reason of a failure; the process is stopped after `cap_s` of CPU time."""
     done = finish(command, BUILD, cap_s)
     if done.failed:
         return {"failed": done.failed}
@@ -71,7 +71,7 @@ def parameter_file(plant: Plant, case: Case) -> Path:
 
 
 def run_all(plant: Plant, cases: list[Case], peers: list[Peer], cap_s: float) -> list[Result]:
-    """All results, in the order of cases, peers, settings. A peer that ran over the cap is not run tighter on that case."""
+    """Returns all results, in the order of cases, peers, settings. A peer over the cap skips its tighter settings on that case."""
     pairs = [(case, peer) for case in cases for peer in peers if cases.index(case) < peer.cases]
     results = {
         (case, peer.name, setting): Result(plant.path.stem, case.title, peer.name, setting, peer.setting_name)
@@ -97,7 +97,7 @@ def run_all(plant: Plant, cases: list[Case], peers: list[Peer], cap_s: float) ->
 
 
 def in_turn(jobs: list[tuple[float, Case, Peer, float]]) -> list[tuple[float, Case, Peer, float]]:
-    """The jobs shuffled, but each ladder climbed from loose to tight, so that a cap spares what would take longer still."""
+    """Returns the jobs shuffled, but with each ladder from loose to tight, so that a cap skips all slower settings."""
     slots = sorted(jobs, key=lambda job: job[0])
     waiting: dict[tuple[Case, str], list[tuple[float, Case, Peer, float]]] = {}
     for job in jobs:

@@ -1,4 +1,4 @@
-"""ORBITS.md: what each method needed for the whole branch, where it turns, how exact its power is, and the cost per point."""
+"""ORBITS.md: the cost of the complete branch for each method, its folds, the error of its power, and the cost per point."""
 
 from __future__ import annotations
 
@@ -7,21 +7,21 @@ from statistics import median
 from .branches import CHECKS_HZ, FORCE_N, HIGHEST_HZ, JOUNCE_METHODS, LOWEST_HZ
 from .orbit_run import MODES, SHORT_HZ, WALKS, Cost, Drawn
 
-SAME_HZ = 0.01  # a label farther than this from every fold of the base is one of its own
+SAME_HZ = 0.01  # a label farther than this from every fold of the base counts as extra
 
 
 def span(seconds: list[float]) -> str:
-    """Median and extremes."""
+    """Returns median and extremes."""
     return f"{median(seconds):.3g} [{min(seconds):.3g} .. {max(seconds):.3g}]"
 
 
 def base_of(drawn: list[Drawn]) -> Drawn | None:
-    """jounce by shooting, to which times and folds are set in relation."""
+    """Returns jounce by shooting, the base of times and folds."""
     return next((each for each in drawn if each.method in JOUNCE_METHODS and each.cpu_s), None)
 
 
 def time_table(drawn: list[Drawn]) -> list[str]:
-    """One line for each method."""
+    """Returns one line for each method."""
     base = base_of(drawn)
     lines = ["| method | CPU s, median [min .. max] | times jounce | points | ms per point | labels |", "|---|---|---|---|---|---|"]
     for each in drawn:
@@ -40,14 +40,14 @@ def time_table(drawn: list[Drawn]) -> list[str]:
 
 
 def matched(folds: list[tuple[float, float]], base: list[tuple[float, float]]) -> tuple[list[tuple[float, float] | None], int]:
-    """For each fold of the base the nearest one within SAME_HZ, and how many folds are left over."""
+    """Returns for each fold of the base the nearest one within SAME_HZ, and the number of unmatched folds."""
     nearest = [min(folds, key=lambda own: abs(own[0] - hz), default=None) for hz, _ in base]
     close = [own if own and abs(own[0] - hz) < SAME_HZ else None for own, (hz, _) in zip(nearest, base, strict=True)]
     return close, len(folds) - len({own for own in close if own})
 
 
 def fold_table(drawn: list[Drawn]) -> list[str]:
-    """Frequency and mean power at each fold of the base, and the folds that only the method itself has."""
+    """Returns frequency and mean power at each fold of the base, and the number of extra folds of the method."""
     base = base_of(drawn)
     if base is None:
         return []
@@ -63,7 +63,7 @@ def fold_table(drawn: list[Drawn]) -> list[str]:
 
 
 def check_table(drawn: list[Drawn], references: dict[float, tuple[float, float]]) -> list[str]:
-    """Relative error of the mean power, and the largest multiplier, at the checked frequencies."""
+    """Returns the relative error of the mean power, and the largest multiplier, at the checked frequencies."""
     head = " | ".join(f"error at {hz:g} Hz | largest multiplier" for hz in CHECKS_HZ)
     lines = [f"| method | {head} |", "|---|" + "---|---|" * len(CHECKS_HZ)]
     for each in drawn:
@@ -77,7 +77,7 @@ def check_table(drawn: list[Drawn], references: dict[float, tuple[float, float]]
 
 
 def cost_table(costs: list[Cost]) -> list[str]:
-    """Milliseconds a point against the number of modes."""
+    """Returns milliseconds per point against the number of modes."""
     found = {(cost.method, cost.modes): cost for cost in costs}
     names = [name for name in (*JOUNCE_METHODS, *WALKS) if (name, MODES[0]) in found]
     lines = ["| modes | " + " | ".join(f"{name}: ms per point (points)" for name in names) + " |", "|---|" + "---|" * len(names)]
@@ -92,7 +92,7 @@ def cost_table(costs: list[Cost]) -> list[str]:
 
 
 def report(machine: list[str], drawn: list[Drawn], references: dict[float, tuple[float, float]], costs: list[Cost], cap_s: float) -> str:
-    """The whole file."""
+    """Returns the text of the file."""
     known = "; ".join(f"{hz:g} Hz: {watt:.12e} W, {apart:.1e} apart" for hz, (watt, apart) in references.items())
     lines = [
         "# Periodic orbits",

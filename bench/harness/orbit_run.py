@@ -1,4 +1,4 @@
-"""Runs every method on the whole branch, interleaved in a shuffled order, and the cost per point against the number of modes."""
+"""Runs every method on the complete branch, interleaved in a shuffled order, and the cost per point against the number of modes."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ LONG_S = 10.0  # a short branch that takes longer is not repeated
 
 @dataclass
 class Drawn:
-    """All repetitions of one method on the whole branch; what it found is the same in each, or that is said."""
+    """All repetitions of one method on the complete branch; `varies` is true if their results differ."""
 
     method: str
     found: Found
@@ -36,7 +36,7 @@ class Drawn:
 
 @dataclass
 class Cost:
-    """CPU time of one short branch at one number of modes; s over all repetitions."""
+    """CPU time of one short branch at one number of modes, s, of all repetitions."""
 
     method: str
     modes: int
@@ -45,12 +45,12 @@ class Cost:
     failed: str | None = None
 
     def per_point_s(self) -> float | None:
-        """Median CPU time over points, s."""
+        """Returns the median CPU time per point, s."""
         return median(self.cpu_s) / self.points if self.cpu_s and self.points else None
 
 
 def draw(methods: list[Method], cap_s: float) -> list[Drawn]:
-    """Every method as often as it asks to be."""
+    """Runs every method as often as its `repeats`."""
     shuffled, began = random.Random(1), time.monotonic()
     jobs = sorted(((shuffled.random(), method.name, method) for method in methods for _ in range(method.repeats)), key=lambda job: job[:2])
     drawn: dict[str, Drawn] = {}
@@ -67,16 +67,16 @@ def draw(methods: list[Method], cap_s: float) -> list[Drawn]:
 
 
 def settled_w(plant: Plant, rk4: Path, dop853: Path) -> dict[float, tuple[float, float]]:
-    """Mean power of the orbit that a very long march from rest settles on, W, and how far apart the two methods behind it are.
+    """Returns the mean power of the orbit reached by a very long integration from rest, W, and the distance of its two methods.
 
-    At CHECKS_HZ that is the orbit of the branch, and AVERAGE_S is a whole number of periods.
+    At CHECKS_HZ it is the orbit of the branch, and AVERAGE_S is a whole number of periods.
     """
     long = replace(plant, single=plant.single | {"duration_s": SETTLING_S, "average_over_s": AVERAGE_S})
     return {hz: reference_w(long, Case(FORCE_N, hz), rk4, dop853, STEPS_PER_S) for hz in CHECKS_HZ}
 
 
 def walked(peer: Path, spec: Path, cost: Cost, cap_s: float) -> None:
-    """One process with many walks, of which it tells the median."""
+    """Runs one process with many continuations; it prints their median time."""
     finished = finish([str(peer), str(spec), WALKS[cost.method]], BUILD, cap_s)
     said = json.loads(finished.stdout or "{}")
     cost.failed = finished.failed or said.get("failed")
@@ -86,10 +86,10 @@ def walked(peer: Path, spec: Path, cost: Cost, cap_s: float) -> None:
 
 
 def costs(program: Path, peer: Path | None, specs: dict[int, Path], repeats: int, cap_s: float) -> list[Cost]:
-    """The short range by both methods at each number of modes, interleaved; what takes longer than LONG_S is run once.
+    """Runs the short range by both methods at each number of modes, interleaved; a run longer than LONG_S is not repeated.
 
-    With the library in `peer` also a walk by the equations of harmonic balance alone, as a method without stability would make it, and
-    one that makes an orbit of every point.
+    With the library in `peer`, it also runs a continuation of the harmonic-balance equations only, as for a method without stability, and
+    one that computes an orbit at every point.
     """
     shuffled, began = random.Random(2), time.monotonic()
     names = [*JOUNCE_METHODS, *(WALKS if peer else [])]

@@ -1,4 +1,4 @@
-"""The peers: how each is called, and the settings it climbs from loose to tight."""
+"""Peers: their command lines, and their settings from loose to tight."""
 
 from __future__ import annotations
 
@@ -17,23 +17,23 @@ JOUNCE_STARTS = {"jounce": "warm", "jounce, first run": "first"}
 
 @dataclass(frozen=True)
 class Peer:
-    """One method; `command(parameter_file, case, setting)` gives its command line."""
+    """One method; `command(parameter_file, case, setting)` returns its command line."""
 
     name: str
     settings: tuple[float, ...]
     command: Callable[[Path, Case, float], list[str]]
     repeats: int
     setting_name: str = "tolerance"
-    cases: int = 99  # runs on that many cases of a plant, the first ones
+    cases: int = 99  # number of cases of a plant, the first ones
 
 
 def tolerances(first: int, last: int, step: int = 1) -> tuple[float, ...]:
-    """Powers of ten, from 10^-first to 10^-last."""
+    """Returns powers of ten, from 10^-first to 10^-last."""
     return tuple(float(f"1e-{power}") for power in range(first, last + 1, step))
 
 
 def adaptive(prefix: list[str]) -> Callable[[Path, Case, float], list[str]]:
-    """A command that takes the plant, the relative and the absolute tolerance."""
+    """Returns a command that takes the plant, the relative and the absolute tolerance."""
 
     def command(plant: Path, _case: Case, tolerance: float) -> list[str]:
         head, *tail = prefix
@@ -43,13 +43,13 @@ def adaptive(prefix: list[str]) -> Callable[[Path, Case, float], list[str]]:
 
 
 def steps_ladder(modes: int) -> tuple[float, ...]:
-    """Steps per second from just above the stability limit, by factors of about the square root of 2; even, so that windows are hit."""
+    """Returns steps per second from just above the stability limit, by factors near the square root of 2; even, so windows are hit."""
     first, count = (2_400, 15) if modes <= 8 else (26_000, 8)
     return tuple(float(2 * round(first * 2 ** (i / 2) / 2)) for i in range(count))
 
 
 def compiled(modes: int, repeats: int) -> list[Peer]:
-    """The C and Rust peers that could be built."""
+    """Returns the C and Rust peers that could be built."""
     peers = []
     if rk4 := build.compile_c("rk4", modes):
         peers.append(Peer("RK4 (C)", steps_ladder(modes), lambda p, _c, s: [str(rk4), str(p), repr(s)], repeats, "steps/s"))
@@ -65,7 +65,7 @@ def compiled(modes: int, repeats: int) -> list[Peer]:
 
 
 def interpreted(python: str) -> list[Peer]:
-    """SciPy and Octave: minutes a run, so one repetition."""
+    """Returns SciPy and Octave: minutes per run, so one repetition."""
     script = str(build.HERE / "peers" / "scipy_peer.py")
     peers = [
         Peer(f"{method} (SciPy)", tolerances(4, 10, 2), adaptive([python, script, "PLANT", method]), 1, cases=2)
@@ -78,19 +78,19 @@ def interpreted(python: str) -> list[Peer]:
 
 
 def jounce(plant: Plant, repeats: int) -> list[Peer]:
-    """jounce on the spec itself: with the tables that the same run has made before, and without."""
+    """Returns jounce on the spec: with the tables that the same run has made before, and without."""
     program = build.compile_jounce()
     return [jounce_peer(program, plant, name, start, repeats) for name, start in JOUNCE_STARTS.items()] if program else []
 
 
 def jounce_peer(program: Path, plant: Plant, name: str, start: str, repeats: int) -> Peer:
-    """jounce with one of the starts of its peer program."""
+    """Returns jounce with one of the starts of its peer program."""
 
     def command(_parameters: Path, case: Case, tolerance: float) -> list[str]:
         drive = f"drive.{plant.drive}"
         changes = [f"{drive}.amplitude={case.amplitude_n:g} N", f"{drive}.frequency={case.frequency_hz:g} Hz", f"run.tolerance={tolerance!r}"]
         return [str(program), str(plant.path), start, *changes]
 
-    # Two settings to a decade, as the steps of RK4 have more than two.
+    # Two settings per decade, because the steps of RK4 have more than two.
     ladder = tuple(float(f"{lead}e-{power}") for power in range(4, 12) for lead in (1, 0.3))
     return Peer(name, ladder, command, repeats)

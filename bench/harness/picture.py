@@ -1,4 +1,4 @@
-"""The work-precision picture: CPU time against the relative error of the mean power, one panel per plant and case."""
+"""The work-precision figure: CPU time against the relative error of the mean power, one panel per plant and case."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from .measure import Result
 
 
 def draw(results: dict[str, list[Result]], modes: dict[str, int], paths: list[Path]) -> None:
-    """Draws all panels into one picture and saves it under every path."""
+    """Draws all panels into one figure and saves it under every path."""
     import matplotlib
 
     matplotlib.use("Agg")

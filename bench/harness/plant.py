@@ -1,4 +1,4 @@
-"""A jounce spec of a structure given by its modes, read into plain SI numbers that every peer can take."""
+"""Reads a jounce spec of a structure given by its modes into plain SI numbers that every peer can take."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ PREFIXES = {"": 1.0, "n": 1e-9, "u": 1e-6, "m": 1e-3, "k": 1e3, "M": 1e6}
 
 
 class SpecError(ValueError):
-    """The spec is not one that the peers can run."""
+    """The peers cannot run the spec."""
 
 
 @dataclass(frozen=True)
@@ -24,12 +24,12 @@ class Case:
 
     @property
     def title(self) -> str:
-        """For people."""
+        """Returns the title in reports."""
         return f"{self.amplitude_n:g} N at {self.frequency_hz:g} Hz"
 
     @property
     def slug(self) -> str:
-        """For file names."""
+        """Returns the name in files."""
         return f"{self.amplitude_n:g}N-{self.frequency_hz:g}Hz"
 
 
@@ -44,11 +44,11 @@ class Plant:
 
     @property
     def modes(self) -> int:
-        """How many modes."""
+        """Returns the number of modes."""
         return len(self.rows["frequency_hz"])
 
     def parameters(self, case: Case) -> str:
-        """The parameter file: a name and its numbers on each line, in the order that the C peers expect."""
+        """Returns the parameter file: a name and its numbers on each line, in the order that the C peers expect."""
         single = self.single | {"amplitude_n": case.amplitude_n, "frequency_drive_hz": case.frequency_hz}
         order = (
             "capacitance_f",
@@ -67,7 +67,7 @@ class Plant:
 
 
 def quantity(text: str, unit: str) -> float:
-    """A number with its unit, in SI."""
+    """Returns a number with its unit, in SI."""
     match = re.fullmatch(r"\s*([-+0-9.eE]+)\s*([a-zA-Z/^0-9.]+)\s*", text)
     if match and match[2].endswith(unit) and match[2][: -len(unit)] in PREFIXES:
         return float(match[1]) * PREFIXES[match[2][: -len(unit)]]
@@ -75,7 +75,7 @@ def quantity(text: str, unit: str) -> float:
 
 
 def only(table: dict[str, Any], kind: str) -> dict[str, Any]:
-    """The one thing of its kind; the peers know no plant with several."""
+    """Returns the only element of its kind; the peers accept no plant with several."""
     things = table.get(kind, {})
     if len(things) != 1:
         raise SpecError(f"the peers need exactly one [{kind}.NAME], here are {len(things)}")
@@ -84,7 +84,7 @@ def only(table: dict[str, Any], kind: str) -> dict[str, Any]:
 
 
 def last_name(reference: str) -> str:
-    """`harvester.tip` to `tip`."""
+    """Returns `tip` of `harvester.tip`."""
     return reference.rsplit(".", 1)[-1]
 
 

@@ -1,4 +1,4 @@
-"""One process, the CPU time it took (user and system, all its threads) and the wall time from start to exit."""
+"""Runs one process and measures its CPU time (user and system, all its threads) and its wall time from start to exit."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ ONE_THREAD = {name: "1" for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", 
 
 @dataclass(frozen=True)
 class Finished:
-    """What a process printed and took; `failed` says why it cannot be used."""
+    """Output and times of a process; `failed` is the reason of a failure."""
 
     stdout: str
     cpu_s: float
@@ -25,7 +25,7 @@ class Finished:
 
 
 def finish(command: list[str], folder: Path, cap_s: float, threads: dict[str, str] = ONE_THREAD) -> Finished:
-    """Runs to the end in a folder, on one thread unless told otherwise; stopped after `cap_s` of CPU time."""
+    """Runs a process to its end in a folder, by default on one thread; it is stopped after `cap_s` of CPU time."""
 
     def limit() -> None:
         resource.setrlimit(resource.RLIMIT_CPU, (round(cap_s), round(cap_s)))

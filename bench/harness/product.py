@@ -1,4 +1,4 @@
-"""Times of jounce that have no peer: a whole process, a figure of sweeps, the whole reproduction. On all cores."""
+"""Times of jounce without a peer: a complete process, a figure of sweeps, the complete reproduction. On all cores."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ SWEEP = ("--over", "drive.shaker.frequency=4Hz:20Hz:0.1Hz", "--direction", "both
 
 @dataclass
 class Whole:
-    """CPU and wall times of one task from start to exit, s; `failed` says why there are none."""
+    """CPU and wall times of one task from start to exit, s; `failed` is the reason of a failure."""
 
     task: str
     cpu_s: list[float] = field(default_factory=list)
@@ -24,7 +24,7 @@ class Whole:
 
 
 def timed(binary: Path, task: str, commands: list[list[str]], repeats: int, cap_s: float) -> Whole:
-    """The sum over the commands, repeated; each in an empty folder, so that nothing is resumed."""
+    """Returns the sum over the commands, repeated; each runs in an empty folder, so that it resumes no earlier run."""
     whole = Whole(task)
     for _ in range(repeats):
         cpu_s = wall_s = 0.0
@@ -42,7 +42,7 @@ def timed(binary: Path, task: str, commands: list[list[str]], repeats: int, cap_
 
 
 def whole_tasks(binary: Path, spec: Path, repeats: int, cap_s: float) -> list[Whole]:
-    """The three tasks on the paper's spec."""
+    """Runs the three tasks on the paper's spec."""
     sweeps = [["sweep", str(spec), *SWEEP, "--set", f'drive.shaker.amplitude="{level} N"'] for level in LEVELS_N]
     return [
         timed(binary, "`jounce run`, start to exit", [["run", str(spec), "--json"]], 4 * repeats, cap_s),

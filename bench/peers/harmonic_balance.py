@@ -1,9 +1,10 @@
-"""Harmonic balance with a fixed number of harmonics, as the field does it: alternating frequency/time, every mode an unknown.
+"""Harmonic balance with a fixed number of harmonics, as is usual: alternating frequency/time, every mode an unknown.
 
-The voltage is one more coordinate. A coordinate is a row [mean, cosines, sines]; the force of the stop is sampled over one period and
-its harmonics are taken back, with the exact Jacobian. The branch is followed by pseudo-arclength from the linear answer; no stability.
-Usage: harmonic_balance.py PLANT HARMONICS TO_HZ CHECK_HZ...  The plant's drive frequency is the start, and at each CHECK_HZ the orbit is
-corrected at that very frequency. Prints one JSON line; cpu_s is the continuation alone.
+The voltage is one more coordinate. A coordinate is a row [mean, cosines, sines]. The force of the stop is sampled over one period and
+transformed back to harmonics, with the exact Jacobian. Pseudo-arclength continuation follows the branch from the linear response, without
+stability.
+Usage: harmonic_balance.py PLANT HARMONICS TO_HZ CHECK_HZ...  It starts at the plant's drive frequency. At each CHECK_HZ the orbit is
+corrected at exactly that frequency. Prints one JSON line; cpu_s covers the continuation only.
 """
 
 from __future__ import annotations
@@ -19,16 +20,16 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 
-LENGTH, VOLT = 1e-4, 10.0  # units of the modal displacements (kg^1/2 m) and the voltage (V), which bring the unknowns near 1
-SAMPLES_PER_HARMONIC = 64  # fewer alias the force and bend false folds into the branch
+LENGTH, VOLT = 1e-4, 10.0  # units of the modal displacements (kg^1/2 m) and the voltage (V), which scale the unknowns to about 1
+SAMPLES_PER_HARMONIC = 64  # fewer samples alias the force and cause false folds
 RESIDUAL, MOST_ITERATIONS, WANTED_ITERATIONS = 1e-8, 8, 4
-FLAT, MOST_TRIALS = 1e-6, 30  # a fold is found when the tangent is that flat in the frequency
+FLAT, MOST_TRIALS = 1e-6, 30  # a fold is found when the frequency component of the tangent is this small
 FIRST_STEP, LEAST_STEP, LARGEST_STEP, MOST_POINTS = 0.1, 1e-5, 5.0, 5000
 
 
 @dataclass
 class Balance:
-    """The plant between harmonics: M x'' + D x' + K x = drive + force of the stop, rows scaled by the stiffness of each mode."""
+    """The plant in harmonics: M x'' + D x' + K x = drive + force of the stop, rows scaled by the stiffness of each mode."""
 
     mass: Array
     damping: Array
@@ -44,7 +45,7 @@ class Balance:
     back: Array = field(init=False)
 
     def __post_init__(self) -> None:
-        """Tables of the transforms."""
+        """Computes the tables of the transforms."""
         k = np.arange(1, self.harmonics + 1)
         count = 2 * self.harmonics + 1
         angle = 2.0 * np.pi * np.arange(SAMPLES_PER_HARMONIC * self.harmonics)[:, None] / (SAMPLES_PER_HARMONIC * self.harmonics) * k
@@ -56,7 +57,7 @@ class Balance:
         self.derivative[1 + self.harmonics + np.arange(self.harmonics), 1 + np.arange(self.harmonics)] = -k
 
     def residual(self, unknowns: Array, frequency_hz: float) -> tuple[Array, Array, Array]:
-        """Residual, its slope in the unknowns, its slope in the frequency (1/Hz)."""
+        """Returns the residual, its derivative by the unknowns, its derivative by the frequency (1/Hz)."""
         omega, turn, one = 2.0 * np.pi * frequency_hz, self.derivative, np.eye(self.derivative.shape[0])
         rows = unknowns.reshape(self.mass.shape[0], -1)
         slope = np.kron(self.mass, omega**2 * turn @ turn) + np.kron(self.damping, omega * turn) + np.kron(self.stiffness, one)
@@ -70,13 +71,13 @@ class Balance:
         return value, slope, 2.0 * np.pi * in_omega.ravel()
 
     def mean_power_w(self, unknowns: Array) -> float:
-        """Mean power in the resistor, W."""
+        """Returns the mean power in the resistor, W."""
         row = VOLT * unknowns.reshape(self.mass.shape[0], -1)[-1]
         return float((row[0] ** 2 + np.sum(row[1:] ** 2) / 2.0) / self.resistance_ohm)
 
 
 def read(path: str, harmonics: int) -> tuple[Balance, float]:
-    """The plant of a parameter file, and its drive frequency, Hz."""
+    """Reads the plant of a parameter file, and its drive frequency, Hz."""
     lines = (line.split() for line in Path(path).read_text().splitlines())
     plant = {name: np.array([float(word) for word in words]) for name, *words in lines}
     one = {name: float(values[0]) for name, values in plant.items()}
@@ -102,7 +103,7 @@ def read(path: str, harmonics: int) -> tuple[Balance, float]:
 
 
 def correct(balance: Balance, guess: Array, row: Array) -> tuple[Array, Array, int] | None:
-    """Newton on the balance and on `row . (point - guess) = 0`; the point, its unit tangent with `row` ahead, the iterations."""
+    """Newton on the balance and on `row . (point - guess) = 0`; returns the point, its unit tangent along `row`, the iterations."""
     point = guess.copy()
     for iteration in range(1, MOST_ITERATIONS + 1):
         value, slope, in_frequency = balance.residual(point[:-1], point[-1])
@@ -115,14 +116,14 @@ def correct(balance: Balance, guess: Array, row: Array) -> tuple[Array, Array, i
 
 
 def at_frequency(balance: Balance, near: Array, frequency_hz: float) -> float | None:
-    """Mean power of the orbit at a frequency, W, from a point of the branch close to it."""
+    """Returns the mean power of the orbit at a frequency, W, from a point of the branch close to it."""
     fixed = np.append(np.zeros(near.size - 1), 1.0)
     found = correct(balance, np.append(near[:-1], frequency_hz), fixed)
     return None if found is None else balance.mean_power_w(found[0][:-1])
 
 
 def fold(balance: Balance, point: Array, tangent: Array, far: float, end_slope: float) -> tuple[float, float] | None:
-    """Frequency (Hz) and mean power (W) where the tangent turns back within a step of length `far`, by the Illinois rule."""
+    """Returns frequency (Hz) and mean power (W) at the fold within a step of length `far`, by the Illinois rule."""
     (near, begin), (beyond, end) = (0.0, tangent[-1]), (far, end_slope)
     for _ in range(MOST_TRIALS):
         at = (near * end - beyond * begin) / (end - begin)
@@ -140,7 +141,7 @@ def fold(balance: Balance, point: Array, tangent: Array, far: float, end_slope: 
 
 
 def follow(balance: Balance, start_hz: float, end_hz: float, checks_hz: list[float]) -> dict[str, object]:
-    """The branch between two frequencies, begun downwards."""
+    """Returns the branch between two frequencies, starting downwards."""
     size = balance.mass.shape[0] * (2 * balance.harmonics + 1)
     found = correct(balance, np.append(np.zeros(size), start_hz), np.append(np.zeros(size), 1.0))
     if found is None:

@@ -1,8 +1,8 @@
 """SciPy's solve_ivp (any of its methods by name) and odeint on the modal plant, one run.
 
-The linear part is one matrix, so that a right-hand side is a handful of NumPy calls. State: modal displacements, modal
-velocities, the voltage (V), the energy in the resistor (J).
-Usage: scipy_peer.py PLANT METHOD RELATIVE ABSOLUTE.  Prints one JSON line; cpu_s is the integration alone.
+The linear part is one matrix, so a right-hand side is a handful of NumPy calls. State: modal displacements, modal velocities, the voltage
+(V), the energy in the resistor (J).
+Usage: scipy_peer.py PLANT METHOD RELATIVE ABSOLUTE.  Prints one JSON line; cpu_s covers the integration only.
 """
 
 from __future__ import annotations
@@ -23,13 +23,13 @@ Rate = Callable[[float, Array], Array]
 
 
 def read(path: str) -> dict[str, Array]:
-    """The rows of a parameter file by name."""
+    """Reads the rows of a parameter file by name."""
     lines = (line.split() for line in Path(path).read_text().splitlines())
     return {name: np.array([float(word) for word in words]) for name, *words in lines}
 
 
 def linear_part(plant: dict[str, Array]) -> Array:
-    """The matrix of the linear part, and a zero row for the energy."""
+    """Returns the matrix of the linear part, and a zero row for the energy."""
     omega = 2.0 * np.pi * plant["frequency_hz"]
     count = omega.size
     matrix = np.zeros((2 * count + 2, 2 * count + 2))
@@ -43,7 +43,7 @@ def linear_part(plant: dict[str, Array]) -> Array:
 
 
 def rate_of(plant: dict[str, Array]) -> Rate:
-    """dy/dt as a function of time and state."""
+    """Returns dy/dt as a function of time and state."""
     matrix, count = linear_part(plant), plant["tip"].size
     tip, drive, push = plant["tip"], np.zeros(2 * count + 2), np.zeros(2 * count + 2)
     drive[count : 2 * count] = plant["table"] * plant["amplitude_n"]
@@ -64,7 +64,7 @@ def rate_of(plant: dict[str, Array]) -> Rate:
 
 
 def advance(rate: Rate, method: str, span_s: tuple[float, float], y: Array, tolerances: tuple[float, float]) -> tuple[Array, int]:
-    """The state at the end of the span, and the right-hand sides it took."""
+    """Returns the state at the end of the span, and the number of right-hand sides."""
     relative, absolute = tolerances
     if method == "odeint":
         states, info = odeint(rate, y, span_s, tfirst=True, rtol=relative, atol=absolute, mxstep=10**8, full_output=True)
@@ -76,7 +76,7 @@ def advance(rate: Rate, method: str, span_s: tuple[float, float], y: Array, tole
 
 
 def mean_power_w(plant: dict[str, Array], method: str, tolerances: tuple[float, float]) -> tuple[float, int]:
-    """Mean power over the averaging window, W, and the right-hand sides it took."""
+    """Returns the mean power over the averaging window, W, and the number of right-hand sides."""
     rate, duration_s, window_s = rate_of(plant), float(plant["duration_s"][0]), float(plant["average_over_s"][0])
     y, first = advance(rate, method, (0.0, duration_s - window_s), np.zeros(2 * plant["tip"].size + 2), tolerances)
     y[-1] = 0.0

@@ -1,1 +1,1 @@
-"""Tests of the benches themselves; they need nothing but Python."""
+"""Tests of the benches; they need only Python."""

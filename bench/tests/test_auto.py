@@ -1,4 +1,4 @@
-"""AUTO's constants and output files, against lines that AUTO has printed."""
+"""AUTO's constants and output files, compared with lines that AUTO has printed."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What jounce prints about a branch, and how folds of two methods are set beside each other."""
+"""Output of jounce about a branch, and comparison of the folds of two methods."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ FOLDS = [(5.8574, 1.7e-4), (12.3218, 1.7e-3)]
 
 
 def said(*branches: dict[str, object]) -> Finished:
-    """A finished `jounce branch --json`."""
+    """Returns a finished `jounce branch --json`."""
     return Finished(json.dumps({"branches": branches}), 0.3, 0.3, None)
 
 
@@ -34,7 +34,7 @@ class Jounce(unittest.TestCase):
 
 
 class Folds(unittest.TestCase):
-    """Folds of a method beside those of the base."""
+    """Folds of a method compared with those of the base."""
 
     def test_nearest_label_is_taken_and_the_others_are_counted(self) -> None:
         own = [(12.3210, 1.6e-3), (12.3217, 1.7e-3), (11.0, 1e-5)]

@@ -1,4 +1,4 @@
-"""Time at the same error: the envelope of a ladder and what is read between its points."""
+"""Time at the same error: the envelope of a ladder and interpolation between its points."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from harness.process import finish
 
 
 def ladder(errors: list[float], seconds: list[float]) -> list[Result]:
-    """Results of one peer from loose to tight."""
+    """Returns results of one peer from loose to tight."""
     pairs = zip(errors, seconds, strict=True)
     return [Result("plant", "case", "peer", 1.0, "", error=error, cpu_s=[taken]) for error, taken in pairs]
 
@@ -44,7 +44,7 @@ class Curve(unittest.TestCase):
 
 
 class Specs(unittest.TestCase):
-    """Specs made from others."""
+    """Specs made from other specs."""
 
     def test_a_table_is_taken_out_with_its_keys_and_nothing_else(self) -> None:
         spec = "[a.b]\nx = [1, 2]\n\n[c]\ny = 1\n[a.d]\nz = 2\n"

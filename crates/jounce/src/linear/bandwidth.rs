@@ -1,12 +1,14 @@
-//! Bandwidths of an answer to noise.
+//! Bandwidths of a response to noise.
 //!
 //! ```text
-//! noise bandwidth         integral_0^inf |H|^2 df / max |H|^2        of the harvester: the band of a flat filter that passes as much
-//! statistical bandwidth   (integral G df)^2 / integral G^2 df        of the answer with the density G
+//! noise bandwidth        integral_0^inf |H|^2 df / max |H|^2  band of a flat filter of equal power
+//! statistical bandwidth  (integral G df)^2 / integral G^2 df  of the response with the density G
 //! ```
 //!
-//! An oscillator has the first `pi zeta f_n` for its velocity and `pi zeta (1 - zeta^2) f_n` for its displacement, a flat band of noise has
-//! its width for the second. Source: J. S. Bendat, A. G. Piersol, Random Data, 4th ed. (2010), sections 8.2 and 8.5.
+//! An oscillator has the noise bandwidth `pi zeta f_n` for its velocity and
+//! `pi zeta (1 - zeta^2) f_n` for its displacement. The statistical bandwidth of a flat band of
+//! noise is its width. Source: J. S. Bendat, A. G. Piersol, Random Data, 4th ed. (2010), sections
+//! 8.2 and 8.5.
 
 use super::covariance::{covariance, product};
 use super::noise::{NoiseInput, gain, spectral_moment};
@@ -14,13 +16,15 @@ use super::random::RandomError;
 use crate::plant::Plant;
 use std::f64::consts::TAU;
 
-/// Places looked at on each side of a resonance, in units of its decay.
+/// Search points on each side of a resonance, in units of its decay rate.
 const SEARCH_DISTANCES: [f64; 5] = [0.1, 0.3, 1.0, 3.0, 10.0];
 
-/// Relative width of the bracket of a maximum at which the search ends: `|H|^2` is flat there to its square.
+/// Relative width of the bracket of a maximum at which the search ends: the error of `|H|^2` is of
+/// the order of its square.
 const MAX_BRACKET_WIDTH: f64 = 1e-8;
 
-/// Noise bandwidth of an output per unit of a noise, Hz; 0 where the noise does not reach it.
+/// Returns the noise bandwidth of an output per unit of a noise, Hz; 0 where the noise does not
+/// excite it.
 ///
 /// # Errors
 /// [`RandomError::Unsteady`], [`RandomError::Plant`].
@@ -42,7 +46,7 @@ pub fn noise_bandwidth_hz(
     Ok(if highest > 0.0 { whole / highest } else { 0.0 })
 }
 
-/// Statistical bandwidth of an output under noises, Hz; 0 where none reaches it.
+/// Returns the statistical bandwidth of an output under noises, Hz; 0 where no noise excites it.
 ///
 /// # Errors
 /// [`RandomError::Plant`].
@@ -62,7 +66,8 @@ pub fn statistical_bandwidth_hz(
     })
 }
 
-/// Frequencies at which answers may be large, Hz, ascending: about every resonance, and a few between.
+/// Returns frequencies at which responses may be large, Hz, ascending: around every resonance, and
+/// a few between.
 pub(super) fn telling_frequencies_hz(plant: &Plant) -> Vec<f64> {
     let mut all = Vec::new();
     for value in plant
@@ -86,7 +91,8 @@ pub(super) fn telling_frequencies_hz(plant: &Plant) -> Vec<f64> {
     all.into_iter().map(|w| w / TAU).collect()
 }
 
-/// Largest `|H|^2` over all frequencies: the best place among many, then golden section between its neighbours.
+/// Returns the largest `|H|^2` over all frequencies: the best of many points, then golden section
+/// between its neighbours.
 fn largest_gain(plant: &Plant, noise: &NoiseInput, row: &[f64]) -> Result<f64, RandomError> {
     let at = |frequency_hz: f64| gain(plant, noise, row, frequency_hz);
     let places = telling_frequencies_hz(plant);

@@ -3,7 +3,7 @@
 use crate::structure::Modes;
 use std::f64::consts::TAU;
 
-/// One mode and one patch.
+/// Coupling of one mode with one patch.
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
 pub struct Coupling {
     /// Patch.
@@ -12,13 +12,14 @@ pub struct Coupling {
     pub mode: usize,
     /// Frequency with the patch short-circuited, Hz.
     pub short_circuit_hz: f64,
-    /// Frequency with the patch open, this mode taken alone, Hz.
+    /// Frequency with the patch open, this mode only, Hz.
     pub open_circuit_hz: f64,
     /// Modal coupling `theta^2 / (C w^2)`.
     pub coupling_squared: f64,
 }
 
-/// Couplings of every mode with every patch: `w_oc^2 = w_sc^2 (1 + theta^2 / (C w_sc^2))`.
+/// Returns the coupling of every mode with every patch:
+/// `w_oc^2 = w_sc^2 (1 + theta^2 / (C w_sc^2))`.
 pub fn couplings(modes: &Modes) -> Vec<Coupling> {
     let mut all = Vec::new();
     for (name, patch) in &modes.patch {

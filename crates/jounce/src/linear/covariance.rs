@@ -1,16 +1,19 @@
-//! Covariance of the state under noise in a band, exact: the frequency-limited Gramian.
+//! Exact covariance of the state under noise in a band: the frequency-limited Gramian.
 //!
-//! Noise of the one-sided density `S` between `f_1` and `f_2` on the column `b` gives the state `y` the covariance `P`,
+//! Noise with the one-sided density `S` between `f_1` and `f_2` on the column `b` gives the state
+//! `y` the covariance `P`,
 //!
 //! ```text
 //! A P + P A^T = -(S / 2) (F b b^T + b b^T F^T),     F = (1 / 2 pi) integral over w_1 < |w| < w_2 of (i w I - A)^-1 dw
 //! ```
 //!
-//! `F` is a function of `A`: on the eigenvalue `l` it is `-i / (2 pi) [log(i w - l) - log(-i w - l)]` between `w_1` and `w_2`, and 1/2 for white
-//! noise. Nothing is integrated. Mean squares and products of outputs `c` are `c P c^T`.
+//! `F` is a function of `A`. On the eigenvalue `l` it is
+//! `-i / (2 pi) [log(i w - l) - log(-i w - l)]` between `w_1` and `w_2`, and 1/2 for white noise.
+//! No numerical integration is needed. Mean
+//! squares and products of outputs `c` are `c P c^T`.
 //!
-//! Limits: what a band far from every resonance leaves of the white answer is a difference of numbers as large as that; the error is
-//! about 1e-15 of the white answer.
+//! Limits: far from every resonance, the response in a band is a difference of numbers as large as
+//! the white response. The error is about 1e-15 of the white response.
 //!
 //! Validation: `tests/linear` compares with quadrature over frequency and with closed forms.
 //!
@@ -21,13 +24,13 @@ use crate::plant::{BlockDiagonal, BlockPair, LyapunovSide, Plant, lyapunov};
 use faer::{Mat, c64};
 use std::f64::consts::{PI, TAU};
 
-/// Part of a drive that reaches what nothing brings back by roundoff only: the charge of an open patch.
+/// Relative part of a drive on the charge of an open patch, below which it is roundoff.
 const COVARIANCE_ROUNDOFF: f64 = 1e-9;
 
-/// Covariance of the block coordinates under independent noises.
+/// Returns the covariance of the block coordinates under independent noises.
 ///
 /// # Errors
-/// The drive and the frequency, Hz, of a mode that it excites and nothing damps or brings back.
+/// The drive and the frequency, Hz, of an excited mode without damping or restoring force.
 pub fn covariance(plant: &Plant, noises: &[NoiseInput]) -> Result<Mat<f64>, (String, f64)> {
     let block = &plant.diagonal.block;
     let mut sum = Mat::zeros(block.len(), block.len());
@@ -50,7 +53,7 @@ pub fn covariance(plant: &Plant, noises: &[NoiseInput]) -> Result<Mat<f64>, (Str
     Ok(sum)
 }
 
-/// `c P d^T`.
+/// Returns `c P d^T`.
 pub fn product(covariance: &Mat<f64>, c: &[f64], d: &[f64]) -> f64 {
     c.iter()
         .enumerate()
@@ -64,7 +67,7 @@ pub fn product(covariance: &Mat<f64>, c: &[f64], d: &[f64]) -> f64 {
         .sum()
 }
 
-/// `F b`.
+/// Returns `F b`.
 fn filtered(block: &BlockDiagonal, column: &[f64], band_rad_s: [f64; 2]) -> Vec<f64> {
     let mut out = Vec::with_capacity(column.len());
     for (pair, b) in block.pairs.iter().zip(column.chunks_exact(2)) {
@@ -98,7 +101,7 @@ fn filtered(block: &BlockDiagonal, column: &[f64], band_rad_s: [f64; 2]) -> Vec<
     out
 }
 
-/// `F` on an eigenvalue.
+/// Returns `F` on an eigenvalue.
 fn share(eigenvalue: c64, [low, high]: [f64; 2]) -> c64 {
     let below = |w: f64| match w.is_infinite() {
         true => c64::new(0.0, PI),
@@ -107,7 +110,7 @@ fn share(eigenvalue: c64, [low, high]: [f64; 2]) -> c64 {
     c64::new(0.0, -1.0 / TAU) * (below(high) - below(low))
 }
 
-/// Its derivative on a real eigenvalue, s.
+/// Returns the derivative of `F` on a real eigenvalue, s.
 fn share_slope(rate: f64, [low, high]: [f64; 2]) -> f64 {
     let below = |w: f64| {
         if w.is_infinite() {

@@ -1,11 +1,12 @@
-//! How often a stationary Gaussian answer reaches a level.
+//! Rate at which a stationary Gaussian response reaches a level.
 //!
 //! ```text
 //! rate = s_v / (2 pi s) exp(-(a - m)^2 / (2 s^2)),        share of the time beyond = erfc((a - m) / (sqrt(2) s)) / 2
 //! ```
 //!
-//! with `m` the mean of the answer, `s` its standard deviation, `s_v` that of its velocity and `a` the level. Crossings upwards are
-//! counted. Source: S. O. Rice, Bell Syst. Tech. J. 24 (1945) 46, section 3.3.
+//! with `m` the mean of the response, `s` its standard deviation, `s_v` the standard deviation of
+//! its velocity and `a` the level. Upward crossings are counted. Source: S. O. Rice, Bell Syst.
+//! Tech. J. 24 (1945) 46, section 3.3.
 
 use std::f64::consts::{FRAC_1_SQRT_2, TAU};
 
@@ -23,7 +24,7 @@ pub struct Crossing {
 }
 
 impl Crossing {
-    /// Crossings upwards per second, Hz; 0 for what does not move.
+    /// Returns the upward crossings per second, Hz; 0 for a displacement at rest.
     pub fn rate_hz(&self) -> f64 {
         if self.deviation_m == 0.0 {
             return 0.0;
@@ -32,7 +33,7 @@ impl Crossing {
         self.velocity_m_s / (TAU * self.deviation_m) * (-0.5 * ahead * ahead).exp()
     }
 
-    /// Share of the time beyond the level, 0 to 1.
+    /// Returns the fraction of the time beyond the level, 0 to 1.
     pub fn share_beyond(&self) -> f64 {
         if self.deviation_m == 0.0 {
             return f64::from(u8::from(self.mean_m > self.level_m));

@@ -1,19 +1,20 @@
-//! Frequency response functions of any output to a force on any point or to an acceleration of the base.
+//! Frequency response functions of any output to a force on a point or an acceleration of the base.
 
 use crate::plant::{Plant, PlantError};
 use faer::c64;
 use std::f64::consts::TAU;
 
-/// What shakes it.
+/// Excitation of a frequency response.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum FrfInput {
     /// A force on a point, N.
     Force(String),
-    /// An acceleration of the base, m/s^2; displacements, velocities and accelerations of points are then relative to the base.
+    /// An acceleration of the base, m/s^2; displacements, velocities and accelerations of points
+    /// are relative to the base.
     BaseAcceleration,
 }
 
-/// What is looked at.
+/// Output of a frequency response.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum FrfResponse {
     /// Displacement of a point, m.
@@ -31,14 +32,14 @@ pub enum FrfResponse {
 /// One frequency response function.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Frf {
-    /// What is looked at.
+    /// Output.
     pub response: FrfResponse,
     /// Value per newton, or per m/s^2 of the base, at each frequency.
     pub value: Vec<c64>,
 }
 
 impl FrfResponse {
-    /// Name for tables, with the unit as its suffix.
+    /// Returns the name for tables, with the unit as its suffix.
     pub fn name(&self) -> String {
         match self {
             FrfResponse::Displacement(point) => format!("{point}.displacement"),
@@ -49,7 +50,7 @@ impl FrfResponse {
         }
     }
 
-    /// Unit per unit of the input.
+    /// Returns the unit per unit of the input.
     pub fn unit(&self, input: &FrfInput) -> &'static str {
         match (self, input) {
             (FrfResponse::Displacement(_), FrfInput::Force(_)) => "m/N",
@@ -66,10 +67,11 @@ impl FrfResponse {
     }
 }
 
-/// Responses to a unit amplitude of `input`, at each frequency.
+/// Returns the responses to a unit amplitude of `input`, at each frequency.
 ///
 /// # Errors
-/// [`PlantError::UnknownName`] for a point, patch or circuit that is not there, [`PlantError::UndampedResonance`], [`PlantError::Switches`].
+/// [`PlantError::UnknownName`] for an unknown point, patch or circuit,
+/// [`PlantError::UndampedResonance`], [`PlantError::Switches`].
 pub fn frf(
     plant: &Plant,
     input: &FrfInput,
@@ -79,7 +81,7 @@ pub fn frf(
     frf_until(plant, input, responses, frequencies_hz, &|| false)
 }
 
-/// The same up to the frequency at which `is_stopped` is first true.
+/// Returns the responses up to the frequency at which `is_stopped` is first true.
 ///
 /// # Errors
 /// As [`frf`].

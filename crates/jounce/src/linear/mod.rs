@@ -1,7 +1,7 @@
-//! Linear answers in closed form: what the harvester does when it never strikes its stop, under sinusoids and under noise.
+//! Linear responses in closed form: the harvester without contact, under sinusoids and under noise.
 //!
-//! With a force `Re(F e^{i w t})` on a point the response is `x = T (i w I - A)^-1 T^-1 b F`, exact at any frequency. Sign
-//! convention `e^{+i w t}`.
+//! With a force `Re(F e^{i w t})` on a point the response is `x = T (i w I - A)^-1 T^-1 b F`, exact
+//! at any frequency. Sign convention `e^{+i w t}`.
 
 mod bandwidth;
 mod coupling;

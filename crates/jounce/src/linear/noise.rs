@@ -1,18 +1,20 @@
-//! Stationary noise, and the mean power under it by integrals over frequency.
+//! Stationary noise, and the mean power under noise by integrals over frequency.
 //!
-//! With the one-sided power spectral density `S` of a drive (unit^2 per Hz) the mean power of a resistor `R` is
+//! With the one-sided power spectral density `S` of a drive (unit^2 per Hz) the mean power of a
+//! resistor `R` is
 //!
 //! ```text
 //! E[V^2] / R = integral S |V(f) / u|^2 / R df                        (Wiener and Khinchin)
 //!            = (S / 2) b^T P b,       A^T P + P A = -c^T c / R       (Lyapunov, S constant over all frequencies)
 //! ```
 //!
-//! with `b` the column of the drive and `c` the row of the voltage. The first is a quadrature that also takes a band, the second a solve;
-//! they share no step after the diagonal form. In terms of the two-sided density `Phi` per rad/s, `S = 4 pi Phi`. What the Lyapunov
-//! equation says of a band stands in [`super::covariance()`].
+//! with `b` the column of the drive and `c` the row of the voltage. The first is a quadrature that
+//! also takes a band, the second a linear solve. They share no step after the diagonal form. In
+//! terms of the two-sided density `Phi` per rad/s, `S = 4 pi Phi`. For the Lyapunov equation of a
+//! band see [`super::covariance()`].
 //!
-//! Validation: `tests/linear` holds both to each other and to the closed forms of Adhikari, Friswell and Inman, Smart Mater. Struct. 18
-//! (2009) 115005, to 1e-8.
+//! Validation: `tests/linear` compares the two with each other and with the closed forms of
+//! Adhikari, Friswell and Inman, Smart Mater. Struct. 18 (2009) 115005, to 1e-8.
 
 use super::quadrature::integral;
 use crate::plant::{Meters, Plant, PlantError, dot, driven};
@@ -21,23 +23,23 @@ use crate::structure::Modes;
 use faer::c64;
 use std::f64::consts::TAU;
 
-/// A stationary Gaussian drive of a flat spectrum; different ones are independent.
+/// A stationary Gaussian drive with a flat spectrum; different drives are independent.
 #[derive(Debug, Clone, PartialEq)]
 pub struct NoiseInput {
     /// Name of the drive.
     pub name: String,
-    /// The base that it accelerates.
+    /// Base accelerated by the drive.
     pub base: Option<String>,
     /// Modal force per unit size.
     pub shape: Vec<f64>,
     /// One-sided power spectral density, N^2/Hz or (m/s^2)^2/Hz.
     pub density: f64,
-    /// Its ends, Hz; the upper one may be infinite.
+    /// Limits of the band, Hz; the upper one may be infinite.
     pub band_hz: [f64; 2],
 }
 
 impl NoiseInput {
-    /// The noises among the drives of a spec.
+    /// Returns the noises among the drives of a spec.
     ///
     /// # Errors
     /// [`PlantError::UnknownName`].
@@ -64,7 +66,7 @@ impl NoiseInput {
         Ok(noises)
     }
 
-    /// Acceleration of the base.
+    /// Returns a noise acceleration of the base.
     pub fn of_base(plant: &Plant, density_m2_s3: f64, band_hz: [f64; 2]) -> Self {
         let shape = plant
             .system
@@ -82,7 +84,7 @@ impl NoiseInput {
         }
     }
 
-    /// The same over all frequencies.
+    /// Returns the noise with its band extended to all frequencies.
     pub fn white(&self) -> Self {
         Self {
             band_hz: [0.0, f64::INFINITY],
@@ -90,7 +92,7 @@ impl NoiseInput {
         }
     }
 
-    /// The density at a frequency.
+    /// Returns the density at a frequency.
     pub fn density_at(&self, frequency_hz: f64) -> f64 {
         let [low_hz, high_hz] = self.band_hz;
         if (low_hz..=high_hz).contains(&frequency_hz) {
@@ -101,10 +103,11 @@ impl NoiseInput {
     }
 }
 
-/// Mean power of each load, W, under white acceleration of the base with the one-sided density `density_m2_s3`, m^2 s^-4 per Hz.
+/// Returns the mean power of each load, W, under white acceleration of the base with the one-sided
+/// density `density_m2_s3`, m^2 s^-4 per Hz.
 ///
 /// # Errors
-/// [`PlantError::Undamped`] where an undamped mode carries power: its answer has no mean.
+/// [`PlantError::Undamped`] where an undamped mode carries power: its response has no mean.
 pub fn white_noise_powers_w(plant: &Plant, density_m2_s3: f64) -> Result<Vec<f64>, PlantError> {
     let column = plant.base_column();
     let meters = Meters::new(plant)?;
@@ -114,8 +117,9 @@ pub fn white_noise_powers_w(plant: &Plant, density_m2_s3: f64) -> Result<Vec<f64
         .collect())
 }
 
-/// Mean power of each load, W, under acceleration of the base with the one-sided density `density_m2_s3` between two frequencies (Hz;
-/// the upper one may be infinite) and none outside, to a relative error of about 1e-10.
+/// Returns the mean power of each load, W, under band-limited acceleration of the base. The
+/// one-sided density is `density_m2_s3` between two frequencies (Hz; the upper one may be infinite)
+/// and zero outside. The relative error is about 1e-10.
 ///
 /// # Errors
 /// [`PlantError::UndampedResonance`] where an undamped mode lies in the band.
@@ -135,7 +139,8 @@ pub fn noise_powers_between_w(
         .collect()
 }
 
-/// Power spectral density of an output under noises at a frequency, one-sided, unit^2/Hz.
+/// Returns the one-sided power spectral density of an output under noises at a frequency,
+/// unit^2/Hz.
 ///
 /// # Errors
 /// [`PlantError::UndampedResonance`].
@@ -155,7 +160,7 @@ pub fn density(
     Ok(sum)
 }
 
-/// `|H|^2` of an output per unit of a noise.
+/// Returns `|H|^2` of an output per unit of a noise.
 pub(super) fn gain(
     plant: &Plant,
     noise: &NoiseInput,
@@ -166,7 +171,8 @@ pub(super) fn gain(
     Ok(dot(row, &plant.steady_state(TAU * frequency_hz, &force)?).norm_sqr())
 }
 
-/// `integral G^power df` of the density `G` of an output, by quadrature to a relative error of about 1e-10: its mean square for 1.
+/// Returns `integral G^power df` of the density `G` of an output, by quadrature to a relative error
+/// of about 1e-10; the mean square for `power` 1.
 ///
 /// # Errors
 /// [`PlantError::UndampedResonance`] where an undamped mode lies in a band.
@@ -200,7 +206,7 @@ pub fn spectral_moment(
         } else {
             2.0 * piece[0]
         };
-        // The ends of bands are ends of pieces: what drives a piece drives all of it.
+        // Pieces end where bands end: a drive covers a piece completely or not at all.
         let driving: Vec<NoiseInput> = noises
             .iter()
             .filter(|noise| noise.density_at(middle_hz) > 0.0)

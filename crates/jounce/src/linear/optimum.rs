@@ -1,8 +1,8 @@
-//! Steady power and the load that draws most of it.
+//! Steady power and the load with the largest power.
 
 use crate::plant::{Plant, PlantError};
 
-/// The best resistance under a fixed drive.
+/// Optimal resistance under a fixed drive.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct Optimum {
     /// Resistance, ohm.
@@ -11,7 +11,7 @@ pub struct Optimum {
     pub mean_power_w: f64,
 }
 
-/// Mean power of all loads under the drives of a plant, without contact, W.
+/// Returns the mean power of all loads under the drives of a plant, without contact, W.
 pub fn steady_power_w(plant: &Plant) -> f64 {
     let mut power_w = 0.0;
     for (index, load) in plant.system.loads.iter().enumerate() {
@@ -23,10 +23,11 @@ pub fn steady_power_w(plant: &Plant) -> f64 {
     power_w
 }
 
-/// Resistance of load number `load` that draws the largest steady mean power, others unchanged.
+/// Returns the resistance of load number `load` with the largest steady mean power, others
+/// unchanged.
 ///
-/// With one tone the voltage is `V = I / (1 / R + Y)` with `I` and `Y` free of `R`, so that `P = |I|^2 R / (2 |1 + R Y|^2)` has
-/// its one maximum at `R = 1 / |Y|` (Thevenin).
+/// With one tone the voltage is `V = I / (1 / R + Y)`, with `I` and `Y` independent of `R`. Then
+/// `P = |I|^2 R / (2 |1 + R Y|^2)` has its only maximum at `R = 1 / |Y|` (Thevenin).
 ///
 /// # Errors
 /// [`PlantError`] of the plants at two trial resistances.

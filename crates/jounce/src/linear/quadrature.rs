@@ -1,22 +1,25 @@
-//! Integrals of functions with sharp peaks at the ends of the interval: the double exponential rule.
+//! Integrals of functions with sharp peaks at the ends of the interval by the double exponential
+//! rule.
 //!
 //! ```text
 //! x = (a + b) / 2 + (b - a) / 2 tanh((pi / 2) sinh t),      integral = h sum_k f(x(k h)) x'(k h)
 //! ```
 //!
-//! Points crowd towards both ends exponentially, so a resonance of width `d` at an end costs as `log(1 / d)`. The step is halved until
-//! two sums agree. Source: Takahasi and Mori, Publ. RIMS 9 (1974) 721.
+//! Points cluster exponentially towards both ends, so a resonance of width `d` at an end costs as
+//! `log(1 / d)`. The step is halved until two sums agree. Source: Takahasi and Mori, Publ. RIMS 9
+//! (1974) 721.
 
 use std::f64::consts::FRAC_PI_2;
 
 /// Relative change between two steps at which the sum is accepted.
 const QUADRATURE_TOLERANCE: f64 = 1e-11;
-/// Most halvings of the step.
+/// Largest number of halvings of the step.
 const MAX_HALVINGS: u32 = 12;
 /// Beyond this the points coincide with the ends.
 const MAX_ABSCISSA: f64 = 4.0;
 
-/// Integral of `f` from `a` to `b`; `b` may be infinite where `a` is positive and `f` falls at least like `1 / x^2`.
+/// Returns the integral of `f` from `a` to `b`; `b` may be infinite where `a` is positive and `f`
+/// falls at least like `1 / x^2`.
 pub(super) fn integral(mut f: impl FnMut(f64) -> f64, a: f64, b: f64) -> f64 {
     if b.is_infinite() {
         // x = a / u
@@ -43,11 +46,12 @@ pub(super) fn integral(mut f: impl FnMut(f64) -> f64, a: f64, b: f64) -> f64 {
     )
 }
 
-/// Integral over an interval of this length of a function of the distances from both ends, each exact near its own end.
+/// Returns the integral over an interval of this length of a function of the distances from both
+/// ends, each exact near its own end.
 fn finite(mut f: impl FnMut(f64, f64) -> f64, length: f64) -> f64 {
     let mut term = |t: f64| {
         let u = FRAC_PI_2 * t.sinh();
-        // 1 / (1 + exp(2 u)) is the part of the length that is left to the end.
+        // 1 / (1 + exp(2 u)) is the relative distance to the end.
         let (left, right) = (
             length / (1.0 + (-2.0 * u).exp()),
             length / (1.0 + (2.0 * u).exp()),

@@ -1,8 +1,9 @@
-//! The linear answer of a spec to its stationary noises, exact.
+//! Exact linear response of a spec to its stationary noises.
 //!
-//! Mean squares come from [`super::covariance()`], mean powers from that and from a quadrature over frequency, whose difference is given with
-//! them. Stops are left out: how often their gap would be reached is told by Rice's formula ([`super::Crossing`]). So are drives that are no
-//! noise; gravity shifts the mean.
+//! Mean squares come from [`super::covariance()`]. Mean powers come from it and from a quadrature
+//! over frequency; their difference is returned too. Stops are left out: Rice's formula gives the
+//! rate at which their gap would be reached ([`super::Crossing`]). Drives other than noise are left
+//! out too; gravity shifts the mean.
 
 use super::bandwidth::{noise_bandwidth_hz, statistical_bandwidth_hz, telling_frequencies_hz};
 use super::covariance::{covariance, product};
@@ -17,10 +18,11 @@ use crate::structure::{self, StructureError};
 use faer::Mat;
 use std::collections::BTreeMap;
 
-/// Share of the highest frequency of the noises at which densities begin where the noises begin at 0.
+/// Lowest frequency of densities over the highest frequency of the noises, where the noises begin
+/// at 0.
 const LOWEST_SHARE: f64 = 1e-3;
 
-/// Why a spec has no linear answer to noise.
+/// Reason why a spec has no linear response to noise.
 #[derive(Debug, Clone, PartialEq, thiserror::Error, serde::Serialize)]
 #[serde(untagged)]
 pub enum RandomError {
@@ -43,7 +45,7 @@ pub enum RandomError {
         /// Name of the circuit.
         circuit: String,
     },
-    /// An answer that never becomes stationary.
+    /// A response that never becomes stationary.
     #[error(
         "drive.{drive} excites a mode at {mode_hz} Hz that nothing damps or brings back, so that its answer never becomes stationary; give the mode a damping ratio, or march it with `jounce ensemble`"
     )]
@@ -68,12 +70,13 @@ pub struct Random {
     noises: Vec<NoiseInput>,
     covariance: Mat<f64>,
     left_out: Vec<String>,
-    /// The noise that moves one side of a stop alone, by the name of the stop.
+    /// Noise that moves only one side of a stop, by the name of the stop.
     carried: BTreeMap<String, String>,
 }
 
 impl Random {
-    /// The harvester of a spec under its noises and gravity, its stops and its other drives left out.
+    /// Builds the harvester of a spec under its noises and gravity, without its stops and other
+    /// drives.
     ///
     /// # Errors
     /// Every variant of [`RandomError`].
@@ -116,7 +119,7 @@ impl Random {
         })
     }
 
-    /// Means and mean squares.
+    /// Returns the means and mean squares.
     ///
     /// # Errors
     /// [`RandomError::Plant`] where a quadrature meets an undamped mode.
@@ -215,8 +218,8 @@ impl Random {
             .collect()
     }
 
-    /// Band over which densities are told where no other is asked for, Hz: that of the noises, from a thousandth of its end where it begins
-    /// at 0.
+    /// Returns the default band of densities, Hz: the band of the noises, from a thousandth of its
+    /// upper end if it begins at 0.
     pub fn usual_band_hz(&self) -> [f64; 2] {
         let ends = self.noises.iter().map(|noise| noise.band_hz);
         let [low, high] = ends.fold([f64::INFINITY, 0.0_f64], |[low, high], [from, to]| {
@@ -225,7 +228,8 @@ impl Random {
         [low.max(LOWEST_SHARE * high), high]
     }
 
-    /// Frequencies from one to another, Hz, ascending: evenly spaced, and closer about each resonance.
+    /// Returns frequencies between two limits, Hz, ascending: evenly spaced, and closer around each
+    /// resonance.
     pub fn frequencies_hz(&self, from_hz: f64, to_hz: f64, points: usize) -> Vec<f64> {
         let mut all: Vec<f64> = (0..points)
             .map(|k| from_hz + (to_hz - from_hz) * k as f64 / (points - 1) as f64)
@@ -240,7 +244,7 @@ impl Random {
         all
     }
 
-    /// Power spectral densities of the voltages and displacements, at each frequency.
+    /// Returns the power spectral densities of the voltages and displacements, at each frequency.
     ///
     /// # Errors
     /// [`RandomError::Plant`] at an undamped mode.
@@ -248,7 +252,7 @@ impl Random {
         self.densities_until(frequency_hz, &|| false)
     }
 
-    /// The same, each up to the frequency at which `is_stopped` is first true.
+    /// Returns the densities, each up to the frequency at which `is_stopped` is first true.
     ///
     /// # Errors
     /// As [`Random::densities`].
@@ -293,7 +297,7 @@ impl Random {
     }
 }
 
-/// The noise that moves the base of one side of a stop and not that of the other.
+/// Returns the noise that moves the base of only one side of a stop.
 fn carrier(spec: &Spec, stop: &Stop, noises: &[NoiseInput]) -> Option<String> {
     let under = [&stop.at, &stop.frame].map(|point| spec.base_under(point));
     let carries = |noise: &&NoiseInput| {

@@ -1,4 +1,4 @@
-//! What is told of a linear answer to noise.
+//! Linear response to noise.
 
 use serde::Serialize;
 
@@ -11,13 +11,13 @@ pub struct RandomLoad {
     pub mean_power_w: f64,
     /// Mean power by the integral over frequency, W.
     pub spectral_power_w: f64,
-    /// Difference of the two over the first.
+    /// Difference of the two powers relative to the first.
     pub difference_relative: f64,
     /// Voltage across the resistor, rms, V.
     pub voltage_rms_v: f64,
-    /// Noise bandwidth of its voltage per unit of each drive of noise, Hz.
+    /// Noise bandwidth of the voltage per unit of each noise drive, Hz.
     pub noise_bandwidth_hz: Vec<f64>,
-    /// Statistical bandwidth of its voltage, Hz.
+    /// Statistical bandwidth of the voltage, Hz.
     pub statistical_bandwidth_hz: f64,
 }
 
@@ -35,13 +35,13 @@ pub struct RandomPatch {
 pub struct RandomPoint {
     /// Name of the point.
     pub name: String,
-    /// Displacement, rms about its mean, m; relative to the base where that moves.
+    /// Displacement, rms about its mean, m; relative to the base if it moves.
     pub displacement_rms_m: f64,
     /// Velocity, rms, m/s.
     pub velocity_rms_m_s: f64,
 }
 
-/// One stop that the answer does not know of.
+/// One stop, which the linear response does not include.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct RandomStop {
     /// Name of the stop.
@@ -52,40 +52,41 @@ pub struct RandomStop {
     pub mean_m: f64,
     /// Displacement towards the stop, rms about its mean, m.
     pub displacement_rms_m: f64,
-    /// How often the gap would be reached, Hz; none where a noise carries one side away.
+    /// Rate at which the gap would be reached, Hz; `None` where a noise carries one side away.
     pub reached_hz: Option<f64>,
-    /// Share of the time beyond the gap, 0 to 1; none likewise.
+    /// Fraction of the time beyond the gap, 0 to 1; `None` in the same case.
     pub share_beyond: Option<f64>,
-    /// The noise that moves the base of one side and not that of the other: the displacement of an acceleration drifts without end.
+    /// Noise that moves the base of only one side: the displacement of an acceleration drifts
+    /// without limit.
     pub carried_by: Option<String>,
 }
 
-/// What a spec answers to its noises without its stops.
+/// Response of a spec to its noises without its stops.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct RandomResponse {
-    /// Names of the drives of noise.
+    /// Names of the noise drives.
     pub drives: Vec<String>,
-    /// Names of the drives that are no noise: left out.
+    /// Names of the omitted drives, which are not noise.
     pub left_out: Vec<String>,
     /// Mean power of all loads, W.
     pub mean_power_w: f64,
-    /// Each circuit.
+    /// Loads.
     pub loads: Vec<RandomLoad>,
-    /// Each patch.
+    /// Patches.
     pub patches: Vec<RandomPatch>,
-    /// Each point.
+    /// Points.
     pub points: Vec<RandomPoint>,
-    /// Each stop.
+    /// Stops.
     pub stops: Vec<RandomStop>,
 }
 
 /// Power spectral density of one output.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Density {
-    /// What it is of.
+    /// Name of the output.
     pub name: String,
     /// Unit.
     pub unit: &'static str,
-    /// One-sided, at each frequency.
+    /// One-sided density at each frequency.
     pub value: Vec<f64>,
 }

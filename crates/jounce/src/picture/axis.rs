@@ -1,23 +1,24 @@
-//! An axis as the caller asks for it.
+//! Axis of a panel.
 
 use super::PictureError;
 
 /// A quantity along one side of a panel.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Axis {
-    /// What is shown, in words: `Mean power`.
+    /// Name of the quantity: `Mean power`.
     pub quantity: String,
-    /// Its SI unit as text: `W/N^2`, `ohm`, empty for a pure number. Tick labels get a prefix (`µW/N²`) where that makes them short.
+    /// SI unit as text: `W/N^2`, `ohm`, empty for a pure number. Tick labels get a prefix (`µW/N²`)
+    /// where that makes them short.
     pub unit: String,
     /// Linear or logarithmic.
     pub scale: Scale,
-    /// Both ends; where absent, the data decide.
+    /// Both ends; if absent, the data determine them.
     pub range: Option<(f64, f64)>,
-    /// Distance of the labelled ticks of a linear axis; where absent, the range decides.
+    /// Distance of the labelled ticks of a linear axis; if absent, the range determines it.
     pub step: Option<f64>,
 }
 
-/// How an axis divides its length.
+/// Division of an axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Scale {
     /// Equal steps.
@@ -28,7 +29,7 @@ pub enum Scale {
 }
 
 impl Axis {
-    /// A linear axis that spans its data.
+    /// Creates a linear axis that spans its data.
     pub fn linear(quantity: &str, unit: &str) -> Self {
         Self {
             quantity: quantity.to_owned(),
@@ -39,7 +40,7 @@ impl Axis {
         }
     }
 
-    /// A logarithmic axis that spans its data.
+    /// Creates a logarithmic axis that spans its data.
     pub fn log(quantity: &str, unit: &str) -> Self {
         Self {
             scale: Scale::Log,
@@ -47,7 +48,7 @@ impl Axis {
         }
     }
 
-    /// An axis of the given scale that spans its data.
+    /// Creates an axis of the given scale that spans its data.
     pub fn of(scale: Scale, quantity: &str, unit: &str) -> Self {
         Self {
             scale,
@@ -55,21 +56,21 @@ impl Axis {
         }
     }
 
-    /// The same from `low` to `high`.
+    /// Sets the range from `low` to `high`.
     #[must_use]
     pub fn between(mut self, low: f64, high: f64) -> Self {
         self.range = Some((low, high));
         self
     }
 
-    /// The same with a labelled tick at every multiple of `step`.
+    /// Sets a labelled tick at every multiple of `step`.
     #[must_use]
     pub fn every(mut self, step: f64) -> Self {
         self.step = Some(step);
         self
     }
 
-    /// The range asked for, if it is one.
+    /// Returns the requested range, if it is valid.
     pub(super) fn checked_range(&self) -> Result<Option<(f64, f64)>, PictureError> {
         let log = self.scale == Scale::Log;
         let fits = |(low, high): (f64, f64)| {
@@ -90,5 +91,5 @@ impl Axis {
     }
 }
 
-/// Values beyond this cannot be placed without overflow; they are treated as gaps.
+/// Larger values cannot be placed without overflow; they are treated as gaps.
 pub(super) const MAX_PLOTTED_VALUE: f64 = 1e300;

@@ -1,6 +1,7 @@
-//! Colours that colour-blind readers tell apart.
+//! Colours that colour-blind readers can distinguish.
 //!
-//! Source: M. Okabe, K. Ito, Color universal design (2008); its yellow is left out, it vanishes on white paper.
+//! Source: M. Okabe, K. Ito, Color universal design (2008). Its yellow is omitted: it is invisible
+//! on white paper.
 
 /// A colour of a line, a marker or an area.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -8,7 +9,7 @@ pub enum Colour {
     /// The first colour of a series.
     #[default]
     Blue,
-    /// Red to most, told from green by all.
+    /// Vermilion: red to most, distinguishable from green by all.
     Vermilion,
     /// Bluish green.
     Green,
@@ -20,12 +21,12 @@ pub enum Colour {
     Sky,
     /// Black on white paper, white on a dark page.
     Ink,
-    /// For what serves as a comparison: the linear case, reference lines, shaded areas.
+    /// Grey for comparisons: the linear case, reference lines, shaded areas.
     Grey,
 }
 
 impl Colour {
-    /// The colour of curve number `index`, from 0, in a picture of several; after six they start again.
+    /// Returns the colour of curve number `index`, from 0; the six colours repeat.
     pub fn nth(index: usize) -> Self {
         [
             Self::Blue,
@@ -37,7 +38,7 @@ impl Colour {
         ][index % 6]
     }
 
-    /// As `#rrggbb`.
+    /// Returns the colour as `#rrggbb`.
     pub(super) fn hex(self) -> &'static str {
         match self {
             Self::Blue => "#0072b2",

@@ -1,10 +1,10 @@
-//! From values to paths in pixels: gaps, far-off points, and more points than pixels.
+//! Values to paths in pixels: gaps, distant points, and more points than pixels.
 
 use std::fmt::Write as _;
 
 use super::svg::number;
 
-/// Points of a series in pixels of its frame, one run for each stretch without a gap.
+/// Returns the points of a series in pixels of its frame, one run for each segment without a gap.
 pub(super) fn runs(points: impl Iterator<Item = Option<(f64, f64)>>) -> Vec<Vec<(f64, f64)>> {
     let mut runs = vec![Vec::new()];
     for point in points {
@@ -20,10 +20,11 @@ pub(super) fn runs(points: impl Iterator<Item = Option<(f64, f64)>>) -> Vec<Vec<
     runs
 }
 
-/// Farther outside than this a point is moved to here, pixels: renderers lose their way in huge coordinates.
+/// Points farther outside than this are moved to this distance, pixels: renderers fail at huge
+/// coordinates.
 const MAX_PIXEL_DISTANCE: f64 = 1e5;
 
-/// The path along the points of a run; a lone point becomes a dot.
+/// Returns the path along the points of a run; a single point becomes a dot.
 pub(super) fn path(run: &[(f64, f64)]) -> String {
     let mut steps = String::new();
     let thinned = thin(run);
@@ -42,7 +43,8 @@ pub(super) fn path(run: &[(f64, f64)]) -> String {
     steps
 }
 
-/// At most four points in each column of half a pixel: first, lowest, highest, last. The picture stays the same.
+/// Keeps at most four points in each column of half a pixel: first, lowest, highest, last. The
+/// picture does not change.
 fn thin(run: &[(f64, f64)]) -> Vec<(f64, f64)> {
     let ordered = run.windows(2).all(|pair| pair[0].0 <= pair[1].0);
     if !ordered || run.len() < 2000 {
@@ -64,7 +66,7 @@ fn thin(run: &[(f64, f64)]) -> Vec<(f64, f64)> {
     thinned
 }
 
-/// Points along a run no farther than `step` pixels apart: where the line covers the paper.
+/// Returns points along a run no farther than `step` pixels apart: the area covered by the line.
 pub(super) fn along(run: &[(f64, f64)], step: f64) -> Vec<(f64, f64)> {
     let mut points = run.first().copied().into_iter().collect::<Vec<_>>();
     for pair in thin(run).windows(2) {

@@ -1,26 +1,27 @@
-//! What can be wrong with a picture.
+//! Errors of a picture.
 
 use std::path::PathBuf;
 
 use crate::store::StoreError;
 
-/// A picture that cannot be drawn or stored. Empty data and NaN are not faults: they give a gap or the words "no data".
+/// A picture that cannot be drawn or stored. Empty data and NaN are not errors: they give a gap or
+/// the words "no data".
 #[derive(Debug, thiserror::Error, serde::Serialize)]
 #[serde(untagged)]
 pub enum PictureError {
-    /// An axis range that was asked for makes no sense.
+    /// A requested axis range that is invalid.
     #[error("the axis \"{axis}\" cannot run from {low} to {high}; it needs finite ends, low < high{}", if *.log { ", both > 0 on a logarithmic axis" } else { "" })]
     Range {
         /// Quantity on the axis.
         axis: String,
-        /// Lower end asked for.
+        /// Requested lower end.
         low: f64,
-        /// Upper end asked for.
+        /// Requested upper end.
         high: f64,
-        /// Whether the axis is logarithmic.
+        /// True where the axis is logarithmic.
         log: bool,
     },
-    /// A series with more places than values, or the other way round.
+    /// A series with different numbers of abscissas and ordinates.
     #[error(
         "the series \"{series}\" has {x} places and {y} values; it needs as many of the one as of the other"
     )]
@@ -32,7 +33,7 @@ pub enum PictureError {
         /// Number of ordinates.
         y: usize,
     },
-    /// A size that no picture can have.
+    /// A size outside the allowed range.
     #[error(
         "a picture of {width} by {height} pixels cannot be drawn; both must lie between 1 and 20000"
     )]
@@ -42,16 +43,16 @@ pub enum PictureError {
         /// Height, pixels.
         height: f64,
     },
-    /// The ending of the file name says no known format.
+    /// A file name whose extension is not a known format.
     #[error("cannot tell the format of \"{path}\" from its name; use .svg or .png")]
     Format {
-        /// The path.
+        /// Path.
         path: PathBuf,
     },
     /// The renderer refused the picture.
     #[error("the picture cannot be rendered as PNG: {reason}")]
     Render {
-        /// What it said.
+        /// Message of the renderer.
         reason: String,
     },
     /// The file could not be stored.

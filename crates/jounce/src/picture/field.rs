@@ -1,6 +1,7 @@
 //! Values on a grid as coloured cells.
 //!
-//! Colours are those of viridis (S. van der Walt, N. Smith, 2015, public domain): lighter is more, for colour-blind readers and in print too.
+//! Colours are those of viridis (S. van der Walt, N. Smith, 2015, public domain): larger values are
+//! lighter, for colour-blind readers and in print too.
 
 use std::fmt::Write as _;
 
@@ -8,16 +9,16 @@ use super::PictureError;
 use super::layout::Plot;
 use super::svg::{Svg, number};
 
-/// Values on a grid, drawn behind everything else of a panel.
+/// Values on a grid, drawn behind all other elements of a panel.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Field {
-    /// Edges of the columns, ascending: one more than there are columns.
+    /// Edges of the columns, ascending: one more than the number of columns.
     pub x: Vec<f64>,
     /// Edges of the rows, ascending.
     pub y: Vec<f64>,
     /// The columns, each with a value for every row; NaN leaves its cell empty.
     pub columns: Vec<Vec<f64>>,
-    /// Values of the first and the last colour; what lies beyond has that colour too.
+    /// Values of the first and the last colour; values beyond also get that colour.
     pub range: (f64, f64),
 }
 
@@ -34,7 +35,7 @@ const ANCHORS: [[f64; 3]; 11] = [
     [189.0, 223.0, 38.0],
     [253.0, 231.0, 37.0],
 ];
-/// Colours that are told apart.
+/// Number of distinct colours.
 const LEVELS: usize = 24;
 
 impl Field {
@@ -62,7 +63,8 @@ impl Field {
         (!share.is_nan()).then(|| ((share * LEVELS as f64) as usize).min(LEVELS - 1))
     }
 
-    /// Neighbours of one colour in a row are one rectangle, and one path holds all of a colour.
+    /// Draws the cells: neighbours of one colour in a row are one rectangle, and one path holds all
+    /// cells of a colour.
     pub(super) fn draw(&self, svg: &mut Svg, plot: &Plot<'_>) {
         let mut paths = vec![String::new(); LEVELS];
         for row in 0..self.y.len().saturating_sub(1) {
@@ -98,7 +100,7 @@ impl Field {
     }
 }
 
-/// Colour of a level, straight between the anchors.
+/// Returns the colour of a level, interpolated linearly between the anchors.
 fn colour(level: usize) -> String {
     let place = level as f64 / (LEVELS - 1) as f64 * (ANCHORS.len() - 1) as f64;
     let below = (place as usize).min(ANCHORS.len() - 2);
@@ -136,7 +138,8 @@ mod tests {
                 .map(|line| line.matches('M').count())
                 .sum::<usize>()
         };
-        // The lowest row has one rectangle over two columns; the highest colour is there three times, each apart.
+        // The lowest row has one rectangle over two columns; the highest colour occurs three times,
+        // each apart.
         assert_eq!(
             (cells(&colour(0)), cells(&colour(LEVELS - 1))),
             (1, 3),

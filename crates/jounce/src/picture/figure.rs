@@ -10,19 +10,20 @@ use super::svg::{Anchor, Svg};
 use super::text::{LEADING, TITLE, width};
 use super::{Panel, PictureError, file, raster};
 
-/// A column of panels under one title. Panels over equal horizontal axes share one; if their vertical axes are equal too, they share its range.
+/// A column of panels under one title. Panels over equal horizontal axes share one; if their
+/// vertical axes are also equal, they share the vertical range.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Figure {
     /// Title above the panels; may be empty.
     pub title: String,
-    /// The panels from top to bottom.
+    /// Panels from top to bottom.
     pub panels: Vec<Panel>,
     /// Width of the picture, pixels of 1/96 inch; the height follows from the panels.
     pub width_px: f64,
 }
 
 impl Figure {
-    /// A figure without panels yet, 720 pixels wide.
+    /// Creates a figure without panels, 720 pixels wide.
     pub fn new(title: &str) -> Self {
         Self {
             title: title.to_owned(),
@@ -31,17 +32,18 @@ impl Figure {
         }
     }
 
-    /// The same with one more panel below.
+    /// Adds a panel below.
     #[must_use]
     pub fn with(mut self, panel: Panel) -> Self {
         self.panels.push(panel);
         self
     }
 
-    /// The picture as an SVG document without ids, scripts or links, so that many fit inline in one page.
+    /// Returns the picture as an SVG document without ids, scripts or links, so that many fit
+    /// inline in one page.
     ///
     /// # Errors
-    /// A range that makes no sense, a series of unequal lengths, a size that no picture can have.
+    /// An invalid range, a series of unequal lengths, a size outside the allowed range.
     pub fn to_svg(&self) -> Result<String, PictureError> {
         self.check()?;
         let layout = FigureLayout::new(self, 0.0)?;
@@ -61,7 +63,8 @@ impl Figure {
         if aside == 0.0 {
             return Ok(self.draw(&layout, &places));
         }
-        // A narrower frame: where there was room inside there may be none now, so those legends are placed again.
+        // A narrower frame may have no room for a legend inside, so legends inside are placed
+        // again.
         let layout = FigureLayout::new(self, aside)?;
         let again = |(plot, place): (_, &LegendPlace)| {
             if *place == LegendPlace::Beside {
@@ -74,18 +77,20 @@ impl Figure {
         Ok(self.draw(&layout, &places))
     }
 
-    /// The picture as a PNG file of `scale` times the size in pixels (2 gives 192 dpi at the nominal size).
+    /// Returns the picture as a PNG file of `scale` times the size in pixels (2 gives 192 dpi at
+    /// the nominal size).
     ///
     /// # Errors
-    /// As for [`Figure::to_svg`], and a scale that gives no size a picture can have.
+    /// As for [`Figure::to_svg`], and a scale that gives a size outside the allowed range.
     pub fn to_png(&self, scale: f64) -> Result<Vec<u8>, PictureError> {
         raster::png(&self.to_svg()?, scale)
     }
 
-    /// Writes the picture whole or not at all, in the format that the ending of `path` names: `.svg`, or `.png` at scale 2.
+    /// Writes the picture atomically, in the format of the extension of `path`: `.svg`, or `.png`
+    /// at scale 2.
     ///
     /// # Errors
-    /// As for [`Figure::to_png`], another ending, a place that cannot be written.
+    /// As for [`Figure::to_png`], another extension, a path that cannot be written.
     pub fn write(&self, path: &Path) -> Result<(), PictureError> {
         file::write(path, || self.to_svg())
     }
@@ -131,7 +136,7 @@ impl Figure {
             .iter()
             .map(|line| width(line, TITLE))
             .fold(0.0, f64::max);
-        // Flush with the frame where the title fits there, else from the edge of the picture.
+        // Flush with the frame if the title fits there, else from the edge of the picture.
         let left = if left + widest <= self.width_px - 12.0 {
             left
         } else {

@@ -1,4 +1,4 @@
-//! A picture in a file.
+//! Output of a picture to a file.
 
 use std::path::Path;
 
@@ -8,10 +8,12 @@ use crate::store;
 /// Pixels of a PNG file per pixel of the picture: 192 dpi.
 const SCALE: f64 = 2.0;
 
-/// Writes a picture whole or not at all, in the format that the ending of `path` names: `.svg`, or `.png` at scale 2.
+/// Writes a picture atomically, in the format of the extension of `path`: `.svg`, or `.png` at
+/// scale 2.
 ///
 /// # Errors
-/// What `svg` has, another ending, a size no picture can have, a place that cannot be written.
+/// The error of `svg`, another extension, a size outside the allowed range, a path that cannot be
+/// written.
 pub(super) fn write(
     path: &Path,
     svg: impl FnOnce() -> Result<String, PictureError>,

@@ -9,7 +9,7 @@ use super::text::{LABEL, LEADING, SMALL};
 const GRID: &str = "class=\"jounce-grid\" fill=\"none\" stroke=\"#e6e6e6\" stroke-width=\"0.8\"";
 const RULE: &str = "class=\"jounce-rule\" fill=\"none\" stroke=\"#333333\" stroke-width=\"0.9\"";
 
-/// The grid, drawn before the data; none where there is no data.
+/// Draws the grid, before the data; omitted where there is no data.
 pub(super) fn grid(svg: &mut Svg, plot: &Plot<'_>) {
     if !plot.has_data() {
         return;
@@ -46,7 +46,7 @@ pub(super) fn grid(svg: &mut Svg, plot: &Plot<'_>) {
     svg.path(&steps, GRID);
 }
 
-/// Frame, ticks, labels and titles, drawn after the data.
+/// Draws frame, ticks, labels and titles, after the data.
 pub(super) fn frame(svg: &mut Svg, plot: &Plot<'_>) {
     svg.rect(plot.left, plot.top, plot.width, plot.height, RULE);
     svg.path(&ticks(plot), RULE);
@@ -91,7 +91,7 @@ pub(super) fn frame(svg: &mut Svg, plot: &Plot<'_>) {
     );
 }
 
-/// Ticks point outwards, so that they cover no data.
+/// Returns ticks that point outwards, so that they cover no data.
 fn ticks(plot: &Plot<'_>) -> String {
     let mut steps = String::new();
     let major = |list: &[(f64, String)]| {

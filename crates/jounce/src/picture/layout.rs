@@ -1,4 +1,4 @@
-//! Where things go: the frames of the panels and the room around them for ticks, titles and names.
+//! Layout: the frames of the panels and the room around them for ticks, titles and names.
 
 use super::panel::Along;
 use super::span::Span;
@@ -11,7 +11,7 @@ pub(super) const TICK: f64 = 5.0;
 const GAP: f64 = 8.0;
 const BORDER: f64 = 12.0;
 
-/// A panel with its frame in pixels and its axes settled.
+/// A panel with its frame in pixels and its final axes.
 pub(super) struct Plot<'a> {
     pub panel: &'a Panel,
     pub left: f64,
@@ -22,7 +22,8 @@ pub(super) struct Plot<'a> {
     pub y: Span,
     pub x_ticks: Ticks,
     pub y_ticks: Ticks,
-    /// Whether the horizontal axis is labelled here; panels over a common axis leave that to the lowest.
+    /// True where the horizontal axis is labelled here; of panels over a common axis only the
+    /// lowest is labelled.
     pub labels_x: bool,
     pub y_title: Vec<String>,
     /// Right edge of the vertical title, pixels: one column for all panels.
@@ -37,7 +38,7 @@ pub(super) struct FigureLayout<'a> {
 }
 
 impl Plot<'_> {
-    /// A point in pixels from the upper left corner of the frame.
+    /// Returns a point in pixels from the upper left corner of the frame.
     pub fn pixel(&self, x: f64, y: f64) -> Option<(f64, f64)> {
         Some((
             self.x.place(x)? * self.width,
@@ -45,7 +46,7 @@ impl Plot<'_> {
         ))
     }
 
-    /// Whether there are coloured cells, or any series has a point inside the frame.
+    /// True where there are coloured cells, or a series has a point inside the frame.
     pub fn has_data(&self) -> bool {
         let inside = |(x, y): (&f64, &f64)| self.x.holds(*x) && self.y.holds(*y);
         let cells = self
@@ -63,7 +64,7 @@ impl Plot<'_> {
 }
 
 impl<'a> FigureLayout<'a> {
-    /// Lays a figure out, leaving `aside` pixels at the right for legends.
+    /// Lays a figure out, with `aside` pixels at the right for legends.
     pub fn new(figure: &'a Figure, aside: f64) -> Result<Self, PictureError> {
         let spans = spans(figure)?;
         let mut plots: Vec<_> = figure
@@ -117,7 +118,7 @@ fn start<'a>(figure: &Figure, index: usize, panel: &'a Panel, x: Span, y: Span) 
     }
 }
 
-/// Panels over equal horizontal axes share one.
+/// True where the panels have equal horizontal axes and share one.
 fn shares_x(figure: &Figure) -> bool {
     figure.panels.windows(2).all(|pair| pair[0].x == pair[1].x)
 }
@@ -171,7 +172,7 @@ fn spans(figure: &Figure) -> Result<Vec<(Span, Span)>, PictureError> {
     figure.panels.iter().map(span).collect()
 }
 
-/// The values in what the horizontal axis shows: the vertical axis spans these.
+/// Returns the values in the range of the horizontal axis: the vertical axis spans these.
 fn shown(panel: &Panel, x: Span) -> impl Iterator<Item = f64> {
     let points = panel
         .series
@@ -183,7 +184,7 @@ fn shown(panel: &Panel, x: Span) -> impl Iterator<Item = f64> {
         .chain(cells)
 }
 
-/// As many ticks as have room for their labels side by side.
+/// Returns as many ticks as have room for their labels.
 fn roomy_ticks(plot: &Plot<'_>) -> Ticks {
     let mut room = plot.width / 65.0;
     loop {

@@ -1,4 +1,4 @@
-//! The legend: in the corner where it covers no data, else beside the frame.
+//! Legend: in the corner where it covers no data, else at the right of the frame.
 
 use super::curve::along;
 use super::layout::Plot;
@@ -13,7 +13,7 @@ const PADDING: f64 = 8.0;
 /// Free paper around a legend inside the frame, pixels.
 const CLEAR: f64 = 6.0;
 
-/// Where a legend stands, from the upper left corner of the frame.
+/// Position of a legend, from the upper left corner of the frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum LegendPlace {
     /// Nothing to list.
@@ -24,7 +24,7 @@ pub(super) enum LegendPlace {
     Beside,
 }
 
-/// Width and height of the legend of a panel; `None` where nothing has a name.
+/// Returns the width and height of the legend of a panel; `None` if no element has a name.
 pub(super) fn size(panel: &Panel) -> Option<(f64, f64)> {
     let names = names(panel);
     let widest = names
@@ -47,7 +47,8 @@ fn names(panel: &Panel) -> Vec<&str> {
         .collect()
 }
 
-/// The first place in the frame that covers no data; beside the frame where there is none.
+/// Returns the first position in the frame that covers no data; if there is none, the right of the
+/// frame.
 pub(super) fn place(plot: &Plot<'_>) -> LegendPlace {
     let Some((w, h)) = size(plot.panel) else {
         return LegendPlace::None;
@@ -78,8 +79,8 @@ pub(super) fn place(plot: &Plot<'_>) -> LegendPlace {
         .map_or(LegendPlace::Beside, |(x, y)| LegendPlace::Inside(x, y))
 }
 
-/// Points in the frame that data and notes cover, close enough together that none slips through a legend. A reference line may be covered: it
-/// goes on at both ends.
+/// Returns points in the frame covered by data and notes, spaced so closely that a legend cannot
+/// lie between them. A reference line may be covered: it continues at both ends.
 fn covered(plot: &Plot<'_>) -> Vec<(f64, f64)> {
     let mut points = Vec::new();
     for series in &plot.panel.series {
@@ -106,7 +107,7 @@ fn covered(plot: &Plot<'_>) -> Vec<(f64, f64)> {
     points
 }
 
-/// Draws the legend of a panel at its place.
+/// Draws the legend of a panel at its position.
 pub(super) fn legend(svg: &mut Svg, plot: &Plot<'_>, place: LegendPlace) {
     let (x, y) = match place {
         LegendPlace::None => return,

@@ -1,4 +1,4 @@
-//! What stands between the axes: bands, lines, markers, reference lines, notes.
+//! Elements between the axes: bands, lines, markers, reference lines, notes.
 
 use std::fmt::Write as _;
 
@@ -9,10 +9,10 @@ use super::svg::{Anchor, Svg, number};
 use super::text::{SMALL, width};
 use super::{Colour, Line, Marker, Series};
 
-/// Markers on a line stand at least this far apart, pixels.
+/// Smallest distance of markers on a line, pixels.
 const MARKER_DISTANCE: f64 = 14.0;
 
-/// Everything inside the frame but the markers, or the words "no data".
+/// Draws all elements inside the frame except the markers, or the words "no data".
 pub(super) fn marks(svg: &mut Svg, plot: &Plot<'_>) {
     svg.open_window(plot.left, plot.top, plot.width, plot.height);
     if let Some(field) = &plot.panel.field {
@@ -41,7 +41,7 @@ pub(super) fn marks(svg: &mut Svg, plot: &Plot<'_>) {
     notes(svg, plot);
 }
 
-/// The markers, drawn over the frame: those at an end of an axis stay whole.
+/// Draws the markers over the frame: those at an end of an axis are not clipped.
 pub(super) fn markers(svg: &mut Svg, plot: &Plot<'_>) {
     for series in &plot.panel.series {
         if let Some(marker) = series.marker {
@@ -55,7 +55,7 @@ pub(super) fn markers(svg: &mut Svg, plot: &Plot<'_>) {
     }
 }
 
-/// The stretches of a series without gap, in pixels of the frame.
+/// Returns the segments of a series without gap, in pixels of the frame.
 pub(super) fn pixel_runs(plot: &Plot<'_>, series: &Series) -> Vec<Vec<(f64, f64)>> {
     runs(
         series
@@ -66,7 +66,7 @@ pub(super) fn pixel_runs(plot: &Plot<'_>, series: &Series) -> Vec<Vec<(f64, f64)
     )
 }
 
-/// Attributes of a line.
+/// Returns the attributes of a line.
 pub(super) fn line_look(line: Line, colour: Colour) -> String {
     let (weight, dash) = match line {
         Line::Solid => ("1.8", ""),
@@ -84,7 +84,7 @@ pub(super) fn line_look(line: Line, colour: Colour) -> String {
     )
 }
 
-/// Attributes of a marker: filled, or open with white paper inside.
+/// Returns the attributes of a marker: filled, or open with white paper inside.
 pub(super) fn marker_look(marker: Marker, colour: Colour) -> String {
     let rule = if colour == Colour::Ink {
         " jounce-rule"
@@ -112,7 +112,7 @@ pub(super) fn marker_look(marker: Marker, colour: Colour) -> String {
     }
 }
 
-/// The outline of a marker around a point.
+/// Returns the outline of a marker around a point.
 pub(super) fn marker_path(marker: Marker, x: f64, y: f64, scale: f64) -> String {
     let at = |dx: f64, dy: f64| format!("{} {}", number(x + scale * dx), number(y + scale * dy));
     match marker {
@@ -136,7 +136,7 @@ pub(super) fn marker_path(marker: Marker, x: f64, y: f64, scale: f64) -> String 
     }
 }
 
-/// Points to mark: all that lie in the frame; on a line, none closer than the marker distance to the one before.
+/// Returns the points to mark: all in the frame; on a line, no two closer than the marker distance.
 pub(super) fn marker_places(plot: &Plot<'_>, series: &Series) -> Vec<(f64, f64)> {
     let mut places: Vec<(f64, f64)> = Vec::new();
     for (x, y) in series
@@ -186,7 +186,7 @@ fn bands(svg: &mut Svg, plot: &Plot<'_>) {
     }
 }
 
-/// Attributes of a shaded range.
+/// Returns the attributes of a shaded range.
 pub(super) fn band_look(colour: Colour) -> String {
     format!("fill=\"{}\" fill-opacity=\"0.22\"", colour.hex())
 }
@@ -222,9 +222,10 @@ fn references(svg: &mut Svg, plot: &Plot<'_>) {
     );
 }
 
-/// Names of reference lines, outside the frame; one that would touch an earlier one is left out.
+/// Draws the names of reference lines outside the frame; a name that would touch an earlier one is
+/// omitted.
 fn names(svg: &mut Svg, plot: &Plot<'_>) {
-    // Centre and half width of each name so far.
+    // Centre and half width of each placed name.
     let (mut across, mut down) = (Vec::<(f64, f64)>::new(), Vec::<(f64, f64)>::new());
     for line in &plot.panel.references {
         let Some(name) = &line.label else { continue };
@@ -279,7 +280,7 @@ fn notes(svg: &mut Svg, plot: &Plot<'_>) {
             half.min(plot.width / 2.0),
             (plot.width - half).max(plot.width / 2.0),
         );
-        // Above the point where there is room, else below it.
+        // Above the point if there is room, else below it.
         let y = if y > 1.6 * SMALL {
             y - 7.0
         } else {

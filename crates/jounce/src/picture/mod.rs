@@ -1,14 +1,18 @@
 //! Pictures in SVG and PNG for papers and reports.
 //!
-//! A [`Figure`] is a column of [`Panel`]s; a panel has two [`Axis`], [`Series`] of data, shaded bands, reference lines and notes. The
-//! ready-made figures ([`mode_shapes`], [`time_histories`], [`spectra`], [`frequency_responses`], [`sweep`], [`power_against_resistance`]) take plain
-//! data and choose these.
+//! A [`Figure`] is a column of [`Panel`]s. A panel has two [`Axis`], [`Series`] of data, shaded
+//! bands, reference lines and notes. The ready-made figures ([`mode_shapes`], [`time_histories`],
+//! [`spectra`], [`frequency_responses`], [`sweep`], [`power_against_resistance`]) take plain data
+//! and choose these.
 //!
-//! Lengths are in pixels of 1/96 inch; 720 wide by default. Text is set in DejaVu Sans, whose file comes with the program (Bitstream Vera licence:
-//! free to use, embed and pass on), so PNGs look the same on a machine without fonts, and widths are measured, not guessed. The SVG names
-//! common fonts of about that width after it. Nothing in a picture depends on time or place: the same figure gives the same bytes.
+//! Lengths are in pixels of 1/96 inch; a figure is 720 wide by default. Text is set in DejaVu Sans,
+//! whose file is part of the program (Bitstream Vera licence: free to use, embed and pass on). PNGs
+//! therefore look the same on a machine without fonts, and widths are measured. The SVG names
+//! common fonts of similar width after it. A picture does not depend on time or machine: the same
+//! figure gives the same bytes.
 //!
-//! Elements have the classes `paper`, `ink`, `rule` and `grid` (prefixed `jounce-`), by which a page may recolour an inline SVG.
+//! Elements have the classes `paper`, `ink`, `rule` and `grid` (prefixed `jounce-`); a page may
+//! recolour an inline SVG with them.
 mod axis;
 mod colour;
 mod curve;

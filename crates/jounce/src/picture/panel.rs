@@ -1,4 +1,4 @@
-//! One pair of axes and all that is drawn between them.
+//! One pair of axes and its contents.
 
 use super::{Axis, Colour, Field, Series};
 
@@ -9,7 +9,7 @@ pub struct Panel {
     pub x: Axis,
     /// Vertical axis.
     pub y: Axis,
-    /// Coloured cells behind everything else.
+    /// Coloured cells behind all other elements.
     pub field: Option<Field>,
     /// Data, drawn in this order.
     pub series: Vec<Series>,
@@ -35,7 +35,7 @@ pub enum Along {
 /// A shaded range of one axis.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PanelBand {
-    /// The axis on which the range lies.
+    /// Axis of the range.
     pub along: Along,
     /// Lower end.
     pub low: f64,
@@ -47,14 +47,15 @@ pub struct PanelBand {
     pub colour: Colour,
 }
 
-/// A thin dotted line across the panel at one value. A vertical line has its name above the frame, a horizontal one at the right of it.
+/// A thin dotted line across the panel at one value. A vertical line has its name above the frame,
+/// a horizontal one at its right.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ReferenceLine {
-    /// The axis on which the value lies.
+    /// Axis of the value.
     pub along: Along,
-    /// The value.
+    /// Value.
     pub value: f64,
-    /// Its name; left out where it would touch the name of an earlier line.
+    /// Name; omitted where it would touch the name of an earlier line.
     pub label: Option<String>,
 }
 
@@ -65,12 +66,12 @@ pub struct PanelNote {
     pub x: f64,
     /// Ordinate of the point.
     pub y: f64,
-    /// What is written; moved inwards where it would leave the frame.
+    /// Text; moved inwards where it would leave the frame.
     pub text: String,
 }
 
 impl Panel {
-    /// Empty axes, 300 pixels high.
+    /// Creates empty axes, 300 pixels high.
     pub fn new(x: Axis, y: Axis) -> Self {
         Self {
             x,
@@ -84,21 +85,21 @@ impl Panel {
         }
     }
 
-    /// The same with one more series.
+    /// Adds a series.
     #[must_use]
     pub fn with(mut self, series: Series) -> Self {
         self.series.push(series);
         self
     }
 
-    /// The same over coloured cells.
+    /// Adds coloured cells.
     #[must_use]
     pub fn field(mut self, field: Field) -> Self {
         self.field = Some(field);
         self
     }
 
-    /// The same with a shaded range.
+    /// Adds a shaded range.
     #[must_use]
     pub fn band(mut self, along: Along, low: f64, high: f64, label: Option<&str>) -> Self {
         self.bands.push(PanelBand {
@@ -111,7 +112,7 @@ impl Panel {
         self
     }
 
-    /// The same with a reference line.
+    /// Adds a reference line.
     #[must_use]
     pub fn reference(mut self, along: Along, value: f64, label: Option<&str>) -> Self {
         self.references.push(ReferenceLine {
@@ -122,7 +123,7 @@ impl Panel {
         self
     }
 
-    /// The same with a text at a point.
+    /// Adds a text at a point.
     #[must_use]
     pub fn note(mut self, x: f64, y: f64, text: &str) -> Self {
         self.notes.push(PanelNote {
@@ -133,7 +134,7 @@ impl Panel {
         self
     }
 
-    /// The same with another height of the frame, pixels.
+    /// Sets the height of the frame, pixels.
     #[must_use]
     pub fn high(mut self, height_px: f64) -> Self {
         self.height_px = height_px;

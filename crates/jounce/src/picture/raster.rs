@@ -1,4 +1,4 @@
-//! SVG to PNG with the font that comes with the program and no other.
+//! SVG to PNG, with the font of the program only.
 
 use std::sync::{Arc, LazyLock};
 

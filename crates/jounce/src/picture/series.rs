@@ -1,4 +1,4 @@
-//! A series of points and how it is drawn.
+//! A series of points and its style.
 
 use super::Colour;
 
@@ -7,19 +7,19 @@ use super::Colour;
 pub struct Series {
     /// Abscissas.
     pub x: Vec<f64>,
-    /// Ordinates, as many.
+    /// Ordinates, one for each abscissa.
     pub y: Vec<f64>,
-    /// Name in the legend; without one the series is not listed.
+    /// Name in the legend; a series without a name is not listed.
     pub label: Option<String>,
     /// Colour of line and markers.
     pub colour: Colour,
-    /// The line, if the points are joined.
+    /// Line, if the points are joined.
     pub line: Option<Line>,
-    /// The marker, if the points are marked; on a line, markers closer than 14 pixels are thinned.
+    /// Marker, if the points are marked; on a line, markers closer than 14 pixels are thinned.
     pub marker: Option<Marker>,
 }
 
-/// A style of line.
+/// Style of a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Line {
     /// Full weight.
@@ -47,7 +47,7 @@ pub enum Marker {
 }
 
 impl Series {
-    /// Points joined by a solid line.
+    /// Creates points joined by a solid line.
     pub fn line(x: Vec<f64>, y: Vec<f64>) -> Self {
         Self {
             x,
@@ -59,7 +59,7 @@ impl Series {
         }
     }
 
-    /// Marked points.
+    /// Creates marked points.
     pub fn points(x: Vec<f64>, y: Vec<f64>, marker: Marker) -> Self {
         Self {
             line: None,
@@ -68,7 +68,7 @@ impl Series {
         }
     }
 
-    /// No points, only an entry in the legend that explains a style.
+    /// Creates an entry in the legend that explains a style, without points.
     pub fn key(label: &str, line: Option<Line>, marker: Option<Marker>) -> Self {
         Self {
             line,
@@ -79,28 +79,28 @@ impl Series {
         .colour(Colour::Ink)
     }
 
-    /// The same under a name in the legend.
+    /// Sets the name in the legend.
     #[must_use]
     pub fn label(mut self, label: &str) -> Self {
         self.label = Some(label.to_owned());
         self
     }
 
-    /// The same in another colour.
+    /// Sets the colour.
     #[must_use]
     pub fn colour(mut self, colour: Colour) -> Self {
         self.colour = colour;
         self
     }
 
-    /// The same with another style of line.
+    /// Sets the style of the line.
     #[must_use]
     pub fn style(mut self, line: Line) -> Self {
         self.line = Some(line);
         self
     }
 
-    /// The same with marked points.
+    /// Marks the points.
     #[must_use]
     pub fn marker(mut self, marker: Marker) -> Self {
         self.marker = Some(marker);

@@ -1,6 +1,7 @@
-//! An axis with both ends settled: where a value lies along it.
+//! An axis with fixed ends: position of a value along it.
 //!
-//! Linear: `(x - low) / (high - low)`; logarithmic: `ln(x / low) / ln(high / low)`; 0 at the low end, 1 at the high end.
+//! Linear: `(x - low) / (high - low)`; logarithmic: `ln(x / low) / ln(high / low)`; 0 at the low
+//! end, 1 at the high end.
 
 use super::axis::MAX_PLOTTED_VALUE;
 use super::{Axis, PictureError, Scale};
@@ -14,7 +15,8 @@ pub(super) struct Span {
 }
 
 impl Span {
-    /// The range asked for, or one that holds all drawable data with `margin` (a fraction of the span) at both ends.
+    /// Returns the requested range, or one that holds all drawable data with `margin` (a fraction
+    /// of the span) at both ends.
     pub fn settle(
         axis: &Axis,
         data: impl Iterator<Item = f64>,
@@ -31,7 +33,8 @@ impl Span {
         })
     }
 
-    /// Where a value lies, 0 at the low end and 1 at the high end; `None` for what cannot be drawn.
+    /// Returns the position of a value, 0 at the low end and 1 at the high end; `None` for values
+    /// that cannot be drawn.
     pub fn place(&self, value: f64) -> Option<f64> {
         if !drawable(self.scale, value) {
             return None;
@@ -42,7 +45,7 @@ impl Span {
         })
     }
 
-    /// Whether a value lies between the ends, rounding allowed for.
+    /// True where a value lies between the ends, apart from rounding.
     pub fn holds(&self, value: f64) -> bool {
         self.place(value)
             .is_some_and(|place| (-1e-9..=1.0 + 1e-9).contains(&place))
@@ -71,7 +74,7 @@ fn around(scale: Scale, data: impl Iterator<Item = f64>, margin: f64) -> (f64, f
     }
 }
 
-/// A span too narrow for its ticks to be told apart is opened to something readable around its value.
+/// Widens a span too narrow for distinct tick labels to a readable range around its value.
 fn widen(low: f64, high: f64, margin: f64) -> (f64, f64) {
     let size = low.abs().max(high.abs());
     if size < 1.0 / MAX_PLOTTED_VALUE {
@@ -80,7 +83,7 @@ fn widen(low: f64, high: f64, margin: f64) -> (f64, f64) {
         (low - 0.1 * size, high + 0.1 * size)
     } else {
         let gap = (high - low) * margin;
-        // Positive data that come near zero start there.
+        // Positive data close to zero start there.
         (
             if low > 0.0 && low < gap {
                 0.0

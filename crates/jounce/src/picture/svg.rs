@@ -1,4 +1,5 @@
-//! The few SVG elements that a figure needs. Coordinates carry two decimals; colours are attributes, so that a page's style may override them.
+//! The SVG elements of a figure. Coordinates have two decimals; colours are attributes, so that a
+//! page's style may override them.
 
 use std::fmt::Write as _;
 
@@ -11,7 +12,7 @@ pub(super) struct Svg {
     body: String,
 }
 
-/// How a text sits at its point.
+/// Alignment of a text at its point.
 #[derive(Clone, Copy)]
 pub(super) enum Anchor {
     Start,
@@ -20,7 +21,7 @@ pub(super) enum Anchor {
 }
 
 impl Svg {
-    /// An empty page of white paper with an accessible title.
+    /// Creates an empty page of white paper with an accessible title.
     pub fn new(width: f64, title: &str) -> Self {
         Self {
             width,
@@ -29,7 +30,7 @@ impl Svg {
         }
     }
 
-    /// The finished document: how high it is shows when all is drawn.
+    /// Returns the finished document; its height is known after all is drawn.
     pub fn finish(self, height: f64) -> String {
         let (w, h, body) = (number(self.width), number(height), self.body);
         let title = if self.title.is_empty() {
@@ -43,7 +44,8 @@ impl Svg {
         )
     }
 
-    /// Opens a window: what follows is clipped to it, with coordinates from its upper left corner.
+    /// Opens a window: subsequent elements are clipped to it, with coordinates from its upper left
+    /// corner.
     pub fn open_window(&mut self, x: f64, y: f64, width: f64, height: f64) {
         let (x, y, w, h) = (number(x), number(y), number(width), number(height));
         let _ = writeln!(
@@ -57,7 +59,7 @@ impl Svg {
         self.body.push_str("</svg>\n");
     }
 
-    /// A rectangle; `look` are its attributes.
+    /// Draws a rectangle with the attributes `look`.
     pub fn rect(&mut self, x: f64, y: f64, width: f64, height: f64, look: &str) {
         let (x, y, w, h) = (number(x), number(y), number(width), number(height));
         let _ = writeln!(
@@ -66,19 +68,19 @@ impl Svg {
         );
     }
 
-    /// A path; `look` are its attributes. Nothing for an empty path.
+    /// Draws a path with the attributes `look`; an empty path is omitted.
     pub fn path(&mut self, steps: &str, look: &str) {
         if !steps.is_empty() {
             let _ = writeln!(self.body, "<path d=\"{steps}\" {look}/>");
         }
     }
 
-    /// A text on the baseline through `(x, y)`.
+    /// Draws a text on the baseline through `(x, y)`.
     pub fn text(&mut self, x: f64, y: f64, size: f64, anchor: Anchor, text: &str) {
         self.set(x, y, size, anchor, "", text);
     }
 
-    /// A text that reads upwards, its baseline through `(x, y)`, centred there.
+    /// Draws an upward text, its baseline through `(x, y)`, centred there.
     pub fn upward_text(&mut self, x: f64, y: f64, size: f64, text: &str) {
         let turn = format!(" transform=\"rotate(-90 {} {})\"", number(x), number(y));
         self.set(x, y, size, Anchor::Middle, &turn, text);
@@ -98,7 +100,7 @@ impl Svg {
     }
 }
 
-/// A coordinate with at most two decimals.
+/// Returns a coordinate with at most two decimals.
 pub(super) fn number(value: f64) -> String {
     let text = format!("{value:.2}");
     match text.trim_end_matches('0').trim_end_matches('.') {
@@ -107,7 +109,8 @@ pub(super) fn number(value: f64) -> String {
     }
 }
 
-/// Text with the characters of markup escaped; what XML cannot hold (control characters) is replaced.
+/// Returns text with the characters of markup escaped; characters not allowed in XML (control
+/// characters) are replaced.
 pub(crate) fn escape(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for letter in text.chars() {

@@ -5,23 +5,23 @@ use std::sync::LazyLock;
 use skrifa::instance::{LocationRef, Size};
 use skrifa::{FontRef, MetadataProvider};
 
-/// What an SVG asks for: the font that came with the program first, then common fonts that are no wider.
+/// Font family of an SVG: the font of the program first, then common fonts that are not wider.
 pub(super) const FAMILY: &str = "DejaVu Sans, Verdana, Helvetica, Arial, sans-serif";
 
 /// Size of the figure's title, pixels.
 pub(super) const TITLE: f64 = 15.0;
 /// Size of axis titles, pixels.
 pub(super) const LABEL: f64 = 13.0;
-/// Size of everything else, pixels.
+/// Size of all other text, pixels.
 pub(super) const SMALL: f64 = 12.0;
-/// Distance of two lines of text over their size.
+/// Distance of two lines of text relative to their size.
 pub(super) const LEADING: f64 = 1.3;
 
 static FACE: LazyLock<FontRef<'static>> = LazyLock::new(|| {
     FontRef::new(dejavu::sans::regular()).expect("the font that comes with the program is whole")
 });
 
-/// Width of a text at a size, pixels.
+/// Returns the width of a text at a size, pixels.
 pub(super) fn width(text: &str, size: f64) -> f64 {
     let (letters, metrics) = (
         FACE.charmap(),
@@ -40,7 +40,8 @@ pub(super) fn width(text: &str, size: f64) -> f64 {
     text.chars().map(advance).sum::<f64>() * size / units_per_em
 }
 
-/// Breaks a text between words into lines of at most `room` pixels; a longer word stands alone.
+/// Breaks a text between words into lines of at most `room` pixels; a longer word gets its own
+/// line.
 pub(super) fn wrap(text: &str, size: f64, room: f64) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for word in text.split_whitespace() {

@@ -1,8 +1,8 @@
-//! Ticks of an axis and what is written at them.
+//! Ticks of an axis and their labels.
 //!
-//! Linear axes step by 1, 2 or 5 times a power of ten. Logarithmic axes label the powers of ten, on short spans 2 and 5 as well, and
-//! below 0.7 decades they step like linear ones. Values are written as plain decimals of a prefixed unit where that keeps them between 0.001
-//! and 10000, else as powers of ten.
+//! Linear axes step by 1, 2 or 5 times a power of ten. Logarithmic axes label the powers of ten, on
+//! short spans also 2 and 5; below 0.7 decades they step like linear ones. Values are written as
+//! plain decimals of a prefixed unit if these lie between 0.001 and 10000, else as powers of ten.
 
 use super::span::Span;
 use super::{Axis, Scale, unit};
@@ -19,7 +19,7 @@ pub(super) struct Ticks {
 }
 
 impl Ticks {
-    /// Ticks for an axis with room for about `room` labels.
+    /// Returns the ticks of an axis with room for about `room` labels.
     pub fn of(axis: &Axis, span: &Span, room: f64) -> Self {
         let unit = unit::printed(&axis.unit);
         let exponent = if unit::takes_prefix(&unit) {
@@ -58,14 +58,15 @@ fn title(quantity: &str, unit: &str, exponent: i32, power: Option<i32>) -> Strin
     }
 }
 
-/// Power of ten of the prefix: linear axes read from 1 to 1000, logarithmic ones plain if they can be, else without prefix.
+/// Returns the power of ten of the prefix. Labels of linear axes lie between 1 and 1000; those of
+/// logarithmic axes are plain if possible, else without prefix.
 fn prefix_exponent(span: &Span) -> i32 {
     let thousands = |x: f64| (x.log10() / 3.0 + 1e-9).floor() as i32 * 3;
     match span.scale {
         Scale::Linear => {
             let largest = span.low.abs().max(span.high.abs());
             let exponent = thousands(largest);
-            // A round thousand at the end of an axis does not yet change the unit: 0 to 1000 Hz.
+            // A round thousand at the end of an axis does not change the unit: 0 to 1000 Hz.
             let exponent = if exponent > 0 && largest < 1.1 * 10f64.powi(exponent) {
                 exponent - 3
             } else {
@@ -75,7 +76,7 @@ fn prefix_exponent(span: &Span) -> i32 {
         }
         Scale::Log => {
             let candidates = [0, thousands(span.low), thousands(span.low) + 3];
-            // Over many decades a prefix helps nobody: 10⁻⁵ W reads better than 10000 nW.
+            // Over many decades a prefix does not help: 10⁻⁵ W is easier to read than 10000 nW.
             let short = (span.high / span.low).log10() < 4.5;
             let plain = |e: &i32| {
                 (*e == 0 || short)
@@ -87,19 +88,22 @@ fn prefix_exponent(span: &Span) -> i32 {
     }
 }
 
-/// Whether the powers of ten on a logarithmic axis read well as plain decimals: 0.001 to 10000.
+/// True where the powers of ten on a logarithmic axis are readable as plain decimals: 0.001 to
+/// 10000.
 fn axis_is_plain(span: &Span, factor: f64) -> bool {
     (span.low / factor).log10().ceil() >= -3.0 && (span.high / factor).log10().floor() <= 4.0
 }
 
-/// Power of ten taken out of the labels of an axis with equal steps, where its unit takes no prefix and its values are far from 1.
+/// Returns the power of ten factored out of the labels of an axis with equal steps, if its unit
+/// takes no prefix and its values are far from 1.
 fn common_power(span: &Span, factor: f64) -> Option<i32> {
     let largest = span.low.abs().max(span.high.abs()) / factor;
     let power = (largest.log10() + 1e-9).floor() as i32;
     (!(1e-3..1.5e5).contains(&largest)).then_some(power)
 }
 
-/// Values of the major and minor ticks, and the decimals of the labels where these step equally.
+/// Returns the values of the major and minor ticks, and the decimals of the labels if the steps are
+/// equal.
 fn places(axis: &Axis, span: &Span, factor: f64, room: f64) -> (Vec<f64>, Vec<f64>, Option<i32>) {
     let decades = (span.high / span.low).log10();
     if span.scale == Scale::Linear || decades < 0.7 {
@@ -128,7 +132,7 @@ fn equal_steps(
         _ => (10.0, 5.0),
     };
     let (step, parts, decimals) = match wanted {
-        // Thirds of 90 degrees, fifths of anything else.
+        // Thirds of 90 degrees, fifths otherwise.
         Some(step) if step > 0.0 && (high - low) / step < 50.0 => (
             step,
             if step % 3.0 == 0.0 { 3.0 } else { 5.0 },
@@ -194,7 +198,7 @@ fn decade_steps(span: &Span, decades: f64, room: f64) -> (Vec<f64>, Vec<f64>) {
     (major, multiples(minor).collect())
 }
 
-/// A decimal with a true minus sign and no negative zero.
+/// Returns a decimal with a true minus sign and no negative zero.
 fn decimal(value: f64, decimals: i32) -> String {
     let text = format!("{value:.*}", usize::try_from(decimals).unwrap_or(0));
     match text.strip_prefix('-') {
@@ -204,7 +208,7 @@ fn decimal(value: f64, decimals: i32) -> String {
     }
 }
 
-/// A tick of a logarithmic axis: `0.02`, `100`, or `2×10⁻⁵`, `10⁶`.
+/// Returns a tick label of a logarithmic axis: `0.02`, `100`, or `2×10⁻⁵`, `10⁶`.
 fn scientific(value: f64, plain: bool) -> String {
     let exponent = (value.log10() + 1e-9).floor() as i32;
     let mantissa = (value / 10f64.powi(exponent)).round();

@@ -14,10 +14,10 @@ const PREFIXES: [(i32, &str); 11] = [
     (12, "T"),
 ];
 
-/// Units that take a prefix when they stand first.
+/// Units that take a prefix when they are first.
 const TAKES_PREFIX: [&str; 12] = ["W", "V", "A", "N", "m", "s", "Hz", "Ω", "F", "J", "Pa", "C"];
 
-/// The unit with real signs: `ohm` is `Ω`, whole powers are raised.
+/// Returns the unit with its symbols: `ohm` is `Ω`, integer powers are superscripts.
 pub(super) fn printed(unit: &str) -> String {
     let unit = unit.replace("ohm", "Ω").replace("deg", "°");
     let mut parts = unit.split('^');
@@ -37,7 +37,7 @@ pub(super) fn printed(unit: &str) -> String {
     text
 }
 
-/// Digits and minus signs as superscripts.
+/// Returns digits and minus signs as superscripts.
 pub(super) fn raised(digits: &str) -> String {
     const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
     digits
@@ -46,13 +46,14 @@ pub(super) fn raised(digits: &str) -> String {
         .collect()
 }
 
-/// Whether the (printed) unit takes a prefix. A squared first unit does not: its prefix would be squared too.
+/// True where the (printed) unit takes a prefix. A squared first unit does not: its prefix would be
+/// squared too.
 pub(super) fn takes_prefix(unit: &str) -> bool {
     let first = unit.split(['/', '·', ' ']).next().unwrap_or_default();
     TAKES_PREFIX.contains(&first)
 }
 
-/// The sign of a power of ten, where there is one.
+/// Returns the prefix of a power of ten, if it has one.
 pub(super) fn prefix(exponent: i32) -> Option<&'static str> {
     PREFIXES
         .iter()

@@ -3,30 +3,30 @@
 use super::sampling::{CubePoints, Sampling};
 use crate::spec::NumericKey;
 
-/// A key that is varied.
+/// Key to be varied.
 #[derive(Debug, Clone)]
 pub struct Varied {
-    /// The key.
+    /// Key.
     pub key: NumericKey,
-    /// Its values, SI; the two ends of its range where points are drawn.
+    /// Values, SI; for drawn points the two ends of the range.
     pub values: Vec<f64>,
     /// True: drawn evenly in the logarithm.
     pub logarithmic: bool,
 }
 
-/// All points, each made when it is asked for.
+/// All points of a study, each computed on demand.
 #[derive(Debug, Clone)]
 pub struct Design {
-    /// The keys that are varied.
+    /// Keys to be varied.
     pub varied: Vec<Varied>,
-    /// How points are chosen.
+    /// Method of choosing points.
     pub sampling: Sampling,
     points: usize,
     draw: CubePoints,
 }
 
 impl Design {
-    /// A design of so many drawn points; a grid or a list has those of its values.
+    /// Creates a design of `drawn` points; a grid or a list has the points of its values.
     pub fn new(varied: Vec<Varied>, sampling: Sampling, drawn: usize, seed: u64) -> Self {
         let points = match sampling {
             Sampling::Grid => varied.iter().map(|varied| varied.values.len()).product(),
@@ -42,17 +42,17 @@ impl Design {
         }
     }
 
-    /// Number of points.
+    /// Returns the number of points.
     pub fn len(&self) -> usize {
         self.points
     }
 
-    /// True without a point.
+    /// True if there are no points.
     pub fn is_empty(&self) -> bool {
         self.points == 0
     }
 
-    /// Value of each key at a point, SI.
+    /// Returns the value of each key at a point, SI.
     pub fn point(&self, index: usize) -> Vec<f64> {
         let mut rest = index;
         let value = |(dimension, varied): (usize, &Varied)| match self.sampling {
@@ -71,7 +71,7 @@ impl Design {
 }
 
 impl Varied {
-    /// The value at a place between the two ends.
+    /// Returns the value at a relative position between the two ends.
     fn between(&self, place: f64) -> f64 {
         let (low, high) = (self.values[0], self.values[1]);
         let value = if self.logarithmic {

@@ -1,4 +1,4 @@
-//! What can go wrong with a study.
+//! Errors of a study.
 
 use crate::analysis::AnalysisError;
 use crate::spec::{Fault, Faults, ReadError};
@@ -6,18 +6,18 @@ use crate::store::StoreError;
 use crate::table::TableError;
 use std::path::PathBuf;
 
-/// Why a study cannot be made, or one of its calls did not succeed.
+/// Error of a study or of one of its calls.
 #[derive(Debug, thiserror::Error)]
 pub enum StudyError {
     /// The study file cannot be read.
     #[error("cannot read the study \"{path}\": {reason}")]
     Unreadable {
-        /// The file.
+        /// Path of the file.
         path: PathBuf,
-        /// What stood in the way.
+        /// Cause.
         reason: String,
     },
-    /// What is wrong in the text of the study, all at once.
+    /// All faults in the text of the study.
     #[error("{}", listed(.0))]
     Faults(Vec<Fault>),
     /// The spec of the study cannot be read.
@@ -26,7 +26,7 @@ pub enum StudyError {
     /// The spec of the study has faults.
     #[error("the spec of the study: {}", listed(.0.as_slice()))]
     Spec(Faults),
-    /// No point of the study can be had.
+    /// No point of the study can be evaluated.
     #[error(transparent)]
     Study(#[from] AnalysisError),
     /// The folder holds the parts of another study.
@@ -36,7 +36,7 @@ pub enum StudyError {
     OtherStudy {
         /// The folder.
         folder: PathBuf,
-        /// Digest of the study that is there.
+        /// Digest of the study in the folder.
         found: String,
         /// Digest of this study.
         wanted: String,
@@ -57,39 +57,39 @@ pub enum StudyError {
         /// The shard.
         shard: String,
     },
-    /// Parts that are not there yet.
+    /// Unfinished parts.
     #[error(
         "{missing} of {parts} parts are missing, the first is number {first}; `jounce study run` computes them"
     )]
     Missing {
-        /// How many.
+        /// Number of missing parts.
         missing: usize,
-        /// Of how many.
+        /// Number of all parts.
         parts: usize,
-        /// The first of them.
+        /// Number of the first missing part.
         first: usize,
     },
-    /// A folder that cannot be made, or into which nothing can be written.
+    /// A folder that cannot be created or written.
     #[error(
         "cannot write into the folder \"{folder}\": {reason}; choose another one, where you may write"
     )]
     Folder {
         /// The folder.
         folder: PathBuf,
-        /// What stood in the way.
+        /// Cause.
         reason: String,
     },
-    /// A file that is not what it should be.
+    /// A damaged file.
     #[error(
         "\"{path}\" is damaged: {reason}; remove it and run the study again, which computes it anew"
     )]
     Damaged {
         /// The file.
         path: PathBuf,
-        /// What is wrong.
+        /// Fault.
         reason: String,
     },
-    /// A table that cannot be made or written.
+    /// A table that cannot be created or written.
     #[error(transparent)]
     Table(#[from] TableError),
     /// A file that cannot be written.

@@ -12,10 +12,10 @@ use crate::spec::{DriveKind, NumericKey, Spec};
 use std::f64::consts::TAU;
 use std::path::Path;
 
-/// The numbers of a quantity, in the order of its measures.
+/// Evaluates a quantity: its numbers, in the order of its measures.
 ///
 /// # Errors
-/// In words: a point that fails is a row of the table.
+/// The reason as text: a failed point is a row of the table.
 pub(super) fn evaluate(
     quantity: &Quantity,
     prepared: &Model,
@@ -90,7 +90,7 @@ pub(super) fn evaluate(
     }
 }
 
-/// Frequency of the only drive, for a study of basins.
+/// Returns the frequency of the only drive, for a study of basins.
 pub(super) fn drive_key(prepared: &Model) -> Result<(NumericKey, f64), StudyError> {
     let found = prepared
         .spec
@@ -114,7 +114,7 @@ pub(super) fn drive_key(prepared: &Model) -> Result<(NumericKey, f64), StudyErro
     ))
 }
 
-/// What shakes a harvester: its first force, or else its base.
+/// Returns the excitation of a harvester: its first force, or else its base.
 pub(super) fn shaken(spec: &Spec) -> Option<FrfInput> {
     let force = spec
         .drive
@@ -129,7 +129,7 @@ pub(super) fn shaken(spec: &Spec) -> Option<FrfInput> {
     })
 }
 
-/// Largest voltage of the frequency response, and where.
+/// Returns the largest voltage of the frequency response, and its frequency.
 fn frf(prepared: &Model, (low_hz, high_hz): (f64, f64), points: usize) -> Result<Vec<f64>, String> {
     let plant = &prepared.kernel.plant;
     if let Some(bridge) = plant.system.bridges.first() {
@@ -307,7 +307,7 @@ fn ensemble(
     ])
 }
 
-/// Of the first load and the first stop, NaN where there is none.
+/// Evaluates the noise response at the first load and the first stop; NaN if there is none.
 fn noise(prepared: &Model) -> Result<Vec<f64>, RandomError> {
     let found = Random::new(&prepared.spec)?.answer()?;
     let of_load = |value: fn(&RandomLoad) -> f64| found.loads.first().map_or(f64::NAN, value);

@@ -1,10 +1,10 @@
-//! The text of a study as a table whose values know their places, and the faults that are found in it.
+//! The text of a study as a table whose values have positions, and its faults.
 
 use crate::spec::Fault;
 use std::ops::Range;
 use toml_edit::{Document, Item, Table};
 
-/// Faults as they are found.
+/// Collector of faults.
 #[derive(Debug)]
 pub(super) struct FaultCollector<'t> {
     text: &'t str,
@@ -19,7 +19,7 @@ impl<'t> FaultCollector<'t> {
         }
     }
 
-    /// The document; a syntax error is the only fault then.
+    /// Parses the document; a syntax error is then the only fault.
     pub(super) fn document(&mut self) -> Option<Document<&'t str>> {
         match Document::parse(self.text) {
             Ok(document) => Some(document),
@@ -31,7 +31,7 @@ impl<'t> FaultCollector<'t> {
         }
     }
 
-    /// A value as it stands in the text.
+    /// Returns a value exactly as written.
     pub(super) fn bare(&self, item: &Item) -> &'t str {
         item.span()
             .and_then(|span| self.text.get(span))
@@ -63,7 +63,7 @@ impl<'t> FaultCollector<'t> {
         });
     }
 
-    /// Refuses keys that are not known.
+    /// Refuses unknown keys.
     pub(super) fn known(&mut self, path: &str, table: &Table, known: &[&str]) {
         for (key, item) in table {
             if !known.contains(&key) {
@@ -83,7 +83,7 @@ impl<'t> FaultCollector<'t> {
         }
     }
 
-    /// A table below another; `None` where there is none.
+    /// Returns a table inside another; `None` if it is absent.
     pub(super) fn table<'i>(&mut self, path: &str, item: Option<&'i Item>) -> Option<&'i Table> {
         let item = item?;
         if item.as_table().is_none() {
@@ -96,7 +96,7 @@ impl<'t> FaultCollector<'t> {
         item.as_table()
     }
 
-    /// A text.
+    /// Returns a text.
     pub(super) fn text<'i>(&mut self, path: &str, item: Option<&'i Item>) -> Option<&'i str> {
         let item = item?;
         if item.as_str().is_none() {
@@ -109,7 +109,7 @@ impl<'t> FaultCollector<'t> {
         item.as_str()
     }
 
-    /// A whole number within limits, or its default.
+    /// Returns an integer within limits, or its default.
     pub(super) fn whole(
         &mut self,
         path: &str,
@@ -136,7 +136,7 @@ impl<'t> FaultCollector<'t> {
         found.unwrap_or(default)
     }
 
-    /// A number above 0, or its default.
+    /// Returns a number above 0, or its default.
     pub(super) fn positive(&mut self, path: &str, item: Option<&Item>, default: f64) -> f64 {
         let Some(item) = item else { return default };
         let number = item

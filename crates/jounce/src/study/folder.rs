@@ -1,4 +1,5 @@
-//! A study on disk: `study.json` says which one, `parts/` holds what is finished, `study.parquet` the merged table.
+//! A study on disk: `study.json` identifies the study, `parts/` holds finished parts,
+//! `study.parquet` the merged table.
 
 use super::lock::Lock;
 use super::{Shard, Study, StudyError};
@@ -16,7 +17,7 @@ pub struct Folder {
     card: StudyCard,
 }
 
-/// What `study.json` says.
+/// Content of `study.json`.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 struct StudyCard {
     created_by: String,
@@ -27,7 +28,7 @@ struct StudyCard {
     parts: usize,
 }
 
-/// How far a study is.
+/// Progress of a study.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Status {
     /// Digest of the study.
@@ -36,21 +37,21 @@ pub struct Status {
     pub points: usize,
     /// Parts of the study.
     pub parts: usize,
-    /// Parts that are there.
+    /// Finished parts.
     pub finished: usize,
-    /// Points without an answer in these parts.
+    /// Points without a result in these parts.
     pub failed_points: usize,
-    /// Files that are not the part that their name says.
+    /// Files whose content is not the part in their name.
     pub damaged: Vec<PathBuf>,
-    /// True when the merged table is there.
+    /// True if the merged table exists.
     pub merged: bool,
 }
 
 impl Folder {
-    /// The folder of a study, made where there is none.
+    /// Opens the folder of a study; creates it if necessary.
     ///
     /// # Errors
-    /// A folder that cannot be made, or that holds another study.
+    /// A folder that cannot be created, or that holds another study.
     pub fn of(path: &Path, study: &Study) -> Result<Self, StudyError> {
         let parts = path.join("parts");
         let unwritable = |reason: std::io::Error| StudyError::Folder {
@@ -86,10 +87,10 @@ impl Folder {
         }
     }
 
-    /// A folder that holds a study.
+    /// Opens a folder that holds a study.
     ///
     /// # Errors
-    /// A folder that holds none.
+    /// A folder without a study.
     pub fn open(path: &Path) -> Result<Self, StudyError> {
         let file = path.join(CARD_FILE);
         let text = std::fs::read_to_string(&file).map_err(|_| StudyError::NoStudy {
@@ -105,11 +106,12 @@ impl Folder {
         })
     }
 
-    /// Computes the parts of a shard that are not there, on all threads; `done` hears of the points of each that is, with those that were
-    /// found. Stopped by the control it keeps what is finished.
+    /// Computes the missing parts of a shard on all threads. `done` receives the number of points
+    /// already finished, then of each finished part. If the control stops the run, finished parts
+    /// remain.
     ///
     /// # Errors
-    /// A folder that cannot be written, another process at the same shard.
+    /// A folder that cannot be written, another process on the same shard.
     pub fn run(
         &self,
         study: &Study,
@@ -135,7 +137,7 @@ impl Folder {
         };
         control.expect(points(&missing));
         done(points(&own) - points(&missing));
-        // One part at a time for each thread: they are few and long.
+        // One part at a time for each thread: parts are few and long.
         missing
             .into_par_iter()
             .with_max_len(1)
@@ -151,23 +153,23 @@ impl Folder {
             })
     }
 
-    /// Keeps a part that was computed elsewhere.
+    /// Stores a part that was computed elsewhere.
     ///
     /// # Errors
-    /// A file that cannot be written, bytes that are not that part.
+    /// A file that cannot be written, bytes that are not this part.
     pub fn keep(&self, part: usize, bytes: &[u8]) -> Result<(), StudyError> {
         store::write(&self.file(part), bytes)?;
         self.part(part).map(|_| ())
     }
 
-    /// Numbers of the parts that are not there, or damaged.
+    /// Returns the numbers of the missing or damaged parts.
     pub fn missing(&self) -> Vec<usize> {
         (0..self.card.parts)
             .filter(|part| self.part(*part).is_err())
             .collect()
     }
 
-    /// How far the study is.
+    /// Returns the progress of the study.
     pub fn status(&self) -> Status {
         let (mut finished, mut failed_points, mut damaged) = (0, 0, Vec::new());
         for part in 0..self.card.parts {
@@ -197,12 +199,12 @@ impl Folder {
         }
     }
 
-    /// Where the merged table is.
+    /// Returns the path of the merged table.
     pub fn table(&self) -> PathBuf {
         self.path.join("study.parquet")
     }
 
-    /// Joins all parts to one table, in the order of the points and a part at a time.
+    /// Joins all parts to one table, in the order of the points, one part at a time.
     ///
     /// # Errors
     /// Parts that are missing or damaged, a file that cannot be written.
@@ -225,13 +227,13 @@ impl Folder {
         Ok(self.table())
     }
 
-    /// Removes what killed processes left.
+    /// Removes files left by killed processes.
     fn clean(&self) {
         store::clean(&self.path);
         store::clean(&self.path.join("parts"));
     }
 
-    /// A part that is there.
+    /// Reads a finished part.
     fn part(&self, part: usize) -> Result<Table, StudyError> {
         let path = self.file(part);
         if !path.is_file() {
@@ -269,15 +271,15 @@ impl Folder {
     }
 }
 
-/// Name of the file that says which study a folder holds.
+/// Name of the file that identifies the study of a folder.
 const CARD_FILE: &str = "study.json";
 
-/// The beginning of a digest, enough to tell two apart.
+/// Returns the beginning of a digest, enough to distinguish two.
 fn short(digest: &str) -> String {
     digest.chars().take(12).collect()
 }
 
-/// Points without an answer.
+/// Counts the points without a result.
 fn failures(table: &Table) -> usize {
     let texts = table.column("failure").map(|column| &column.values);
     match texts {

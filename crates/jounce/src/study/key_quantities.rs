@@ -1,4 +1,4 @@
-//! Quantities that are themselves found over one or two keys: sweeps, diagrams and jumps.
+//! Quantities over one or two keys: sweeps, diagrams and bifurcation curves.
 
 use crate::analysis::{
     AnalysisError, AttractorKind, BifurcationSearch, BranchKind, CurveKind, Diagram, DiagramOrder,
@@ -8,10 +8,10 @@ use crate::orbit::OrbitError;
 use crate::spec::{KeyRange, NumericKey};
 use std::path::Path;
 
-/// Cycles kept of a motion without a period: only what it is counts here.
+/// Cycles stored of a motion without a period: only its kind counts here.
 const APERIODIC_CYCLES: u32 = 1;
 
-/// Highest and average power of a sweep, and its points that had not settled.
+/// Evaluates the highest and average power of a sweep, and its points that had not settled.
 pub(super) fn sweep(
     prepared: &Model,
     (over, values): (&str, &str),
@@ -43,7 +43,7 @@ pub(super) fn sweep(
     ])
 }
 
-/// Highest power, longest period and share without a period of the motions over a key.
+/// Evaluates the highest power, longest period and non-periodic fraction of the motions over a key.
 pub(super) fn diagram(
     prepared: &Model,
     (over, values): (&str, &[f64]),
@@ -100,7 +100,7 @@ pub(super) fn diagram(
     ])
 }
 
-/// Number of curves over two keys along which the answer jumps, and where folds are.
+/// Evaluates the number of bifurcation curves over two keys, and the range of the folds.
 pub(super) fn jumps(
     prepared: &Model,
     keys: &[String; 2],

@@ -1,10 +1,10 @@
-//! A shard that one process works on at a time.
+//! Lock of a shard: one process works on it at a time.
 
 use super::{Shard, StudyError};
 use std::fs::{File, OpenOptions, TryLockError};
 use std::path::Path;
 
-/// Held while a shard is worked on; the system lets go of it when the process ends, however it ends.
+/// Lock of a shard; the system releases it when the process ends for any reason.
 #[derive(Debug)]
 pub(super) struct Lock(#[expect(dead_code, reason = "the open file is the lock")] Option<File>);
 
@@ -28,7 +28,8 @@ impl Lock {
                 folder: folder.to_owned(),
                 shard: shard.to_string(),
             }),
-            // Some network file systems know no locks. Parts are whole whoever writes them, so that work done twice is all that can happen.
+            // Some network file systems have no locks. Parts are written atomically, so the worst
+            // result is duplicate work.
             Err(TryLockError::Error(_)) => Ok(Self(None)),
         }
     }

@@ -1,8 +1,9 @@
-//! Studies in parts: one quantity at many points over the keys of a spec, on as many processes as there are.
+//! Parametric studies: one quantity at many points over the keys of a spec, on any number of
+//! processes.
 //!
-//! The points of a study are fixed by its text and its seed, and so is how they fall into parts. A part is computed by the same operations
-//! wherever that happens, and is written whole or not at all, so that any number of processes, stopped and started in any order, come to
-//! the same table.
+//! The text and the seed of a study fix its points and their division into parts. A part is
+//! computed by the same operations everywhere, and is written completely or not at all. Any number
+//! of processes, stopped and started in any order, therefore produce the same table.
 
 mod design;
 mod error;

@@ -1,4 +1,4 @@
-//! A study: its points, its parts, and how a part is computed.
+//! A study: its points, its parts, and the computation of a part.
 
 use super::evaluation::evaluate;
 use super::read::{StudyText, read};
@@ -15,23 +15,23 @@ use std::path::{Path, PathBuf};
 /// A spec, the keys to vary, and what to compute at each point.
 #[derive(Debug)]
 pub struct Study {
-    /// The spec with what the study sets for all points.
+    /// Spec with the values that the study sets for all points.
     pub spec: Spec,
-    /// The points.
+    /// Points.
     pub design: Design,
-    /// What is computed at each.
+    /// Quantity at each point.
     pub quantity: Quantity,
-    /// Where a start state is looked for.
+    /// Folder of the start state.
     folder: PathBuf,
     points_per_part: usize,
     hash_hex: String,
 }
 
 impl Study {
-    /// Reads a study; the path of its spec begins beside it.
+    /// Reads a study; the path of its spec is relative to its folder.
     ///
     /// # Errors
-    /// A file that cannot be read; everything that is wrong in it.
+    /// A file that cannot be read; all faults in it.
     pub fn read(path: &Path) -> Result<Self, StudyError> {
         let unreadable = |reason: std::io::Error| StudyError::Unreadable {
             path: path.to_owned(),
@@ -41,7 +41,7 @@ impl Study {
         Self::parse(&text, path.parent().unwrap_or(Path::new("")))
     }
 
-    /// A study from its text; the path of its spec begins in `folder`.
+    /// Parses a study from its text; the path of its spec is relative to `folder`.
     ///
     /// # Errors
     /// As [`Study::read`].
@@ -62,10 +62,10 @@ impl Study {
         Self::of(said, beside)
     }
 
-    /// A study of a spec that is given beside its text.
+    /// Creates a study from its text and a separate spec.
     ///
     /// # Errors
-    /// As [`Study::read`], and a text that names a spec of its own.
+    /// As [`Study::read`], and a text that names a spec.
     pub fn with_spec(file: SpecFile, folder: &Path, text: &str) -> Result<Self, StudyError> {
         let said = read(text, |named| match named {
             None => Ok(file),
@@ -96,36 +96,37 @@ impl Study {
         })
     }
 
-    /// SHA-256 of all that the table depends on: the spec, the points, the quantity, the parts and the version of jounce.
+    /// Returns the SHA-256 of all inputs of the table: the spec, the points, the quantity, the
+    /// parts and the version of jounce.
     pub fn hash_hex(&self) -> &str {
         &self.hash_hex
     }
 
-    /// Number of parts.
+    /// Returns the number of parts.
     pub fn parts(&self) -> usize {
         self.design.len().div_ceil(self.points_per_part)
     }
 
-    /// The points of a part.
+    /// Returns the points of a part.
     pub fn points(&self, part: usize) -> Range<usize> {
         let first = part * self.points_per_part;
         first..(first + self.points_per_part).min(self.design.len())
     }
 
-    /// Where a table of this study comes from.
+    /// Returns the manifest of a table of this study.
     pub fn manifest(&self) -> Manifest {
         Manifest::new(&self.spec.hash_hex())
             .with("command", "study")
             .with("study_sha256", &self.hash_hex)
     }
 
-    /// The manifest of one part.
+    /// Returns the manifest of one part.
     pub fn part_manifest(&self, part: usize) -> Manifest {
         self.manifest().with("part", part)
     }
 
-    /// Computes a part: a row for each of its points, with the values of its keys and the reason where it failed. `None` where the control
-    /// says stop. Every finished point is counted by the control.
+    /// Computes a part: a row for each of its points, with the values of its keys and the reason of
+    /// a failure. Returns `None` if the control stops it. The control counts every finished point.
     ///
     /// # Errors
     /// [`StudyError::Table`].
@@ -187,7 +188,7 @@ impl Study {
         Ok(Some(Table::new(columns)?))
     }
 
-    /// The numbers at one point; what two neighbours share is made once.
+    /// Evaluates the numbers at one point; neighbouring points share their common computations.
     fn answer(
         &self,
         values: &[f64],
@@ -212,7 +213,7 @@ impl Study {
     }
 }
 
-/// Everything that decides the bits of the table.
+/// Returns the digest of everything that determines the bits of the table.
 fn digest(spec: &Spec, said: &StudyText) -> String {
     let mut all = format!("jounce {}\n{}\n", env!("CARGO_PKG_VERSION"), spec.to_toml());
     for varied in &said.design.varied {

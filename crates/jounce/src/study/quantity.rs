@@ -1,4 +1,4 @@
-//! What is computed at each point.
+//! Quantity computed at each point.
 
 use crate::analysis::{DiagramOrder, Recognition, SweepOrder};
 use crate::table::{Column, Values};
@@ -10,7 +10,7 @@ pub enum Quantity {
     Run,
     /// Natural frequencies and damping ratios of the first modes.
     Modes {
-        /// How many.
+        /// Number of modes.
         count: usize,
     },
     /// Highest voltage of the frequency response without contact.
@@ -19,45 +19,45 @@ pub enum Quantity {
         range_hz: (f64, f64),
         /// Frequencies, evenly spaced in their logarithm.
         points: usize,
-        /// Unit of the voltage per unit of what shakes the harvester.
+        /// Unit of the voltage per unit of the excitation.
         unit: &'static str,
     },
-    /// Marches over a key, each until it has settled.
+    /// Runs over a key, each until it has settled.
     Sweep {
         /// The key.
         over: String,
-        /// Its values, as they were written.
+        /// Values, as they were written.
         values: String,
-        /// Order of visit.
+        /// Order of the values.
         direction: SweepOrder,
         /// True: each for `run.duration`.
         fixed_duration: bool,
     },
-    /// Motions over a key, each from the end of the one before.
+    /// Motions over a key, each started from the end of the previous one.
     Diagram {
         /// The key.
         over: String,
-        /// Its values, SI, rising.
+        /// Values, SI, rising.
         values: Vec<f64>,
-        /// Order of visit.
+        /// Order of the values.
         order: DiagramOrder,
-        /// Relative tolerance of the marches.
+        /// Relative tolerance of the integrations.
         tolerance: f64,
     },
-    /// Curves over two keys along which the answer jumps.
+    /// Bifurcation curves over two keys.
     Jumps {
         /// The keys.
         keys: [String; 2],
         /// Ends of their ranges, SI.
         ranges: [(f64, f64); 2],
-        /// Values at which branches are sought by marching.
+        /// Values at which branches are sought by integration.
         seeds: usize,
         /// Longest period, in drive cycles.
         longest_period: u32,
-        /// Relative tolerance of the marches.
+        /// Relative tolerance of the integrations.
         tolerance: f64,
     },
-    /// Attractors from a cloud of starts, and the power to be expected.
+    /// Attractors from a cloud of starts, and the expected power.
     Basins {
         /// Starts of the cloud.
         starts: usize,
@@ -65,7 +65,7 @@ pub enum Quantity {
         seed: u64,
         /// Size of the cloud, in gaps.
         spread: f64,
-        /// How attractors are recognized.
+        /// Recognition of attractors.
         recognition: Recognition,
     },
     /// Highest stable power over a key, and its half-power bandwidth.
@@ -74,25 +74,25 @@ pub enum Quantity {
         over: String,
         /// Ends of its range, SI.
         range: (f64, f64),
-        /// Values at which branches are sought by marching.
+        /// Values at which branches are sought by integration.
         seeds: usize,
         /// Longest period, in drive cycles.
         longest_period: u32,
-        /// Relative tolerance of the marches.
+        /// Relative tolerance of the integrations.
         tolerance: f64,
     },
     /// Mean power over realisations of noise.
     Ensemble {
         /// Realisations.
         members: usize,
-        /// Their seed.
+        /// Seed of the realisations.
         seed: u64,
     },
-    /// Exact answer to noise without contact.
+    /// Exact response to noise without contact.
     Noise,
 }
 
-/// One number that a quantity gives.
+/// One number of a quantity.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Measure {
     name: String,
@@ -127,7 +127,7 @@ fn count(name: &str, about: &'static str) -> Measure {
 }
 
 impl Quantity {
-    /// The command that computes it.
+    /// Returns the command that computes it.
     pub fn command(&self) -> &'static str {
         match self {
             Self::Run => "run",
@@ -143,7 +143,7 @@ impl Quantity {
         }
     }
 
-    /// The numbers that it gives, in order.
+    /// Returns the descriptions of its numbers, in order.
     pub(super) fn measures(&self) -> Vec<Measure> {
         let power = number("mean_power_w", "W", "mean power of all loads");
         let residual = number(
@@ -323,7 +323,7 @@ fn branch() -> Vec<Measure> {
 }
 
 impl Measure {
-    /// A column of its values; what failed is NaN, 0 or false.
+    /// Returns a column of its values; a failed point is NaN, 0 or false.
     pub(super) fn column(&self, values: Vec<f64>) -> Column {
         let values: Values = match self.kind {
             MeasureKind::Number => values.into(),

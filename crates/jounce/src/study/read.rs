@@ -1,4 +1,4 @@
-//! A study from its text.
+//! Reads a study from its text.
 //!
 //! ```toml
 //! spec = "harvester.toml"
@@ -21,19 +21,19 @@ use super::{Quantity, StudyError};
 use crate::spec::{KeyRange, SpecFile};
 use toml_edit::{Item, Table};
 
-/// Most points of a study.
+/// Largest number of points of a study.
 const MAX_POINTS: u64 = 1_000_000_000;
 
-/// Most points that are drawn: their order is kept in memory for the Latin hypercube.
+/// Largest number of drawn points: the Latin hypercube keeps their order in memory.
 const MAX_DRAWN_POINTS: u64 = 100_000_000;
 
-/// Parts into which a study falls where nothing is said, as far as its points go.
+/// Default number of parts, if there are enough points.
 const DEFAULT_PARTS: usize = 256;
 
-/// Most points of a part where nothing is said.
+/// Largest number of points of a part by default.
 const MAX_POINTS_PER_PART: usize = 1000;
 
-/// What the text of a study says.
+/// Content of the text of a study.
 pub(super) struct StudyText {
     pub file: SpecFile,
     pub design: Design,
@@ -41,7 +41,7 @@ pub(super) struct StudyText {
     pub points_per_part: usize,
 }
 
-/// Reads a text; `file` finds the spec by the path that the text names, `None` where it names none.
+/// Reads a text; `file` finds the spec by the path in the text, `None` if it names no path.
 pub(super) fn read(
     text: &str,
     file: impl FnOnce(Option<&str>) -> Result<SpecFile, StudyError>,
@@ -101,7 +101,7 @@ pub(super) fn read(
     }
 }
 
-/// Keys that hold at every point.
+/// Applies the keys with the same value at every point.
 fn settings(reader: &mut FaultCollector, item: Option<&Item>, file: &mut SpecFile) {
     let Some(table) = reader.table("set", item) else {
         return;
@@ -162,11 +162,11 @@ fn drawn(reader: &mut FaultCollector, root: &Table, sampling: Sampling) -> usize
     reader.whole("points", item, (1, MAX_DRAWN_POINTS), 1) as usize
 }
 
-/// What is said where the ends of a drawn key are not told.
+/// Hint for a drawn key without the ends of its range.
 const DRAWN_RANGE_HINT: &str =
     "drawn values need a range FROM:TO, or FROM:TO:log above 0, from a smaller to a larger value";
 
-/// The keys that are varied, with their values.
+/// Reads the keys to be varied, with their values.
 fn varied(
     reader: &mut FaultCollector,
     item: Option<&Item>,
@@ -200,7 +200,7 @@ fn varied(
             );
             continue;
         }
-        // A drawn key has the two ends of its range as values.
+        // The values of a drawn key are the two ends of its range.
         let range = if sampling.draws() {
             range.replacen(':', ",", 1)
         } else {
@@ -227,7 +227,7 @@ fn varied(
     found
 }
 
-/// Values that do not go together.
+/// Checks that the values are compatible.
 fn check_sides(
     reader: &mut FaultCollector,
     item: Option<&Item>,

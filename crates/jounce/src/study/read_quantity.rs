@@ -1,4 +1,4 @@
-//! What a study computes, from its table `[quantity]`.
+//! Reads the quantity of a study from its table `[quantity]`.
 
 use super::Quantity;
 use super::evaluation::shaken;
@@ -8,18 +8,18 @@ use crate::linear::FrfResponse;
 use crate::spec::{Drive, DriveSignal, KeyRange, Quantity as Kind, SpecFile};
 use toml_edit::{Item, Table};
 
-/// Commands that answer a study.
+/// Commands available in a study.
 const COMMANDS: &[&str] = &[
     "run", "modes", "frf", "sweep", "diagram", "branch", "jumps", "basins", "ensemble", "noise",
 ];
 
-/// The table, and the spec that it is about.
+/// The table `[quantity]`, and its spec.
 struct QuantityTable<'a> {
     table: &'a Table,
     file: &'a SpecFile,
 }
 
-/// Reads what is computed, with its options.
+/// Reads the quantity with its options.
 pub(super) fn quantity(
     reader: &mut FaultCollector,
     item: Option<&Item>,
@@ -123,7 +123,7 @@ impl QuantityTable<'_> {
 
     fn noise(&self, reader: &mut FaultCollector) -> Quantity {
         let noisy = |drive: &Drive| matches!(drive.signal, DriveSignal::Noise { .. });
-        // A spec that has faults of its own is told of elsewhere.
+        // Faults of the spec are reported elsewhere.
         if self
             .file
             .spec()
@@ -255,7 +255,7 @@ impl QuantityTable<'_> {
         self.table.get(key).and_then(Item::span)
     }
 
-    /// A word of a few, by default the first.
+    /// Reads one word of a list, by default the first.
     fn one_of<T: Copy>(&self, reader: &mut FaultCollector, key: &str, known: &[(&str, T)]) -> T {
         let path = format!("quantity.{key}");
         let said = reader.text(&path, self.table.get(key));
@@ -274,7 +274,7 @@ impl QuantityTable<'_> {
         found.unwrap_or(&known[0]).1
     }
 
-    /// A frequency above 0, Hz.
+    /// Reads a frequency above 0, Hz.
     fn frequency(&self, reader: &mut FaultCollector, key: &str, default_hz: f64) -> f64 {
         let path = format!("quantity.{key}");
         let Some(text) = reader.text(&path, self.table.get(key)) else {
@@ -300,7 +300,7 @@ impl QuantityTable<'_> {
         })
     }
 
-    /// A key and its values, with the text of the values.
+    /// Reads a key and its values, with the text of the values.
     fn values<'t>(&'t self, reader: &mut FaultCollector) -> Option<(KeyRange, &'t str)> {
         let text = self.assignment(reader, "over", "drive.shaker.frequency=10Hz:14Hz:0.1Hz")?;
         match self.file.range(text) {
@@ -314,7 +314,7 @@ impl QuantityTable<'_> {
         }
     }
 
-    /// A key and the two ends of its range.
+    /// Reads a key and the two ends of its range.
     fn ends(&self, reader: &mut FaultCollector, key: &str, example: &str) -> (String, (f64, f64)) {
         let path = format!("quantity.{key}");
         let nothing = (String::new(), (0.0, 1.0));

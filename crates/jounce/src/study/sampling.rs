@@ -1,25 +1,25 @@
-//! How the points of a study are chosen.
+//! Sampling of the points of a study.
 
 use super::sobol::sobol;
 use crate::drive::RandomStream;
 
-/// Ways to choose points.
+/// Methods of choosing points.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Sampling {
-    /// Every combination of the values of the keys, those of the first key running fastest.
+    /// Every combination of the values of the keys; the first key varies fastest.
     Grid,
-    /// The values of all keys side by side.
+    /// The values of all keys paired by index.
     List,
     /// Independent and uniform.
     Random,
-    /// One point in each of as many equal cells along every key.
+    /// One point in each of equal cells along every key; as many cells as points.
     LatinHypercube,
     /// The Sobol sequence, its digits shifted by the seed.
     Sobol,
 }
 
 impl Sampling {
-    /// All of them.
+    /// All methods.
     pub const ALL: [Self; 5] = [
         Self::Grid,
         Self::List,
@@ -28,7 +28,7 @@ impl Sampling {
         Self::Sobol,
     ];
 
-    /// Name in a study.
+    /// Returns the name in a study.
     pub fn name(self) -> &'static str {
         match self {
             Self::Grid => "grid",
@@ -45,7 +45,7 @@ impl Sampling {
     }
 }
 
-/// Places of drawn points in the unit cube.
+/// Positions of drawn points in the unit cube.
 #[derive(Debug, Clone)]
 pub(super) struct CubePoints {
     sampling: Sampling,
@@ -74,7 +74,7 @@ impl CubePoints {
         }
     }
 
-    /// Place of a point along a dimension, in [0, 1).
+    /// Returns the position of a point along a dimension, in [0, 1).
     pub(super) fn place(&self, index: usize, dimension: usize) -> f64 {
         match self.sampling {
             Sampling::Sobol => sobol(dimension, index as u32, self.shifts[dimension]),
@@ -94,7 +94,7 @@ impl CubePoints {
     }
 }
 
-/// The numbers below `count` in an order drawn from the seed (Fisher and Yates).
+/// Returns the numbers below `count` in an order drawn from the seed (Fisher and Yates).
 fn shuffled(count: usize, seed: u64, dimension: u64) -> Vec<u32> {
     let mut cells: Vec<u32> = (0..count as u32).collect();
     let mut stream = RandomStream::new(seed, u64::MAX - dimension);
@@ -121,7 +121,8 @@ mod tests {
         }
     }
 
-    /// Mean and variance of 20000 uniform numbers are 1/2 and 1/12 within four standard errors, and two keys do not know of each other.
+    /// Mean and variance of 20000 uniform numbers are 1/2 and 1/12 within four standard errors, and
+    /// two keys are uncorrelated.
     #[test]
     fn random_points_fill_the_cube() {
         let draw = CubePoints::new(Sampling::Random, 2, 20_000, 1);

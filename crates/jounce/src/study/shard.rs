@@ -1,4 +1,4 @@
-//! One of several processes that share a study.
+//! Shard: one of several processes that share a study.
 
 use std::fmt;
 use std::str::FromStr;
@@ -6,17 +6,17 @@ use std::str::FromStr;
 /// Shard `index` of `of`, from 1: it takes every `of`-th part.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Shard {
-    /// Its number, from 1.
+    /// Number of the shard, from 1.
     pub index: usize,
-    /// How many there are.
+    /// Number of shards.
     pub of: usize,
 }
 
 impl Shard {
-    /// The whole study.
+    /// The complete study.
     pub const WHOLE: Self = Self { index: 1, of: 1 };
 
-    /// True for a part that falls to this shard.
+    /// True for a part of this shard.
     pub fn takes(self, part: usize) -> bool {
         part % self.of == self.index - 1
     }

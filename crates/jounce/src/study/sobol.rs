@@ -1,11 +1,13 @@
 //! The Sobol sequence.
 //!
-//! Bit `k` of the Gray code of the number of a point switches direction number `v_k` of each dimension, and all that are switched on are
-//! added without carry. A digital shift drawn from the seed moves the whole sequence.
+//! The Gray code of the number of a point selects direction numbers `v_k` of each dimension by its
+//! bits `k`. The selected numbers are added without carry. A digital shift drawn from the seed
+//! moves the complete sequence.
 //!
 //! Source: S. Joe, F. Kuo, SIAM J. Sci. Comput. 30 (2008) 2635, the direction numbers of `new-joe-kuo-6`.
 
-/// Degree, coefficients of the primitive polynomial and first direction numbers of each dimension after the first.
+/// Degree, coefficients of the primitive polynomial and first direction numbers of each dimension
+/// after the first.
 const DIRECTION_NUMBERS: [(usize, u32, [u32; 5]); 9] = [
     (1, 0, [1, 0, 0, 0, 0]),
     (2, 1, [1, 3, 0, 0, 0]),
@@ -18,12 +20,12 @@ const DIRECTION_NUMBERS: [(usize, u32, [u32; 5]); 9] = [
     (5, 7, [1, 1, 7, 11, 19]),
 ];
 
-/// Most dimensions.
+/// Largest number of dimensions.
 pub(super) const MAX_DIMENSIONS: usize = DIRECTION_NUMBERS.len() + 1;
 
 const BITS: usize = 32;
 
-/// Place of point `index` along a dimension, in [0, 1), with its digits shifted.
+/// Returns the position of point `index` along a dimension, in [0, 1), with its digits shifted.
 pub(super) fn sobol(dimension: usize, index: u32, shift: u32) -> f64 {
     let gray = index ^ (index >> 1);
     let directions = directions(dimension);
@@ -58,7 +60,8 @@ fn directions(dimension: usize) -> [u32; BITS] {
 mod tests {
     use super::*;
 
-    /// Points 1 to 5 and 1000 of SciPy 1.17, `scipy.stats.qmc.Sobol(10, scramble=False)`.
+    /// Compares points 1 to 5 and 1000 with SciPy 1.17,
+    /// `scipy.stats.qmc.Sobol(10, scramble=False)`.
     #[test]
     fn points_are_those_of_scipy() {
         let wanted: [(u32, [f64; 10]); 6] = [
@@ -110,7 +113,8 @@ mod tests {
         }
     }
 
-    /// Each of 64 equal cells holds one of the first 64 points, along every dimension and whatever the shift.
+    /// Each of 64 equal cells holds one of the first 64 points, along every dimension and for any
+    /// shift.
     #[test]
     fn every_cell_holds_one_point() {
         for dimension in 0..MAX_DIMENSIONS {

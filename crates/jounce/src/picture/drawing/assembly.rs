@@ -1,22 +1,22 @@
-//! What is fixed together: bodies on bodies, each at its place beside the one that carries it.
+//! Assemblies: bodies fixed to other bodies, each at its position relative to its carrier.
 
 use super::rect::Rect;
 use super::{Drawing, DrawnBeam, DrawnPatch, DrawnPlace, DrawnShape, Seat};
 
-/// Height of a mass, px.
+/// Size of a mass, px.
 pub const BLOCK: (f64, f64) = (86.0, 44.0);
-/// A mass fixed to a beam, px.
+/// Size of a mass fixed to a beam, px.
 const TIP: (f64, f64) = (30.0, 30.0);
 /// Diameter of a free mass, px.
 pub const BALL: f64 = 28.0;
-/// A structure given by its modes, px.
+/// Size of a structure given by its modes, px.
 const GIVEN: (f64, f64) = (150.0, 50.0);
 /// Length of a spring, px.
 pub const SPRING: f64 = 38.0;
-/// Distance of two beams on one mass, and of a beam from one that carries it amid its length, px.
+/// Distance of two beams on one mass, and of a beam from a carrier along its length, px.
 const STEP: f64 = 40.0;
 
-/// Where a body stands: the root of a beam on its mid-plane, the middle of anything else.
+/// Position of a body: the root of a beam on its mid-plane, the middle of other bodies.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct DrawnSpot {
     /// Abscissa, px.
@@ -27,7 +27,8 @@ pub struct DrawnSpot {
     pub way: f64,
 }
 
-/// Every body relative to the one at the foot of its assembly, and that one's index.
+/// Returns the position of every body relative to the foot of its assembly, and the index of the
+/// foot.
 pub fn assemblies(drawing: &Drawing, px_per_m: f64) -> Vec<(usize, DrawnSpot)> {
     let count = drawing.bodies.len();
     let mut found: Vec<Option<(usize, DrawnSpot)>> = (0..count)
@@ -54,7 +55,7 @@ pub fn assemblies(drawing: &Drawing, px_per_m: f64) -> Vec<(usize, DrawnSpot)> {
             }
         }
     }
-    // A spec with supports in a circle is refused elsewhere; here each of them stands alone.
+    // A spec with circular supports is refused elsewhere; here each of its bodies is an assembly.
     found
         .into_iter()
         .enumerate()
@@ -70,7 +71,7 @@ pub fn assemblies(drawing: &Drawing, px_per_m: f64) -> Vec<(usize, DrawnSpot)> {
         .collect()
 }
 
-/// The place that carries a body.
+/// Returns the place that carries a body.
 pub fn carrier(drawing: &Drawing, body: usize) -> Option<DrawnPlace> {
     match drawing.bodies[body].seat {
         Seat::On(place) | Seat::Spring(Some(place)) => {
@@ -80,7 +81,8 @@ pub fn carrier(drawing: &Drawing, body: usize) -> Option<DrawnPlace> {
     }
 }
 
-/// Where a body stands on a place of another that has its spot; `rank` others are on it already.
+/// Returns the position of a body on a place of another body at `on`; `rank` bodies are on it
+/// already.
 fn beside(
     drawing: &Drawing,
     body: usize,
@@ -131,7 +133,7 @@ fn beside(
     }
 }
 
-/// Width and height of a body that is a symbol; nothing for a beam.
+/// Returns the width and height of a body that is a symbol; zero for a beam.
 pub fn size(drawing: &Drawing, body: usize) -> (f64, f64) {
     let on_beam = || {
         carrier(drawing, body)
@@ -146,7 +148,8 @@ pub fn size(drawing: &Drawing, body: usize) -> (f64, f64) {
     }
 }
 
-/// What a body covers; a mass with contacts on both sides stands beside them, so that its spring is clear of what it strikes.
+/// Returns the area of a body. A sprung mass with contacts on both sides is shifted sideways,
+/// so that its spring is clear of them.
 pub fn room(drawing: &Drawing, body: usize, spot: DrawnSpot, px_per_m: f64) -> Rect {
     match &drawing.bodies[body].shape {
         DrawnShape::Beam(beam) => {
@@ -170,7 +173,8 @@ pub fn room(drawing: &Drawing, body: usize, spot: DrawnSpot, px_per_m: f64) -> R
     }
 }
 
-/// Distance of a face of a beam from its mid-plane with the patches on it, at a place or where it is largest, px.
+/// Returns the distance of a face of a beam with its patches from the mid-plane, px: at a place, or
+/// the largest.
 fn thickness(beam: &DrawnBeam, along_m: Option<f64>, top: bool, px_per_m: f64) -> f64 {
     let there = |cover: &&DrawnPatch| cover.top == top && along_m.is_none_or(|x| covers(cover, x));
     let layers = beam
@@ -186,7 +190,7 @@ fn thickness(beam: &DrawnBeam, along_m: Option<f64>, top: bool, px_per_m: f64) -
     0.5 * thick(beam.thickness_m, px_per_m) + layers.chain(patches).fold(0.0, f64::max)
 }
 
-/// Thickness of the layer under a patch, px.
+/// Returns the thickness of the layer under a patch, px.
 pub fn under(beam: &DrawnBeam, patch: &DrawnPatch, px_per_m: f64) -> f64 {
     let carries = |layer: &&DrawnPatch| {
         layer.top == patch.top && covers(layer, patch.start_m + 0.5 * patch.length_m)
@@ -198,17 +202,18 @@ pub fn under(beam: &DrawnBeam, patch: &DrawnPatch, px_per_m: f64) -> f64 {
         .fold(0.0, f64::max)
 }
 
-/// Whether a patch or a layer lies at a place.
+/// True where a patch or a layer lies at a place.
 pub fn covers(cover: &DrawnPatch, along_m: f64) -> bool {
     (cover.start_m..=cover.start_m + cover.length_m * (1.0 + 1e-9)).contains(&along_m)
 }
 
-/// A thickness in pixels, at least one.
+/// Returns a thickness in pixels, at least one.
 pub fn thick(length_m: f64, px_per_m: f64) -> f64 {
     (length_m * px_per_m).max(1.0)
 }
 
-/// Distance of the upper or lower face at a place from the body's middle; a mass fixed there is part of it.
+/// Returns the distance of the upper or lower face at a place from the middle of the body; a mass
+/// fixed there is part of it.
 pub fn face(drawing: &Drawing, place: DrawnPlace, above: bool, px_per_m: f64) -> f64 {
     let DrawnShape::Beam(beam) = &drawing.bodies[place.body].shape else {
         return 0.5 * size(drawing, place.body).1;
@@ -226,7 +231,7 @@ pub fn face(drawing: &Drawing, place: DrawnPlace, above: bool, px_per_m: f64) ->
     )
 }
 
-/// Whether a body is struck or strikes above, and below.
+/// Returns two flags: contact above and contact below the body.
 pub fn sides(drawing: &Drawing, body: usize) -> (bool, bool) {
     let mut sides = (false, false);
     for contact in &drawing.contacts {

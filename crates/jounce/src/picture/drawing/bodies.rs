@@ -1,4 +1,4 @@
-//! The bodies of a group.
+//! Drawing of the bodies of a group.
 
 use super::assembly::{SPRING, carrier, room, sides, thick, under};
 use super::canvas::{Canvas, INK, THIN};
@@ -10,17 +10,17 @@ use super::symbols::spring;
 use super::{Drawing, DrawnBeam, DrawnShape, Seat};
 use crate::picture::svg::number;
 
-/// The look of a mass, of a patch and of a layer.
+/// Style of a mass, of a patch and of a layer.
 pub const BODY: &str =
     "class=\"jounce-body\" fill=\"#dfe3e8\" stroke=\"#1a1a1a\" stroke-width=\"1.2\"";
 pub const PATCH: &str = "class=\"jounce-patch\" fill=\"#e69f00\"";
 pub const LAYER: &str = "class=\"jounce-layer\" fill=\"#56b4e9\"";
-/// Where the line of a patch's name may start, as parts of its length.
+/// Possible starts of the leader of a patch's name, as fractions of its length.
 const STARTS: [f64; 4] = [0.0, 0.25, 0.75, 1.0];
-/// Half the height of the wall that a beam is clamped to, px.
+/// Half the height of the wall of a clamped beam, px.
 pub const WALL: f64 = 20.0;
 
-/// A body, with `shift` from the layout to the sheet.
+/// Draws a body, with `shift` from the layout to the sheet.
 pub fn body(
     canvas: &mut Canvas,
     drawing: &Drawing,
@@ -57,7 +57,7 @@ pub fn body(
                 wall(canvas, (spot.x, spot.y), spot.way);
             }
             let (anchor, toward) = named_at(shape, (spot.x, spot.y), spot.way, layout.px_per_m);
-            // Where another beam lies close to this face, the name goes to the other one.
+            // If another beam lies close to this face, the name goes to the other face.
             let other = (toward.1 != 0.0).then_some((anchor.0, 2.0 * spot.y - anchor.1));
             let mut words = drawn.words.clone();
             words.push(format!(
@@ -99,7 +99,7 @@ pub fn body(
     );
 }
 
-/// Where the name of a beam goes: over a bare face, else at its right end.
+/// Returns the position of a beam's name: over a bare face, else at its right end.
 fn named_at(
     beam: &DrawnBeam,
     (x, y): (f64, f64),
@@ -122,13 +122,13 @@ fn named_at(
     }
 }
 
-/// The spring or the wall of a mass.
+/// Draws the spring or the wall of a mass.
 fn seat(canvas: &mut Canvas, drawing: &Drawing, body: usize, covered: Rect) {
     let Seat::Spring(on) = drawing.bodies[body].seat else {
         return;
     };
     let (above, below) = sides(drawing, body);
-    // Away from what it strikes; beside it where it strikes on both sides.
+    // Opposite to the contact; at the side if there are contacts on both sides.
     let x = if above && below {
         covered.right - 16.0
     } else {
@@ -175,7 +175,7 @@ fn wall(canvas: &mut Canvas, (x, y): (f64, f64), way: f64) {
     ));
 }
 
-/// A beam with its layers, its patches and its places, its root at `(x, y)`.
+/// Draws a beam with its layers, its patches and its places, its root at `(x, y)`.
 fn beam(canvas: &mut Canvas, beam: &DrawnBeam, way: f64, (x, y): (f64, f64), px_per_m: f64) {
     let half = 0.5 * thick(beam.thickness_m, px_per_m);
     let at = |along_m: f64| x + way * along_m * px_per_m;
@@ -202,7 +202,7 @@ fn beam(canvas: &mut Canvas, beam: &DrawnBeam, way: f64, (x, y): (f64, f64), px_
             dimension::length(cover.length_m),
             dimension::length(cover.thickness_m)
         );
-        // Of what lies under something else only the end is seen.
+        // Only the end is visible of a layer under another one.
         let (anchor, toward) = if style == LAYER {
             ((to, 0.5 * (near + far)), (0.5 * way, side))
         } else {
@@ -235,7 +235,8 @@ fn beam(canvas: &mut Canvas, beam: &DrawnBeam, way: f64, (x, y): (f64, f64), px_
     }
 }
 
-/// The arm of a stop that rides on a body: from the stop at `tip` over its own height to the side of what carries it.
+/// Draws the arm of a stop fixed to a body: from the stop at `tip` over its own height to the side
+/// of its carrier.
 pub fn arm(canvas: &mut Canvas, tip: (f64, f64), carrier: Rect) {
     let x = 0.5 * (carrier.left + carrier.right);
     let edge = if tip.1 < carrier.top {

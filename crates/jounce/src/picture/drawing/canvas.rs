@@ -1,29 +1,29 @@
-//! A sheet that remembers what it covers, so that labels find free places.
+//! A sheet that records covered areas, so that labels find free positions.
 
 use super::labels::{LINE, LabelRequest, placed};
 use super::rect::Rect;
 use crate::picture::svg::{Anchor, Svg, number};
 use crate::picture::text::SMALL;
 
-/// The look of lines.
+/// Style of lines.
 pub const INK: &str = "class=\"jounce-rule\" stroke=\"#1a1a1a\" stroke-width=\"1.2\" fill=\"none\"";
 
-/// The look of thin lines.
+/// Style of thin lines.
 pub const THIN: &str =
     "class=\"jounce-grid\" stroke=\"#8a8a8a\" stroke-width=\"0.8\" fill=\"none\"";
 
-/// An SVG under construction with what it covers.
+/// An SVG under construction with its covered areas.
 pub struct Canvas<'s> {
-    /// The document.
+    /// Document.
     pub svg: &'s mut Svg,
     covered: Vec<Rect>,
     wanted: Vec<LabelRequest>,
-    /// Left and right edge of what labels may cover.
+    /// Left and right limits of labels.
     page: (f64, f64),
 }
 
 impl<'s> Canvas<'s> {
-    /// An empty one.
+    /// Creates an empty canvas.
     pub fn new(svg: &'s mut Svg, page: (f64, f64)) -> Self {
         Self {
             svg,
@@ -33,24 +33,24 @@ impl<'s> Canvas<'s> {
         }
     }
 
-    /// A rectangle that labels keep off.
+    /// Draws a rectangle that labels avoid.
     pub fn solid(&mut self, rect: Rect, look: &str) {
         self.svg
             .rect(rect.left, rect.top, rect.width(), rect.height(), look);
         self.cover(rect);
     }
 
-    /// Keeps labels off a rectangle.
+    /// Marks a rectangle that labels avoid.
     pub fn cover(&mut self, rect: Rect) {
         self.covered.push(rect);
     }
 
-    /// Asks for a label.
+    /// Requests a label.
     pub fn label(&mut self, anchor: (f64, f64), toward: (f64, f64), lines: Vec<String>) {
         self.label_along(anchor, Vec::new(), toward, lines);
     }
 
-    /// Asks for a label of something long, whose line may start at other points of it.
+    /// Requests a label of a long element; the leader may start at other points of it.
     pub fn label_along(
         &mut self,
         anchor: (f64, f64),
@@ -66,7 +66,7 @@ impl<'s> Canvas<'s> {
         });
     }
 
-    /// Sets all labels; gives what everything together covers.
+    /// Places all labels; returns the area covered by all elements.
     pub fn finish(self) -> Rect {
         let labels = placed(&self.wanted, &self.covered, self.page);
         for label in &labels {

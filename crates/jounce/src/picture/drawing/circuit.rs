@@ -13,7 +13,7 @@ const WIRES: (f64, f64) = (46.0, 136.0);
 /// From the left edge to the first element, px.
 const MARGIN: f64 = 20.0;
 
-/// Width of a circuit, px.
+/// Returns the width of a circuit, px.
 pub fn wide(circuit: &DrawnCircuit) -> f64 {
     let elements: f64 = circuit.elements.iter().map(column).sum();
     (MARGIN + elements).max(width(&name(circuit), SMALL) + 10.0)
@@ -23,7 +23,7 @@ fn name(circuit: &DrawnCircuit) -> String {
     format!("circuit {}", circuit.label)
 }
 
-/// Width that an element takes.
+/// Returns the width of an element.
 fn column(element: &DrawnElement) -> f64 {
     match element {
         DrawnElement::Patches(patches) => {
@@ -42,7 +42,7 @@ fn column(element: &DrawnElement) -> f64 {
     }
 }
 
-/// Draws it with its upper left corner at `(x, y)`.
+/// Draws a circuit with its upper left corner at `(x, y)`.
 pub fn draw(svg: &mut Svg, circuit: &DrawnCircuit, (x, y): (f64, f64)) {
     svg.text(x, y + 14.0, SMALL, Anchor::Start, &name(circuit));
     let ends = (y + WIRES.0, y + WIRES.1);
@@ -50,7 +50,7 @@ pub fn draw(svg: &mut Svg, circuit: &DrawnCircuit, (x, y): (f64, f64)) {
     for (index, drawn) in circuit.elements.iter().enumerate() {
         let next = at + column(drawn);
         element(svg, drawn, at, ends);
-        // The wires reach from each element to the next.
+        // The wires extend from each element to the next.
         let last = index + 1 == circuit.elements.len();
         if !last {
             let from = if let DrawnElement::Block(words) = drawn {
@@ -119,7 +119,7 @@ fn upright(
     words_at(svg, words, x + 20.0, 0.5 * (ends.0 + ends.1));
 }
 
-/// Lines centred about a height.
+/// Draws lines centred at a height.
 fn words_at(svg: &mut Svg, words: &[String], x: f64, middle: f64) {
     for (line, text) in words.iter().enumerate() {
         let y = middle + LINE * (line as f64 - 0.5 * words.len() as f64) + 11.5;
@@ -127,7 +127,7 @@ fn words_at(svg: &mut Svg, words: &[String], x: f64, middle: f64) {
     }
 }
 
-/// Patches in series; the sign of each stands at its upper plate.
+/// Draws patches in series, with the sign of each at its upper plate.
 fn stack(svg: &mut Svg, patches: &[(String, bool)], x: f64, (top, bottom): (f64, f64)) {
     let each = (bottom - top) / patches.len().max(1) as f64;
     for (k, (name, reversed)) in patches.iter().enumerate() {

@@ -1,4 +1,4 @@
-//! A closer look at a stop: the gap and what it lies between, at a scale that shows both.
+//! Close-up of a stop: the gap and its two sides, at a larger scale.
 
 use super::assembly::covers;
 use super::bodies::{BODY, LAYER, PATCH};
@@ -10,40 +10,41 @@ use super::{
 use crate::picture::svg::{Anchor, Svg, number};
 use crate::picture::text::SMALL;
 
-/// Size of a closer look, px.
+/// Size of a close-up, px.
 pub const SIZE: (f64, f64) = (260.0, 190.0);
 
 /// Height of a mass, px.
 const MASS: f64 = 34.0;
 
-/// The look of a beam.
+/// Style of a beam.
 const BEAM: &str = "class=\"jounce-beam\" fill=\"#4a5560\" fill-opacity=\"0.9\"";
 
-/// Height that gap and what strikes fill together, px.
+/// Height of the gap and the striking body together, px.
 const FILLED: f64 = 60.0;
 
-/// Whether a stop needs a closer look: its gap is hardly seen at the scale of the side view, but is there.
+/// True where a stop needs a close-up: its gap is not zero but too small at the scale of the side
+/// view.
 pub fn needed(contact: &DrawnContact, px_per_m: f64) -> bool {
     px_per_m > 0.0 && contact.gap_m != 0.0 && contact.gap_m * px_per_m < contacts::SEEN
 }
 
-/// The sizes of a closer look.
+/// Dimensions of a close-up.
 pub struct CloseUpSize {
     /// Pixels per metre.
     scale: f64,
-    /// -1 where what is struck stands above.
+    /// -1 if the struck face is above.
     way: f64,
-    /// Height of the face that strikes, px under the upper edge of the window.
+    /// Height of the striking face, px under the upper edge of the window.
     face: f64,
-    /// Height of the face that is struck.
+    /// Height of the struck face.
     struck: f64,
 }
 
-/// Upper edge of the window under that of the whole, and its height, px.
+/// Distance of the window from the upper edge of the close-up, and its height, px.
 const WINDOW: (f64, f64) = (26.0, SIZE.1 - 54.0);
 
 impl CloseUpSize {
-    /// How close a contact is looked at.
+    /// Returns the dimensions for a contact.
     pub fn of(drawing: &Drawing, contact: &DrawnContact) -> Self {
         let own: f64 = plies(drawing, contact.at, contact.above)
             .iter()
@@ -60,7 +61,8 @@ impl CloseUpSize {
         }
     }
 
-    /// Where the struck face is in a look with its upper left corner at `(x, y)`, and how it moves with the gap, px/m.
+    /// Returns the position of the struck face in a close-up with its upper left corner at
+    /// `(x, y)`, and its derivative by the gap, px/m.
     pub fn grip(&self, (x, y): (f64, f64)) -> ((f64, f64), f64) {
         (
             (x + 0.5 * SIZE.0, y + WINDOW.0 + self.struck),
@@ -69,7 +71,8 @@ impl CloseUpSize {
     }
 }
 
-/// What a beam is made of at a place, from its upper or lower face on: thickness, m, and look. Nothing for a mass.
+/// Returns the plies of a beam at a place, from its upper or lower face on: thickness, m, and
+/// style. Empty for a mass.
 fn plies(drawing: &Drawing, place: DrawnPlace, top: bool) -> Vec<(f64, &'static str)> {
     let DrawnShape::Beam(beam) = &drawing.bodies[place.body].shape else {
         return Vec::new();
@@ -92,7 +95,8 @@ fn plies(drawing: &Drawing, place: DrawnPlace, top: bool) -> Vec<(f64, &'static 
         .collect()
 }
 
-/// Draws it with its upper left corner at `(x, y)`; `px_per_m` is the scale of the side view.
+/// Draws a close-up with its upper left corner at `(x, y)`; `px_per_m` is the scale of the side
+/// view.
 pub fn draw(
     svg: &mut Svg,
     drawing: &Drawing,
@@ -165,7 +169,7 @@ pub fn draw(
     );
 }
 
-/// One side of a gap, from its face away from the gap: a beam with what covers it, or a mass.
+/// Draws one side of a gap, from its face away from the gap: a beam with its plies, or a mass.
 fn side(svg: &mut Svg, (face, way): (f64, f64), plies: &[(f64, &'static str)], scale: f64) {
     let sizes = plies
         .iter()
@@ -188,7 +192,7 @@ fn side(svg: &mut Svg, (face, way): (f64, f64), plies: &[(f64, &'static str)], s
     }
 }
 
-/// How much larger than the side view, to two digits.
+/// Returns the magnification relative to the side view, to two digits.
 fn times(ratio: f64) -> String {
     let rounded: f64 = format!("{ratio:.1e}").parse().unwrap_or(ratio);
     format!("drawn {rounded} times larger than above")

@@ -1,4 +1,4 @@
-//! The stops of a group: gaps between bodies that stand opposite to each other, and tips on the ground or on an arm.
+//! The stops of a group: gaps between opposite bodies, and tips on the ground or on an arm.
 
 use super::assembly::{carrier, face, room};
 use super::bodies::arm;
@@ -16,10 +16,10 @@ const TIP: f64 = 5.0;
 pub const PIN: f64 = 26.0;
 /// Width of the ground behind a stop, px.
 const GROUND: f64 = 36.0;
-/// A gap that the side view shows by itself, px.
+/// Smallest gap visible in the side view, px.
 pub const SEEN: f64 = 14.0;
 
-/// A stop, with `shift` from the layout to the sheet.
+/// Draws a stop, with `shift` from the layout to the sheet.
 pub fn contact(
     canvas: &mut Canvas,
     drawing: &Drawing,
@@ -47,18 +47,18 @@ pub fn contact(
     canvas.label((x, anchor), (1.0, 0.3 * way), words(drawing, layout, index));
 }
 
-/// Where the left end of the ground behind a stop is, relative to the layout.
+/// Returns the left end of the ground behind a stop, relative to the layout.
 pub fn foot(drawing: &Drawing, layout: &DrawingLayout, drawn: &DrawnContact) -> (f64, f64) {
     let (x, middle) = layout.point(drawing, drawn.at);
     let far = middle + way(drawn) * (layout.reach(drawing, drawn) + PIN);
     (x - 0.5 * GROUND, far)
 }
 
-/// Its name with the gap, and its law.
+/// Returns the name with the gap, and the law.
 fn words(drawing: &Drawing, layout: &DrawingLayout, index: usize) -> Vec<String> {
     let drawn = &drawing.contacts[index];
     let name = match drawn.on {
-        // Where it stands is seen, unless it can only be said.
+        // The body is named only if the drawing does not show it.
         Some(on)
             if !layout.opposite[index]
                 && carrier(drawing, drawn.at.body).is_none_or(|place| place.body != on.body) =>
@@ -77,7 +77,7 @@ fn words(drawing: &Drawing, layout: &DrawingLayout, index: usize) -> Vec<String>
     vec![format!("{name}, {}", gap(drawn.gap_m)), drawn.law.clone()]
 }
 
-/// A gap in words.
+/// Returns a gap as text.
 pub fn gap(gap_m: f64) -> String {
     match gap_m {
         gap if gap > 0.0 => format!("gap {}", dimension::length(gap)),
@@ -86,7 +86,7 @@ pub fn gap(gap_m: f64) -> String {
     }
 }
 
-/// A tip with what holds it.
+/// Draws a tip with its support.
 fn stop(
     canvas: &mut Canvas,
     drawing: &Drawing,

@@ -1,25 +1,25 @@
-//! Lengths in words and as dimension lines.
+//! Lengths as text and as dimension lines.
 
 use crate::picture::svg::{Svg, number};
 
 const LOOK: &str = "class=\"jounce-rule\" stroke=\"#1a1a1a\" stroke-width=\"1\" fill=\"none\"";
 
-/// Two arrow heads have no room between closer ends, px.
+/// Two arrow heads have no room between ends closer than this, px.
 const SHORT: f64 = 18.0;
 
-/// A length in the unit that reads best.
+/// Returns a length in the most readable unit.
 pub fn length(length_m: f64) -> String {
     let (value, unit) = match length_m.abs() {
         size if size >= 1.0 || size == 0.0 => (length_m, "m"),
         size if size >= 1e-4 => (length_m * 1e3, "mm"),
         _ => (length_m * 1e6, "µm"),
     };
-    // Five digits tell all that a drawing can.
+    // Five digits are enough for a drawing.
     let rounded: f64 = format!("{value:.4e}").parse().unwrap_or(value);
     format!("{rounded} {unit}")
 }
 
-/// The largest of 1, 2, 5 times a power of ten that is not larger.
+/// Returns the largest of 1, 2, 5 times a power of ten that is not larger than `value`.
 pub fn round_below(value: f64) -> f64 {
     let power = 10f64.powf(value.log10().floor());
     [5.0, 2.0]
@@ -29,7 +29,7 @@ pub fn round_below(value: f64) -> f64 {
         .unwrap_or(power)
 }
 
-/// A scale bar.
+/// Draws a scale bar.
 pub fn bar(svg: &mut Svg, x: f64, y: f64, length: f64) {
     let (left, right, y0, low, high) = (
         number(x),
@@ -46,7 +46,8 @@ pub fn bar(svg: &mut Svg, x: f64, y: f64, length: f64) {
     );
 }
 
-/// An upright line with an arrow head at each end that is asked for; about a short length the two stand outside.
+/// Draws a vertical line with an arrow head at each requested end; on a short length both heads are
+/// outside.
 pub fn arrow(svg: &mut Svg, x: f64, (from, to): (f64, f64), both: bool) {
     if both && (from - to).abs() < SHORT {
         let way = (to - from).signum();

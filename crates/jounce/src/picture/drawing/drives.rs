@@ -1,4 +1,4 @@
-//! What shakes a group.
+//! Drives of a group.
 
 use super::assembly::{face, room};
 use super::bodies::WALL;
@@ -11,10 +11,10 @@ use std::collections::BTreeSet;
 /// Height of the arrow of a drive, px.
 const ARROW: f64 = 36.0;
 
-/// Distance of the arrow of a base from what stands on it, px.
+/// Distance of the arrow of a base from the body on it, px.
 const ASIDE: f64 = 20.0;
 
-/// The forces on the bodies of a group.
+/// Draws the forces on the bodies of a group.
 pub fn forces(
     canvas: &mut Canvas,
     drawing: &Drawing,
@@ -41,7 +41,7 @@ pub fn forces(
     }
 }
 
-/// Where the arrow of a force stands: beside a mass, over a point of a beam.
+/// Returns the position of the arrow of a force: at the side of a mass, over a point of a beam.
 fn arrow_at(
     drawing: &Drawing,
     layout: &DrawingLayout,
@@ -50,7 +50,7 @@ fn arrow_at(
 ) -> (f64, f64) {
     let (x, y) = layout.point(drawing, place);
     if let DrawnShape::Beam(_) = drawing.bodies[place.body].shape {
-        // On the face that nothing strikes there.
+        // On the face without contact.
         let above = !drawing
             .contacts
             .iter()
@@ -67,7 +67,7 @@ fn arrow_at(
         layout.spots[place.body],
         layout.px_per_m,
     );
-    // A beam that the mass carries leaves it on the right first.
+    // A beam on the mass extends to the right first.
     (room.left + shift.0 - 14.0, y + shift.1)
 }
 
@@ -76,7 +76,7 @@ fn arrow(canvas: &mut Canvas, x: f64, y: f64) {
     canvas.cover(Rect::around((x, y), (10.0, ARROW)));
 }
 
-/// Motions of bases, each base by itself.
+/// Draws the motions of bases, each base separately.
 pub fn bases(
     canvas: &mut Canvas,
     drawing: &Drawing,
@@ -109,8 +109,9 @@ pub fn bases(
     }
 }
 
-/// Where the arrow of a base stands in a group: beside the first body that it holds, beside a stop that stands on it, or beside what
-/// is only moved by it; nowhere where the group has nothing of that base.
+/// Returns the position of the arrow of a base in a group: at the side of its first clamped or
+/// sprung body, else of a stop on it, else of another body on it. `None` if the group has none of
+/// these.
 fn foot(
     drawing: &Drawing,
     layout: &DrawingLayout,
@@ -155,7 +156,7 @@ fn foot(
         .or_else(|| carried().next().map(beside))
 }
 
-/// The arrow of gravity at a place of the sheet.
+/// Draws the arrow of gravity at a position on the sheet.
 pub fn gravity(canvas: &mut Canvas, drawing: &Drawing, (x, y): (f64, f64)) {
     let Some((words, up)) = &drawing.gravity else {
         return;

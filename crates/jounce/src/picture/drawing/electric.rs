@@ -1,4 +1,4 @@
-//! Symbols of circuits in an upright wire from `top` to `bottom`, and one in a level wire.
+//! Symbols of circuits in a vertical wire from `top` to `bottom`, and one in a horizontal wire.
 
 use super::canvas::INK;
 use crate::picture::svg::{Svg, number};
@@ -101,7 +101,7 @@ pub fn inductor(svg: &mut Svg, x: f64, (top, bottom): (f64, f64)) {
     svg.path(&steps, INK);
 }
 
-/// An inductor in a level wire from `left` to `right`.
+/// An inductor in a horizontal wire from `left` to `right`.
 pub fn level_inductor(svg: &mut Svg, y: f64, (left, right): (f64, f64)) {
     let middle = 0.5 * (left + right);
     let mut steps = format!(

@@ -1,4 +1,4 @@
-//! The parts of a drawing that may be moved by hand, with their places on the sheet.
+//! Movable parts of a drawing, with their positions on the sheet.
 
 use super::assembly::{face, thick};
 use super::close_up::{self, CloseUpSize};
@@ -7,62 +7,64 @@ use super::layout::{DrawingLayout, way};
 use super::rect::Rect;
 use super::{Drawing, DrawnShape};
 
-/// A drawing with the places of what is on it, px from its upper left corner.
+/// A drawing with the positions of its parts, px from its upper left corner.
 #[derive(Debug, Clone, PartialEq)]
 pub struct GripSheet {
-    /// As SVG.
+    /// SVG document.
     pub svg: String,
-    /// The side view with its scale bar.
+    /// Side view with its scale bar.
     pub side: Rect,
-    /// Each circuit.
+    /// Circuits.
     pub circuits: Vec<Rect>,
-    /// Each closer look.
+    /// Close-ups.
     pub looks: Vec<Rect>,
-    /// What may be moved.
+    /// Movable parts.
     pub grips: Vec<Grip>,
 }
 
-/// A part that may be moved.
+/// A movable part.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Grip {
-    /// Which.
+    /// Part.
     pub part: GripPart,
-    /// Where it is, px.
+    /// Position, px.
     pub at: (f64, f64),
-    /// How it moves where its length grows, px/m.
+    /// Derivative of the position by the length, px/m.
     pub px_per_m: (f64, f64),
 }
 
-/// Which part of a drawing.
+/// Kind of a movable part.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum GripPart {
-    /// The end of a patch near the root, by the indices of body and patch; it grows with the distance from the root.
+    /// End of a patch near the root, by the indices of body and patch; it grows with the distance
+    /// from the root.
     PatchStart {
         /// Index of the body.
         body: usize,
         /// Index of the patch on it.
         patch: usize,
     },
-    /// The other end of a patch; it grows with the length of the patch.
+    /// Other end of a patch; it grows with the length of the patch.
     PatchEnd {
         /// Index of the body.
         body: usize,
         /// Index of the patch on it.
         patch: usize,
     },
-    /// Where along its beam a contact is; it grows with the distance from the root.
+    /// Position of a contact along its beam; it grows with the distance from the root.
     Place {
         /// Index of the contact.
         contact: usize,
     },
-    /// What a contact strikes; it grows with the gap.
+    /// Struck face of a contact; it grows with the gap.
     Gap {
         /// Index of the contact.
         contact: usize,
     },
 }
 
-/// All grips; `shifts` are those of the groups from the layout to the sheet, `looks` the closer looks in the order of their contacts.
+/// Returns all grips; `shifts` are those of the groups from the layout to the sheet, `looks` the
+/// close-ups in the order of their contacts.
 pub fn grips(
     drawing: &Drawing,
     layout: &DrawingLayout,
@@ -113,7 +115,7 @@ pub fn grips(
     found
 }
 
-/// The ends of the patches on a body.
+/// Returns the ends of the patches on a body.
 fn patches(drawing: &Drawing, layout: &DrawingLayout, body: usize, shift: (f64, f64)) -> Vec<Grip> {
     let DrawnShape::Beam(beam) = &drawing.bodies[body].shape else {
         return Vec::new();
@@ -145,7 +147,7 @@ mod tests {
     use super::*;
     use crate::spec::SpecFile;
 
-    /// The drawing of the paper's harvester with some overrides, and the grip of a part.
+    /// Returns the drawing of the paper's harvester with some overrides, and the grip of a part.
     fn gripped(set: &[(&str, &str)], part: GripPart) -> (GripSheet, Grip) {
         let mut file = SpecFile::read(concat!(
             env!("CARGO_MANIFEST_DIR"),
@@ -163,7 +165,7 @@ mod tests {
         (sheet, grip)
     }
 
-    /// What a grip says of its motion is what the drawing of a longer length does.
+    /// The stated motion of a grip agrees with the drawing of a longer length.
     #[test]
     fn parts_move_as_their_grips_say() {
         let patch = (1, 0);
@@ -205,7 +207,8 @@ mod tests {
                 "{key}: {a:?} {b:?}"
             );
         }
-        // A small gap is taken in its closer look, a large one in the side view; both where the stop is drawn.
+        // The grip of a small gap is in its close-up, of a large one in the side view; both where
+        // the stop is drawn.
         for (gap, inside) in [("1 mm", true), ("20 mm", false)] {
             let (sheet, grip) = gripped(&[("stop.tip.gap", gap)], GripPart::Gap { contact: 0 });
             let look = sheet

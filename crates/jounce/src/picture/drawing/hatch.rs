@@ -5,13 +5,13 @@ use crate::picture::svg::{Svg, number};
 /// Side of a line on which the hatching lies.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum HatchSide {
-    /// Above a level line.
+    /// Above a horizontal line.
     Above,
-    /// Below a level line.
+    /// Below a horizontal line.
     Below,
-    /// At the left of an upright line.
+    /// At the left of a vertical line.
     Left,
-    /// At the right of an upright line.
+    /// At the right of a vertical line.
     Right,
 }
 
@@ -20,7 +20,7 @@ pub const HATCH: f64 = 7.0;
 
 const LOOK: &str = "class=\"jounce-rule\" stroke=\"#1a1a1a\" stroke-width=\"1.2\" fill=\"none\"";
 
-/// Ground along a line of some length from a corner.
+/// Draws ground along a line of the given length from a corner.
 pub fn ground(svg: &mut Svg, (x, y): (f64, f64), length: f64, far: HatchSide) {
     let upright = matches!(far, HatchSide::Left | HatchSide::Right);
     let end = if upright {

@@ -1,4 +1,4 @@
-//! Where names go: near what they name, over nothing else and not over each other.
+//! Positions of labels: near the named element, without overlap with other elements or labels.
 
 use super::rect::Rect;
 use crate::picture::text::{SMALL, width};
@@ -6,40 +6,41 @@ use crate::picture::text::{SMALL, width};
 /// Distance of two lines of text, px.
 pub const LINE: f64 = 15.0;
 
-/// A label that looks for its place.
+/// A label to be placed.
 #[derive(Debug, Clone)]
 pub struct LabelRequest {
-    /// What it names.
+    /// Named point.
     pub anchor: (f64, f64),
-    /// Other points of what it names, from which its line may start.
+    /// Other points of the named element, at which the leader may start.
     pub others: Vec<(f64, f64)>,
-    /// Where it stands best, as a direction from there.
+    /// Preferred direction from the anchor.
     pub toward: (f64, f64),
-    /// Its lines.
+    /// Lines of text.
     pub lines: Vec<String>,
 }
 
-/// A label that has its place.
+/// A placed label.
 #[derive(Debug, Clone)]
 pub struct Label {
-    /// Its lines.
+    /// Lines of text.
     pub lines: Vec<String>,
-    /// What they fill.
+    /// Area of the text.
     pub room: Rect,
-    /// The line from what it names to it, where it stands apart.
+    /// Leader from the named element, if the label is not next to it.
     pub leader: Option<[(f64, f64); 2]>,
 }
 
 /// A leader is drawn to a label farther away than this, px.
 const APART: f64 = 15.0;
 
-/// Cost of a body between a label and what it names, px of distance.
+/// Cost of a body between a label and its element, px of distance.
 const CROSSED: f64 = 200.0;
 
-/// Cost of a label on the far side of what it names, against one on the wanted side, px of distance; half of it.
+/// Half the additional cost of a label opposite to its preferred direction, px of distance.
 const TURNED: f64 = 60.0;
 
-/// Gives every label the cheapest free place between two edges of the page; those that have an easy one take it first.
+/// Places every label at the cheapest free position between two edges of the page; labels with a
+/// cheap position come first.
 pub fn placed(
     wanted: &[LabelRequest],
     obstacles: &[Rect],
@@ -69,7 +70,7 @@ pub fn placed(
     labels
 }
 
-/// Width and height of a label.
+/// Returns the width and height of a label.
 pub fn size_of(lines: &[String]) -> (f64, f64) {
     (
         lines
@@ -80,8 +81,8 @@ pub fn size_of(lines: &[String]) -> (f64, f64) {
     )
 }
 
-/// The line to a label that stands apart, from where it crosses least, and what that costs. What is next to its anchor has none, unless
-/// something lies between.
+/// Returns the leader to a label, from the start with the fewest crossings, and its cost. A label
+/// next to its anchor has no leader unless an element lies between.
 fn leader(
     want: &LabelRequest,
     room: &Rect,
@@ -93,7 +94,7 @@ fn leader(
         .map(|from| {
             let to = room.nearest(from);
             let length = distance(from, to);
-            // What it names is where it starts.
+            // The named element is where the leader starts.
             let other = |body: &&Rect| {
                 distance(from, body.nearest(from)) > 1e-6 && body.grown(0.05).crossed(from, to)
             };
@@ -122,7 +123,7 @@ fn cheapest(want: &LabelRequest, obstacles: &[Rect], labels: &[Label], page: Rec
     let size = size_of(&want.lines);
     let free = |room: &Rect| {
         let wide = room.grown(3.0);
-        // Side by side, two names read as one unless a wide space parts them.
+        // Side by side, two names are read as one unless a wide space separates them.
         let apart = Rect {
             left: room.left - 12.0,
             right: room.right + 12.0,
@@ -135,17 +136,17 @@ fn cheapest(want: &LabelRequest, obstacles: &[Rect], labels: &[Label], page: Rec
                 wide.meets(&label.room) || apart.meets(&label.room) || pierced(label, &wide)
             })
     };
-    // Centred about the anchor, or with an edge near it, on either side.
+    // Centred at the anchor, or with an edge near it, on either side.
     let sides =
         (0..24).flat_map(|i| [-1.0, 1.0].map(|side| side * (0.5 * size.0 + 8.0 * f64::from(i))));
     let across: Vec<f64> = (-16..=16)
         .map(|i| 8.0 * f64::from(i))
         .chain(sides)
         .collect();
-    // The cheapest of some columns of places, as far as it costs no more than another place does.
+    // Searches some columns for the cheapest position with a cost of at most `bound`.
     let search = |columns: &[f64], bound: f64| {
         let mut best: Option<(f64, Rect)> = None;
-        // What is beaten by its place alone needs no look at what stands in the way; most places are.
+        // Most positions already cost too much by their distance, before the obstacles are checked.
         let beaten = |best: &Option<(f64, Rect)>, cost: f64| {
             cost > bound || best.as_ref().is_some_and(|(least, _)| cost >= *least)
         };
@@ -169,7 +170,7 @@ fn cheapest(want: &LabelRequest, obstacles: &[Rect], labels: &[Label], page: Rec
         }
         best
     };
-    // Straight above and below there is nearly always a place that leaves few others to be tried.
+    // A position straight above or below nearly always exists, and leaves few others to be tried.
     let above = search(&[0.0], f64::INFINITY);
     let best = search(&across, above.map_or(f64::INFINITY, |(cost, _)| cost));
     let below = || {
@@ -193,13 +194,14 @@ fn pierced(label: &Label, room: &Rect) -> bool {
         .is_some_and(|[from, to]| room.crossed(from, to))
 }
 
-/// No more than [`alone`] gives for a label of a size at a distance from its anchor, roundoff included, at a glance.
+/// Returns a fast lower bound of [`alone`] for a label of a size at a distance from its anchor,
+/// roundoff included.
 fn least((dx, dy): (f64, f64), (width, height): (f64, f64)) -> f64 {
     let (across, up) = (dx.abs(), dy.abs());
     (1.0 - 1e-9) * ((across - 0.5 * width).max(up - 0.5 * height).max(0.0) + 0.1 * across.max(up))
 }
 
-/// Distance, and turned away from the wanted direction.
+/// Returns the cost of the distance and of the deviation from the preferred direction.
 fn alone(want: &LabelRequest, room: &Rect) -> f64 {
     let middle = (
         0.5 * (room.left + room.right) - want.anchor.0,
@@ -211,7 +213,7 @@ fn alone(want: &LabelRequest, room: &Rect) -> f64 {
     distance(want.anchor, room.nearest(want.anchor)) + 0.1 * length + TURNED * (1.0 - along)
 }
 
-/// The same, and what its leader crosses.
+/// Returns the cost including the crossings of the leader.
 fn cost(want: &LabelRequest, room: &Rect, obstacles: &[Rect], labels: &[Label]) -> f64 {
     alone(want, room)
         + leader(want, room, obstacles, labels).map_or(0.0, |(_, crossed)| 10.0 + crossed)

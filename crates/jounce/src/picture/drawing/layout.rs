@@ -1,24 +1,25 @@
-//! Where the bodies stand: what strikes stands opposite to what it strikes, as far apart as the gap says.
+//! Layout of the bodies: two bodies of a contact stand opposite to each other at the distance of
+//! the gap.
 
 use super::assembly::{DrawnSpot, assemblies, face, room};
 use super::rect::Rect;
 use super::{Drawing, DrawnContact, DrawnPlace, DrawnShape, Seat};
 
-/// Every body on the sheet.
+/// Positions of all bodies.
 #[derive(Debug, Clone)]
 pub struct DrawingLayout {
     /// Pixels per metre.
     pub px_per_m: f64,
-    /// Where each body stands, relative to the first of its group.
+    /// Position of each body, relative to the first of its group.
     pub spots: Vec<DrawnSpot>,
-    /// The group of each body: those that strike each other.
+    /// Group of each body: bodies connected by contacts.
     pub group: Vec<usize>,
-    /// The contacts whose two sides stand opposite to each other.
+    /// True for each contact whose two sides stand opposite to each other.
     pub opposite: Vec<bool>,
 }
 
 impl DrawingLayout {
-    /// All bodies at a scale.
+    /// Lays out all bodies at a scale.
     pub fn at(drawing: &Drawing, px_per_m: f64) -> Self {
         let fixed = assemblies(drawing, px_per_m);
         let count = drawing.bodies.len();
@@ -42,12 +43,12 @@ impl DrawingLayout {
         layout
     }
 
-    /// Number of groups.
+    /// Returns the number of groups.
     pub fn groups(&self) -> usize {
         self.group.iter().map(|group| group + 1).max().unwrap_or(0)
     }
 
-    /// The bodies of a group.
+    /// Returns the bodies of a group.
     pub fn members(&self, group: usize) -> impl Iterator<Item = usize> {
         self.group
             .iter()
@@ -56,7 +57,7 @@ impl DrawingLayout {
             .map(|(body, _)| body)
     }
 
-    /// A place on the sheet: its abscissa and the height of the body's middle there.
+    /// Returns a place on the sheet: its abscissa and the height of the middle of the body there.
     pub fn point(&self, drawing: &Drawing, place: DrawnPlace) -> (f64, f64) {
         let spot = self.spots[place.body];
         let along = if matches!(drawing.bodies[place.body].shape, DrawnShape::Beam(_)) {
@@ -67,7 +68,7 @@ impl DrawingLayout {
         (spot.x + spot.way * along * self.px_per_m, spot.y)
     }
 
-    /// What a group covers with its gaps.
+    /// Returns the area of a group with its gaps.
     pub fn extent(&self, drawing: &Drawing, group: usize) -> Rect {
         let bodies = self
             .members(group)
@@ -85,12 +86,12 @@ impl DrawingLayout {
             .fold(Rect::EMPTY, |all, rect| all.joined(&rect))
     }
 
-    /// From the middle of what strikes to the face that it strikes, px.
+    /// Returns the distance from the middle of the striking body to the struck face, px.
     pub fn reach(&self, drawing: &Drawing, contact: &DrawnContact) -> f64 {
         face(drawing, contact.at, contact.above, self.px_per_m) + contact.gap_m * self.px_per_m
     }
 
-    /// Gives an assembly to a group.
+    /// Assigns an assembly to a group.
     fn take(&mut self, feet: &[usize], foot: usize, group: usize) {
         feet.iter()
             .enumerate()
@@ -98,7 +99,7 @@ impl DrawingLayout {
             .for_each(|(body, _)| self.group[body] = group);
     }
 
-    /// Places one more assembly opposite to what strikes it; false where there is none.
+    /// Places one more assembly opposite to its contact; false if there is none.
     fn oppose(&mut self, drawing: &Drawing, feet: &[usize]) -> bool {
         for (index, contact) in drawing.contacts.iter().enumerate() {
             let Some(on) = contact.on else { continue };
@@ -125,7 +126,7 @@ impl DrawingLayout {
         false
     }
 
-    /// Turns a new assembly round where its clamp would else hang amid what is there already.
+    /// Mirrors a new assembly if its clamp would otherwise overlap the placed bodies.
     fn face_each_other(
         &mut self,
         drawing: &Drawing,
@@ -156,7 +157,7 @@ impl DrawingLayout {
     }
 }
 
-/// -1 where what is struck stands above, on a sheet whose heights grow downwards.
+/// Returns -1 if the struck body is above, on a sheet whose heights grow downwards.
 pub fn way(contact: &DrawnContact) -> f64 {
     if contact.above { -1.0 } else { 1.0 }
 }

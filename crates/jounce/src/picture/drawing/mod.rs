@@ -1,8 +1,10 @@
-//! A harvester to scale: a side view of what belongs together, its circuits, and a closer look at every small gap.
+//! A harvester to scale: a side view of its bodies, its circuits, and a close-up of every small
+//! gap.
 //!
-//! Lengths and thicknesses of beams, patches and gaps have one scale in both directions in the side view; a line thinner than a pixel is
-//! drawn one pixel wide. Masses, springs and the ground are symbols. Bodies that strike each other stand as far apart as their gap says.
-//! A gap that the side view hardly shows has a closer look with a scale of its own, said beside it.
+//! Lengths and thicknesses of beams, patches and gaps have one scale in both directions in the side
+//! view; a line thinner than a pixel is drawn one pixel wide. Masses, springs and the ground are
+//! symbols. The bodies of a contact stand apart by its gap. A gap too small for the side view has a
+//! close-up with its own scale, printed next to it.
 mod assembly;
 mod bodies;
 mod canvas;
@@ -33,28 +35,29 @@ use super::{PictureError, file, raster};
 use std::path::Path;
 
 impl Drawing {
-    /// The drawing as an SVG document without ids, scripts or links.
+    /// Returns the drawing as an SVG document without ids, scripts or links.
     pub fn to_svg(&self) -> String {
         self.sheet().svg
     }
 
-    /// The drawing with the places of what is on it, for a page that lets its parts be moved.
+    /// Returns the drawing with the positions of its parts, for a page in which they can be moved.
     pub fn sheet(&self) -> GripSheet {
         sheet::drawn(self)
     }
 
-    /// The drawing as a PNG file of `scale` times its size in pixels.
+    /// Returns the drawing as a PNG file of `scale` times its size in pixels.
     ///
     /// # Errors
-    /// [`PictureError::Size`] where no picture has that size.
+    /// [`PictureError::Size`] where the size is outside the allowed range.
     pub fn to_png(&self, scale: f64) -> Result<Vec<u8>, PictureError> {
         raster::png(&self.to_svg(), scale)
     }
 
-    /// Writes the drawing whole or not at all, in the format that the ending of `path` names: `.svg`, or `.png` at scale 2.
+    /// Writes the drawing atomically, in the format of the extension of `path`: `.svg`, or `.png`
+    /// at scale 2.
     ///
     /// # Errors
-    /// As for [`Drawing::to_png`], another ending, a place that cannot be written.
+    /// As for [`Drawing::to_png`], another extension, a path that cannot be written.
     pub fn write(&self, path: &Path) -> Result<(), PictureError> {
         file::write(path, || Ok(self.to_svg()))
     }

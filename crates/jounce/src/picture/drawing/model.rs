@@ -1,34 +1,34 @@
-//! What is drawn: plain lengths and words.
+//! Content of a drawing: plain lengths and texts.
 
 /// A harvester.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Drawing {
-    /// Title above it.
+    /// Title.
     pub title: String,
-    /// Its bodies; places name them by their index.
+    /// Bodies; places refer to them by index.
     pub bodies: Vec<DrawnBody>,
-    /// What strikes what.
+    /// Contacts.
     pub contacts: Vec<DrawnContact>,
-    /// What shakes it.
+    /// Drives.
     pub drives: Vec<DrawnDrive>,
-    /// Words at the arrow of gravity, which points up where the flag is set.
+    /// Text at the arrow of gravity, which points up if the flag is set.
     pub gravity: Option<(String, bool)>,
-    /// What its patches are connected to.
+    /// Circuits.
     pub circuits: Vec<DrawnCircuit>,
 }
 
 /// A body.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DrawnBody {
-    /// Its name and what is said about it, line by line.
+    /// Name and description, line by line.
     pub words: Vec<String>,
-    /// What it looks like.
+    /// Shape.
     pub shape: DrawnShape,
-    /// What it stands on.
+    /// Support.
     pub seat: Seat,
 }
 
-/// The look of a body.
+/// Shape of a body.
 #[derive(Debug, Clone, PartialEq)]
 pub enum DrawnShape {
     /// A beam, to scale.
@@ -37,11 +37,11 @@ pub enum DrawnShape {
     Block,
     /// A free mass, a symbol.
     Ball,
-    /// Something without a shape, given by its modes.
+    /// A structure without a shape, given by its modes.
     Given,
 }
 
-/// What a body stands on.
+/// Support of a body.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Seat {
     /// Clamped to the ground.
@@ -50,7 +50,7 @@ pub enum Seat {
     On(DrawnPlace),
     /// On a spring, on the ground or on another body.
     Spring(Option<DrawnPlace>),
-    /// On nothing.
+    /// No support.
     Nothing,
 }
 
@@ -70,9 +70,9 @@ pub struct DrawnBeam {
     pub length_m: f64,
     /// Thickness, m.
     pub thickness_m: f64,
-    /// Its passive layers, under what patches lie there.
+    /// Passive layers, under the patches.
     pub layers: Vec<DrawnPatch>,
-    /// Its patches.
+    /// Patches.
     pub patches: Vec<DrawnPatch>,
     /// Named places: name and distance from the root, m.
     pub points: Vec<(String, f64)>,
@@ -81,7 +81,7 @@ pub struct DrawnBeam {
 /// A patch or a layer on a face of a beam.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DrawnPatch {
-    /// Its name.
+    /// Name.
     pub label: String,
     /// Distance of its start from the root, m.
     pub start_m: f64,
@@ -89,55 +89,55 @@ pub struct DrawnPatch {
     pub length_m: f64,
     /// Thickness, m.
     pub thickness_m: f64,
-    /// On the upper face, or on the lower one.
+    /// True on the upper face, false on the lower one.
     pub top: bool,
 }
 
-/// A stop: what strikes, and what it strikes.
+/// A stop and the two places of its contact.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DrawnContact {
-    /// Its name.
+    /// Name.
     pub label: String,
-    /// What strikes.
+    /// Striking place.
     pub at: DrawnPlace,
-    /// What is struck; nothing for the ground.
+    /// Struck place; `None` for the ground.
     pub on: Option<DrawnPlace>,
-    /// What is struck stands above.
+    /// True if the struck place is above.
     pub above: bool,
-    /// Gap, m; negative where it is pressed in at rest.
+    /// Gap, m; negative for a preload at rest.
     pub gap_m: f64,
-    /// The law and its numbers.
+    /// Law and its numbers.
     pub law: String,
 }
 
 /// A drive.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DrawnDrive {
-    /// Words at its arrow.
+    /// Text at its arrow.
     pub words: String,
-    /// Where a force acts; nothing for motions of a base.
+    /// Place of a force; `None` for motions of a base.
     pub at: Option<DrawnPlace>,
-    /// The base that moves; nothing for a force.
+    /// Moving base; `None` for a force.
     pub base: Option<String>,
-    /// The bodies on the base that moves.
+    /// Bodies on the moving base.
     pub carried: Vec<usize>,
-    /// The contacts whose stop stands on that base itself.
+    /// Contacts whose stop stands directly on the moving base.
     pub stops: Vec<usize>,
 }
 
 /// A circuit: elements between two wires, from left to right.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DrawnCircuit {
-    /// Its name.
+    /// Name.
     pub label: String,
-    /// Its elements.
+    /// Elements.
     pub elements: Vec<DrawnElement>,
 }
 
 /// An element of a circuit.
 #[derive(Debug, Clone, PartialEq)]
 pub enum DrawnElement {
-    /// Patches one above the other in series; `true` where connected the other way round.
+    /// Patches in series, one above the other; `true` for reversed polarity.
     Patches(Vec<(String, bool)>),
     /// A capacitor.
     Capacitor(Vec<String>),
@@ -149,6 +149,6 @@ pub enum DrawnElement {
     Inductor(Vec<String>),
     /// An inductor in the upper wire.
     SeriesInductor(Vec<String>),
-    /// A block that both wires pass through, with words in it.
+    /// A block between both wires, with text in it.
     Block(Vec<String>),
 }

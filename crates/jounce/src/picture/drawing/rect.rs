@@ -1,4 +1,4 @@
-//! Upright rectangles on the sheet.
+//! Axis-parallel rectangles on the sheet.
 
 /// A rectangle by its edges, px.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -14,7 +14,7 @@ pub struct Rect {
 }
 
 impl Rect {
-    /// Holds nothing; joined with another it gives the other.
+    /// Empty rectangle; joined with another it gives the other.
     pub const EMPTY: Self = Self {
         left: f64::INFINITY,
         top: f64::INFINITY,
@@ -22,7 +22,7 @@ impl Rect {
         bottom: f64::NEG_INFINITY,
     };
 
-    /// By its centre and its sizes.
+    /// Creates a rectangle by its centre and its size.
     pub fn around((x, y): (f64, f64), (width, height): (f64, f64)) -> Self {
         Self {
             left: x - 0.5 * width,
@@ -32,7 +32,7 @@ impl Rect {
         }
     }
 
-    /// Between two corners in any order.
+    /// Creates a rectangle between two corners in any order.
     pub fn between(a: (f64, f64), b: (f64, f64)) -> Self {
         Self {
             left: a.0.min(b.0),
@@ -42,17 +42,17 @@ impl Rect {
         }
     }
 
-    /// Width.
+    /// Returns the width.
     pub fn width(&self) -> f64 {
         self.right - self.left
     }
 
-    /// Height.
+    /// Returns the height.
     pub fn height(&self) -> f64 {
         self.bottom - self.top
     }
 
-    /// Larger by `by` on every side.
+    /// Returns the rectangle enlarged by `by` on every side.
     pub fn grown(&self, by: f64) -> Self {
         Self {
             left: self.left - by,
@@ -62,7 +62,7 @@ impl Rect {
         }
     }
 
-    /// The smallest rectangle that holds both.
+    /// Returns the smallest rectangle that holds both.
     pub fn joined(&self, other: &Self) -> Self {
         Self {
             left: self.left.min(other.left),
@@ -72,7 +72,7 @@ impl Rect {
         }
     }
 
-    /// Whether the two have a point in common inside.
+    /// True where the two interiors have a common point.
     pub fn meets(&self, other: &Self) -> bool {
         self.left < other.right
             && other.left < self.right
@@ -80,7 +80,7 @@ impl Rect {
             && other.top < self.bottom
     }
 
-    /// The point of it nearest to another.
+    /// Returns the point of the rectangle nearest to another point.
     pub fn nearest(&self, (x, y): (f64, f64)) -> (f64, f64) {
         (
             x.clamp(self.left, self.right),
@@ -88,9 +88,9 @@ impl Rect {
         )
     }
 
-    /// Whether a straight line passes through it.
+    /// True where a straight line segment passes through it.
     pub fn crossed(&self, from: (f64, f64), to: (f64, f64)) -> bool {
-        // The part of the line between two opposite edges, in each direction (Liang and Barsky 1984).
+        // Part of the line between two opposite edges, in each direction (Liang and Barsky 1984).
         let (mut first, mut last) = (0.0_f64, 1.0_f64);
         for (start, step, low, high) in [
             (from.0, to.0 - from.0, self.left, self.right),

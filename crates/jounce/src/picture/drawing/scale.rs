@@ -1,15 +1,16 @@
-//! The largest scale at which everything has room.
+//! The largest scale at which all groups have room.
 
 use super::layout::DrawingLayout;
 use super::{Drawing, DrawnShape};
 
-/// Room for a group, px.
+/// Width of the room of a group, px.
 const WIDTH: f64 = 560.0;
 
-/// Room for the height of a group, px; less where only gaps have a length.
+/// Height of the room of a group, px; the smaller one if only gaps have a length.
 const HEIGHTS: [f64; 2] = [400.0, 220.0];
 
-/// All bodies at the largest scale at which every group has room; the scale is 0 where nothing has a length.
+/// Lays out all bodies at the largest scale at which every group has room; the scale is 0 if the
+/// drawing has no lengths.
 pub fn fitted(drawing: &Drawing) -> DrawingLayout {
     let beams = drawing
         .bodies

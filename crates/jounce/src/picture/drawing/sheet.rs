@@ -1,4 +1,4 @@
-//! The sheet: the groups one below the other, then circuits and closer looks.
+//! The sheet: the groups one below the other, then circuits and close-ups.
 
 use super::canvas::Canvas;
 use super::grips::grips;
@@ -15,10 +15,10 @@ use crate::picture::text::{SMALL, TITLE, wrap};
 const WIDTH: f64 = 900.0;
 /// Free edge, px.
 const EDGE: f64 = 14.0;
-/// Distance of two things on the sheet, px.
+/// Distance of two elements on the sheet, px.
 const SPACE: f64 = 26.0;
 
-/// Something under the side view that has a size of its own.
+/// An element under the side view with a fixed size.
 enum Cell<'d> {
     Circuit(&'d DrawnCircuit),
     Look(&'d DrawnContact),
@@ -33,19 +33,19 @@ impl Cell<'_> {
     }
 }
 
-/// What stands where.
+/// Positions of the elements.
 struct Content {
     /// Height of the sheet, px.
     height: f64,
-    /// The side view.
+    /// Side view.
     side: Rect,
-    /// From the layout to the sheet, for each group.
+    /// Shift from the layout to the sheet, for each group.
     shifts: Vec<(f64, f64)>,
-    /// Circuits, then closer looks.
+    /// Circuits, then close-ups.
     cells: Vec<Rect>,
 }
 
-/// The drawing with the places of its parts.
+/// Returns the drawing with the positions of its parts.
 pub fn drawn(drawing: &Drawing) -> GripSheet {
     let layout = scale::fitted(drawing);
     let mut svg = Svg::new(WIDTH, &drawing.title);
@@ -61,7 +61,7 @@ pub fn drawn(drawing: &Drawing) -> GripSheet {
     }
 }
 
-/// Draws everything.
+/// Draws all elements.
 fn content(svg: &mut Svg, drawing: &Drawing, layout: &DrawingLayout) -> Content {
     let mut y = 12.0;
     for line in wrap(&drawing.title, TITLE, WIDTH - 2.0 * EDGE) {
@@ -113,7 +113,8 @@ fn content(svg: &mut Svg, drawing: &Drawing, layout: &DrawingLayout) -> Content 
     }
 }
 
-/// Draws a group with its upper edge at `y`; gives what it covers and its shift from the layout to the sheet.
+/// Draws a group with its upper edge at `y`; returns its area and its shift from the layout to the
+/// sheet.
 fn group(
     svg: &mut Svg,
     drawing: &Drawing,
@@ -123,7 +124,7 @@ fn group(
 ) -> (Rect, (f64, f64)) {
     let room = layout.extent(drawing, number);
     let x = 0.5 * (WIDTH - room.width()) - room.left;
-    // Labels may stand above the bodies: how far shows the first attempt.
+    // Labels may extend above the bodies; a first attempt gives the height.
     let attempt = scene(&mut Svg::new(WIDTH, ""), drawing, layout, number, (x, 0.0));
     let shift = (x, y - attempt.top);
     (scene(svg, drawing, layout, number, shift), shift)
@@ -160,7 +161,7 @@ fn scene(
     canvas.finish()
 }
 
-/// Sets cells in lines; gives their lower edge and what each covers.
+/// Places cells in rows; returns their lower edge and the area of each.
 fn cells<'d>(
     svg: &mut Svg,
     drawing: &Drawing,
@@ -192,7 +193,7 @@ mod tests {
     use crate::spec::SpecFile;
     use std::path::{Path, PathBuf};
 
-    /// The value of an attribute of an element.
+    /// Returns the value of an attribute of an element.
     fn number(element: &str, name: &str) -> f64 {
         element
             .split(&format!(" {name}=\""))
@@ -205,7 +206,7 @@ mod tests {
             .unwrap()
     }
 
-    /// What every text covers, and the text.
+    /// Returns every text with its area.
     fn texts(svg: &str) -> Vec<(Rect, String)> {
         let found = svg.split("<text").skip(1).map(|element| {
             let text = element
@@ -294,7 +295,7 @@ mod tests {
         }
     }
 
-    /// The ends of every thin straight line.
+    /// Returns the ends of every thin straight line.
     fn thin_lines(svg: &str) -> Vec<[(f64, f64); 2]> {
         let paths = svg
             .split("<path")
@@ -315,7 +316,7 @@ mod tests {
         ends.collect()
     }
 
-    /// No line from a name crosses a beam, its own or another.
+    /// No leader crosses a beam, its own or another.
     #[test]
     fn no_leader_of_any_example_or_starter_crosses_a_beam() {
         let root = Path::new(env!("CARGO_MANIFEST_DIR"));
@@ -356,7 +357,7 @@ mod tests {
         assert!(seen > 20, "{seen} lines");
     }
 
-    /// Width and height of the first rectangle of a class.
+    /// Returns the width and height of the first rectangle of a class.
     fn rectangle(svg: &str, class: &str) -> (f64, f64) {
         let element = svg
             .split("<rect")

@@ -3,7 +3,7 @@
 use super::canvas::INK;
 use crate::picture::svg::{Svg, number};
 
-/// An upright spring between two heights.
+/// Draws a vertical spring between two heights.
 pub fn spring(svg: &mut Svg, x: f64, from: f64, to: f64) {
     const TURNS: usize = 4;
     let pitch = (to - from) / (TURNS as f64 + 1.0);
@@ -28,7 +28,8 @@ pub fn spring(svg: &mut Svg, x: f64, from: f64, to: f64) {
     svg.path(&steps, INK);
 }
 
-/// The outline of a tip at `(x, y)` that opens away from the beam: `way` is -1 above it and 1 below.
+/// Returns the outline of a tip at `(x, y)` that opens away from the beam: `way` is -1 above it and
+/// 1 below.
 pub fn tip(x: f64, y: f64, way: f64, size: f64) -> String {
     let (a, b) = (number(x - size), number(x + size));
     let (middle, far) = (number(y + way * size), number(y + way * 2.0 * size));

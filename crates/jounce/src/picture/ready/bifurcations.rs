@@ -1,11 +1,11 @@
-//! A map of jumps: curves of one kind share a line style and a colour.
+//! Bifurcation curves over two parameters: curves of one kind share a line style and a colour.
 
 use crate::picture::{Axis, Colour, Figure, Line, Panel, Series};
 
 /// One curve.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BifurcationLine {
-    /// What happens on it: `fold`.
+    /// Kind of bifurcation: `fold`.
     pub kind: String,
     /// First parameter.
     pub x: Vec<f64>,
@@ -13,7 +13,7 @@ pub struct BifurcationLine {
     pub y: Vec<f64>,
 }
 
-/// Curves over two parameters.
+/// Draws curves over two parameters.
 pub fn bifurcations(title: &str, x: Axis, y: Axis, lines: &[BifurcationLine]) -> Figure {
     let mut panel = Panel::new(x, y).high(380.0);
     let mut kinds: Vec<&str> = Vec::new();

@@ -1,4 +1,5 @@
-//! Branches of periodic answers: stable stretches solid, unstable ones dashed, bifurcations marked.
+//! Branches of periodic solutions: stable segments solid, unstable ones dashed, bifurcations
+//! marked.
 
 use crate::picture::{Axis, Colour, Figure, Line, Marker, Panel, Series};
 
@@ -7,26 +8,26 @@ use crate::picture::{Axis, Colour, Figure, Line, Marker, Panel, Series};
 pub struct BranchLine {
     /// Name: `period 1`.
     pub label: String,
-    /// The parameter along the curve.
+    /// Parameter along the curve.
     pub parameter: Vec<f64>,
-    /// The result.
+    /// Result.
     pub value: Vec<f64>,
-    /// Whether each point is stable.
+    /// True for each stable point.
     pub stable: Vec<bool>,
 }
 
 /// A marked point.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BranchMark {
-    /// What it is: marks of one kind look alike.
+    /// Kind: marks of one kind have the same style.
     pub kind: String,
-    /// The parameter.
+    /// Parameter.
     pub parameter: f64,
-    /// The result.
+    /// Result.
     pub value: f64,
 }
 
-/// Markers in the order in which kinds come.
+/// Markers in the order in which kinds occur.
 const MARKERS: [Marker; 5] = [
     Marker::Square,
     Marker::Ring,
@@ -35,7 +36,7 @@ const MARKERS: [Marker; 5] = [
     Marker::Left,
 ];
 
-/// Branches in one panel: a colour for each label.
+/// Draws branches in one panel: a colour for each label.
 pub fn branches(
     title: &str,
     parameter: Axis,
@@ -50,7 +51,7 @@ pub fn branches(
     ))
 }
 
-/// The same into a panel.
+/// Draws branches into a panel.
 pub(super) fn panel(mut panel: Panel, lines: &[BranchLine], marks: &[BranchMark]) -> Panel {
     let mut labels: Vec<&str> = Vec::new();
     for line in lines {
@@ -91,7 +92,8 @@ pub(super) fn panel(mut panel: Panel, lines: &[BranchLine], marks: &[BranchMark]
     panel
 }
 
-/// Values on stretches of one stability, gaps elsewhere; a stretch reaches to the next point, so that none hangs in the air.
+/// Returns the values on segments of one stability, gaps elsewhere; a segment extends to the next
+/// point, so that segments join.
 fn stretches(line: &BranchLine, stable: bool) -> Vec<f64> {
     (0..line.value.len())
         .map(|k| {

@@ -5,17 +5,17 @@ use crate::picture::{Axis, Colour, Figure, Line, Panel, Series};
 /// The power spectral density of one quantity.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DensityLine {
-    /// What it is of.
+    /// Name of the quantity.
     pub quantity: String,
     /// Unit.
     pub unit: String,
-    /// At each frequency; what is not positive is left out.
+    /// Density at each frequency; values that are not positive are omitted.
     pub density: Vec<f64>,
-    /// Ends of an interval about each value; empty without.
+    /// Ends of the confidence interval of each value; empty if there is none.
     pub interval: [Vec<f64>; 2],
 }
 
-/// Densities over `frequency_hz`, each in a panel of its own.
+/// Draws densities over `frequency_hz`, each in a panel of its own.
 pub fn densities(title: &str, frequency_hz: &[f64], lines: &[DensityLine]) -> Figure {
     let shown = |values: &[f64]| {
         values

@@ -1,37 +1,37 @@
-//! A bifurcation diagram: marched points over the continued branches.
+//! A bifurcation diagram: points from integration over the continued branches.
 
 use super::branches::{BranchLine, panel};
 use crate::picture::{Axis, Colour, Figure, Marker, Panel, Series};
 
-/// Marched points of one name.
+/// Points from integration with one name.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DiagramDots {
     /// Name: `stepped up`, `1a`.
     pub label: String,
-    /// The parameter of each point.
+    /// Parameter of each point.
     pub parameter: Vec<f64>,
-    /// Its value.
+    /// Value of each point.
     pub value: Vec<f64>,
 }
 
 /// One panel of a diagram.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DiagramView {
-    /// The value.
+    /// Value axis.
     pub value: Axis,
     /// Continued branches.
     pub lines: Vec<BranchLine>,
-    /// Marched points.
+    /// Points from integration.
     pub dots: Vec<DiagramDots>,
 }
 
-/// Colours of dots come after this many for branches.
+/// Number of colours for branches; those of dots follow.
 const FIRST_COLOUR: usize = 3;
 
-/// Markers of dots, one after the other.
+/// Markers of dots, in order.
 const MARKERS: [Marker; 4] = [Marker::Circle, Marker::Square, Marker::Ring, Marker::Right];
 
-/// Panels over one parameter.
+/// Draws panels over one parameter.
 pub fn diagram(title: &str, parameter: &Axis, views: &[DiagramView]) -> Figure {
     let mut figure = Figure::new(title);
     for view in views {
@@ -53,7 +53,7 @@ pub fn diagram(title: &str, parameter: &Axis, views: &[DiagramView]) -> Figure {
             );
         }
         if !figure.panels.is_empty() {
-            // The first panel names everything.
+            // The legend is in the first panel.
             drawn.series.retain(|series| !series.x.is_empty());
             drawn
                 .series

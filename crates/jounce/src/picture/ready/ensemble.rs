@@ -1,8 +1,9 @@
-//! Members of an ensemble and the mean that they settle on.
+//! Members of an ensemble and their running mean.
 
 use crate::picture::{Along, Axis, Colour, Figure, Marker, Panel, Series};
 
-/// The mean power of each member, W, their running mean, and the 95 % interval of the mean of all.
+/// Draws the mean power of each member, W, the running mean, and the 95 % interval of the mean of
+/// all.
 pub fn ensemble(title: &str, power_w: &[f64], low_w: f64, high_w: f64) -> Figure {
     let number: Vec<f64> = (1..=power_w.len()).map(|k| k as f64).collect();
     let mut sum = 0.0;

@@ -1,11 +1,11 @@
-//! Frequency responses: magnitude on a logarithmic axis over phase, as in the paper's figures 4 and 5.
+//! Frequency responses: magnitude on a logarithmic axis over phase (figures 4 and 5 of the paper).
 
 use crate::picture::{Axis, Colour, Figure, Line, Panel, Scale, Series};
 
 /// A complex response over frequency.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ResponseLine {
-    /// Name in the legend; not listed where there is one response only.
+    /// Name in the legend; omitted if there is only one response.
     pub label: String,
     /// Real part at each frequency.
     pub re: Vec<f64>,
@@ -13,7 +13,8 @@ pub struct ResponseLine {
     pub im: Vec<f64>,
 }
 
-/// Responses of one quantity (`Tip acceleration per force`, `m/s^2/N`) over `frequency_hz`, on a linear or logarithmic frequency axis.
+/// Draws responses of one quantity (`Tip acceleration per force`, `m/s^2/N`) over `frequency_hz`,
+/// on a linear or logarithmic frequency axis.
 pub fn frequency_responses(
     title: &str,
     quantity: &str,
@@ -56,7 +57,7 @@ pub fn frequency_responses(
     Figure::new(title).with(magnitude).with(phase)
 }
 
-/// The phase with a gap wherever it leaves the picture at one end to come back at the other.
+/// Returns the phase with a gap wherever it wraps from one end of the axis to the other.
 fn unwrapped(frequency_hz: &[f64], angles: impl Iterator<Item = f64>) -> (Vec<f64>, Vec<f64>) {
     let (mut places, mut values): (Vec<f64>, Vec<f64>) = (Vec::new(), Vec::new());
     for (place, angle) in frequency_hz.iter().zip(angles) {

@@ -1,4 +1,5 @@
-//! Ready-made figures: plain data in, a [`super::Figure`] out, drawn the way the harvester paper (2019) draws its figures 4 to 9.
+//! Ready-made figures: plain data in, a [`super::Figure`] out, in the style of figures 4 to 9 of
+//! the harvester paper (2019).
 mod bifurcations;
 mod branches;
 mod density;

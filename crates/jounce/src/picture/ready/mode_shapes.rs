@@ -7,7 +7,7 @@ use crate::picture::{Along, Axis, Colour, Figure, Panel, Series};
 pub struct ModeShape {
     /// Name in the legend: `1: 8.67 Hz`.
     pub label: String,
-    /// Displacement at each place, in any unit.
+    /// Displacement at each position, in any unit.
     pub displacement: Vec<f64>,
 }
 
@@ -16,13 +16,13 @@ pub struct ModeShape {
 pub struct ShapePatch {
     /// Name in the legend.
     pub label: String,
-    /// Distance of its start from the root, m.
+    /// Distance of the start from the root, m.
     pub start_m: f64,
-    /// Distance of its end from the root, m.
+    /// Distance of the end from the root, m.
     pub end_m: f64,
 }
 
-/// Shapes over the places `position_m` along the beam, each scaled to one.
+/// Draws shapes over the positions `position_m` along the beam, each scaled to one.
 pub fn mode_shapes(
     title: &str,
     position_m: &[f64],
@@ -45,7 +45,7 @@ pub fn mode_shapes(
     Figure::new(title).with(panel)
 }
 
-/// Divided by the value of largest size, so that it becomes +1.
+/// Divides by the value of largest magnitude, so that it becomes +1.
 fn scaled(values: &[f64]) -> Vec<f64> {
     let largest = values
         .iter()

@@ -4,9 +4,10 @@ use super::sweep::{LineDirection, SweepLine, SweepLook, sweep};
 use crate::picture::unit::prefix;
 use crate::picture::{Along, Axis, Figure, Line, ReferenceLine};
 
-/// Lines over resistance (ohm, logarithmic axis); `unit` is that of the power: `W`, or `W/N^2` where it is divided by the force squared.
-/// The best resistance of each line, from a parabola through its three highest neighbours over `ln R`, is marked by a dotted line and stands in
-/// the legend.
+/// Draws lines over resistance (ohm, logarithmic axis); `unit` is the unit of the power: `W`, or
+/// `W/N^2` if it is divided by the force squared. The optimal resistance of each line comes from a
+/// parabola through its three highest neighbours over `ln R`. It is marked by a dotted line and
+/// listed in the legend.
 pub fn power_against_resistance(title: &str, unit: &str, lines: &[SweepLine]) -> Figure {
     let quantity = if unit.contains("N^2") {
         "Mean power per force squared"
@@ -36,7 +37,7 @@ pub fn power_against_resistance(title: &str, unit: &str, lines: &[SweepLine]) ->
                 value: *best,
                 label: None,
             }));
-        // Power is a smooth function of resistance, so even independent points belong together.
+        // Power is a smooth function of resistance, so even independent points are joined.
         panel
             .series
             .iter_mut()
@@ -48,7 +49,7 @@ pub fn power_against_resistance(title: &str, unit: &str, lines: &[SweepLine]) ->
 
 fn label(line: &SweepLine, best: Option<f64>) -> String {
     match best {
-        // Both directions of a level keep one name, or the legend would list them twice.
+        // Both directions of a level have one name; the legend would otherwise list them twice.
         Some(best) if !matches!(line.direction, LineDirection::Up | LineDirection::Down) => {
             let thousands = (best.log10() / 3.0).floor().clamp(-1.0, 3.0) as i32;
             format!(
@@ -62,7 +63,7 @@ fn label(line: &SweepLine, best: Option<f64>) -> String {
     }
 }
 
-/// Place of the maximum, if it lies between three points of the line, none of them a gap.
+/// Returns the position of the maximum, if it lies between three points of the line without a gap.
 fn best_ohm(line: &SweepLine) -> Option<f64> {
     let points: Vec<_> = line
         .parameter
@@ -101,7 +102,8 @@ mod tests {
         }
     }
 
-    /// `P = P_0 2 R R_0 / (R^2 + R_0^2)` has its maximum at `R_0`; ten points a decade: measured 0.1 % off at worst.
+    /// `P = P_0 2 R R_0 / (R^2 + R_0^2)` has its maximum at `R_0`. With ten points a decade the
+    /// largest measured error is 0.1 %.
     #[test]
     fn the_best_resistance_lies_between_the_points() {
         for best in [60e3, 67e3, 69.2e3, 75e3] {

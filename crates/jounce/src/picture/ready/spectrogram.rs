@@ -5,24 +5,26 @@ use crate::picture::{Along, Axis, Field, Figure, Panel};
 /// Amplitude spectra of one quantity over time.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TimeSpectrum {
-    /// What it is of (`Voltage`).
+    /// Name of the quantity (`Voltage`).
     pub quantity: String,
     /// Unit.
     pub unit: String,
-    /// Ends of the stretches that the spectra stand for, s: one more than there are spectra.
+    /// Ends of the time intervals of the spectra, s: one more than the number of spectra.
     pub time_s: Vec<f64>,
-    /// Ends of the bands that the lines stand for, Hz.
+    /// Ends of the frequency bands of the lines, Hz.
     pub frequency_hz: Vec<f64>,
     /// Peak amplitude of each line, for each spectrum.
     pub amplitude_peak: Vec<Vec<f64>>,
 }
 
-/// Most columns and rows of a picture: more than that are joined, and the largest of them is shown.
+/// Largest numbers of columns and rows of a picture; beyond them cells are joined, and the largest
+/// is shown.
 const MAX_GRID_SIZE: (usize, usize) = (240, 160);
 /// Range of the colours below the largest amplitude, dB.
 const RANGE_DB: f64 = 60.0;
 
-/// A spectrogram in dB below its largest amplitude, with its scale of colours below; multiples of the drive frequency are marked.
+/// Draws a spectrogram in dB below its largest amplitude, with the scale of colours below;
+/// multiples of the drive frequency are marked.
 pub fn spectrogram(title: &str, of: &TimeSpectrum, drive_hz: Option<f64>) -> Figure {
     let largest = of
         .amplitude_peak
@@ -84,7 +86,7 @@ pub fn spectrogram(title: &str, of: &TimeSpectrum, drive_hz: Option<f64>) -> Fig
     Figure::new(title).with(panel).with(scale(of, largest))
 }
 
-/// The colours over what they stand for.
+/// Draws the scale of the colours.
 fn scale(of: &TimeSpectrum, largest: f64) -> Panel {
     const CELLS: usize = 120;
     let edge = |k: usize| -RANGE_DB + RANGE_DB * k as f64 / CELLS as f64;
@@ -106,7 +108,7 @@ fn scale(of: &TimeSpectrum, largest: f64) -> Panel {
     })
 }
 
-/// Edges of at most so many blocks of cells, of equal numbers but for the last.
+/// Returns the edges of at most `most` blocks with equal numbers of cells, except the last.
 fn blocks(edges: &[f64], most: usize) -> Vec<usize> {
     let cells = edges.len().saturating_sub(1);
     let step = cells.div_ceil(most).max(1);
@@ -118,7 +120,8 @@ fn blocks(edges: &[f64], most: usize) -> Vec<usize> {
 mod tests {
     use super::*;
 
-    /// 1000 spectra of 500 lines, one of them large: it is seen however many cells are joined, at 0 dB.
+    /// 1000 spectra of 500 lines, one of them large: it remains visible at 0 dB, however many cells
+    /// are joined.
     #[test]
     fn what_is_joined_shows_its_largest() {
         let edges = |n: usize| (0..=n).map(|k| k as f64).collect::<Vec<f64>>();

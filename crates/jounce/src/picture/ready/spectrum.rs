@@ -5,7 +5,7 @@ use crate::picture::{Along, Axis, Colour, Figure, Line, Panel, Scale, Series};
 /// One spectrum.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SpectrumLine {
-    /// Name in the legend; not listed where there is one spectrum only.
+    /// Name in the legend; omitted if there is only one spectrum.
     pub label: String,
     /// Frequency of each line, Hz.
     pub frequency_hz: Vec<f64>,
@@ -13,8 +13,9 @@ pub struct SpectrumLine {
     pub amplitude_peak: Vec<f64>,
 }
 
-/// Spectra of one quantity (`Voltage`, `V`), up to the end of their frequencies, one panel each with equal axes. With a drive frequency its
-/// multiples are marked and numbered above the frames, as far as there is room.
+/// Draws spectra of one quantity (`Voltage`, `V`), up to the end of their frequencies, one panel
+/// each with equal axes. If a drive frequency is given, its multiples are marked and numbered above
+/// the frames, as far as there is room.
 pub fn spectra(
     title: &str,
     quantity: &str,
@@ -60,7 +61,8 @@ pub fn spectra(
     }
 }
 
-/// Multiples of the drive in the picture; none where they would stand closer than a fortieth of it.
+/// Returns the multiples of the drive in the picture; empty if their spacing is below a fortieth of
+/// it.
 fn orders(drive_hz: Option<f64>, highest_hz: f64) -> std::ops::RangeInclusive<u32> {
     let count = drive_hz
         .filter(|f| *f > 0.0 && f.is_finite())

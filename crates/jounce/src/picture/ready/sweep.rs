@@ -1,15 +1,16 @@
-//! Sweeps: a result over a parameter stepped up and down, at several levels, as in the paper's figure 6.
+//! Sweeps: a result over a parameter stepped up and down, at several levels (figure 6 of the
+//! paper).
 
 use crate::picture::{Axis, Colour, Figure, Line, Marker, Panel, Scale, Series};
 
-/// Which way the parameter was stepped.
+/// Direction of the steps.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum LineDirection {
     /// From low to high: solid line, filled triangles to the right.
     Up,
     /// From high to low: dashed line, open triangles to the left.
     Down,
-    /// Points that do not follow from each other: circles without a line.
+    /// Independent points: circles without a line.
     Independent,
     /// A closed form: a grey line.
     Linear,
@@ -20,27 +21,27 @@ pub enum LineDirection {
 pub struct SweepLine {
     /// Level or case, the same for both directions of one level: `50 N`.
     pub label: String,
-    /// Which way it went.
+    /// Direction.
     pub direction: LineDirection,
-    /// The parameter, in its SI unit.
+    /// Parameter, in its SI unit.
     pub parameter: Vec<f64>,
-    /// The result at each step.
+    /// Result at each step.
     pub value: Vec<f64>,
-    /// Whether each step had settled; empty means that all had. Steps that had not get a ring.
+    /// True for each step that had settled; empty if all had. Unsettled steps get a ring.
     pub settled: Vec<bool>,
 }
 
 /// Axes of a sweep.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SweepLook {
-    /// The parameter: `Drive frequency`, `Hz`.
+    /// Parameter: `Drive frequency`, `Hz`.
     pub parameter: Axis,
-    /// The result: `Mean power per force squared`, `W/N^2`.
+    /// Result: `Mean power per force squared`, `W/N^2`.
     pub value: Axis,
 }
 
 impl SweepLook {
-    /// Normalised mean power over drive frequency, the axes of the paper's figure 6.
+    /// Returns the axes of normalised mean power over drive frequency, as in the paper's figure 6.
     pub fn power_over_frequency(scale: Scale) -> Self {
         Self {
             parameter: Axis::linear("Drive frequency", "Hz"),
@@ -49,7 +50,7 @@ impl SweepLook {
     }
 }
 
-/// Sweeps in one panel: a colour for each level, the direction by line and marker.
+/// Draws sweeps in one panel: a colour for each level, the direction by line and marker.
 pub fn sweep(title: &str, look: &SweepLook, lines: &[SweepLine]) -> Figure {
     let mut panel = Panel::new(look.parameter.clone(), look.value.clone()).high(380.0);
     let levels = levels(lines);
@@ -64,7 +65,8 @@ pub fn sweep(title: &str, look: &SweepLook, lines: &[SweepLine]) -> Figure {
             continue;
         }
         named.push(&line.label);
-        // With both directions in the picture the colour alone is the level; what lines and markers mean is told apart.
+        // If both directions are in the picture, only the colour shows the level; a separate key
+        // explains lines and markers.
         panel = if both_ways && line.direction != LineDirection::Independent {
             panel
                 .with(Series::key(&line.label, Some(Line::Solid), None).colour(series.colour))
@@ -80,7 +82,7 @@ pub fn sweep(title: &str, look: &SweepLook, lines: &[SweepLine]) -> Figure {
     Figure::new(title).with(panel)
 }
 
-/// Levels that get a colour, in the order in which they come.
+/// Returns the levels with a colour, in their order of appearance.
 fn levels(lines: &[SweepLine]) -> Vec<&str> {
     let mut levels: Vec<&str> = Vec::new();
     for line in lines
@@ -124,7 +126,7 @@ fn unsettled(line: &SweepLine) -> Series {
     Series::points(x, y, Marker::Ring).colour(Colour::Ink)
 }
 
-/// What lines and markers mean, where more than one of them is used.
+/// Returns the key of lines and markers, if more than one is used.
 fn keys(lines: &[SweepLine]) -> Vec<Series> {
     let has = |direction| lines.iter().any(|line| line.direction == direction);
     let mut keys = Vec::new();

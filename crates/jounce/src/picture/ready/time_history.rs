@@ -5,18 +5,18 @@ use crate::picture::{Axis, Colour, Figure, Line, Panel, Series};
 /// A quantity over time.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Trace {
-    /// What it is: `Voltage`.
+    /// Name of the quantity: `Voltage`.
     pub quantity: String,
-    /// Its SI unit.
+    /// SI unit.
     pub unit: String,
-    /// Its value at each time.
+    /// Value at each time.
     pub values: Vec<f64>,
 }
 
-/// Traces over the times `time_s`, stacked, as in the paper's figure 7.
+/// Draws traces over the times `time_s`, stacked, as in the paper's figure 7.
 pub fn time_histories(title: &str, time_s: &[f64], traces: &[Trace]) -> Figure {
     let height_px = if traces.len() > 1 { 170.0 } else { 280.0 };
-    // Many turns of a line on little paper read better thin.
+    // A dense oscillation is more readable with a thin line.
     let line = if time_s.len() > 3000 {
         Line::Thin
     } else {
