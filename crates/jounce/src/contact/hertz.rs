@@ -18,7 +18,7 @@ impl ContactLaw for Hertz {
     #[inline(always)]
     fn force_n(&self, penetration_m: f64, _rate_m_s: f64) -> f64 {
         let depth_m = penetration_m.max(0.0);
-        // The exponents of practice avoid `powf`.
+        // Common exponents avoid `powf`.
         if self.exponent == 1.5 {
             self.stiffness * (depth_m * depth_m.sqrt())
         } else if self.exponent == 1.0 {
