@@ -1,8 +1,8 @@
 //! Continuation of solution curves `R(u, p) = 0` through their folds.
 //!
-//! The module is independent of `R`. A [`Problem`] gives the residual with its derivative at `(u,
-//! p)`. A [`Continuation`] is an iterator over the points of a curve, with a predictor along the
-//! tangent, Newton on the plane normal to it, and step length control from both.
+//! The module is independent of `R`. A [`Problem`] gives the residual with its derivative at
+//! `(u, p)`. A [`Continuation`] is an iterator over the points of a curve, with a predictor along
+//! the tangent, Newton on the plane normal to it, and step length control from both.
 //!
 //! Source: E. Doedel, H. B. Keller and J. P. Kernevez, Int. J. Bifurcation Chaos 1 (1991) 493
 //! (pseudo-arclength).

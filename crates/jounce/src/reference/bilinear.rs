@@ -8,9 +8,9 @@
 //! c = g (1 - w1^2 / w2^2),   b^2 = (g - c)^2 + w1^2 (a^2 - g^2) / w2^2,   x_max = c + b
 //! ```
 //!
-//! `c` is the equilibrium in contact and `b` the amplitude about it. Without a gap `T = pi / w1 +
-//! pi / w2` at any amplitude: the bilinear frequency `2 w1 w2 / (w1 + w2)`. With a gap, this is the
-//! backbone of the driven motion.
+//! `c` is the equilibrium in contact and `b` the amplitude about it. Without a gap
+//! `T = pi / w1 + pi / w2` at any amplitude: the bilinear frequency `2 w1 w2 / (w1 + w2)`. With a
+//! gap, this is the backbone of the driven motion.
 //!
 //! SI units. Source: two sinusoids joined at the gap; Shaw and Holmes, J. Sound Vib. 90 (1983) 129.
 

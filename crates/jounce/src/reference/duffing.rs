@@ -6,8 +6,8 @@
 //!
 //! The backbone is that of the free undamped motion, `w(a) = pi sqrt(w0^2 + b a^2) / (2 K(n))`,
 //! with `n = b a^2 / (2 (w0^2 + b a^2))` and `K` the complete elliptic integral. The first harmonic
-//! alone gives `w^2 = w0^2 + 3/4 b a^2`. For the driven motion it gives `[(w0^2 - w^2 + 3/4 b
-//! a^2)^2 + (2 zeta w0 w)^2] a^2 = (F / m)^2`, a curve with folds.
+//! alone gives `w^2 = w0^2 + 3/4 b a^2`. For the driven motion it gives
+//! `[(w0^2 - w^2 + 3/4 b a^2)^2 + (2 zeta w0 w)^2] a^2 = (F / m)^2`, a curve with folds.
 //!
 //! SI units, amplitudes zero to peak. Source: I. Kovacic and M. J. Brennan, *The Duffing Equation*
 //! (Wiley, 2011), sections 2.2 and 5.3.
@@ -76,8 +76,8 @@ impl Duffing {
         self.cubic_stiffness_n_m3 / self.mass_kg * amplitude_m * amplitude_m
     }
 
-    /// Exact `w(a)` of the free motion, rad/s; for a softening spring only below the amplitude `w0
-    /// / sqrt(-b)`, above which the motion diverges.
+    /// Exact `w(a)` of the free motion, rad/s; for a softening spring only below the amplitude
+    /// `w0 / sqrt(-b)`, above which the motion diverges.
     pub fn backbone_rad_s(&self, amplitude_m: f64) -> f64 {
         let (square, added) = (self.frequency_rad_s.powi(2), self.stiffening(amplitude_m));
         // K(n) = pi / (2 M(1, sqrt(1 - n))), with M the arithmetic-geometric mean.

@@ -5,8 +5,9 @@
 //! t_c = 2 (d_max / v) sqrt(pi) Gamma(1 + 1/(n+1)) / Gamma(1/2 + 1/(n+1))
 //! ```
 //!
-//! SI units, `k` in N/m^n. `n = 1` gives `t_c = pi sqrt(m / k)`, `n = 3/2` gives `2.943275184 d_max
-//! / v`. Source: energy balance; Hertz, J. reine angew. Math. 92 (1881) 156 for `n = 3/2`.
+//! SI units, `k` in N/m^n. `n = 1` gives `t_c = pi sqrt(m / k)`, `n = 3/2` gives
+//! `2.943275184 d_max / v`. Source: energy balance; Hertz, J. reine angew. Math. 92 (1881) 156 for
+//! `n = 3/2`.
 
 use super::Reference;
 use super::single_mode::{oscillator, state, with_stop};

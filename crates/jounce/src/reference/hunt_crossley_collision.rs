@@ -1,7 +1,7 @@
 //! Free mass that strikes a stop whose damping grows with penetration, `F = k d^n (1 + a d')`.
 //!
-//! `m s ds / (1 + a s) = -k d^n dd` for the rate `s` integrates to `g(s) = s / a - ln(1 + a s) /
-//! a^2`, equal at entry and exit:
+//! `m s ds / (1 + a s) = -k d^n dd` for the rate `s` integrates to
+//! `g(s) = s / a - ln(1 + a s) / a^2`, equal at entry and exit:
 //!
 //! ```text
 //! g(-e v) = g(v),     k d_max^(n+1) / ((n + 1) m) = g(v)

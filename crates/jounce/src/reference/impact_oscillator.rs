@@ -4,13 +4,13 @@
 //! x'' + 2 zeta x' + x = cos(w t),   x <= d,   x'_after = -r x'_before
 //! ```
 //!
-//! in units of the mass, of the frequency and of the drive (1 kg, 1 rad/s, 1 N). With `P = e^{A
-//! T}`, `T = 2 pi n / w`, the steady motion `(p, s)` at the impact obeys `p = d - k0 v`, `s = k1
-//! v`, `[P11 - 1, -P12; P21, 1 - P22] k = [P12 r; 1 + P22 r]`, and the impact speed `v` solves `(d
-//! - k0 v)^2 + (k1 v / w)^2 = X^2`, `X = 1 / sqrt((1 - w^2)^2 + (2 zeta w)^2)`. The orbit is stable
-//! when the eigenvalues of `P S`, `S = [[-r, 0], [(a+ + r a-) / v, -r]]`, lie inside the unit
-//! circle, with `a` the accelerations before (-) and after (+) the impact. The condition `x < d`
-//! between the impacts is not checked.
+//! in units of the mass, of the frequency and of the drive (1 kg, 1 rad/s, 1 N). With
+//! `P = e^{A T}`, `T = 2 pi n / w`, the steady motion `(p, s)` at the impact obeys `p = d - k0 v`,
+//! `s = k1 v`, `[P11 - 1, -P12; P21, 1 - P22] k = [P12 r; 1 + P22 r]`, and the impact speed `v`
+//! solves `(d - k0 v)^2 + (k1 v / w)^2 = X^2`, `X = 1 / sqrt((1 - w^2)^2 + (2 zeta w)^2)`. The
+//! orbit is stable when the eigenvalues of `P S`, `S = [[-r, 0], [(a+ + r a-) / v, -r]]`, lie
+//! inside the unit circle, with `a` the accelerations before (-) and after (+) the impact. The
+//! condition `x < d` between the impacts is not checked.
 //!
 //! Source: Shaw and Holmes, J. Sound Vib. 90 (1983) 129.
 
