@@ -66,8 +66,9 @@ fn every_expected_row_is_met() {
     );
 }
 
-/// Eqs. (33) to (38) of the paper with the closed-form modes of a clamped-free beam, in every mode that is kept:
-/// `V / a = sum (i w chi gamma / D) / (1/R + i w C + sum i w chi^2 / D)`. Measured 2e-12.
+/// Eqs. (33) to (38) of the paper with the closed-form modes of a clamped-free beam, in every
+/// retained mode: `V / a = sum (i w chi gamma / D) / (1/R + i w C + sum i w chi^2 / D)`. Measured
+/// 2e-12.
 #[test]
 fn voltage_and_motion_are_the_closed_form() {
     let spec = spec(EXAMPLE, &[]);

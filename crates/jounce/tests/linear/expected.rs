@@ -1,4 +1,4 @@
-//! The expected numbers of an example.
+//! Expected numbers of an example.
 
 use crate::example::G_M_S2;
 pub use crate::example::{plant, spec};

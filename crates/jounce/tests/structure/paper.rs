@@ -1,4 +1,4 @@
-//! The harvester of the paper, its parts, and its frequencies by another method.
+//! Harvester of the paper, its parts, and its frequencies by another method.
 
 use jounce::spec::{Beam, Damping, Electrodes, Face, Mass, Patch, Reduction, Section, Spec};
 use jounce::structure::Modes;
@@ -93,7 +93,7 @@ pub fn fixed(on: &str, mass_kg: f64, rotary_inertia_kg_m2: f64) -> Mass {
     }
 }
 
-/// `examples/impact-harvester-2019/harvester.toml`, as far as its structure goes.
+/// Structure of `examples/impact-harvester-2019/harvester.toml`.
 pub fn paper(section: Section) -> Spec {
     Spec {
         beam: BTreeMap::from([("beam".into(), paper_beam("table"))]),

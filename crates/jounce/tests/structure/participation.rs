@@ -24,7 +24,7 @@ fn cantilever_has_its_closed_form() {
     }
 }
 
-/// The squares sum to the mass that moves; of a clamped beam the modes after the last leave `4 / l^2` each.
+/// The squares sum to the moving mass; for a clamped beam each omitted mode contributes `4 / l^2`.
 #[test]
 fn squares_sum_to_the_moving_mass() {
     let exact = Cantilever {
@@ -45,7 +45,8 @@ fn squares_sum_to_the_moving_mass() {
     assert!(((kept + left) / (MASS_PER_LENGTH_KG_M * 0.315) - 1.0).abs() < 3e-6);
 }
 
-/// On its table the paper's harvester moves as a whole in mode 0: the table's mass and the beam's. Held, the table takes no part.
+/// On its table the paper's harvester moves as a rigid body in mode 0, with the mass of table and
+/// beam. A fixed table does not contribute.
 #[test]
 fn a_free_body_participates_in_its_rigid_motion_alone() {
     let mut spec = paper(Section::Laminate);

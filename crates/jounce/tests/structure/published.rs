@@ -1,4 +1,4 @@
-//! Against the paper and numbers published for its model.
+//! Modes against the paper and numbers published for its model.
 
 use crate::paper::{frequency_hz, greatest_relative_difference, paper, table};
 use jounce::spec::Section;
@@ -80,8 +80,9 @@ fn table_coupled_modes_of_the_paper() {
     );
 }
 
-/// `shared/plant/paper-plant.toml`, made by another program on cubic elements of at most 5 mm between 0, 9, 94, 305 and 315 mm; its
-/// signs are free. Its first two frequencies carry the roundoff of a plain solve (6e-6 and 2e-7), which ours must not have.
+/// `shared/plant/paper-plant.toml`, made by another program on cubic elements of at most 5 mm
+/// between 0, 9, 94, 305 and 315 mm; its signs are arbitrary. Its first two frequencies have the
+/// roundoff of a plain solve (6e-6 and 2e-7), which ours must not have.
 #[test]
 fn a_cubic_mesh_gives_the_plant_given_as_numbers() {
     let mut spec = paper(Section::ThinSkin);
