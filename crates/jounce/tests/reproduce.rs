@@ -66,7 +66,7 @@ fn table_2() {
     );
 }
 
-/// Periodic runs within 2 %, as the independent computation asks for.
+/// Periodic runs within 2 %, as the independent computation requires.
 #[test]
 fn runs_and_lines() {
     let power_w = floats("runs", "mean_power_w");
@@ -139,7 +139,8 @@ fn claims() {
     );
 }
 
-/// Every choice is told with whether it has settled; the stop on the table gives ten times the power.
+/// Every choice is listed with its steady-state flag; the stop on the table gives ten times the
+/// power.
 #[test]
 fn assumptions() {
     let ratio = floats("assumptions", "ratio");

@@ -1,4 +1,4 @@
-//! Bytes and recordings through a file and back.
+//! Bytes and recordings written to a file and read again.
 
 use jounce_measure::read::{self, Contents, ReadError};
 use jounce_measure::recording::{IssueKind, Recording};

@@ -18,11 +18,12 @@ fn formula(squared_coupling: f64, damping_ratio: f64, ratio: f64, r: f64) -> f64
         / (damping * damping + stiffness * stiffness)
 }
 
-/// The same by the first harmonic of the voltage of the element with its right phase, where the formula takes the phase from a balance at
-/// resonance: `u = u0 cos t`, and the voltage falls from `V_c` at slope `Theta / C` until it is clipped at `-V_c`.
+/// `P / (F^2 / (w M))` by the first harmonic of the element's voltage with its exact phase; the
+/// formula takes the phase from a balance at resonance. `u = u0 cos t`, and the voltage falls from
+/// `V_c` at slope `Theta / C` until it is clipped at `-V_c`.
 fn first_harmonic(squared_coupling: f64, damping_ratio: f64, ratio: f64, r: f64) -> f64 {
     let coupling = squared_coupling.sqrt();
-    // Per displacement of 1.
+    // For a displacement of 1.
     let storage = 2.0 * coupling / (2.0 + PI / (r * ratio));
     let clipped = (1.0 - 2.0 * storage / coupling).acos();
     let offset = storage - coupling;
@@ -64,8 +65,9 @@ fn marched(cell: (f64, f64), ratio: f64, r: f64, storage: &str, duration: &str) 
     answer.mean_power_w
 }
 
-/// With weak damping and strong coupling the power has two equal peaks, at the shorted and at the open resonance. The numbers that the
-/// literature gives for them are those of the formula: direct integration has 11 % more, 0.10 % and 0.14 % below the first harmonic.
+/// With weak damping and strong coupling the power has two equal peaks, at the short-circuit and
+/// open-circuit resonances. The numbers in the literature are those of the formula: direct
+/// integration has 11 % more, 0.10 % and 0.14 % below the first harmonic.
 #[test]
 fn the_power_is_that_of_direct_integration() {
     let strong = (1.0, 0.03);
