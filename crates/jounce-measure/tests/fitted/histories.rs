@@ -115,9 +115,9 @@ fn gap_and_stiffness_of_a_stop_come_back_from_a_voltage() {
     );
 }
 
-/// The recording without its first 50 ms. With its time stamps the fit is equally good, with a
-/// note. A clock that was not set needs an entry, which gives an identical result. Without it,
-/// taken from the start of the run, the fit fails.
+/// The recording without its first 50 ms. Its time stamps give an equally good fit, with a warning.
+/// A clock that was not set needs `begins`, which gives an equal result. With `begins` at the start
+/// of the run the fit is poor.
 #[test]
 fn a_record_that_begins_later_is_met_at_its_own_times() {
     let text = format!("{HARVESTER}{RUN}");

@@ -135,8 +135,8 @@ fn hits_have_their_noted_peaks_and_contact_times() {
     }
 }
 
-/// The same resonances in bands that begin far from 0, where a z-domain angle counted from 0 makes
-/// the problem unsolvable.
+/// The same resonances in bands that begin far from 0. Some of these cannot be solved with the
+/// z-domain circle counted from 0 Hz.
 #[test]
 fn bands_far_from_zero_hold_the_same_modes() {
     let Some(records) = records() else { return };

@@ -5,7 +5,7 @@ use super::paths::uses;
 /// File with its path below `src/`.
 #[derive(Debug, Clone)]
 pub struct Source {
-    /// Path with slashes, as in `march/flight.rs`.
+    /// Path with slashes, as in `integrate/flight.rs`.
     pub path: String,
     /// Its text.
     pub text: String,

@@ -1,4 +1,4 @@
-//! Events on branches: none is missed between two points at any tolerance, range and largest step;
+//! Events on branches: no event is missed between two points at any tolerance, range or step limit;
 //! stability agrees with integrations.
 
 use crate::harvesters::bench;
