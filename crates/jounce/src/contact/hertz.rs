@@ -1,4 +1,5 @@
-//! Hertz contact `F = k max(0, delta)^n` (paper eq. (4) with `n = 3/2`); the one-sided linear spring is `n = 1`.
+//! Hertz contact `F = k max(0, delta)^n` (paper eq. (4) with `n = 3/2`); the one-sided linear
+//! spring is `n = 1`.
 
 use super::{ContactLaw, Slopes};
 use crate::simd::{F64x8, Simd};

@@ -25,7 +25,8 @@ pub trait Linearization {
         ResidualReport::default()
     }
 
-    /// Solves `[R_u R_p; row corner] (du, dp) = (right, last)`; `None` where the bordered matrix is singular.
+    /// Solves `[R_u R_p; row corner] (du, dp) = (right, last)`; `None` where the bordered matrix is
+    /// singular.
     fn bordered(
         &self,
         row: &[f64],

@@ -116,7 +116,8 @@ mod tests {
     use super::*;
     use std::f64::consts::FRAC_1_SQRT_2;
 
-    /// The mean square is `G (high - low)`; over 4000 lines its relative deviation is `sqrt(2 / 8000)`, 1.6 %.
+    /// The mean square is `G (high - low)`; over 4000 lines its relative deviation is
+    /// `sqrt(2 / 8000)`, 1.6 %.
     #[test]
     fn mean_square_is_density_times_band() {
         let band = NoiseBand {

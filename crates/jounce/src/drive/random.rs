@@ -1,7 +1,7 @@
 //! Seeded random numbers.
 //!
-//! Source: G. Steele, D. Lea, C. Flood, "Fast splittable pseudorandom number generators" (OOPSLA 2014), SplitMix64; G. Box, M. Muller, Ann.
-//! Math. Stat. 29 (1958) 610.
+//! Source: G. Steele, D. Lea, C. Flood, "Fast splittable pseudorandom number generators" (OOPSLA
+//! 2014), SplitMix64; G. Box, M. Muller, Ann. Math. Stat. 29 (1958) 610.
 
 use std::f64::consts::TAU;
 
@@ -67,7 +67,8 @@ mod tests {
         assert!(values.iter().all(|v| (-1.0..1.0).contains(v)));
     }
 
-    /// Moments 1 to 4 of a normal distribution are 0, 1, 0, 3; their errors over 40000 numbers are below 0.005, 0.007, 0.02, 0.05.
+    /// Moments 1 to 4 of a normal distribution are 0, 1, 0, 3; their errors over 40000 numbers are
+    /// below 0.005, 0.007, 0.02, 0.05.
     #[test]
     fn normal_numbers_have_the_moments_of_their_distribution() {
         let mut stream = RandomStream::new(3, 5);

@@ -5,8 +5,8 @@
 //! phi(x) = (cosh b - cos b - s (sinh b - sin b)) / sqrt(m L),  b = l x / L,  s = (cosh l + cos l) / (sinh l + sin l)
 //! ```
 //!
-//! `EI` in N m^2, `m` in kg/m, `phi` mass-normalised, kg^-1/2. Source: Blevins, Formulas for Natural Frequency and Mode Shape
-//! (1979), table 8-1.
+//! `EI` in N m^2, `m` in kg/m, `phi` mass-normalised, kg^-1/2. Source: Blevins, Formulas for
+//! Natural Frequency and Mode Shape (1979), table 8-1.
 
 use super::Reference;
 use super::root::between;
@@ -46,7 +46,8 @@ impl Cantilever {
             * (self.bending_stiffness_n_m2 / self.mass_per_length_kg_m).sqrt()
     }
 
-    /// Mass-normalised shape at a distance from the clamp, kg^-1/2; the tip moves in the positive direction.
+    /// Mass-normalised shape at a distance from the clamp, kg^-1/2; the tip moves in the positive
+    /// direction.
     pub fn shape(&self, mode: usize, place_m: f64) -> f64 {
         let l = Self::root(mode);
         let b = l * place_m / self.length_m;

@@ -90,7 +90,8 @@ impl Duffing {
         (self.frequency_rad_s.powi(2) + 0.75 * self.stiffening(amplitude_m)).sqrt()
     }
 
-    /// Folds of the driven motion by the first harmonic alone, `(w in rad/s, a in m)`, largest amplitude first.
+    /// Folds of the driven motion by the first harmonic alone, `(w in rad/s, a in m)`, largest
+    /// amplitude first.
     pub fn first_harmonic_folds(&self, amplitude_n: f64) -> Vec<(f64, f64)> {
         let curve = FirstHarmonic {
             square: self.frequency_rad_s.powi(2),

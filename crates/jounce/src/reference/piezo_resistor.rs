@@ -105,7 +105,8 @@ impl PiezoResistor {
         1.0 / (self.frequency_rad_s * self.capacitance_f * 1f64.hypot(ratio))
     }
 
-    /// Mean power under white base acceleration of unit two-sided density (1 m^2 s^-4 per rad/s), W.
+    /// Mean power under white base acceleration of unit two-sided density (1 m^2 s^-4 per rad/s),
+    /// W.
     pub fn white_noise_power_w(&self) -> f64 {
         let impulse = super::Impulse {
             alpha: self.alpha(),

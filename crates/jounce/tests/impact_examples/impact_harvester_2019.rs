@@ -1,4 +1,5 @@
-//! `examples/impact-harvester-2019`: the paper "Experimental validation of an impact off-resonance energy harvester" (2019).
+//! `examples/impact-harvester-2019`: the paper "Experimental validation of an impact off-resonance
+//! energy harvester" (2019).
 
 use crate::example::{run, spec};
 use crate::rows::check;

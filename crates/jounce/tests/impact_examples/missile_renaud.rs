@@ -1,4 +1,5 @@
-//! `examples/missile-renaud-2009`: Renaud, Fiorini, van Schaijk and van Hoof, Smart Mater. Struct. 18 (2009) 035001.
+//! `examples/missile-renaud-2009`: Renaud, Fiorini, van Schaijk and van Hoof, Smart Mater. Struct.
+//! 18 (2009) 035001.
 
 use crate::example::{integrator, kernel, motion, own_mode, relative, run, system, throw};
 use crate::rows::check;

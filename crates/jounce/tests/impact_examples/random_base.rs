@@ -1,4 +1,5 @@
-//! `examples/random-base`: noise against the harvester with and without its stop, and a ball on its beam.
+//! `examples/random-base`: noise against the harvester with and without its stop, and a ball on its
+//! beam.
 
 use crate::example::{run, spec};
 use crate::rows::check;

@@ -8,7 +8,8 @@ use std::f64::consts::{PI, TAU};
 
 const EXAMPLE: &str = "rectified-shu-lien-2006";
 
-/// `P / (F^2 / (w M))` by the formula of Shu and Lien (2006), with `r = C w R` and the frequency ratio.
+/// `P / (F^2 / (w M))` by the formula of Shu and Lien (2006), with `r = C w R` and the frequency
+/// ratio.
 fn formula(squared_coupling: f64, damping_ratio: f64, ratio: f64, r: f64) -> f64 {
     let shared = r * ratio + PI / 2.0;
     let damping = (2.0 * damping_ratio + 2.0 * squared_coupling * r / shared.powi(2)) * ratio;
@@ -37,7 +38,8 @@ fn first_harmonic(squared_coupling: f64, damping_ratio: f64, ratio: f64, r: f64)
     storage * storage / r / (stiffness * stiffness + damping * damping)
 }
 
-/// Direct integration, `k_e^2`, damping ratio, frequency ratio, `r`, storage and duration in units of the spec.
+/// Direct integration, `k_e^2`, damping ratio, frequency ratio, `r`, storage and duration in units
+/// of the spec.
 fn marched(cell: (f64, f64), ratio: f64, r: f64, storage: &str, duration: &str) -> f64 {
     let (coupling, damping) = (format!("[{}]", cell.0.sqrt()), format!("[{}]", cell.1));
     let (frequency, resistance) = (format!("{} Hz", ratio / TAU), format!("{r} ohm"));

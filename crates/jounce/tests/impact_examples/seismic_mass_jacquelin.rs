@@ -1,4 +1,5 @@
-//! `examples/seismic-mass-jacquelin-2011`: Jacquelin, Adhikari and Friswell, Smart Mater. Struct. 20 (2011) 105008.
+//! `examples/seismic-mass-jacquelin-2011`: Jacquelin, Adhikari and Friswell, Smart Mater. Struct.
+//! 20 (2011) 105008.
 
 use crate::example::{integrator, kernel, motion, relative, run, system, throw};
 use crate::reduced_basis::{fixed_contact, free_interface};

@@ -1,4 +1,5 @@
-//! `examples/two-beams-vijayan-2015`: Vijayan, Friswell, Haddad Khodaparast and Adhikari, Int. J. Mech. Sci. 96-97 (2015) 101.
+//! `examples/two-beams-vijayan-2015`: Vijayan, Friswell, Haddad Khodaparast and Adhikari, Int. J.
+//! Mech. Sci. 96-97 (2015) 101.
 
 use crate::example::{integrator, kernel, relative, run, system, throw};
 use crate::rows::check;

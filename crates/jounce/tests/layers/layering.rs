@@ -19,7 +19,8 @@ pub struct Layering(Vec<String>);
 const OPENING: &str = "```text layers of ";
 
 impl Layering {
-    /// Reads the list of a crate from the block "```text layers of CRATE": one layer per line, its name first.
+    /// Reads the list of a crate from the block "```text layers of CRATE": one layer per line, its
+    /// name first.
     pub fn from_markdown(text: &str, name: &str) -> Option<Self> {
         let opens = |line: &str| line.trim_end().strip_prefix(OPENING) == Some(name);
         let lines = text

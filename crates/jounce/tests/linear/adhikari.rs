@@ -1,4 +1,5 @@
-//! `examples/white-noise-adhikari-2009`: Adhikari, Friswell and Inman, Smart Mater. Struct. 18 (2009) 115005.
+//! `examples/white-noise-adhikari-2009`: Adhikari, Friswell and Inman, Smart Mater. Struct. 18
+//! (2009) 115005.
 
 use crate::expected::{check, plant};
 use jounce::linear::{noise_powers_between_w, white_noise_powers_w};

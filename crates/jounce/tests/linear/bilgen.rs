@@ -1,4 +1,5 @@
-//! `examples/mfc-bender-bilgen-2010`: patch moments of both kinds of Macro Fiber Composite against static beam theory.
+//! `examples/mfc-bender-bilgen-2010`: patch moments of both kinds of Macro Fiber Composite against
+//! static beam theory.
 
 use crate::expected::{check, spec};
 use crate::rows;

@@ -36,8 +36,9 @@ fn relative(found: f64, exact: f64) -> f64 {
     (found / exact - 1.0).abs()
 }
 
-/// Mean squares `S pi f / (4 zeta w^4)` and `S pi f / (4 zeta w^2)`, bandwidths `pi zeta (1 - zeta^2) f`, `pi zeta f` and
-/// `2 pi zeta f / (1 + 4 zeta^2)`, upcrossings of the mean `f`. Measured: 5.3e-13.
+/// Mean squares `S pi f / (4 zeta w^4)` and `S pi f / (4 zeta w^2)`, bandwidths
+/// `pi zeta (1 - zeta^2) f`, `pi zeta f` and `2 pi zeta f / (1 + 4 zeta^2)`, upcrossings of the
+/// mean `f`. Measured: 5.3e-13.
 #[test]
 fn an_oscillator_under_white_noise_is_its_closed_form() {
     let w = TAU * FREQUENCY_HZ;

@@ -165,7 +165,8 @@ fn linear_springs_agree_with_their_closed_form() {
         }),
         0.02,
     );
-    // Compressions a and b of the two springs: a'' = -(2 a - b) k/m, b'' = -(2 b - a) k/m with a'(0) = 1, b'(0) = 0, until a = 0.
+    // Compressions a and b of the two springs: a'' = -(2 a - b) k/m, b'' = -(2 b - a) k/m with
+    // a'(0) = 1, b'(0) = 0, until a = 0.
     let (slow, fast) = ((k / m).sqrt(), (3.0 * k / m).sqrt());
     let a = |t: f64| 0.5 * ((slow * t).sin() / slow + (fast * t).sin() / fast);
     let (mut low, mut high) = (

@@ -7,7 +7,8 @@ use jounce::spec::Spec;
 use std::f64::consts::{PI, TAU};
 use std::path::Path;
 
-/// Mass, stiffness, dashpot, coupling, capacitance and load of S. Adhikari, M. Friswell, D. Inman, Smart Mater. Struct. 18 (2009) 115005.
+/// Mass, stiffness, dashpot, coupling, capacitance and load of S. Adhikari, M. Friswell, D. Inman,
+/// Smart Mater. Struct. 18 (2009) 115005.
 const MASS_KG: f64 = 9.12e-3;
 const STIFFNESS_N_M: f64 = 4.1e3;
 const DASHPOT_N_S_M: f64 = 0.218;

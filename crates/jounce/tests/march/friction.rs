@@ -1,4 +1,5 @@
-//! A free mass in a channel with viscous friction, from its spec, against closed forms: rate `a = c / m`.
+//! A free mass in a channel with viscous friction, from its spec, against closed forms: rate
+//! `a = c / m`.
 
 use crate::plants::{kernel, march, physical, relative};
 use jounce::integrate::Kernel;

@@ -51,7 +51,8 @@ fn rough(count: u32) -> Vec<f64> {
         .collect()
 }
 
-/// Measured: speeds after each of eight bounces and the time to rest to 3e-13, energy residual 1e-15.
+/// Measured: speeds after each of eight bounces and the time to rest to 3e-13, energy residual
+/// 1e-15.
 #[test]
 fn a_ball_bounces_under_gravity_as_in_its_closed_form() {
     let ball = BouncingBall {

@@ -26,7 +26,8 @@ fn speed_m_s(prepared: &Model, answer: &jounce::run::RunResult, body: &str) -> f
         .sum()
 }
 
-/// Newton's law of restitution: `v1' = v (m1 - e m2) / M`, `v2' = v (1 + e) m1 / M`. Measured: exact to the last digit, 1e-15.
+/// Newton's law of restitution: `v1' = v (m1 - e m2) / M`, `v2' = v (1 + e) m1 / M`. Measured:
+/// exact to the last digit, 1e-15.
 #[test]
 fn a_thrown_mass_strikes_another() {
     let (prepared, answer) = marched(

@@ -77,7 +77,8 @@ fn impact_oscillator_has_the_multipliers_and_the_speed_of_the_closed_form() {
     }
 }
 
-/// Without contact the orbit is the steady state, and its multipliers are those of the plant over a period.
+/// Without contact the orbit is the steady state, and its multipliers are those of the plant over a
+/// period.
 #[test]
 fn orbit_without_contact_is_linear() {
     let harvester = Systems(|gap| oscillator(gap).system(0.0));

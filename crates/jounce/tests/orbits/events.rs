@@ -59,7 +59,8 @@ fn labels(branches: &[Branch]) -> Vec<(BranchKind, f64)> {
     all
 }
 
-/// A pair of tori 0.05 Hz apart on a step of 0.3 Hz: at three tolerances, with two largest steps, in one range or in three.
+/// A pair of tori 0.05 Hz apart on a step of 0.3 Hz: at three tolerances, with two largest steps,
+/// in one range or in three.
 fn finds_the_pair_of_tori(file: &SpecFile, pair: [f64; 2]) {
     let mut known: Option<Vec<(BranchKind, f64)>> = None;
     for tolerance in [1e-7, 5e-10, 1e-10] {

@@ -1,4 +1,5 @@
-//! Harmonic balance with several stops, under gravity and with an open patch: against shooting, mirror images and shifted stops.
+//! Harmonic balance with several stops, under gravity and with an open patch: against shooting,
+//! mirror images and shifted stops.
 
 use crate::harvesters::{bench, branches};
 use jounce::analysis::{AnalysisError, Model, OrbitMethodKind, Parameter, settled_orbit};

@@ -112,7 +112,8 @@ fn one_cycle_from_the_steady_motion_leaves_it_by_the_square_root() {
     );
 }
 
-/// Orbits with one impact in a cycle, down to a gap 1e-5 below the amplitude: speed and trace of the closed form.
+/// Orbits with one impact in a cycle, down to a gap 1e-5 below the amplitude: speed and trace of
+/// the closed form.
 #[test]
 fn multiplier_of_the_impacting_orbit_diverges_towards_its_grazing() {
     let (amplitude, angle_rad) = steady();

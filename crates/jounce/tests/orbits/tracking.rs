@@ -180,7 +180,8 @@ fn folds_tori_and_grazings_over_the_amplitude_are_those_along_the_frequency() {
     }
 }
 
-/// The upper fold of the paper's harvester over the stiffness of its stop, against the folds along the frequency at fixed stiffness.
+/// The upper fold of the paper's harvester over the stiffness of its stop, against the folds along
+/// the frequency at fixed stiffness.
 #[test]
 fn the_fold_over_the_stiffness_is_whole_and_the_same_at_each_tolerance() {
     let range = (10.5, 14.0);

@@ -112,7 +112,8 @@ fn a_range_that_cuts_the_peak_says_so() {
     );
 }
 
-/// The paper's harvester with its stop out of reach: peak and edges of the steady power of all its modes.
+/// The paper's harvester with its stop out of reach: peak and edges of the steady power of all its
+/// modes.
 ///
 /// Measured at tolerance 1e-10: peak off by 3e-10 Hz, edges by 2e-10 Hz.
 #[test]

@@ -68,7 +68,8 @@ fn blocks_are_the_plant_in_other_coordinates() {
     }
 }
 
-/// `C l + 1/R + l sum theta^2 / (l^2 + 2 zeta w l + w^2) = 0`: one Newton step must not move an eigenvalue.
+/// `C l + 1/R + l sum theta^2 / (l^2 + 2 zeta w l + w^2) = 0`: one Newton step must not move an
+/// eigenvalue.
 #[test]
 fn eigenvalues_solve_the_secular_equation() {
     let system = bench();

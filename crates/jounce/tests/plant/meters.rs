@@ -39,7 +39,8 @@ const GAUSS: [(f64, f64); 4] = [
     (0.949_107_912_342_758_5, 0.129_484_966_168_869_7),
 ];
 
-/// Times and weights of composite Gauss quadrature over the pieces between `marks`, no panel longer than `longest_s`.
+/// Times and weights of composite Gauss quadrature over the pieces between `marks`, no panel longer
+/// than `longest_s`.
 fn quadrature(marks: &[f64], longest_s: f64) -> (Vec<f64>, Vec<f64>) {
     let (mut times, mut weights) = (Vec::new(), Vec::new());
     for ends in marks.windows(2) {

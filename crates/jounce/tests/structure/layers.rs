@@ -54,8 +54,9 @@ fn relative(found: f64, exact: f64) -> f64 {
     (found / exact - 1.0).abs()
 }
 
-/// `EI = b (E1^2 t1^4 + 4 E1 E2 t1^3 t2 + 6 E1 E2 t1^2 t2^2 + 4 E1 E2 t1 t2^3 + E2^2 t2^4) / (12 (E1 t1 + E2 t2))` (S. Timoshenko, J. Opt. Soc.
-/// Am. 11 (1925) 233), on either face; first frequency `1.8751040687^2 / (2 pi L^2) sqrt(EI / m)`.
+/// `EI = b (E1^2 t1^4 + 4 E1 E2 t1^3 t2 + 6 E1 E2 t1^2 t2^2 + 4 E1 E2 t1 t2^3 + E2^2 t2^4) / (12 (E1 t1 + E2 t2))`
+/// (S. Timoshenko, J. Opt. Soc. Am. 11 (1925) 233), on either face; first frequency
+/// `1.8751040687^2 / (2 pi L^2) sqrt(EI / m)`.
 #[test]
 fn a_layer_over_the_whole_beam_makes_a_bimetal() {
     let beam = paper_beam("ground");

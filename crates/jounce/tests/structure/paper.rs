@@ -5,7 +5,8 @@ use jounce::structure::Modes;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
-/// Natural frequencies of the thin-skin harvester by the transfer matrix of its three segments, 40-digit arithmetic, Hz.
+/// Natural frequencies of the thin-skin harvester by the transfer matrix of its three segments,
+/// 40-digit arithmetic, Hz.
 pub const ON_TABLE_HZ: [f64; 8] = [
     0.998931832834536,
     8.66905653443684,

@@ -7,7 +7,8 @@ use jounce::structure::{modes, modes_holding};
 
 const MASS_PER_LENGTH_KG_M: f64 = 2750.0 * 0.03 * 0.98e-3;
 
-/// Closed form `2 s sqrt(m L) / l`; 0.7830 sqrt(m L) in mode 1. Measured: 7e-16 in mode 1, 4e-12 sqrt(m L) in the worst of 40.
+/// Closed form `2 s sqrt(m L) / l`; 0.7830 sqrt(m L) in mode 1. Measured: 7e-16 in mode 1, 4e-12
+/// sqrt(m L) in the worst of 40.
 #[test]
 fn cantilever_has_its_closed_form() {
     let found = modes(&bare_cantilever(40)).unwrap();

@@ -36,7 +36,8 @@ fn laminate_with_patch_mass_predicts_the_measured_column() {
     );
 }
 
-/// Without the patch's mass: 9.02 Hz and the rest of the row "composite, about shifted NA" of a 2.5 mm mesh.
+/// Without the patch's mass: 9.02 Hz and the rest of the row "composite, about shifted NA" of a 2.5
+/// mm mesh.
 #[test]
 fn laminate_without_patch_mass() {
     let mut spec = paper(Section::Laminate);
@@ -50,7 +51,8 @@ fn laminate_without_patch_mass() {
     }
 }
 
-/// Shapes of the paper's harvester on its table: published values from a mesh of 2.5 mm cubic elements, as printed.
+/// Shapes of the paper's harvester on its table: published values from a mesh of 2.5 mm cubic
+/// elements, as printed.
 #[test]
 fn table_coupled_modes_of_the_paper() {
     let found = modes(&paper(Section::ThinSkin)).unwrap();

@@ -10,8 +10,8 @@ const LENGTH_M: f64 = 0.315;
 const STIFFNESS_N_M2: f64 = 65e9 * 0.03 * 0.98e-3 * 0.98e-3 * 0.98e-3 / 12.0;
 const MASS_PER_LENGTH_KG_M: f64 = 2750.0 * 0.03 * 0.98e-3;
 
-/// Left side of the characteristic equation of a cantilever with tip mass ratio `a` and inertia ratio `c`, over `cosh`
-/// (Erturk and Inman, Smart Mater. Struct. 18 (2009) 025009).
+/// Left side of the characteristic equation of a cantilever with tip mass ratio `a` and inertia
+/// ratio `c`, over `cosh` (Erturk and Inman, Smart Mater. Struct. 18 (2009) 025009).
 fn characteristic(l: f64, a: f64, c: f64) -> f64 {
     let (sin, cos, tanh, part) = (l.sin(), l.cos(), l.tanh(), 1.0 / l.cosh());
     part + cos + l * a * (cos * tanh - sin) - l.powi(3) * c * (sin + tanh * cos)

@@ -1,4 +1,5 @@
-//! Energy coordinates `(w q, q', sqrt(C) V)`: the square of their norm is twice the energy without the stops.
+//! Energy coordinates `(w q, q', sqrt(C) V)`: the square of their norm is twice the energy without
+//! the stops.
 
 /// Factors from a physical state to energy coordinates; zero for the energy meter.
 #[derive(Debug, Clone, Copy)]

@@ -19,7 +19,8 @@ fn system(text: &str) -> System {
         .clone()
 }
 
-/// `|V|^2 / (2 R)` with `(-W^2 + 2 i zeta w W + w^2) q = theta V + p`, `(i W C + 1 / R) V = -i W theta q`, eliminated by hand.
+/// `|V|^2 / (2 R)` with `(-W^2 + 2 i zeta w W + w^2) q = theta V + p`,
+/// `(i W C + 1 / R) V = -i W theta q`, eliminated by hand.
 #[test]
 fn without_contact_the_power_is_that_of_the_linear_harvester() {
     let (w, zeta, drive, theta, capacitance, resistance, force): (
