@@ -95,8 +95,9 @@ fn balance_meets_shooting_within_its_own_estimate() {
     }
 }
 
-/// At points of the branch that shooting follows, stable or not, states and mean powers of the two
-/// methods differ by less than the sum of their estimates, and the powers by less than a millionth.
+/// Compares points of the branch that shooting follows, stable or not. States and mean powers of the
+/// two methods differ by less than the sum of their estimates, and the powers by less than a
+/// millionth.
 #[test]
 fn both_methods_agree_along_the_whole_branch() {
     let file = bench();
