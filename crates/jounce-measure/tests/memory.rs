@@ -1,5 +1,6 @@
-//! Memory that reading and converting take does not grow with the file: the peak of the process, as Linux counts it, over small and large files of
-//! each format. HDF5 is left out: its library holds an array of one row whole.
+//! Memory for reading and converting does not grow with the file. The test compares the peak of the
+//! process, as Linux counts it, for small and large files of each format. HDF5 is excluded: its
+//! library holds an array of one row completely.
 #![cfg(target_os = "linux")]
 
 use jounce_measure::read::{FileSummary, summary};
@@ -10,12 +11,14 @@ use std::fs::File;
 use std::io::{BufWriter, Write as _};
 use std::path::{Path, PathBuf};
 
-/// Rows of a small and of a large file: 28 and 70 MB as text, 19 to 24 and 48 to 60 MB as numbers, all more than the 16 MiB that are held.
+/// Rows of a small and of a large file: 28 and 70 MB as text, 19 to 24 and 48 to 60 MB as numbers,
+/// all more than the 16 MiB held in memory.
 const ROWS: [usize; 2] = [600_000, 1_500_000];
 const RATE_HZ: f64 = 1000.0;
-/// What the peak of a large file may be above that of a small one, bytes. Held in memory its numbers alone would take 29 to 36 MB more.
+/// Largest difference of the peaks of a large and a small file, bytes. In memory its numbers would
+/// need 29 to 36 MB more.
 const MORE: u64 = 8 << 20;
-/// What it may be at all: 16 MiB of numbers, buffers, and what the allocator keeps.
+/// Largest peak: 16 MiB of numbers, buffers, and memory of the allocator.
 const MOST: u64 = 48 << 20;
 
 /// A line of the status of this process, bytes.
@@ -32,9 +35,9 @@ fn status(key: &str) -> u64 {
         << 10
 }
 
-/// What something makes, and the peak of memory meanwhile above what there was `before` everything.
+/// Returns a result, and the memory peak of its computation above the value `before`.
 fn peak_of<T>(before: u64, what: impl FnOnce() -> T) -> (u64, T) {
-    // Sets the peak to what is in use now.
+    // Resets the peak to the memory in use.
     std::fs::write("/proc/self/clear_refs", "5").expect("the peak can be set back");
     let made = what();
     (status("VmHWM").saturating_sub(before), made)
@@ -44,12 +47,12 @@ fn sample(row: usize, channel: usize) -> f64 {
     ((row * (7 + channel)) as f64 * 1e-4).sin() * 3.0
 }
 
-/// Four channels over time as text, below the head of a format.
+/// Four channels over time as text, below the header of a format.
 fn text(path: &Path, head: &str, rows: usize, separator: char) {
     let mut to = BufWriter::new(File::create(path).expect("a file"));
     let mut line = head.to_owned();
     for row in 0..rows {
-        // A stamp that is late now and then makes the grid uneven, so that the stamps are kept too.
+        // An occasional late time stamp makes the grid non-uniform, so the stamps are stored too.
         let late = if row % 1000 == 17 { 0.3 } else { 0.0 };
         let _ = write!(line, "{:.4}", (row as f64 + late) / RATE_HZ);
         for channel in 0..4 {
@@ -62,7 +65,7 @@ fn text(path: &Path, head: &str, rows: usize, separator: char) {
     to.flush().expect("written");
 }
 
-/// The same as an array without time, with its notes.
+/// Four channels as an array without time, with its notes.
 fn npy(path: &Path, rows: usize) {
     let mut head = format!("{{'descr': '<f8', 'fortran_order': False, 'shape': ({rows}, 4), }}");
     head.push_str(&" ".repeat(117 - head.len()));
@@ -84,7 +87,7 @@ fn npy(path: &Path, rows: usize) {
     .expect("notes");
 }
 
-/// One channel of as many numbers in binary, double precision, even times.
+/// One channel of as many numbers in binary, double precision, uniform times.
 fn uff58b(path: &Path, rows: usize) {
     let points = 4 * rows;
     let mut to = BufWriter::new(File::create(path).expect("a file"));
@@ -114,7 +117,7 @@ fn uff58b(path: &Path, rows: usize) {
     to.flush().expect("written");
 }
 
-/// A matrix of four columns beside its rate, as MATLAB 5 writes them.
+/// A matrix of four columns with its rate, in MATLAB 5 format.
 fn mat(path: &Path, rows: usize) {
     let mut to = BufWriter::new(File::create(path).expect("a file"));
     let words = |words: &[u32]| {
@@ -166,7 +169,7 @@ fn read(path: &Path) -> FileSummary {
     summary(path).unwrap_or_else(|fault| panic!("{fault}"))
 }
 
-/// Peaks of reading each format, and of writing two of them; the numbers must be all there.
+/// Peaks of reading each format, and of writing two of them; checks that all numbers are present.
 fn peaks(folder: &Path, rows: usize, before: u64) -> Vec<(&'static str, u64)> {
     let at = |name: &str| -> PathBuf { folder.join(format!("{rows}-{name}")) };
     text(&at("a.csv"), "time_s,a_V,b_V,c_V,d_V\n", rows, ',');

@@ -1,7 +1,8 @@
-//! Damaged files of every format: a result or one clear error, never a panic, more than 10 s, or more than 200 MB of memory.
+//! Damaged files of every format: a result or one clear error, never a panic, more than 10 s, or
+//! more than 200 MB of memory.
 //!
-//! Every run reads a few thousand; `JOUNCE_MUTATIONS=10000000` reads as many as that, `JOUNCE_MUTATIONS_FROM=NUMBER` begins at one. Input
-//! `NUMBER` is the same in every run.
+//! Every run reads a few thousand; `JOUNCE_MUTATIONS=10000000` sets the number,
+//! `JOUNCE_MUTATIONS_FROM=NUMBER` the first one. Input `NUMBER` is reproducible.
 
 #[path = "measured/samples.rs"]
 #[allow(dead_code, reason = "made for other tests too")]
@@ -22,10 +23,10 @@ use writers::{wav, zip};
 /// Inputs of a run without the variable.
 const COUNT: u64 = 4000;
 const LONGEST: Duration = Duration::from_secs(10);
-/// Bytes above what the process held before.
+/// Bytes above the initial memory of the process.
 const MOST_MEMORY: u64 = 200 << 20;
 
-/// SplitMix64: numbers that depend on where they begin only.
+/// SplitMix64: numbers that depend on the seed only.
 struct Random(u64);
 
 impl Random {
@@ -93,7 +94,7 @@ fn hdf5() -> Vec<u8> {
     file.finish().expect("memory")
 }
 
-/// A whole file of each format, with its ending.
+/// A complete file of each format, with its extension.
 fn whole(folder: &Path) -> Vec<(&'static str, Vec<u8>)> {
     let written = |recording, name: &str| {
         let path = folder.join(name);
@@ -145,13 +146,14 @@ fn whole(folder: &Path) -> Vec<(&'static str, Vec<u8>)> {
     ]
 }
 
-/// A few places of the bytes changed: bits, bytes, words, whole stretches; cut, doubled, or with a piece of another file.
+/// Changes a few places of the bytes: bits, bytes, words, segments; truncates, duplicates, or
+/// inserts a piece of another file.
 fn mutated(mut bytes: Vec<u8>, others: &[(&'static str, Vec<u8>)], random: &mut Random) -> Vec<u8> {
     for _ in 0..=random.below(4) {
         if bytes.is_empty() {
             break;
         }
-        // Half of the changes go to the head, where lengths and types stand.
+        // Half of the changes are in the header, which has lengths and types.
         let reach = if random.below(2) == 0 {
             bytes.len().min(256)
         } else {
@@ -211,11 +213,11 @@ fn asked(key: &str, otherwise: u64) -> u64 {
     })
 }
 
-/// Number of the input that is read, and when it began, ms.
+/// Number of the current input, and its start, ms.
 static NUMBER: AtomicU64 = AtomicU64::new(0);
 static SINCE_MS: AtomicU64 = AtomicU64::new(0);
 
-/// Ends the process where an input takes too long: nothing else ends it.
+/// Ends the process where an input takes too long, since no other mechanism does.
 fn control(begin: Instant) {
     std::thread::spawn(move || {
         loop {
@@ -279,7 +281,7 @@ fn damaged_files_give_a_result_or_an_error() {
             Ok(Err(fault)) => assert!(fault.contains("damaged"), "input {number}: {fault}"),
             Err(_) => panic!("input {number}, {ending}: a panic"),
         }
-        // The peak is that of all inputs so far, so that the first one above the limit is named.
+        // The peak covers all inputs so far, so the first one above the limit is named.
         let peak = status("VmHWM").saturating_sub(before);
         assert!(peak < MOST_MEMORY, "input {number}, {ending}: {peak} bytes");
     }

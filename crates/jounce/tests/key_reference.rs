@@ -1,4 +1,5 @@
-//! The key reference of the book is what the program says. `JOUNCE_WRITE=1 cargo test --release --test key_reference` writes it anew.
+//! The key reference of the book equals the program's output.
+//! `JOUNCE_WRITE=1 cargo test --release --test key_reference` writes it anew.
 
 use std::path::Path;
 

@@ -1,4 +1,5 @@
-//! The reproduction against the paper's printed numbers and an independent computation (DOP853 at 1e-7, eight modes, from rest).
+//! The reproduction against the paper's printed numbers and an independent computation (DOP853 at
+//! 1e-7, eight modes, from rest).
 
 #![allow(clippy::unwrap_used, reason = "tests")]
 
@@ -42,7 +43,8 @@ fn close(found: f64, expected: f64, relative: f64) {
     );
 }
 
-/// The printed model column to every digit; the laminate within 0.9 % of the measurement and 0.05 % of its own regression numbers.
+/// The printed model column to every digit; the laminate within 0.9 % of the measurement and 0.05 %
+/// of its own regression numbers.
 #[test]
 fn table_2() {
     let thin = floats("table-2", "thin_skin_hz");
@@ -66,7 +68,7 @@ fn table_2() {
     );
 }
 
-/// Periodic runs within 2 %, as the independent computation asks for.
+/// Periodic runs within 2 %, as the independent computation requires.
 #[test]
 fn runs_and_lines() {
     let power_w = floats("runs", "mean_power_w");
@@ -114,7 +116,8 @@ fn claims() {
             claim.evidence
         );
     }
-    // The stop on the ground misses S5 (chaotic at 6 Hz), S6 (87.6 against 146.4 kΩ there) and S8 (the normalised peak falls with the force).
+    // The stop on the ground misses S5 (chaotic at 6 Hz), S6 (87.6 against 146.4 kΩ there) and S8
+    // (the normalised peak falls with the force).
     let missed = ["S5", "S6", "S8"];
     let verdicts: Vec<(&str, bool)> = PAPER
         .claims
@@ -139,7 +142,8 @@ fn claims() {
     );
 }
 
-/// Every choice is told with whether it has settled; the stop on the table gives ten times the power.
+/// Every choice is listed with its steady-state flag; the stop on the table gives ten times the
+/// power.
 #[test]
 fn assumptions() {
     let ratio = floats("assumptions", "ratio");

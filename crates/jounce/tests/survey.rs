@@ -1,4 +1,5 @@
-//! Studies: their points, the same table however the work is split, stopped or damaged, and wrong texts told at once.
+//! Studies: their points, identical tables for any split, stop or damage of the work, and immediate
+//! errors for invalid texts.
 
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
@@ -31,7 +32,8 @@ fn study(text: &str) -> Study {
     Study::parse(text, &beside()).unwrap()
 }
 
-/// The bytes of the merged table after shards of so many, on the threads of a pool.
+/// Returns the bytes of the merged table after the given number of shards, on the threads of a
+/// pool.
 fn merged(study: &Study, folder: &Path, shards: usize) -> Vec<u8> {
     for index in 1..=shards {
         let found = Folder::of(folder, study).unwrap();
@@ -80,7 +82,8 @@ fn a_list_takes_its_values_side_by_side_and_drawn_points_stay_in_their_range() {
                     && (1e3..=1e6).contains(&point[1])),
             "{sampling}"
         );
-        // Half of the loads lie below the geometric mean of the ends: exactly for cells of one point each.
+        // Half of the loads lie below the geometric mean of the ends: exactly so for cells of one
+        // point each.
         let low = points
             .iter()
             .filter(|point| point[1] < 1e3 * 1e3_f64.sqrt())
@@ -268,7 +271,7 @@ fn first(table: &Table, column: &str) -> f64 {
     }
 }
 
-/// The only row of a study of one point of the paper's harvester.
+/// Returns the only row of a study of one point of the paper's harvester.
 fn row(quantity: &str) -> Table {
     let set = "[set]\n\"run.duration\" = \"2 s\"\n\"run.average_over\" = \"1 s\"\n";
     let text = format!(
@@ -297,7 +300,7 @@ fn a_frequency_response_has_the_peak_of_the_linear_harvester() {
         frf(&plant, &input, std::slice::from_ref(&response), &[hz]).unwrap()[0].value[0].norm()
     };
     assert_eq!(first(&found, "peak_voltage"), at(hz));
-    // The neighbours on the grid of frequencies are lower.
+    // The neighbours on the frequency grid are lower.
     assert!(
         at(hz * 1.0012) < at(hz) && at(hz / 1.0012) < at(hz),
         "{hz} Hz"

@@ -31,7 +31,7 @@ beyond = 0.003
 modes = 5
 "#;
 const KEYS: [(&str, f64); 2] = [("beam.beam.root_stiffness", 1.0), ("mass.sensor.mass", 1.0)];
-/// Highest lines of the recording, Hz; noted with it.
+/// Highest lines of the recording, Hz, as noted with it.
 const NOTED_HZ: [f64; 3] = [6.57, 41.47, 117.93];
 
 fn features(frequency_hz: &[f64]) -> Features {
@@ -64,7 +64,8 @@ fn fitted(frequency_hz: &[f64]) -> (FitResult, Vec<f64>) {
     )
 }
 
-/// Clamp and tip mass of a model with both come back from its frequencies, though both lower every frequency by nearly the same share.
+/// A model with clamp and tip mass is identified from its frequencies, although both lower every
+/// frequency by nearly the same fraction.
 #[test]
 fn clamp_and_tip_mass_come_back_from_five_frequencies() {
     let (_, truth) = spec(
@@ -94,9 +95,11 @@ fn clamp_and_tip_mass_come_back_from_five_frequencies() {
     );
 }
 
-/// Measured: the noted frequencies are met within 0.42 %, those found in the spectrum within 0.64 %: the first of them lies 0.49 % above the
-/// noted line, less than half a line. Three frequencies tell what clamp and mass do together, not the share of each, and the fit says so: the mass
-/// comes out between 0.1 g and 0.6 kg. Two more modes show in the recording, which the fit has not seen: 1.2 % and 1.8 % off.
+/// Measured: the noted frequencies agree within 0.42 %, those found in the spectrum within 0.64 %.
+/// The first of them lies 0.49 % above the noted line, less than half a line. Three frequencies
+/// determine the joint effect of clamp and mass, not their separate shares, and the fit reports
+/// this: the mass lies between 0.1 g and 0.6 kg. Two more modes in the recording, not used by the
+/// fit, are 1.2 % and 1.8 % off.
 #[test]
 fn a_real_cantilever_is_met_within_half_a_percent() {
     let spectrum = Path::new(env!("CARGO_MANIFEST_DIR"))

@@ -1,4 +1,4 @@
-//! How often stated intervals hold the truth.
+//! Coverage of stated confidence intervals.
 
 use super::{free, given, spec};
 use jounce::drive::RandomStream;
@@ -52,8 +52,9 @@ fn modes(keys: &[f64]) -> Vec<(f64, f64)> {
         .collect()
 }
 
-/// In every trial the keys are drawn from their priors, and four frequencies and two damping ratios are measured with noise. The share of the
-/// trials in which the interval of each key holds the truth, and last that of further measurements within theirs.
+/// In every trial the keys are drawn from their priors, and four frequencies and two damping ratios
+/// are measured with noise. Returns the fraction of trials in which the interval of each key
+/// contains the true value, and last the fraction for further measurements.
 fn shares(trials: u64) -> [f64; 5] {
     let (file, spec) = spec(CANTILEVER, &[]);
     let start: Vec<f64> = KEYS
@@ -110,8 +111,8 @@ fn shares(trials: u64) -> [f64; 5] {
     [a, b, c, d, further]
 }
 
-/// Measured: 95.5, 95.0, 95.3 and 95.3 % for the keys, 95.3 % of further measurements; each share is known to 1.1 %. In 4000 trials: 95.5, 94.3,
-/// 94.9, 95.5 and 94.7 %.
+/// Measured: 95.5, 95.0, 95.3 and 95.3 % for the keys, 95.3 % of further measurements; each
+/// fraction is known to 1.1 %. In 4000 trials: 95.5, 94.3, 94.9, 95.5 and 94.7 %.
 #[test]
 fn intervals_of_95_percent_hold_the_truth_in_95_percent_of_400_trials() {
     for share in shares(400) {

@@ -49,8 +49,9 @@ fn features(keys: &[(&str, f64)], ratios: &[f64]) -> Features {
     }
 }
 
-/// One line frees all four, each with a row of its own in the correlation. Every ratio hangs on its own measurement alone, so that its deviation is
-/// that of the measurement and of the prior together, `1 / sqrt(1 / 0.05^2 + 1 / 0.6^2)`.
+/// One line frees all four, each with a separate row in the correlation. Every ratio depends only
+/// on its measurement, so its deviation is that of measurement and prior combined,
+/// `1 / sqrt(1 / 0.05^2 + 1 / 0.6^2)`.
 #[test]
 fn a_list_of_damping_ratios_comes_back_by_one_line() {
     let truth = [72e9, TRUTH[0], TRUTH[1], TRUTH[2], TRUTH[3]];
@@ -82,7 +83,7 @@ fn a_list_of_damping_ratios_comes_back_by_one_line() {
     }
 }
 
-/// One number of the list moves, and the others stay as they are in the spec.
+/// One number of the list changes, and the others retain their values in the spec.
 #[test]
 fn one_damping_ratio_of_a_list_comes_back() {
     let keys = [

@@ -28,7 +28,8 @@ duration = \"0.16 s\"
 average_over = \"0.1 s\"
 ";
 
-/// The first 0.16 s from rest of the harvester with another stop, which it strikes, recorded with noise of 3 %.
+/// The first 0.16 s from rest of the harvester with another stop, which it strikes, recorded with
+/// noise of 3 %.
 fn recorded(text: &str) -> Recording {
     let (_, spec) = spec(
         text,
@@ -65,7 +66,7 @@ fn recorded(text: &str) -> Recording {
     .expect("a record")
 }
 
-/// A voltage in `run.csv` of a folder, and the stop to be found from it.
+/// A voltage in `run.csv` of a folder, and the stop to be identified from it.
 fn features(folder: &Path, begins_s: Option<f64>) -> Features {
     let feature = HistoryFeature {
         file: "run.csv".into(),
@@ -114,8 +115,9 @@ fn gap_and_stiffness_of_a_stop_come_back_from_a_voltage() {
     );
 }
 
-/// The same without its first 50 ms: by its stamps it is met as well, which is said; a clock that was not set needs a word, and with it gives the
-/// very same; taken from the start of the run it is not met.
+/// The recording without its first 50 ms. Its time stamps give an equally good fit, with a warning.
+/// A clock that was not set needs `begins`, which gives an equal result. With `begins` at the start
+/// of the run the fit is poor.
 #[test]
 fn a_record_that_begins_later_is_met_at_its_own_times() {
     let text = format!("{HARVESTER}{RUN}");

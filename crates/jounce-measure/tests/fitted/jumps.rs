@@ -21,7 +21,7 @@ frequency = \"80 Hz\"
 tolerance = 1e-6
 ";
 
-/// A fold of the true harvester, moved by 0.1 %.
+/// A fold of the true harvester, shifted by 0.1 %.
 #[test]
 fn the_stiffness_of_a_stop_comes_back_from_a_jump() {
     let text = format!("{HARVESTER}{RUN}").replace("modes = 2", "modes = 1");

@@ -1,4 +1,4 @@
-//! Fits that must give back the keys that data were made with.
+//! Fits that must recover the keys from which the data were computed.
 
 mod cantilever;
 mod coverage;
@@ -17,7 +17,7 @@ use std::path::Path;
 /// A small harvester with a patch and a load.
 pub const HARVESTER: &str = include_str!("harvester.toml");
 
-/// A spec file with keys set.
+/// Spec file with keys changed.
 pub fn spec(text: &str, set: &[(&str, &str)]) -> (SpecFile, Spec) {
     let mut file = SpecFile::from_text(text);
     set.iter().for_each(|(key, value)| {
@@ -28,8 +28,8 @@ pub fn spec(text: &str, set: &[(&str, &str)]) -> (SpecFile, Spec) {
     (file, spec)
 }
 
-/// Fits the harvester to features, and holds every free key against the truth: the error is told in stated deviations and must be within four of
-/// them, and within `most`, relative.
+/// Fits the harvester to features, and compares every free key with its true value. The error must
+/// be within four stated deviations and, relative, within `most`.
 pub fn recovered(text: &str, features: &Features, truth: &[f64], most: f64) -> FitResult {
     let (file, spec) = spec(text, &[]);
     let (answer, _) = fit(&file, &spec, features, Path::new("."), &Control::default())
@@ -52,7 +52,7 @@ pub fn recovered(text: &str, features: &Features, truth: &[f64], most: f64) -> F
     answer
 }
 
-/// Numbers with noise of a relative deviation.
+/// Adds noise of a relative deviation to numbers.
 pub fn noisy(values: &[f64], deviation: f64, seed: u64) -> Vec<f64> {
     let mut stream = RandomStream::new(seed, 0);
     values
@@ -68,7 +68,7 @@ pub fn free(keys: &[(&str, f64)]) -> Vec<(String, f64)> {
         .collect()
 }
 
-/// A deviation that is known.
+/// A known deviation.
 pub const fn given(deviation: f64) -> Deviation {
     Deviation::Given(deviation)
 }

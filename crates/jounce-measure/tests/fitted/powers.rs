@@ -19,7 +19,7 @@ average_over = \"0.1 s\"
 ";
 const LOADS: [&str; 5] = ["5 kohm", "20 kohm", "50 kohm", "150 kohm", "600 kohm"];
 
-/// Noise of 2 %: what a patch gives over the load tells its coupling and its capacitance.
+/// Noise of 2 %: the power of a patch over the load determines its coupling and its capacitance.
 #[test]
 fn coupling_and_capacitance_come_back_from_powers_over_the_load() {
     let text = format!("{HARVESTER}{RUN}");

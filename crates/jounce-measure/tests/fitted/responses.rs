@@ -62,7 +62,8 @@ fn features(lines: MeasuredLines, deviation: Deviation) -> Features {
     }
 }
 
-/// Noise of 2 % on every line. The deviation that residuals tell is the one that was put in, within its own: measured 2.0e-2.
+/// Noise of 2 % on every line. The deviation estimated from residuals equals the true one within
+/// its uncertainty: measured 2.0e-2.
 #[test]
 fn keys_come_back_from_sizes_and_their_deviation_from_residuals() {
     let (frequency_hz, value) = voltage();
@@ -90,7 +91,7 @@ fn keys_come_back_from_sizes_and_their_deviation_from_residuals() {
     let curve = &answer.curves[0];
     let (before, after) = curve.errors();
     assert!(before > 0.2 && after < 0.03, "{before} {after}");
-    // 95 % of the measurements lie within the interval for a further one, more or less.
+    // About 95 % of the measurements lie within the interval for a further one.
     let inside = (0..curve.at.len())
         .filter(|k| (curve.low[*k]..=curve.high[*k]).contains(&curve.measured[*k]))
         .count();
@@ -121,8 +122,9 @@ fn keys_come_back_from_complex_values() {
     );
 }
 
-/// A sensor on the tip moves with the base too: its transmissibility, 1 and what the tip does relative to the base, gives the keys back where it is
-/// said to be absolute. A file in V/N is refused where V per acceleration of the base is due; one in V/g is converted.
+/// A sensor on the tip also moves with the base: its transmissibility is 1 plus the relative
+/// response of the tip. It recovers the keys where it is specified as absolute. A file in V/N is
+/// refused where voltage per acceleration of the base is expected; one in V/g is converted.
 #[test]
 fn a_sensor_on_the_structure_and_the_unit_of_a_file_are_minded() {
     let (file, model) = spec(HARVESTER, &[]);

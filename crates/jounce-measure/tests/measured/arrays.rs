@@ -48,7 +48,8 @@ fn arrays_need_notes_where_they_tell_no_time() {
     assert_eq!(matrix.channels[0].values, rows[1]);
 }
 
-/// Numbers of two bytes: 1 sign bit, 5 of the exponent over 15, 10 of the fraction; so 0x3e00 is 1.5, and 0xc500 is -5.
+/// Half-precision numbers: 1 sign bit, 5 of the exponent over 15, 10 of the fraction; so 0x3e00 is
+/// 1.5, and 0xc500 is -5.
 #[test]
 fn arrays_of_two_bytes_are_read_and_complex_ones_refused_with_a_way_out() {
     let header = |dtype: &str| {
@@ -85,7 +86,8 @@ fn arrays_of_two_bytes_are_read_and_complex_ones_refused_with_a_way_out() {
     }
 }
 
-/// A rate or a step beside the arrays stands for a time; a time wins, and a number that says something else is told; so is one against the notes.
+/// A rate or a step next to the arrays replaces a time; a time has priority. A conflicting number,
+/// also one against the notes, is reported.
 #[test]
 fn a_single_number_of_a_matrix_file_tells_the_rate() {
     let (ramp, tip): (Vec<f64>, Vec<f64>) = (0..50)
@@ -189,7 +191,8 @@ fn a_single_number_of_a_matrix_file_tells_the_rate() {
     }
 }
 
-/// Of two arrays the second is cut: half a recording is none. An element that is no array is told.
+/// The second of two arrays is truncated: an incomplete recording is refused. An element that is
+/// not an array is reported.
 #[test]
 fn a_matrix_file_is_read_element_by_element() {
     let ramp: Vec<f64> = (0..50).map(|k| f64::from(k) * 1e-3).collect();
@@ -209,7 +212,7 @@ fn a_matrix_file_is_read_element_by_element() {
         "{told}"
     );
     let mut odd = both.clone();
-    // The class of the second array becomes that of an object.
+    // Changes the class of the second array to that of an object.
     odd[begin + 16] = 17;
     let rate = Some("rate = \"1 kHz\"\n");
     let told = read("a.mat", &odd, rate)
@@ -218,7 +221,7 @@ fn a_matrix_file_is_read_element_by_element() {
     assert!(told.contains("was left out"), "{told}");
 }
 
-/// A time of 50 samples and channels of 40 are no recording.
+/// A time of 50 samples and channels of 40 do not form a recording.
 #[test]
 fn a_matrix_file_without_a_channel_as_long_as_its_time_is_refused() {
     let ramp: Vec<f64> = (0..50).map(|k| f64::from(k) * 1e-3).collect();

@@ -1,4 +1,5 @@
-//! Responses to the motion of a base and to a voltage: units, the same modes from every kind of input, and what is refused.
+//! Responses to the motion of a base and to a voltage: units, equal modes from every kind of input,
+//! and errors.
 
 use jounce_measure::modal::{Band, ModalSettings, identify};
 use jounce_measure::recording::{Channel, Grid, Over, Quantity, Recording};
@@ -7,7 +8,8 @@ use jounce_measure::spectral::{Estimator, FrequencyResponse, ImpactSettings, Win
 use realfft::num_complex::Complex;
 use std::f64::consts::TAU;
 
-/// Frequency, Hz, damping ratio, participation at the tip: these add to 1, as those of all modes of a structure do.
+/// Frequency, Hz, damping ratio, participation at the tip. The participations sum to 1, as those of
+/// all modes of a structure do.
 const MODES: [(f64, f64, f64); 3] = [(40.0, 0.01, 1.5), (150.0, 0.015, -0.7), (290.0, 0.02, 0.2)];
 
 /// Acceleration of the tip relative to the base, per acceleration of the base.
@@ -19,7 +21,8 @@ fn relative(hz: f64) -> Complex<f64> {
     MODES.iter().map(of).sum()
 }
 
-/// The tip's motion of a kind per motion of the base of a kind: both change by `j w` from kind to kind.
+/// Motion of the tip per motion of the base, each of a given kind; the kinds differ by factors
+/// `j w`.
 fn transferred(output: Quantity, input: Quantity, hz: f64) -> Complex<f64> {
     let power = |quantity: Quantity| match quantity {
         Quantity::Displacement => 0,
@@ -59,8 +62,8 @@ fn responses(output: Quantity, input: Quantity) -> MeasuredResponses {
     }
 }
 
-/// Nine pairs of displacement, velocity and acceleration of tip and base: the same modes, and the same participation. Measured: all within
-/// 1e-15.
+/// Nine pairs of displacement, velocity and acceleration of tip and base: equal modes, and equal
+/// participation. Measured: all within 1e-15.
 #[test]
 fn every_motion_of_tip_and_base_gives_the_same_modes_and_participation() {
     let kinds = [
@@ -114,7 +117,7 @@ fn found_under_a_force() -> Option<usize> {
         .map(|parts| parts.len())
 }
 
-/// A signal of noise-like turns and twice of it as the response, in some units.
+/// A noise-like signal and its double as the response, in given units.
 fn shaken(
     input: (Quantity, &str),
     output: (Quantity, &str),
@@ -208,7 +211,7 @@ fn units_are_those_of_output_and_input() {
         );
         assert_eq!(found.is_transmissibility(0), transmits);
         assert!((found.functions[0].value[112] - 2.0).norm() < 1e-9);
-        // What it writes is what a file of responses is read as.
+        // A written unit is read as that of a file of responses.
         assert_eq!(jounce_measure::recording::Unit::per(unit), Some(input.0));
     }
 }

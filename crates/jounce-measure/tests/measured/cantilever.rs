@@ -1,11 +1,11 @@
-//! A steel cantilever of which only the amplitude spectrum of its answer to a hit was kept.
+//! A steel cantilever with only the amplitude spectrum of its response to a hit recorded.
 
 use super::samples::real;
 use jounce_measure::modal::{ModalSettings, identify_decays};
 use jounce_measure::read;
 use jounce_measure::response::Decays;
 
-/// Highest lines of the spectrum, Hz; noted with the data.
+/// Highest lines of the spectrum, Hz, as noted with the data.
 const NOTED_HZ: [f64; 3] = [6.57, 41.47, 117.93];
 
 /// Natural frequencies of the recording.
@@ -19,7 +19,8 @@ fn found_hz() -> Option<Vec<f64>> {
     Some(found.modes.iter().map(|mode| mode.frequency_hz).collect())
 }
 
-/// Lines are 0.0853 Hz apart, so that a line may be 0.043 Hz from its mode. Measured: 6.603, 41.451 and 117.941 Hz.
+/// Lines are 0.0853 Hz apart, so a line may be 0.043 Hz from its mode. Measured: 6.603, 41.451 and
+/// 117.941 Hz.
 #[test]
 fn the_modes_of_a_cantilever_come_from_its_amplitude_spectrum() {
     let Some(found) = found_hz() else { return };

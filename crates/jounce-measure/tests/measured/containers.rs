@@ -1,4 +1,4 @@
-//! Formats that hold named arrays, texts and numbers: MAT, NPZ, HDF5, TDMS; and WAV.
+//! Formats with named arrays, texts and numbers: MAT, NPZ, HDF5, TDMS; and WAV.
 
 use super::samples::npy;
 use super::through_a_file::{kinds, one, read};
@@ -31,7 +31,8 @@ fn all(name: &str, bytes: &[u8]) -> Contents {
     read(name, bytes, None).unwrap_or_else(|fault| panic!("{fault}"))
 }
 
-/// As laboratories save: `data.time`, `data.signal(1).values` with names and units beside them.
+/// A typical laboratory layout: `data.time`, `data.signal(1).values` with names and units next to
+/// them.
 fn nested() -> Value {
     let signal = |name, unit, phase| {
         vec![
@@ -92,7 +93,8 @@ fn structs_and_cells_of_any_depth_are_read() {
     assert!(told.contains("more than 100 structs"), "{told}");
 }
 
-/// Each array goes to the time or frequency of its length that lies nearest; equal times are one recording.
+/// Each array is assigned to the nearest time or frequency of its length; equal times form one
+/// recording.
 #[test]
 fn several_grids_in_one_file_are_several_recordings() {
     let run = |count, step, phase| {
@@ -146,7 +148,7 @@ fn several_grids_in_one_file_are_several_recordings() {
     );
 }
 
-/// As Simcenter Testlab exports: a start, a step and the quantity of each axis.
+/// Exports of Simcenter Testlab: a start, a step and the quantity of each axis.
 #[test]
 fn an_axis_may_be_told_by_numbers() {
     let axis = |step, unit| {

@@ -1,4 +1,4 @@
-//! Files cut and damaged at every kind of place: an answer or one clear error, never a panic.
+//! Truncated and damaged files: a result or one clear error, never a panic.
 
 use super::samples::{lvm, mat, npy, record, response, uff58b};
 use jounce_measure::read;
@@ -6,7 +6,7 @@ use jounce_measure::write::write;
 use proptest::prelude::*;
 use std::path::Path;
 
-/// A whole file of each format.
+/// A complete file of each format.
 fn whole() -> Vec<(&'static str, Vec<u8>)> {
     let folder = tempfile::tempdir().expect("a folder");
     let written = |recording, name: &str| {
@@ -51,7 +51,7 @@ fn every_cut_is_survived() {
             path
         })
         .unwrap_or_else(|fault| panic!("the whole file: {fault}"));
-        // Every place in the head, where lengths stand, then places all over.
+        // Every position in the header, which has lengths, then positions everywhere.
         let step = (bytes.len() / 150).max(1);
         for length in (0..bytes.len().min(250)).chain((250..bytes.len()).step_by(step)) {
             survives(folder.path(), name, &bytes[..length]);
@@ -59,8 +59,9 @@ fn every_cut_is_survived() {
     }
 }
 
-/// Half a number is a number, and half a stamp lies before all others. Whatever a cut leaves of the last row, the rows that are whole are read, in
-/// order, and a cut inside a row is told.
+/// A truncated number is a valid number, and a truncated time stamp lies before all others.
+/// Whatever remains of the last row, the complete rows are read in order, and a cut inside a row is
+/// reported.
 #[test]
 fn a_text_that_ends_inside_a_row_keeps_its_whole_rows() {
     let (folder, whole) = (tempfile::tempdir().expect("a folder"), lvm());
@@ -72,7 +73,7 @@ fn a_text_that_ends_inside_a_row_keeps_its_whole_rows() {
         let found = read::record(&path).unwrap_or_else(|fault| panic!("cut at {end}: {fault}"));
         let last = whole[data..end].rsplit('\n').next().unwrap_or_default();
         let rows = whole[data..end].matches('\n').count();
-        // Two delimiters with something behind them: whether more should follow cannot be seen.
+        // Two delimiters with text behind them: whether more should follow is unknown.
         let seems_whole = last.matches('\t').count() == 2 && !last.ends_with(['\t', '-', '.']);
         let (least, most) = (rows, rows + usize::from(last.matches('\t').count() == 2));
         let count = found.channels[0].values.len();
@@ -99,7 +100,7 @@ proptest! {
     #[test]
     fn any_damage_is_survived(which in 0usize..9, place in 0.0f64..1.0, bytes in proptest::collection::vec(any::<u8>(), 1..9), cut in 0.0f64..1.5) {
         let (name, mut whole) = whole().swap_remove(which);
-        // Damage in the head does more than damage among the samples.
+        // Damage in the header has a larger effect than damage among the samples.
         let at = ((whole.len() - 1) as f64 * place.powi(3)) as usize;
         whole[at..].iter_mut().zip(&bytes).for_each(|(byte, damaged)| *byte = *damaged);
         whole.truncate((whole.len() as f64 * cut) as usize);

@@ -1,8 +1,10 @@
-//! Real recordings drive the paper's harvester: its base moves as they say, the table held. Skipped aloud where they are absent.
+//! Real recordings as base motion of the paper's harvester, with the table fixed. Without the
+//! recordings the test prints that it is skipped.
 //!
-//! Without contact the mean power is known by a second method: the record of the base that the rig gives, transformed, times the frequency
-//! response, transformed back; the record is padded until the beam is at rest. What differs is what straight lines between samples hold
-//! beyond half the rate.
+//! Without contact a second method gives the mean power: the Fourier transform of the base record
+//! of the rig, times the frequency response, transformed back. The record is padded until the beam
+//! is at rest. The difference is the content of the linear interpolation above half the sampling
+//! rate.
 
 use super::samples::real;
 use jounce::integrate::Control;
@@ -21,11 +23,11 @@ use realfft::RealFftPlanner;
 const RATE_HZ: f64 = 1024.0;
 const LOAD_OHM: f64 = 1e5;
 
-/// Part of a channel in m/s^2, at even times.
+/// Part of a channel in m/s^2, at uniform times.
 struct Motion {
     file: &'static str,
     channel: &'static str,
-    /// What 1 in the file stands for, m/s^2.
+    /// Value of 1 in the file, m/s^2.
     scale: f64,
     between_s: (f64, f64),
     traps: &'static [IssueKind],
@@ -65,7 +67,7 @@ fn motion(of: &Motion) -> Option<Recording> {
     })
 }
 
-/// The record of the rig and its mean power, at a gap.
+/// Record of the rig and its mean power, for a gap.
 fn driven(motion: &Recording, gap: &str) -> (Plant, Recording, MeanPower) {
     let mut spec = paper_spec(&[
         ("stop.tip.gap", gap),
@@ -100,10 +102,10 @@ fn driven(motion: &Recording, gap: &str) -> (Plant, Recording, MeanPower) {
     (plant, record, power)
 }
 
-/// Mean power of the linear harvester over the record, by transforms.
+/// Mean power of the linear harvester over the record, by Fourier transforms.
 fn transformed_w(plant: &Plant, record: &Recording) -> f64 {
     let base = &record.channel("base.acceleration").expect("a base").values;
-    // The first mode falls to 1e-5 in 110 s.
+    // The first mode decays to 1e-5 in 110 s.
     let padded = (base.len() + 120 * RATE_HZ as usize).next_power_of_two();
     let mut planner = RealFftPlanner::new();
     let (forward, backward) = (
@@ -142,7 +144,8 @@ fn transformed_w(plant: &Plant, record: &Recording) -> f64 {
         / LOAD_OHM
 }
 
-/// Mean powers linear and with impact, told; the linear one is that of the transforms within `allowed`.
+/// Prints mean powers without and with impact; the former agrees with the transforms within
+/// `allowed`.
 fn check(of: &Motion, allowed: f64) {
     let Some(motion) = motion(of) else { return };
     let (plant, record, linear) = driven(&motion, "1 m");
@@ -158,7 +161,8 @@ fn check(of: &Motion, allowed: f64) {
     );
 }
 
-/// 50 Hz with straight lines between the samples; nothing is odd about the file in SI. The component is S90W with a peak of 0.214 g, not S00E.
+/// 50 Hz with linear interpolation between the samples; the file in SI has no issue. The component
+/// is S90W with a peak of 0.214 g, not S00E.
 #[test]
 fn el_centro_drives_the_harvester() {
     check(
@@ -173,8 +177,8 @@ fn el_centro_drives_the_harvester() {
     );
 }
 
-/// In g without saying so, padded by zeros for the first 6 s. The subject stands until 50 s and walks until 180 s; 315 s to 359 s are the
-/// strongest.
+/// In g without a stated unit, padded by zeros for the first 6 s. The subject stands until 50 s and
+/// walks until 180 s; 315 s to 359 s is the strongest part.
 #[test]
 fn a_foot_drives_the_harvester() {
     let (file, traps) = (
@@ -199,7 +203,7 @@ fn a_foot_drives_the_harvester() {
     }
 }
 
-/// Stamps jitter by more than a percent.
+/// Time stamps jitter by more than a percent.
 #[test]
 fn a_hand_carried_logger_drives_the_harvester() {
     let (file, traps) = (
@@ -218,7 +222,7 @@ fn a_hand_carried_logger_drives_the_harvester() {
     );
 }
 
-/// Counts of a converter of +-2 g (16384 to 1 g), stamps in whole milliseconds with gaps.
+/// Counts of a converter of +-2 g (16384 to 1 g), time stamps in integer milliseconds with gaps.
 #[test]
 fn a_sawn_tree_drives_the_harvester() {
     let (file, traps) = (

@@ -82,7 +82,8 @@ fn a_text_with_units_gaps_and_words_is_read_and_told() {
     );
 }
 
-/// A unit in round brackets that is not known is told, as one in square brackets; a place in them belongs to the name.
+/// An unknown unit in round brackets is reported, like one in square brackets; a place in them
+/// belongs to the name.
 #[test]
 fn a_unit_that_is_not_known_is_told_in_brackets_of_any_kind() {
     for head in [
@@ -132,8 +133,8 @@ fn a_unit_that_is_not_known_is_told_in_brackets_of_any_kind() {
     );
 }
 
-/// One letter in brackets behind a sensor or channel may be a label as well as a unit: how it is read is told, and no more where notes say it.
-/// An LVM file has a line of units, so that its heads are names.
+/// One letter in brackets behind a sensor or channel may be a label or a unit. The interpretation
+/// is reported, unless notes specify it. An LVM file has a line of units, so its headers are names.
 #[test]
 fn a_letter_that_may_be_a_label_is_told() {
     let text = b"t (s),sensor (A),channel (V),channel (B)\n0,1,2,3\n1,20,2.5,3.5\n2,3,2,3\n";
@@ -203,7 +204,7 @@ fn decibels_are_told_of_their_reference() {
     }
 }
 
-/// A number at the end of a text may be cut; the line that has no end is told.
+/// A number at the end of a text may be truncated; a line without an end is reported.
 #[test]
 fn a_last_line_without_an_end_is_told() {
     let open = one("a.csv", b"t [s],a [m/s^2]\n0,1\n1,20\n2,3", None);
@@ -221,7 +222,7 @@ fn a_last_line_without_an_end_is_told() {
     );
 }
 
-/// Two sets over grids of their own: the first is taken, and the other is told.
+/// Two sets over separate grids: the first is read, and the other is reported.
 #[test]
 fn the_record_that_is_taken_of_several_is_told() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -273,7 +274,7 @@ fn the_stamps_of_an_lvm_win_over_its_header() {
     );
 }
 
-/// The header of a second segment is no data: it is told where it ends.
+/// The header of a second segment is not data: the reader reports the end of the segment.
 #[test]
 fn a_second_segment_is_refused_at_its_place() {
     let segment = lvm()
@@ -297,7 +298,8 @@ fn a_second_segment_is_refused_at_its_place() {
     );
 }
 
-/// Numbers written one after the other in lines of unequal length are no columns, whatever rate is given; a few odd lines are harmless.
+/// Numbers in lines of unequal length are not columns, whatever the rate; a few irregular lines are
+/// harmless.
 #[test]
 fn a_text_whose_lines_differ_is_no_table() {
     let text = "1 2\n3 4\n5 6\n".to_owned() + &"1 2 3\n".repeat(30);
@@ -339,7 +341,7 @@ fn binary_functions_of_every_order_and_size_are_read() {
     }
 }
 
-/// Lines of samples that never end would fill the memory.
+/// Endless lines of samples would fill the memory.
 #[test]
 fn an_endless_line_is_refused() {
     let text = ["1,2\n3,4\n5,6\n".to_owned(), "7,".repeat(9 << 20)].concat();

@@ -1,4 +1,5 @@
-//! Five hammer hits on a real structure: against an independent package and against the values noted with the data.
+//! Five hammer hits on a real structure, against an independent package and the values noted with
+//! the data.
 
 use super::samples::real;
 use jounce::signal::{Samples, Window};
@@ -47,8 +48,9 @@ fn averaged(records: &[Recording], estimator: Estimator) -> FrequencyResponse {
         .expect("five blocks")
 }
 
-/// Values of pyFRF 1.5.0 (`FRF(25600, exc, resp, window="none", fft_len=25600)`, `get_FRF(estimator, "accelerance")`, `get_coherence()`), lines
-/// 900, 2640, 3669 and 4128 Hz. Measured here: equal within 7e-16.
+/// Values of pyFRF 1.5.0 (`FRF(25600, exc, resp, window="none", fft_len=25600)`,
+/// `get_FRF(estimator, "accelerance")`, `get_coherence()`), lines 900, 2640, 3669 and 4128 Hz.
+/// Measured here: equal within 7e-16.
 #[test]
 fn responses_and_coherence_are_those_of_an_independent_package() {
     let Some(records) = records() else { return };
@@ -120,8 +122,9 @@ fn hits_have_their_noted_peaks_and_contact_times() {
             "{:?}",
             found[0]
         );
-        // Seven samples of a pulse: Hertz's law is not what they show (exponents 0.64 to 0.97, deviation 0.11 to 0.22), but they are few, and the
-        // filter of the amplifier is in them. Restitution 0.66 to 0.71 by the asymmetry.
+        // Seven samples per pulse do not show Hertz's law (exponents 0.64 to 0.97, deviation 0.11
+        // to 0.22), but they are few and include the filter of the amplifier. Restitution 0.66 to
+        // 0.71 by the asymmetry.
         let law = contact::fit(&force, &found[0], None).unwrap_or_else(|fault| panic!("{fault}"));
         assert!(
             law.exponent < 1.2
@@ -132,7 +135,8 @@ fn hits_have_their_noted_peaks_and_contact_times() {
     }
 }
 
-/// The same resonances in bands that begin far from 0, of which those of the parts of a circle counted from 0 on could not be solved.
+/// The same resonances in bands that begin far from 0. Some of these cannot be solved with the
+/// z-domain circle counted from 0 Hz.
 #[test]
 fn bands_far_from_zero_hold_the_same_modes() {
     let Some(records) = records() else { return };
@@ -182,8 +186,9 @@ fn bands_far_from_zero_hold_the_same_modes() {
     }
 }
 
-/// Natural frequencies of sdypy-EMA 0.31 (least-squares complex frequency, order 40, 500 to 5000 Hz, poles nearest to the noted resonances).
-/// Measured: 900.147, 2640.255, 3668.794 and 4127.524 Hz, within 0.0141 %. With the band up to 5000 Hz the mode at 4128 Hz, which has neighbours at
+/// Natural frequencies of sdypy-EMA 0.31 (least-squares complex frequency, order 40, 500 to 5000
+/// Hz, poles nearest to the noted resonances). Measured: 900.147, 2640.255, 3668.794 and 4127.524
+/// Hz, within 0.0141 %. With the band up to 5000 Hz the mode at 4128 Hz, which has neighbours at
 /// 4093 and 4163 Hz, is not stable, and is not found.
 #[test]
 fn modes_are_those_of_an_independent_package() {
@@ -209,7 +214,8 @@ fn modes_are_those_of_an_independent_package() {
             .any(|mode| (mode.frequency_hz / expected - 1.0).abs() < 1e-3);
         assert!(near, "no mode at {expected} Hz: {:?}", identified.modes);
     }
-    // One sensor, hits that are not all alike: the model's misfit is far above the coherence's variance, and the deviations are widened by it.
+    // One sensor and unequal hits: the misfit of the model is far above the coherence variance, and
+    // widens the deviations.
     assert!(
         identified.misfit > 1.0
             && identified
@@ -219,7 +225,8 @@ fn modes_are_those_of_an_independent_package() {
     );
 }
 
-/// In the whole band up to 12.8 kHz there are more modes than an order of 40 holds: those that its poles leave are found at their peaks.
+/// The band up to 12.8 kHz has more modes than order 40 can represent: the missing ones are found
+/// at their peaks.
 #[test]
 fn modes_are_found_in_the_whole_band() {
     let Some(records) = records() else { return };

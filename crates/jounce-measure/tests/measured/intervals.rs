@@ -1,4 +1,4 @@
-//! How often the stated intervals of identified modes hold the truth of the virtual rig.
+//! Coverage of the stated intervals of identified modes, for the virtual rig.
 
 use jounce::drive::RandomStream;
 use jounce::linear::{FrfInput, FrfResponse, frf};
@@ -61,7 +61,7 @@ fn struck(plant: &Plant, (hits, block_s, noise): (usize, f64, f64), seed: u64) -
     hammer_test(plant, &test).unwrap_or_else(|fault| panic!("{fault}"))
 }
 
-/// A shaker's white noise, its answer in the steady state.
+/// White noise of a shaker, and its response in the steady state.
 fn shaken(plant: &Plant, (samples, noise): (usize, f64), seed: u64) -> Recording {
     let mut stream = RandomStream::new(seed, 7);
     let force: Vec<f64> = (0..samples / 2)
@@ -125,7 +125,7 @@ fn shaken(plant: &Plant, (samples, noise): (usize, f64), seed: u64) -> Recording
     }
 }
 
-/// Errors over half widths of one trial: frequency and damping ratio of each mode.
+/// Errors over half widths in one trial: frequency and damping ratio of each mode.
 fn trial(record: Recording, settings: &ImpactSettings) -> [[f64; 2]; 3] {
     let responses = MeasuredResponses::of_hits(&[record], &ChannelChoice::default(), settings)
         .unwrap_or_else(|fault| panic!("{fault}"));
@@ -143,7 +143,7 @@ fn trial(record: Recording, settings: &ImpactSettings) -> [[f64; 2]; 3] {
             .modes
             .iter()
             .find(|mode| (mode.frequency_hz / hz - 1.0).abs() < 0.02);
-        // A mode that is not found lies in no interval.
+        // A mode that is not found counts as outside every interval.
         near.map_or([f64::INFINITY; 2], |mode| {
             [
                 (mode.frequency_hz - hz) / mode.frequency_half_width_hz(),
@@ -153,7 +153,8 @@ fn trial(record: Recording, settings: &ImpactSettings) -> [[f64; 2]; 3] {
     })
 }
 
-/// Shares of 400 trials in which the intervals hold the truth: those of frequencies and those of damping ratios.
+/// Fractions of 400 trials in which the intervals contain the true value: frequencies and damping
+/// ratios.
 fn shares(name: &str, settings: &ImpactSettings, record: impl Fn(u64) -> Recording + Sync) {
     let off: Vec<[[f64; 2]; 3]> = (0..TRIALS)
         .into_par_iter()
@@ -192,7 +193,7 @@ fn intervals_of_five_hits_hold_the_truth() {
     });
 }
 
-/// Twenty hits, 0.2 % of noise: what modes above the band leave would show.
+/// Twenty hits, 0.2 % of noise: residuals of modes above the band would appear.
 #[test]
 fn intervals_of_twenty_hits_hold_the_truth() {
     let plant = plant();
@@ -201,7 +202,7 @@ fn intervals_of_twenty_hits_hold_the_truth() {
     });
 }
 
-/// Blocks that end before the motion does, with an exponential window.
+/// Blocks shorter than the motion, with an exponential window.
 #[test]
 fn intervals_with_an_exponential_window_hold_the_truth() {
     let plant = plant();
@@ -215,7 +216,7 @@ fn intervals_with_an_exponential_window_hold_the_truth() {
     });
 }
 
-/// A shaker's noise, 31 blocks whose Hann windows leak more than the sensors' noise.
+/// Noise of a shaker, 31 blocks with Hann leakage above the noise of the sensors.
 #[test]
 fn intervals_of_a_shaker_test_hold_the_truth() {
     let plant = plant();

@@ -1,4 +1,5 @@
-//! Recordings: files of every format, cut files, and real recordings where they lie beside the repository.
+//! Recordings: files of every format, truncated files, and real recordings if they are present next
+//! to the repository.
 
 mod arrays;
 mod base_input;

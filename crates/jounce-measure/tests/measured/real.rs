@@ -1,4 +1,5 @@
-//! Real recordings beside the repository: what is in them and what is wrong with them. Skipped aloud where they are absent.
+//! Real recordings next to the repository, with their content and issues. Without them the test
+//! prints that it is skipped.
 
 use super::samples::real;
 use jounce_measure::modal::{ModalSettings, identify_decays};
@@ -99,8 +100,9 @@ fn the_spectrum_in_decibels_becomes_amplitudes_over_frequency() {
     );
 }
 
-/// The three modes that its README notes, among all that a high order finds; the first lies within half a line, 0.0427 Hz. All others are told
-/// to be doubtful: noise beside the steep peaks makes them.
+/// The three modes noted in its README, among all that a high order finds; the first lies within
+/// half a line, 0.0427 Hz. All others are reported as doubtful: noise next to the steep peaks
+/// causes them.
 #[test]
 fn doubt_leaves_the_three_modes_of_the_cantilever() {
     let Some(found) = recording("hrshm_cantilever/impulse_FFT_data.lvm") else {
@@ -122,7 +124,7 @@ fn doubt_leaves_the_three_modes_of_the_cantilever() {
     }
 }
 
-/// The first 598 rows are zeros, and so are three columns throughout.
+/// The first 598 rows are zeros, and so are three complete columns.
 #[test]
 fn the_zero_padding_of_the_gait_is_found() {
     let Some(found) = recording("human_gait/foot_data.mat") else {

@@ -1,4 +1,4 @@
-//! Modes from responses to forces at several places.
+//! Modes from responses to forces at several points.
 
 use faer::c64;
 use jounce::drive::RandomStream;
@@ -10,10 +10,11 @@ use jounce_measure::spectral::{FrequencyResponse, WindowBias};
 use jounce_measure::write::write;
 use std::f64::consts::TAU;
 
-/// Two modes 0.1 % apart, of equal damping, between two others: each peak is twenty times as wide as the two are apart.
+/// Two modes 0.1 % apart, of equal damping, between two others: each peak is twenty times wider
+/// than their separation.
 const CLOSE: [(f64, f64); 4] = [(60.0, 0.012), (100.0, 0.01), (100.1, 0.01), (160.0, 0.008)];
 
-/// Shapes of no kinship; those of the two close modes are as sine and cosine along the places.
+/// Independent shapes; those of the two close modes are sine and cosine along the points.
 fn shape(mode: usize, place: usize) -> f64 {
     let x = place as f64;
     match mode {
@@ -24,7 +25,7 @@ fn shape(mode: usize, place: usize) -> f64 {
     }
 }
 
-/// Acceleration at a place per force at another, mass 1.
+/// Acceleration at a point per force at another, mass 1.
 fn acceleration(modes: &[(f64, f64)], place: usize, force: usize, frequency_hz: f64) -> c64 {
     let s = c64::new(0.0, TAU * frequency_hz);
     let mode = |(r, (hz, zeta)): (usize, &(f64, f64))| {
@@ -34,7 +35,7 @@ fn acceleration(modes: &[(f64, f64)], place: usize, force: usize, frequency_hz: 
     modes.iter().enumerate().map(mode).sum()
 }
 
-/// The responses at sensors to forces, each with white noise of a share of its rms.
+/// Responses at sensors to forces, each with white noise relative to its rms.
 fn responses(
     modes: &[(f64, f64)],
     sensors: &[usize],
@@ -98,7 +99,8 @@ fn of_shape(mode: usize, places: &[usize]) -> Vec<c64> {
         .collect()
 }
 
-/// Largest relative errors of frequency and damping ratio, and the largest distance of a shape's MAC from 1, over sensors and forces.
+/// Largest relative errors of frequency and damping ratio, and the largest difference of a shape's
+/// MAC from 1, over sensors and forces.
 fn worst(
     found: &Identification,
     modes: &[(f64, f64)],
@@ -148,8 +150,8 @@ fn worst(
     worst
 }
 
-/// Two references tell two modes 0.1 % apart from each other, whichever of sensors and forces are fewer. Measured: frequencies, damping ratios
-/// and MAC to roundoff, 4e-16.
+/// Two references separate two modes 0.1 % apart, with fewer sensors or fewer forces. Measured:
+/// frequencies, damping ratios and MAC to roundoff, 4e-16.
 #[test]
 fn two_references_separate_two_close_modes() {
     let (few, many) = ([0, 3], [0, 1, 2, 3, 4, 5]);
@@ -158,7 +160,8 @@ fn two_references_separate_two_close_modes() {
         let found = modes_of(&given, 16);
         let off = worst(&found, &CLOSE, sensors, forces);
         assert!(off[0] < 1e-6 && off[1] < 1e-6 && off[2] < 1e-3, "{off:?}");
-        // What the modes give stands beside what was measured, in the order of the responses.
+        // The synthesised responses are listed next to the measured ones, in the order of the
+        // responses.
         for (k, function) in given.functions.iter().enumerate() {
             let (hz, at) = (
                 found.frequency_hz[100],
@@ -180,8 +183,8 @@ fn two_references_separate_two_close_modes() {
     }
 }
 
-/// White noise of 0.5 % of each response; one reference sees the two as one. Measured: frequencies within 1.7e-6, damping ratios within 1.6e-4,
-/// MAC 1 - 2.1e-5.
+/// White noise of 0.5 % of each response; one reference gives the two as one. Measured: frequencies
+/// within 1.7e-6, damping ratios within 1.6e-4, MAC 1 - 2.1e-5.
 #[test]
 fn two_references_separate_two_close_modes_in_noise() {
     let (few, many) = ([0, 3], [0, 1, 2, 3, 4, 5]);
@@ -199,7 +202,7 @@ fn two_references_separate_two_close_modes_in_noise() {
     }
 }
 
-/// The responses as channels over frequency, each with its sensor, and with where the force acts.
+/// The responses as channels over frequency, each with its sensor and the position of the force.
 fn recording(
     given: &MeasuredResponses,
     (sensors, forces): (&[usize], &[usize]),
@@ -227,8 +230,9 @@ fn recording(
     }
 }
 
-/// Functions to two references, written and read again: the references are those of the file, and the modes those of the functions as they were
-/// computed. Measured: frequencies 7e-16, damping ratios 2e-14 apart (UFF keeps 13 digits), 2e-16 from Parquet and CSV.
+/// Functions to two references, written and read again: the references are those of the file, and
+/// the modes those of the computed functions. Measured: frequencies 7e-16, damping ratios 2e-14
+/// apart (UFF has 13 digits), 2e-16 from Parquet and CSV.
 #[test]
 fn references_of_a_file_of_response_functions_are_used() {
     let (sensors, forces) = (&[0, 1, 2, 3, 4, 5][..], &[0, 3][..]);
@@ -245,7 +249,7 @@ fn references_of_a_file_of_response_functions_are_used() {
     ];
     for (ending, reference) in references {
         let path = folder.path().join(format!("frf.{ending}"));
-        // In an order of their own.
+        // In a different order.
         let mut written = recording(&computed, (sensors, forces), reference);
         written.channels.reverse();
         write(&written, &path).expect("a file");
@@ -284,7 +288,7 @@ fn references_of_a_file_of_response_functions_are_used() {
     }
 }
 
-/// A pair that is missing, or there twice, is told, and each function is an output then.
+/// A missing or duplicate pair is reported, and each function is then an output.
 #[test]
 fn references_without_all_their_functions_are_told() {
     let (sensors, forces) = (&[0, 1, 2][..], &[0, 3][..]);
@@ -326,7 +330,8 @@ fn references_without_all_their_functions_are_told() {
     );
 }
 
-/// A hammer that goes from place to place with one fixed sensor gives what sensors at all these places give under one hammer.
+/// A hammer at successive points with one fixed sensor gives the result of sensors at all these
+/// points with one hammer point.
 #[test]
 fn a_roving_hammer_gives_the_modes_of_roving_sensors() {
     let apart = [CLOSE[0], CLOSE[1], (120.0, 0.01), CLOSE[3]];

@@ -1,10 +1,10 @@
-//! Recordings and files to test on.
+//! Recordings and files for tests.
 
 use jounce_measure::recording::{Channel, Grid, Over, Quantity, Recording};
 use std::f64::consts::TAU;
 use std::path::{Path, PathBuf};
 
-/// A time record of two channels, even at a rate that has no finite decimal.
+/// A time record of two channels, uniform at a rate without a finite decimal.
 pub fn record() -> Recording {
     let value = |k: i32, f: f64| {
         (TAU * f * f64::from(k) / 1536.0).sin() * 1e3_f64.powf(f64::from(k % 3 - 1))
@@ -35,7 +35,7 @@ pub fn record() -> Recording {
     }
 }
 
-/// A complex spectrum over stamped frequencies.
+/// A complex spectrum over explicit frequencies.
 pub fn response() -> Recording {
     let stamps: Vec<f64> = (0..50).map(|k| f64::from(k * k) * 0.5).collect();
     let mut channel = Channel::new(
@@ -54,7 +54,7 @@ pub fn response() -> Recording {
     }
 }
 
-/// The folder with real recordings; says aloud that it is absent.
+/// Path of a real recording; prints a line where it is absent.
 pub fn real(file: &str) -> Option<PathBuf> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR"))
         .join("../../../shared/data")
@@ -66,7 +66,7 @@ pub fn real(file: &str) -> Option<PathBuf> {
     None
 }
 
-/// An array as NumPy writes it, rows one after the other.
+/// An array in NumPy format, row by row.
 pub fn npy(rows: &[Vec<f64>]) -> Vec<u8> {
     let header = format!(
         "{{'descr': '<f8', 'fortran_order': False, 'shape': ({}, {}), }}",
@@ -81,7 +81,7 @@ pub fn npy(rows: &[Vec<f64>]) -> Vec<u8> {
     bytes
 }
 
-/// A MAT file of version 5 with one uncompressed matrix of doubles, columns one after the other.
+/// A MAT file of version 5 with one uncompressed matrix of doubles, column by column.
 pub fn mat(name: &str, columns: &[Vec<f64>]) -> Vec<u8> {
     let element = |kind: u32, data: &[u8]| {
         let mut bytes = kind.to_le_bytes().to_vec();
@@ -114,7 +114,7 @@ pub fn mat(name: &str, columns: &[Vec<f64>]) -> Vec<u8> {
     bytes
 }
 
-/// A LabVIEW measurement of two channels whose header tells a step 64 times too small.
+/// A LabVIEW measurement of two channels whose header states a step 64 times too small.
 pub fn lvm() -> String {
     let mut text =
         "LabVIEW Measurement\t\nSeparator\tTab\nDecimal_Separator\t.\nX_Columns\tOne\n***End_of_Header***\t\n\t\nChannels\t2\t\t\n"
@@ -132,7 +132,8 @@ pub fn lvm() -> String {
     text
 }
 
-/// A binary function with an uneven abscissa, as single or double precision, big or little endian.
+/// A binary function with a non-uniform abscissa, in single or double precision, big or little
+/// endian.
 pub fn uff58b(double: bool, little_endian: bool) -> Vec<u8> {
     let points: Vec<[f64; 2]> = (0..20)
         .map(|k| [f64::from(k * k), f64::from(k) - 3.5])

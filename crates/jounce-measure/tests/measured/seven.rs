@@ -9,7 +9,7 @@ use jounce_measure::spectral::{FrequencyResponse, WindowBias};
 use std::f64::consts::TAU;
 use std::time::Instant;
 
-/// Frequencies and damping ratios: every peak several lines wide.
+/// Frequencies and damping ratios: every peak is several lines wide.
 const MODES: [(f64, f64); 7] = [
     (60.0, 0.01),
     (110.0, 0.009),
@@ -19,7 +19,8 @@ const MODES: [(f64, f64); 7] = [
     (560.0, 0.005),
     (840.0, 0.004),
 ];
-/// Those of a slender beam (Table 2 of the 2019 paper): the first peak is half a line wide, and its acceleration small beside the others.
+/// Frequencies of a slender beam (Table 2 of the 2019 paper): the first peak is half a line wide,
+/// and its acceleration relatively small.
 const SLENDER: [(f64, f64); 7] = [
     (9.01, 0.00194),
     (49.7, 0.00925),
@@ -32,12 +33,12 @@ const SLENDER: [(f64, f64); 7] = [
 const PLACES: usize = 8;
 const NOISE: f64 = 0.01;
 
-/// The shapes of a cantilever but for their decaying part: enough to tell the modes apart.
+/// Shapes of a cantilever without their decaying part: enough to distinguish the modes.
 fn shape(mode: usize, place: usize) -> f64 {
     ((mode as f64 + 0.5) * 3.0 * (place + 1) as f64 / PLACES as f64).sin()
 }
 
-/// Acceleration at a place per force at the last.
+/// Acceleration at a point per force at the last.
 fn acceleration(modes: &[(f64, f64)], place: usize, frequency_hz: f64) -> c64 {
     let s = c64::new(0.0, TAU * frequency_hz);
     let mode = |(r, (hz, zeta)): (usize, &(f64, f64))| {
@@ -47,8 +48,8 @@ fn acceleration(modes: &[(f64, f64)], place: usize, frequency_hz: f64) -> c64 {
     modes.iter().enumerate().map(mode).sum()
 }
 
-/// Accelerations at eight places per force at the last, 2000 lines, noise of 1 %. The time is printed. Measured: frequencies within 2.1e-5,
-/// damping ratios within 2.3e-3.
+/// Accelerations at eight points per force at the last, 2000 lines, noise of 1 %. The time is
+/// printed. Measured: frequencies within 2.1e-5, damping ratios within 2.3e-3.
 #[test]
 fn seven_modes_come_from_eight_responses() {
     let frequency_hz: Vec<f64> = (1..=2000).map(|k| 0.5 * f64::from(k)).collect();
@@ -66,8 +67,9 @@ fn seven_modes_come_from_eight_responses() {
     assert!(worst[0] < 1e-4 && worst[1] < 0.02, "{worst:?}");
 }
 
-/// A slender beam in the whole band with two accelerometers, white noise of 1 % of the rms of each, and nothing told of it. In the whole band alone the first
-/// two modes are lost. Measured: frequencies within 2.4e-6, damping ratios within 5.1e-4.
+/// A slender beam in the full band with two accelerometers, white noise of 1 % of the rms of each,
+/// without noise information. A single full band misses the first two modes. Measured: frequencies
+/// within 2.4e-6, damping ratios within 5.1e-4.
 #[test]
 fn a_narrow_first_mode_is_found_in_a_wide_band() {
     let frequency_hz: Vec<f64> = (1..=12_800).map(|k| 0.1 * f64::from(k)).collect();
@@ -95,7 +97,8 @@ fn a_narrow_first_mode_is_found_in_a_wide_band() {
     assert!(worst[0] < 1e-4 && worst[1] < 0.02, "{worst:?}");
 }
 
-/// The modes found against those put in, none more and none less: largest relative errors of frequency and damping ratio.
+/// Compares the modes found with the true ones, which must be equal in number: largest relative
+/// errors of frequency and damping ratio.
 fn found(
     modes: &[(f64, f64)],
     frequency_hz: &[f64],
@@ -136,8 +139,8 @@ fn found(
     worst
 }
 
-/// A patch's voltage follows the displacement, an accelerometer's the acceleration: each is taken for what it is. Measured: frequencies within
-/// 2e-16, damping ratios within 2e-15.
+/// The voltage of a patch follows the displacement, an accelerometer the acceleration: each is
+/// treated accordingly. Measured: frequencies within 2e-16, damping ratios within 2e-15.
 #[test]
 fn voltages_and_accelerations_stand_together() {
     let frequency_hz: Vec<f64> = (40..400).map(f64::from).collect();

@@ -1,4 +1,4 @@
-//! Bytes and recordings through a file and back.
+//! Bytes and recordings written to a file and read again.
 
 use jounce_measure::read::{self, Contents, ReadError};
 use jounce_measure::recording::{IssueKind, Recording};
@@ -38,7 +38,8 @@ pub fn kinds(recording: &Recording) -> Vec<IssueKind> {
         .collect()
 }
 
-/// Largest difference over the size of the value; measured: 0 for CSV and Parquet, 4.1e-13 for the 13 digits of UFF 58.
+/// Largest difference over the size of the value; measured: 0 for CSV and Parquet, 4.1e-13 for the
+/// 13 digits of UFF 58.
 pub fn differs(a: &[f64], b: &[f64]) -> f64 {
     assert_eq!(a.len(), b.len());
     a.iter()

@@ -1,4 +1,4 @@
-//! How often the stated intervals of modes hold the truth where response functions tell no noise.
+//! Coverage of the stated intervals of modes where response functions have no noise information.
 
 use faer::c64;
 use jounce::drive::RandomStream;
@@ -20,14 +20,14 @@ fn exact(place: usize, reference: usize, frequency_hz: f64) -> c64 {
     TRUTH.iter().enumerate().map(mode).sum()
 }
 
-/// What is wrong with a line of a response.
+/// Noise of a response.
 #[derive(Clone, Copy)]
 struct Noise {
-    /// Of the sensor, over the rms of the response.
+    /// Noise of the sensor, over the rms of the response.
     sensor: f64,
-    /// Of the response, over itself.
+    /// Noise of the response, relative to it.
     response: f64,
-    /// Of the force, over itself: that of all responses to one reference.
+    /// Noise of the force, relative to it, common to all responses to one reference.
     force: f64,
 }
 
@@ -72,7 +72,7 @@ fn trial(outputs: usize, references: usize, noise: Noise, seed: u64) -> Identifi
     identify(&band, ModalSettings { order: 12 }).expect("modes")
 }
 
-/// Shares of trials in which the intervals hold frequencies and damping ratios.
+/// Fractions of trials in which the intervals contain frequencies and damping ratios.
 fn shares(name: &str, outputs: usize, references: usize, noise: Noise) {
     let off = |seed| {
         let found = trial(outputs, references, noise, seed);

@@ -1,4 +1,4 @@
-//! What is written is what is read, or is refused.
+//! Written recordings read back equal, or writing is refused.
 
 use super::samples::{record, response};
 use super::through_a_file::{again, differs, kinds};
@@ -70,7 +70,7 @@ fn what_is_written_is_read_back() {
     }
 }
 
-/// A name longer than the 20 columns of a label stands whole in the fourth line.
+/// A name longer than the 20 columns of a label is written in full in the fourth line.
 #[test]
 fn a_long_name_is_read_back_whole() {
     let mut long = record();
@@ -81,9 +81,11 @@ fn a_long_name_is_read_back_whole() {
     );
 }
 
-/// What stands above the line tells how a response moves: `H(w) = 1 / (w0^2 - w^2 + 2 j zeta w0 w)` per newton as displacement, in millimetres
-/// per kilonewton, and as acceleration, `-w^2 H`, in g per pound-force, have one and the same mode. Taken for each other they would not.
-/// The columns of UFF hold 20 characters of a unit: 20 are written and read again, 21 are refused with both numbers, and nothing is left behind.
+/// The text above the line states the kind of a response. `H(w) = 1 / (w0^2 - w^2 + 2 j zeta w0 w)`
+/// per newton, as displacement in millimetres per kilonewton and as acceleration `-w^2 H` in g per
+/// pound-force, has one mode; a confusion of the kinds would change it. The columns of UFF hold 20
+/// characters of a unit: 20 are written and read again, 21 are refused with both numbers, and no
+/// file remains.
 #[test]
 fn a_unit_that_the_columns_would_cut_is_refused() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -116,7 +118,8 @@ fn a_unit_that_the_columns_would_cut_is_refused() {
     assert!(write_in(long, "parquet").0.is_ok());
 }
 
-/// 10 characters of a place and 80 of a name are written and read again, one more is refused with both numbers, and nothing is left behind.
+/// 10 characters of a place and 80 of a name are written and read again; one more is refused with
+/// both numbers, and no file remains.
 #[test]
 fn a_place_or_name_that_the_format_would_change_is_refused() {
     let folder = tempfile::tempdir().expect("a folder");

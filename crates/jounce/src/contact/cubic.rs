@@ -1,7 +1,9 @@
-//! Cubic spring, which pulls as well as it pushes: `F = k delta + k3 delta^3` on both sides of its rest place.
+//! Cubic spring, which pulls and pushes: `F = k delta + k3 delta^3` on both sides of its
+//! equilibrium.
 //!
-//! `k3 > 0` hardens, `k3 < 0` softens; with `k < 0 < k3` there are two wells. The point never leaves it, so that there are no contacts
-//! to count and no grazing. A mass on a linear spring with this one is Duffing's oscillator.
+//! `k3 > 0` hardens, `k3 < 0` softens; with `k < 0 < k3` there are two wells. The point never
+//! leaves contact, so there are no contacts to count and no grazing. A mass on a linear spring and
+//! this one is Duffing's oscillator.
 //!
 //! Source: I. Kovacic and M. J. Brennan, *The Duffing Equation* (Wiley, 2011), section 1.1.
 
@@ -59,7 +61,8 @@ impl ContactLaw for Cubic {
 mod tests {
     use super::*;
 
-    /// Slope, force and energy are derivatives of one another: central differences of a cubic and a quartic, off by at most 3e-11.
+    /// Compares slope, force and energy with central differences of a cubic and a quartic; the
+    /// error is at most 3e-11.
     #[test]
     fn energy_force_and_slope_belong_together_on_both_sides() {
         let law = Cubic {

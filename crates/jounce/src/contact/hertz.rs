@@ -1,4 +1,5 @@
-//! Hertz contact `F = k max(0, delta)^n` (paper eq. (4) with `n = 3/2`); the one-sided linear spring is `n = 1`.
+//! Hertz contact `F = k max(0, delta)^n` (paper eq. (4) with `n = 3/2`); the one-sided linear
+//! spring is `n = 1`.
 
 use super::{ContactLaw, Slopes};
 use crate::simd::{F64x8, Simd};
@@ -18,7 +19,7 @@ impl ContactLaw for Hertz {
     #[inline(always)]
     fn force_n(&self, penetration_m: f64, _rate_m_s: f64) -> f64 {
         let depth_m = penetration_m.max(0.0);
-        // The exponents of practice avoid `powf`.
+        // Common exponents avoid `powf`.
         if self.exponent == 1.5 {
             self.stiffness * (depth_m * depth_m.sqrt())
         } else if self.exponent == 1.0 {

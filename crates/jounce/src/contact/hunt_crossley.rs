@@ -1,6 +1,8 @@
-//! Hunt-Crossley contact without adhesion: `F = k delta^n max(0, 1 + a delta')`, continuous at first touch.
+//! Hunt-Crossley contact without adhesion: `F = k delta^n max(0, 1 + a delta')`, continuous at
+//! first touch.
 //!
-//! Source: Hunt and Crossley, J. Appl. Mech. 42 (1975) 440; for small `a v` the restitution is about `1 - (2/3) a v`.
+//! Source: Hunt and Crossley, J. Appl. Mech. 42 (1975) 440; for small `a v` the restitution is
+//! about `1 - (2/3) a v`.
 
 use super::{ContactLaw, Hertz, Slopes};
 use crate::simd::Simd;

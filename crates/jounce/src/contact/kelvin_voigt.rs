@@ -1,6 +1,7 @@
 //! Kelvin-Voigt contact without adhesion: `F = max(0, k delta + c delta')` for `delta > 0`.
 //!
-//! The force jumps to `c delta'` at first touch, and vanishes while the point still lies past the undeformed stop.
+//! The force jumps to `c delta'` at first touch, and vanishes while the point is still past the
+//! undeformed stop.
 
 use super::{ContactLaw, Slopes};
 

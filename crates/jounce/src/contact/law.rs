@@ -1,4 +1,4 @@
-//! The contract of a contact law, and the choice among them.
+//! Trait of a contact law, and the enum of all laws.
 
 use super::{Cubic, Hertz, HuntCrossley, KelvinVoigt, Rigid};
 use crate::simd::{F64x8, Simd};
@@ -21,13 +21,13 @@ pub trait ContactLaw: Copy + Send + Sync {
     /// True for a law that acts on both sides of its surface: the point never leaves it.
     const BOTH_SIDES: bool = false;
 
-    /// [`ContactLaw::RATE_DEPENDENT`], also of a law that is known at run time only.
+    /// [`ContactLaw::RATE_DEPENDENT`], including laws known only at run time.
     #[inline(always)]
     fn is_rate_dependent(&self) -> bool {
         Self::RATE_DEPENDENT
     }
 
-    /// [`ContactLaw::BOTH_SIDES`], also of a law that is known at run time only.
+    /// [`ContactLaw::BOTH_SIDES`], including laws known only at run time.
     #[inline(always)]
     fn acts_on_both_sides(&self) -> bool {
         Self::BOTH_SIDES
@@ -36,7 +36,7 @@ pub trait ContactLaw: Copy + Send + Sync {
     /// Compressive force, N; negative only where the law acts on both sides.
     fn force_n(&self, penetration_m: f64, rate_m_s: f64) -> f64;
 
-    /// The force at eight instants at once; a law overrides it where that is faster.
+    /// Forces at eight instants; a law overrides this where that is faster.
     #[inline(always)]
     fn forces_n<W: Simd>(
         &self,
@@ -50,10 +50,10 @@ pub trait ContactLaw: Copy + Send + Sync {
         })))
     }
 
-    /// Both slopes of the force; one-sided (from inside the contact) on its edge.
+    /// Both slopes of the force; at the edge of the contact, the one-sided slopes from inside.
     fn slopes(&self, penetration_m: f64, rate_m_s: f64) -> Slopes;
 
-    /// Largest magnitudes of the slopes, as far as the point reaches, at rest.
+    /// Largest magnitudes of the slopes up to the given penetration, at zero rate.
     #[inline(always)]
     fn steepest(&self, reach_m: f64) -> Slopes {
         self.slopes(reach_m, 0.0)
@@ -134,7 +134,7 @@ impl ContactLaw for Law {
     }
 }
 
-/// Any contact law, as a stop carries it.
+/// Any contact law of a stop.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Law {
     /// `F = k delta^n`; the linear spring is `n = 1`.
@@ -199,7 +199,7 @@ impl Law {
         matches!(self, Law::Cubic(_))
     }
 
-    /// Compressive force, N; a rigid stop has none that is finite.
+    /// Compressive force, N; not finite for a rigid stop.
     #[inline]
     pub fn force_n(&self, penetration_m: f64, rate_m_s: f64) -> f64 {
         match self {
@@ -211,7 +211,7 @@ impl Law {
         }
     }
 
-    /// Both slopes of the force; a rigid stop has none.
+    /// Both slopes of the force; not defined for a rigid stop.
     #[inline]
     pub fn slopes(&self, penetration_m: f64, rate_m_s: f64) -> Slopes {
         match self {

@@ -1,7 +1,8 @@
-//! Contact laws: each written once, called by every method.
+//! Contact laws: each has one implementation, which every method calls.
 //!
-//! With `delta` the penetration (m, positive when the point is past the stop) and `delta'` its rate (m/s), a law gives the
-//! compressive force `F(delta, delta')` (N), both slopes and the stored energy. Stops never pull, `F >= 0`; the cubic spring does.
+//! With `delta` the penetration (m, positive when the point is past the stop) and `delta'` its rate
+//! (m/s), a law gives the compressive force `F(delta, delta')` (N), both slopes and the stored
+//! energy. Stops never pull, `F >= 0`, except the cubic spring.
 
 mod cubic;
 mod hertz;

@@ -1,4 +1,5 @@
-//! Rigid stop: the relative speed at the stop is reversed at once, `delta'_after = -e delta'_before` (Newton).
+//! Rigid stop: the relative velocity reverses instantaneously, `delta'_after = -e delta'_before`
+//! (Newton).
 
 /// Instantaneous rebound with a coefficient of restitution.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,20 +1,20 @@
-//! A bracket about a zero of a function, shrunk by inverse quadratic interpolation kept inside it.
+//! Bracket of a zero of a function, reduced by safeguarded inverse quadratic interpolation.
 //!
 //! Source: T. R. Chandrupatla, Adv. Eng. Software 28 (1997) 145.
 
-/// Two places, with their values, between which a function changes its sign.
+/// Two points with values of opposite sign.
 #[derive(Debug, Clone, Copy)]
 pub struct Bracket {
-    /// The place put last ...
+    /// Last point.
     last: (f64, f64),
-    /// ... and the one on the other side of the zero.
+    /// Point on the other side of the zero.
     other: (f64, f64),
-    /// The place that was replaced last: it bends the interpolation.
+    /// Point replaced last, the third point of the interpolation.
     replaced: Option<(f64, f64)>,
 }
 
 impl Bracket {
-    /// Between two places with their values, which differ in sign.
+    /// Bracket between two points whose values differ in sign.
     pub fn between(low: (f64, f64), high: (f64, f64)) -> Self {
         Self {
             last: high,
@@ -23,19 +23,19 @@ impl Bracket {
         }
     }
 
-    /// Its length.
+    /// Length of the bracket.
     pub fn length(&self) -> f64 {
         (self.last.0 - self.other.0).abs()
     }
 
-    /// The place to be looked at next, no nearer to either side than half a resolution.
+    /// Next trial point, at least half a resolution from either side.
     pub fn next(&self, resolution: f64) -> f64 {
         let least = (0.5 * resolution / self.length()).min(0.5);
         let share = self.share().clamp(least, 1.0 - least);
         self.last.0 + share * (self.other.0 - self.last.0)
     }
 
-    /// Puts a place of the inside with its value; the length of the move to it.
+    /// Inserts a point with its value; returns the length of the move to it.
     pub fn put(&mut self, place: f64, value: f64) -> f64 {
         let moved = (place - self.last.0).abs();
         if (value > 0.0) == (self.last.1 > 0.0) {
@@ -48,7 +48,7 @@ impl Bracket {
         moved
     }
 
-    /// Share of the way from the last place to the other.
+    /// Fraction of the distance from the last point to the other.
     fn share(&self) -> f64 {
         let ((x1, f1), (x2, f2)) = (self.last, self.other);
         let Some((x3, f3)) = self.replaced else {
@@ -69,7 +69,7 @@ impl Bracket {
 mod tests {
     use super::*;
 
-    /// `x^3 = 2` between 0 and 4, and a function that is flat about its zero, `(x - 1)^9`.
+    /// Solves `x^3 = 2` between 0 and 4, and a function that is flat about its zero, `(x - 1)^9`.
     #[test]
     fn closes_in_on_a_zero() {
         let sought = |value: &dyn Fn(f64) -> f64, looks: u32| {

@@ -1,8 +1,8 @@
-//! Whether a curve is back where it began.
+//! Test for a closed curve.
 
 use super::{Metric, Position};
 
-/// True when a place lies between two others: off the way from one to the other by little.
+/// True when a point lies between two others, with a small distance from their chord.
 pub fn passes(metric: &Metric, place: &Position, before: &Position, after: &Position) -> bool {
     let (way, home) = (before.to(after), before.to(place));
     let along = metric.inner(&way, &home) / metric.inner(&way, &way);

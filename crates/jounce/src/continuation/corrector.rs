@@ -1,35 +1,34 @@
-//! Newton on the plane across a direction, or at a fixed parameter.
+//! Newton's method on the plane normal to a direction, or at a fixed parameter.
 
 use super::{
     ContinuationError, Direction, Linearization, Metric, Position, Problem, ResidualReport,
 };
 
-/// When Newton has converged, and when it is given up.
+/// Convergence criterion and iteration limit of Newton's method.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Corrector {
-    /// Length of a correction, in the metric, below which a place counts as on the curve.
+    /// Length of a correction, in the metric, below which Newton has converged.
     pub goal: f64,
-    /// Most evaluations.
+    /// Largest number of evaluations.
     pub most: u32,
 }
 
-/// A place on the curve.
+/// Point on the curve.
 #[derive(Debug)]
 pub struct CorrectedPoint<L> {
-    /// Where.
+    /// Position.
     pub position: Position,
-    /// The problem there.
+    /// Evaluation of the problem there.
     pub local: L,
-    /// Evaluations it took.
+    /// Number of evaluations.
     pub evaluations: u32,
-    /// Length of the correction that was left out: the error of the place, in the metric.
+    /// Length of the next correction, which is not applied: the error of the point, in the metric.
     pub error: f64,
 }
 
-/// From a guess onto the curve, moving across `direction` only.
+/// Corrects a predictor onto the curve, in the plane normal to `direction`.
 ///
-/// # Errors
-/// [`ContinuationError`].
+/// # Errors [`ContinuationError`].
 pub fn correct<F: Problem>(
     family: &F,
     corrector: &Corrector,
@@ -60,7 +59,7 @@ pub fn correct<F: Problem>(
                 error,
             });
         }
-        // The first correction may be long; one that grows afterwards leads nowhere.
+        // The first correction may be long; a later one that grows means divergence.
         if !error.is_finite() || error > 2.0 * last {
             let parameter = position.parameter;
             return Err(ContinuationError::Diverged {
@@ -84,10 +83,9 @@ pub fn correct<F: Problem>(
     })
 }
 
-/// From a guess onto the curve at its own parameter.
+/// Corrects a predictor onto the curve at fixed parameter.
 ///
-/// # Errors
-/// [`ContinuationError`].
+/// # Errors [`ContinuationError`].
 pub fn correct_at<F: Problem>(
     family: &F,
     corrector: &Corrector,

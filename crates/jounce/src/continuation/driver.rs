@@ -1,4 +1,4 @@
-//! The driver: an iterator over the points of a curve.
+//! Continuation as an iterator over the points of a curve.
 
 use super::corrector::CorrectedPoint;
 use super::{
@@ -6,19 +6,21 @@ use super::{
     ResidualReport, StepControl, correct, tangent,
 };
 
-/// Distance from the curve, in goals of Newton, of a guess that polynomials through points within the goal give.
+/// Distance from the curve, in tolerances of Newton, of a predictor through points within that
+/// tolerance.
 const KNOWN_DISTANCE: f64 = 10.0;
 
-/// Share of the turn of the tangent on a step that is left on a shorter one where the curve is smooth: it goes with the length.
+/// Fraction of the turn of the tangent that remains on a shorter step at a kink. On a smooth curve
+/// the turn is proportional to the length.
 const CORNER_TURN_SHARE: f64 = 0.8;
 
-/// Shorter steps on which the turn has stayed, at a corner.
+/// Number of shorter steps with an unchanged turn that identifies a kink.
 const CORNER_STEPS: u32 = 4;
 
-/// Length below which one is enough: the walk has come to it in many short steps.
+/// Length below which one such step is enough, since many short steps precede it.
 const SHORT_STEP: f64 = 1e-5;
 
-/// Turns that were refused, on shorter and shorter steps.
+/// Rejected turns of the tangent, on shorter and shorter steps.
 #[derive(Debug, Default)]
 struct RefusedTurns {
     turn: f64,
@@ -26,7 +28,8 @@ struct RefusedTurns {
 }
 
 impl RefusedTurns {
-    /// One more; true at a corner, as an orbit has where the edge of a contact whose force jumps passes the start of the period.
+    /// Adds one turn; true at a kink. An orbit has one where the edge of a contact whose force
+    /// jumps passes the start of the period.
     fn is_corner(&mut self, turn: f64, length: f64) -> bool {
         self.stayed = if turn > CORNER_TURN_SHARE * self.turn {
             self.stayed + 1
@@ -34,25 +37,25 @@ impl RefusedTurns {
             0
         };
         self.turn = turn;
-        // The first has stayed beside nothing.
+        // The first turn is always counted, since it is compared with zero.
         self.stayed > if length < SHORT_STEP { 1 } else { CORNER_STEPS }
     }
 }
 
-/// A point of a curve with its tangent.
+/// Point of a curve with its tangent.
 #[derive(Debug)]
 pub struct CurvePoint<L> {
-    /// Where.
+    /// Position.
     pub position: Position,
-    /// Unit tangent, in the direction of the walk.
+    /// Unit tangent, in the direction of continuation.
     pub tangent: Direction,
-    /// The problem there.
+    /// Evaluation of the problem there.
     pub local: L,
-    /// Error of the place, in the metric.
+    /// Error of the position, in the metric.
     pub error: f64,
 }
 
-/// Where a walk stood, to go back to.
+/// State of a continuation, to return to.
 #[derive(Debug, Clone)]
 pub struct Checkpoint {
     position: Position,
@@ -62,20 +65,20 @@ pub struct Checkpoint {
 }
 
 impl Checkpoint {
-    /// The tangent there, in the direction of the walk.
+    /// Returns the tangent there, in the direction of continuation.
     pub fn tangent(&self) -> &Direction {
         &self.tangent
     }
 }
 
-/// A walk along a curve. All of its state is visible.
+/// Continuation along a curve. All of its state is public.
 #[derive(Debug)]
 pub struct Continuation<'f, F: Problem> {
     /// The problem.
     pub family: &'f F,
-    /// Newton.
+    /// Newton's method.
     pub corrector: Corrector,
-    /// The law of the step.
+    /// Step length control.
     pub control: StepControl,
     /// Scale of the parameter.
     pub parameter_scale: f64,
@@ -83,17 +86,17 @@ pub struct Continuation<'f, F: Problem> {
     pub position: Position,
     /// Tangent there.
     pub tangent: Direction,
-    /// The stretch that led there.
+    /// Segment that leads to the last point.
     pub behind: Option<HermiteSegment>,
     /// Length of the next step.
     pub length: f64,
-    /// Points so far.
+    /// Number of points so far.
     pub points: usize,
     ended: bool,
 }
 
 impl<'f, F: Problem> Continuation<'f, F> {
-    /// A walk from a point on the curve into a direction near its tangent.
+    /// Creates a continuation from a point on the curve in a direction near its tangent.
     pub fn new(
         family: &'f F,
         corrector: Corrector,
@@ -116,7 +119,7 @@ impl<'f, F: Problem> Continuation<'f, F> {
         }
     }
 
-    /// Where the walk stands now.
+    /// Returns a checkpoint of the current state.
     pub fn mark(&self) -> Checkpoint {
         let Self {
             position,
@@ -133,13 +136,15 @@ impl<'f, F: Problem> Continuation<'f, F> {
         }
     }
 
-    /// Goes on as from a mark of a walk in another unknown, to which a linear map leads.
+    /// Continues from a checkpoint of a continuation in another unknown, given the linear map to
+    /// this one.
     pub fn resume(&mut self, mark: &Checkpoint, map: impl Fn(&[f64]) -> Vec<f64>) {
         self.behind = mark.behind.as_ref().map(|stretch| stretch.carried(&map));
         self.length = mark.length;
     }
 
-    /// Goes back to a mark, to try a shorter step from there; false, and no change, when the step would be too short.
+    /// Returns to a checkpoint to try a shorter step; false, without a change, when the step would
+    /// be too short.
     pub fn retreat(&mut self, mark: Checkpoint) -> bool {
         let length = self.control.shorter(mark.length.min(self.length));
         let is_long_enough = length > self.control.shortest;
@@ -162,7 +167,8 @@ impl<'f, F: Problem> Continuation<'f, F> {
             };
             match correct(self.family, &self.corrector, &metric, &ahead, guess.clone()) {
                 Ok(found) => {
-                    // A place is known to Newton's goal, and so is a guess from places.
+                    // Points are known to Newton's tolerance, and so is the predictor computed from
+                    // them.
                     let way = metric.length(&guess.to(&found.position))
                         - KNOWN_DISTANCE * self.corrector.goal;
                     if self.behind.is_some()
@@ -174,7 +180,8 @@ impl<'f, F: Problem> Continuation<'f, F> {
                     }
                 }
                 Err(ContinuationError::Diverged { error, left, .. }) => last = (error, left),
-                // A step may lead where the problem has no meaning, though the curve does not: a shorter one need not.
+                // The problem may have no meaning at a long step although the curve continues; try
+                // a shorter one.
                 Err(ContinuationError::Family(error)) => refused = Some(error),
                 Err(ContinuationError::Singular { .. } | ContinuationError::Stuck { .. }) => {}
             }
@@ -192,7 +199,7 @@ impl<'f, F: Problem> Continuation<'f, F> {
         })
     }
 
-    /// Takes a corrected point, unless the curve turned too far on the way and may be lost.
+    /// Accepts a corrected point, unless the tangent turned so far that it may be on another curve.
     fn take(
         &mut self,
         found: CorrectedPoint<F::Evaluation>,
@@ -213,7 +220,7 @@ impl<'f, F: Problem> Continuation<'f, F> {
             (&self.position, &ahead),
             (&found.position, &tangent),
         );
-        // What lies behind a corner says nothing of what lies ahead.
+        // The segment before a kink does not predict the curve beyond it.
         self.behind = (!turned).then_some(stretch);
         self.position = found.position.clone();
         self.tangent = tangent.clone();

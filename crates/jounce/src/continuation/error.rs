@@ -1,11 +1,11 @@
-//! Why a curve ends.
+//! Errors of continuation.
 
 use super::ResidualReport;
 
-/// A walk that could not go on.
+/// Error that ends a continuation.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum ContinuationError<E> {
-    /// The problem itself.
+    /// Error of the problem.
     #[error(transparent)]
     Family(E),
     /// Newton did not converge.
@@ -13,19 +13,19 @@ pub enum ContinuationError<E> {
         "Newton did not converge at parameter {parameter}: last correction {error:e}, wanted {goal:e}{left}; start nearer to the solution or loosen the tolerance"
     )]
     Diverged {
-        /// Where.
+        /// Parameter there.
         parameter: f64,
         /// Last correction, relative to the solution.
         error: f64,
-        /// Wanted.
+        /// Required correction.
         goal: f64,
-        /// What the residual is made of there.
+        /// Parts of the residual there.
         left: ResidualReport,
     },
     /// The derivative is singular in more than one direction.
     #[error("the derivative is singular at parameter {parameter}; start at another value")]
     Singular {
-        /// Where.
+        /// Parameter there.
         parameter: f64,
     },
     /// No step is short enough.
@@ -33,13 +33,13 @@ pub enum ContinuationError<E> {
         "the curve cannot be followed beyond parameter {parameter}: even a step of {step:e} fails (last correction {error:e}){left}; a tighter tolerance may help"
     )]
     Stuck {
-        /// Last good point.
+        /// Parameter of the last point.
         parameter: f64,
         /// Shortest step tried, in the metric.
         step: f64,
         /// Last correction.
         error: f64,
-        /// What the residual was made of when it was given up.
+        /// Parts of the residual at the last attempt.
         left: ResidualReport,
     },
 }

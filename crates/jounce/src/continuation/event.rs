@@ -1,17 +1,18 @@
-//! The place between two points at which a function of the curve passes zero.
+//! Location of the zero of a test function between two points of a curve.
 
 use super::{
     Bracket, Corrector, CurvePoint, Direction, HermiteSegment, Metric, Position, Problem, correct,
     tangent,
 };
 
-/// Most places tried.
+/// Largest number of trial points.
 const MAX_TRIALS: u32 = 40;
 
-/// Where Newton fails: length of the bracket, beside the resolution, in which any place has come near.
+/// Where Newton fails: bracket length relative to the resolution below which any trial point is
+/// accepted.
 const NARROW_BRACKET: f64 = 10.0;
 
-/// Where Newton fails: value, beside those at the two ends, of a place that has come near.
+/// Where Newton fails: value of an acceptable trial point relative to the values at the two ends.
 const SMALL_VALUE: f64 = 0.01;
 
 /// One side of the zero.
@@ -23,14 +24,14 @@ struct BracketEnd {
     place: f64,
 }
 
-/// Walks from `before` towards `after` to the zero of `value`, which has different signs at the two.
+/// Locates the zero of `value`, which has different signs at `before` and `after`.
 ///
-/// Places are sought along the chord by a [`Bracket`], each from a guess on the cubic between its two sides, which comes nearer to the curve
-/// as it shrinks: by the fourth power of its length.
-/// The search ends when the bracket or the last move is shorter than `resolution` (in the metric), or a value is as small beside those
-/// at the two ends.
-/// Where Newton fails on the way, as it may within roundoff of a kink, the place with the least value so far is the answer, if it has come
-/// near; otherwise there is none, as between two points of which one has been carried past the other.
+/// A [`Bracket`] gives trial points along the chord. Each starts from the cubic between the two
+/// sides, whose error falls with the fourth power of its length. The search ends when the bracket
+/// or the last move is shorter than `resolution` (in the metric), or a value is as small relative
+/// to those at the two ends. Newton may fail within roundoff of a kink. Then the trial point with
+/// the smallest value is returned if it is close enough. Otherwise, as between points of different
+/// pieces, it returns `None`.
 pub fn locate<F: Problem>(
     family: &F,
     corrector: &Corrector,

@@ -1,13 +1,14 @@
-//! Lengths along a curve.
+//! Metric for lengths along a curve.
 //!
 //! ```text
 //! |(du, dp)|^2 = |du|^2 / U^2 + dp^2 / P^2
 //! ```
 //!
-//! `U` is the size of the unknown where the curve stands, so that a step is a relative change of the answer, at a peak as on the
-//! flank; `P` is a fixed share of the range of the parameter.
+//! `U` is the norm of the unknown at the current point, so a step is a relative change of the
+//! solution, equally at a peak and on the flank. `P` is a fixed fraction of the range of the
+//! parameter.
 
-/// A point of a curve.
+/// Point of a curve.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Position {
     /// `u`.
@@ -16,7 +17,7 @@ pub struct Position {
     pub parameter: f64,
 }
 
-/// A direction in `(u, p)`.
+/// Direction in `(u, p)`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Direction {
     /// `du`.
@@ -25,7 +26,7 @@ pub struct Direction {
     pub parameter: f64,
 }
 
-/// The two scales.
+/// Scales of the unknown and of the parameter.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Metric {
     /// `U`.
@@ -35,7 +36,7 @@ pub struct Metric {
 }
 
 impl Metric {
-    /// The metric at a position.
+    /// Returns the metric at a position.
     pub fn at(position: &Position, parameter: f64) -> Self {
         let size = position.unknown.iter().map(|u| u * u).sum::<f64>().sqrt();
         Self {
@@ -44,19 +45,19 @@ impl Metric {
         }
     }
 
-    /// Inner product.
+    /// Returns the inner product.
     pub fn inner(&self, a: &Direction, b: &Direction) -> f64 {
         let unknown: f64 = a.unknown.iter().zip(&b.unknown).map(|(a, b)| a * b).sum();
         unknown / (self.unknown * self.unknown)
             + a.parameter * b.parameter / (self.parameter * self.parameter)
     }
 
-    /// Length.
+    /// Returns the length.
     pub fn length(&self, direction: &Direction) -> f64 {
         self.inner(direction, direction).sqrt()
     }
 
-    /// The row `<direction, .>`: entries for the unknowns, and for the parameter.
+    /// Returns the row `<direction, .>`: entries for the unknowns, and for the parameter.
     pub fn row(&self, direction: &Direction) -> (Vec<f64>, f64) {
         let square = self.unknown * self.unknown;
         (
@@ -65,7 +66,7 @@ impl Metric {
         )
     }
 
-    /// The same direction with length one.
+    /// Scales a direction to length one.
     pub fn unit(&self, mut direction: Direction) -> Direction {
         let length = self.length(&direction);
         direction.unknown.iter_mut().for_each(|d| *d /= length);
@@ -75,7 +76,7 @@ impl Metric {
 }
 
 impl Position {
-    /// The way to another position.
+    /// Returns the vector to another position.
     pub fn to(&self, other: &Position) -> Direction {
         let unknown = self
             .unknown
@@ -89,7 +90,7 @@ impl Position {
         }
     }
 
-    /// A step along a direction.
+    /// Returns the position a given length along a direction.
     pub fn moved(&self, direction: &Direction, length: f64) -> Self {
         let unknown = self
             .unknown

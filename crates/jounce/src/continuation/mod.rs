@@ -1,9 +1,11 @@
-//! Continuation: curves of solutions `R(u, p) = 0` followed through their folds.
+//! Continuation of solution curves `R(u, p) = 0` through their folds.
 //!
-//! Nothing here knows what `R` is. A [`Problem`] gives the residual with its derivative at `(u, p)`; a [`Continuation`] is an iterator over
-//! the points of a curve: predictor along the tangent, Newton on the plane across it, and a step that follows from both.
+//! The module is independent of `R`. A [`Problem`] gives the residual with its derivative at
+//! `(u, p)`. A [`Continuation`] is an iterator over the points of a curve, with a predictor along
+//! the tangent, Newton on the plane normal to it, and step length control from both.
 //!
-//! Source: E. Doedel, H. B. Keller and J. P. Kernevez, Int. J. Bifurcation Chaos 1 (1991) 493 (pseudo-arclength).
+//! Source: E. Doedel, H. B. Keller and J. P. Kernevez, Int. J. Bifurcation Chaos 1 (1991) 493
+//! (pseudo-arclength).
 
 mod bracket;
 mod closed_loop;

@@ -1,28 +1,30 @@
-//! The guess: the cubic that has both places and both tangents of the last stretch, drawn on, or read inside it.
+//! Predictor: the cubic through both ends and both tangents of the last segment, extrapolated or
+//! evaluated inside it.
 //!
 //! ```text
-//! x(s) = x0 + h10 L t0 + h01 (x1 - x0) + h11 L t1,   h of s / L (Hermite),   s = 0 .. L on the stretch, beyond it ahead
+//! x(s) = x0 + h10 L t0 + h01 (x1 - x0) + h11 L t1,   h of s / L (Hermite),   s = 0 .. L on the segment, beyond it ahead
 //! ```
 //!
-//! One step ahead its distance to the curve is of the fourth order in `L`, where the tangent alone leaves the second order.
+//! One step ahead its distance to the curve is of fourth order in `L`; that of the tangent is of
+//! second order.
 
 use super::{Direction, Metric, Position};
 
-/// Two neighbouring places of a curve with their tangents.
+/// Two neighbouring points of a curve with their tangents.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HermiteSegment {
-    /// Where it starts.
+    /// Start of the segment.
     start: Position,
-    /// From there to its end.
+    /// Vector from the start to the end.
     chord: Direction,
-    /// Unit tangents times the length, at its two ends.
+    /// Unit tangents times the length, at the two ends.
     tangents: [Direction; 2],
-    /// Its length `L`, in the metric.
+    /// Length `L`, in the metric.
     pub length: f64,
 }
 
 impl HermiteSegment {
-    /// Between two places with their tangents.
+    /// Creates the segment between two points with their tangents.
     pub fn between(
         metric: &Metric,
         (start, ahead): (&Position, &Direction),
@@ -45,7 +47,7 @@ impl HermiteSegment {
         }
     }
 
-    /// The same in another unknown, by the linear map that leads there.
+    /// Maps the segment to another unknown by a linear map.
     pub fn carried(&self, map: &impl Fn(&[f64]) -> Vec<f64>) -> Self {
         let direction = |from: &Direction| Direction {
             unknown: map(&from.unknown),
@@ -64,7 +66,7 @@ impl HermiteSegment {
         }
     }
 
-    /// The cubic at a distance from its start.
+    /// Returns the point of the cubic at a distance from its start.
     pub fn at(&self, distance: f64) -> Position {
         let t = distance / self.length;
         let along = t * t * (3.0 - 2.0 * t);
@@ -98,7 +100,7 @@ impl HermiteSegment {
 mod tests {
     use super::*;
 
-    /// On a circle, whose arc has the length of its angle.
+    /// Uses a circle, on which arc length equals angle.
     #[test]
     fn draws_a_circle_on_to_fourth_order() {
         let metric = Metric {
@@ -122,15 +124,16 @@ mod tests {
             assert!(metric.length(&place(0.3).to(&stretch.at(0.0))) < 1e-15);
             assert!(metric.length(&place(0.3 + step).to(&stretch.at(stretch.length))) < 1e-15);
             let ahead = stretch.at(2.0 * stretch.length);
-            // Distance to the circle: how far along it the guess lies is of no account.
+            // Distance to the circle; the position along it does not matter.
             (ahead.unknown[0].hypot(ahead.parameter) - 1.0).abs()
         };
         let (coarse, fine) = (error(0.2), error(0.1));
-        // L^4 / 6 by the remainder of the cubic, and as much again twice because L is the chord and not the arc.
+        // L^4 / 6 from the remainder of the cubic, plus twice that because L is the chord and not
+        // the arc.
         assert!(fine < 0.5e-4 && coarse / fine > 14.0, "{coarse:e} {fine:e}");
     }
 
-    /// Twice the unknown in two parts: read after it was carried, and carried after it was read.
+    /// Doubles the unknown in two parts: evaluates after mapping, and maps after evaluation.
     #[test]
     fn a_carried_stretch_reads_as_its_carried_places() {
         let metric = Metric {

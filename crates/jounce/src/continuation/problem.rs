@@ -1,32 +1,32 @@
-//! What continuation asks of a problem.
+//! Interface of a problem for continuation.
 
 use super::ResidualReport;
 
 /// A family of problems `R(u, p) = 0` over one parameter.
 pub trait Problem {
-    /// The problem at one place, with its derivative and whatever else the caller wants to keep of it.
+    /// Evaluation at one point, with its derivative and other data for the caller.
     type Evaluation: Linearization;
-    /// Why the residual cannot be had.
+    /// Error of an evaluation.
     type Error;
 
-    /// Residual and derivative at `(u, p)`.
+    /// Returns residual and derivative at `(u, p)`.
     ///
-    /// # Errors
-    /// What the problem itself reports.
+    /// # Errors Any error of the problem.
     fn at(&self, unknown: &[f64], parameter: f64) -> Result<Self::Evaluation, Self::Error>;
 }
 
-/// A residual with its derivative.
+/// Residual with its derivative.
 pub trait Linearization {
     /// `R`.
     fn residual(&self) -> &[f64];
 
-    /// What `R` is made of, for the words of a failure.
+    /// Returns the parts of `R`, for error messages.
     fn parts(&self) -> ResidualReport {
         ResidualReport::default()
     }
 
-    /// Solves `[R_u R_p; row corner] (du, dp) = (right, last)`; `None` where the bordered matrix is singular.
+    /// Solves `[R_u R_p; row corner] (du, dp) = (right, last)`; `None` where the bordered matrix is
+    /// singular.
     fn bordered(
         &self,
         row: &[f64],

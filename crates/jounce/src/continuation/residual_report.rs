@@ -1,21 +1,21 @@
-//! What a residual that stays is made of.
+//! Parts of a residual that does not converge.
 
 use std::fmt;
 
-/// Parts that are told in words.
+/// Number of parts in a message.
 const REPORTED_PARTS: usize = 3;
 
-/// Sizes of the parts of a residual; empty where a problem has no names for them.
+/// Sizes of the parts of a residual; empty where a problem does not name them.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ResidualReport {
     /// Unit of the sizes.
     pub unit: &'static str,
-    /// Name and size of each.
+    /// Name and size of each part.
     pub sizes: Vec<(String, f64)>,
 }
 
 impl fmt::Display for ResidualReport {
-    /// The largest ones, as the end of a sentence.
+    /// Writes the largest parts, as the end of a sentence.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let mut largest: Vec<&(String, f64)> =
             self.sizes.iter().filter(|(_, size)| *size > 0.0).collect();

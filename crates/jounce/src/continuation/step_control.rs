@@ -1,19 +1,20 @@
-//! How long the next step may be.
+//! Control of the step length.
 
-/// Limits and the law of the step, lengths in the metric.
+/// Limits and targets of the step length; lengths are in the metric.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StepControl {
     /// First step.
     pub first: f64,
     /// Longest step.
     pub longest: f64,
-    /// Shortest step; below, the walk ends.
+    /// Shortest step; continuation ends below it.
     pub shortest: f64,
-    /// Wanted turn of the tangent per step, rad.
+    /// Target turn of the tangent per step, rad.
     pub turn: f64,
-    /// Farthest that Newton may end from its guess, as a share of the step: farther away runs another curve.
+    /// Largest distance from predictor to solution, as a fraction of the step: a larger one
+    /// suggests another curve.
     pub stray: f64,
-    /// Most evaluations of Newton for a point that is to be trusted.
+    /// Largest number of evaluations for a point to be accepted.
     pub most_evaluations: u32,
 }
 
@@ -31,17 +32,19 @@ impl Default for StepControl {
 }
 
 impl StepControl {
-    /// True when the tangent turned so far that the curve may have been lost.
+    /// True when the tangent turned so far that the point may be on another curve.
     pub fn refuses(&self, turn: f64) -> bool {
         turn > 3.0 * self.turn
     }
 
-    /// True when Newton went so far, or took so long, on a step of a length that it may have found another curve.
+    /// True when Newton moved so far, or took so many evaluations, that it may have found another
+    /// curve.
     pub fn strayed(&self, way: f64, length: f64, evaluations: u32) -> bool {
         way > self.stray * length || evaluations > self.most_evaluations
     }
 
-    /// Length of the step after one that took `evaluations` and turned the tangent by `turn`.
+    /// Returns the next length, after a step that took `evaluations` and turned the tangent by
+    /// `turn`.
     pub fn after(&self, length: f64, evaluations: u32, turn: f64) -> f64 {
         let by_turn = (self.turn / turn.max(1e-12)).clamp(0.3, 2.0);
         let by_work = match evaluations {
@@ -53,7 +56,7 @@ impl StepControl {
         (length * f64::min(by_turn, by_work)).min(self.longest)
     }
 
-    /// Length to try after a failure.
+    /// Returns the length to try after a failure.
     pub fn shorter(&self, length: f64) -> f64 {
         0.35 * length
     }

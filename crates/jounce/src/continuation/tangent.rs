@@ -1,8 +1,8 @@
-//! The tangent of a curve: `R_u du + R_p dp = 0`, oriented like a direction known before.
+//! Tangent of a curve: `R_u du + R_p dp = 0`, oriented along a given direction.
 
 use super::{Direction, Linearization, Metric};
 
-/// Unit tangent; `None` where the derivative has lost more than one rank.
+/// Returns the unit tangent; `None` where the derivative has lost more than one rank.
 pub fn tangent<L: Linearization>(
     local: &L,
     metric: &Metric,

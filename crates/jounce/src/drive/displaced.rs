@@ -1,17 +1,18 @@
-//! Courses of displacement, as the acceleration that makes them.
+//! Prescribed displacements of a base, converted to acceleration.
 //!
-//! Where a course of displacement begins and ends its velocity jumps, which is an impulse of acceleration; between them it is smooth. The
-//! two impulses are those that bring the base, moved by the samples of the acceleration, to its place at the end and to rest there, so that
-//! what the samples leave out of the twofold integral does not add up to a drift.
+//! A displacement signal has velocity jumps, impulses of acceleration, at its start and end;
+//! between them it is smooth. The two impulses bring the base, moved by the samples of the
+//! acceleration, to its final position and to rest there. The error of the samples in the double
+//! integral then causes no drift.
 
 use super::{Chirp, Travel, Wave, half_sine};
 use crate::spec::DriveSignal;
 use std::f64::consts::PI;
 
-/// The accelerations, m/s^2, that displace a base by a course in m, none for a sinusoid. At the end of a chirp the base stays where it is.
+/// Returns the accelerations, m/s^2, for a displacement signal in m; empty for a sinusoid. After a
+/// chirp the base stays in place.
 ///
-/// # Limits
-/// None for velocity steps, noise and recordings, which are no courses of displacement.
+/// # Limits Empty for velocity steps, noise and recordings, which are not displacement signals.
 pub fn displaced(signal: &DriveSignal) -> Vec<Wave> {
     match *signal {
         DriveSignal::HalfSine {
@@ -54,7 +55,8 @@ pub fn displaced(signal: &DriveSignal) -> Vec<Wave> {
     }
 }
 
-/// A smooth part with the jumps of velocity, m/s, at its start and its end that bring the base to a place, m, and to rest.
+/// Adds velocity jumps, m/s, at the start and end of a smooth part, so the base ends at a position,
+/// m, at rest.
 fn brought_to(end_m: f64, smooth: Wave, [start_s, duration_s]: [f64; 2]) -> Vec<Wave> {
     let end_s = start_s + duration_s;
     let index = smooth.index_at(end_s);
@@ -84,7 +86,7 @@ mod tests {
         waves.iter().map(of).sum()
     }
 
-    /// The twofold integral against the course itself, long after its end too.
+    /// Compares the double integral with the signal, also long after its end.
     #[test]
     fn the_base_is_where_its_course_says() {
         let (amplitude, start_s, duration_s) = (2e-3, 0.1, 0.8);

@@ -1,9 +1,10 @@
-//! Courses of drives in time, from what the spec says to samples with straight lines between them.
+//! Time signals of drives: from the spec to samples with linear interpolation.
 //!
-//! A sampled course is held to first order: linear between its samples. That is what a recording means. A smooth course `u` is
-//! sampled as `u - h^2 u'' / 12 + h^4 u'''' / 240`, so that the straight lines between the samples have the spectrum of `u`: the
-//! lines multiply it by `sinc^2(f h)`, the samples by one over that. What is left are images about multiples of the sampling
-//! rate `1 / h`, smaller than `u` by `(f h / (1 - f h))^2`.
+//! A sampled signal is a first-order hold: linear between its samples, as a recording means. A
+//! smooth signal `u` is sampled as `u - h^2 u'' / 12 + h^4 u'''' / 240`, so that the linear
+//! interpolant has the spectrum of `u`. Interpolation multiplies the spectrum by `sinc^2(f h)`, the
+//! samples by its inverse. The images about multiples of the sampling rate `1 / h` remain, smaller
+//! than `u` by `(f h / (1 - f h))^2`.
 
 mod displaced;
 mod noise;
@@ -24,8 +25,8 @@ pub use wave::{Wave, WavePiece};
 use crate::spec::DriveSignal;
 use std::f64::consts::TAU;
 
-/// The course of a drive that is no sinusoid, over the first `duration_s` of a run; `None` for a sinusoid. A noise is silence where
-/// `is_stopped` says that nobody waits for it any more.
+/// Returns the signal of a drive for the first `duration_s` of a run; `None` for a sinusoid. Noise
+/// is zero once `is_stopped` returns true.
 pub fn wave(signal: &DriveSignal, duration_s: f64, is_stopped: &dyn Fn() -> bool) -> Option<Wave> {
     match *signal {
         DriveSignal::Sine { .. } => None,
@@ -91,7 +92,7 @@ pub fn wave(signal: &DriveSignal, duration_s: f64, is_stopped: &dyn Fn() -> bool
     }
 }
 
-/// `sin(x) / x` with `x = pi f h`, squared: what straight lines between samples leave of a sinusoid.
+/// `sin(x) / x` with `x = pi f h`, squared: the factor of linear interpolation on a sinusoid.
 fn hold(frequency_hz: f64, step_s: f64) -> f64 {
     let x = 0.5 * TAU * frequency_hz * step_s;
     if x == 0.0 { 1.0 } else { (x.sin() / x).powi(2) }

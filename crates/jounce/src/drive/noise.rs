@@ -4,10 +4,12 @@
 //! u(t) = sum_j sqrt(G df) (a_j cos(2 pi f_j t) + b_j sin(2 pi f_j t)),   f_j = j df,   low <= f_j <= high
 //! ```
 //!
-//! with independent normal `a_j`, `b_j` and the one-sided density `G` (unit^2/Hz), so that the mean square is `G (high - low)`. The
-//! period `1 / df` is no shorter than the run. The samples are divided by the `sinc^2` of the straight lines between them.
+//! with independent normal `a_j`, `b_j` and the one-sided density `G` (unit^2/Hz), so the mean
+//! square is `G (high - low)`. The period `1 / df` is no shorter than the run. The samples are
+//! divided by the `sinc^2` of linear interpolation.
 //!
-//! Source: M. Shinozuka, C.-M. Jan, J. Sound Vib. 25 (1972) 111, with random amplitudes instead of random phases.
+//! Source: M. Shinozuka, C.-M. Jan, J. Sound Vib. 25 (1972) 111, with random amplitudes instead of
+//! random phases.
 
 use super::{RandomStream, Wave, hold};
 use realfft::RealFftPlanner;
@@ -15,7 +17,7 @@ use realfft::num_complex::Complex;
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::time::Duration;
 
-/// A band of noise.
+/// Noise in a frequency band.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NoiseBand {
     /// One-sided power spectral density, unit^2/Hz.
@@ -28,13 +30,14 @@ pub struct NoiseBand {
     pub sample_rate_hz: f64,
 }
 
-/// Samples of a realisation that takes long enough, a tenth of a second, to be left in the middle.
+/// Number of samples from which a realisation, at a tenth of a second or more, can be cancelled.
 const INTERRUPTIBLE_SAMPLES: usize = 1 << 20;
 
-/// Time between two looks at whether it is still wanted.
+/// Time between two checks for cancellation.
 const STOP_CHECK_INTERVAL: Duration = Duration::from_millis(5);
 
-/// A realisation of at least `duration_s`, the same for the same seed; silence where `is_stopped` says so on the way.
+/// Returns a realisation of at least `duration_s`, the same for the same seed; zeros if
+/// `is_stopped` returns true meanwhile.
 pub fn noise(band: &NoiseBand, duration_s: f64, seed: u64, is_stopped: &dyn Fn() -> bool) -> Wave {
     let (band, step_s) = (*band, 1.0 / band.sample_rate_hz);
     let count = smooth_length((duration_s * band.sample_rate_hz).ceil() as usize + 2);
@@ -50,7 +53,8 @@ pub fn noise(band: &NoiseBand, duration_s: f64, seed: u64, is_stopped: &dyn Fn()
     }
 }
 
-/// What a long computation without looks of its own gives; silence as soon as `is_stopped` says so, and what it gives then is thrown away.
+/// Runs a computation that does not check for cancellation; returns zeros, and discards its result,
+/// once `is_stopped` returns true.
 fn unless_stopped(
     compute: impl FnOnce() -> Vec<f64> + Send + 'static,
     is_stopped: &dyn Fn() -> bool,
@@ -66,7 +70,7 @@ fn unless_stopped(
     }
 }
 
-/// One period of `count` samples.
+/// Returns one period of `count` samples.
 fn realised(band: &NoiseBand, count: usize, seed: u64) -> Vec<f64> {
     let step_s = 1.0 / band.sample_rate_hz;
     let df = band.sample_rate_hz / count as f64;
@@ -78,7 +82,7 @@ fn realised(band: &NoiseBand, count: usize, seed: u64) -> Vec<f64> {
     let last = ((band.high_hz / df).floor() as usize).min(lines.len() - 2);
     for (j, line) in lines.iter_mut().enumerate().take(last + 1).skip(first) {
         let [a, b] = stream.normal_pair();
-        // The transform adds each line and its conjugate: half of a - i b.
+        // The transform adds each line and its conjugate, so this is half of a - i b.
         let size = 0.5 * (band.density * df).sqrt() / hold(j as f64 * df, step_s);
         *line = Complex::new(size * a, -size * b);
     }
@@ -90,7 +94,7 @@ fn realised(band: &NoiseBand, count: usize, seed: u64) -> Vec<f64> {
     sizes
 }
 
-/// The next number without prime factors above 5: transforms of such lengths are quick.
+/// Returns the next number without prime factors above 5; transforms of such lengths are fast.
 fn smooth_length(least: usize) -> usize {
     let is_smooth = |mut n: usize| {
         for prime in [2, 3, 5] {
@@ -112,7 +116,8 @@ mod tests {
     use super::*;
     use std::f64::consts::FRAC_1_SQRT_2;
 
-    /// The mean square is `G (high - low)`; over 4000 lines its relative deviation is `sqrt(2 / 8000)`, 1.6 %.
+    /// The mean square is `G (high - low)`; over 4000 lines its relative deviation is
+    /// `sqrt(2 / 8000)`, 1.6 %.
     #[test]
     fn mean_square_is_density_times_band() {
         let band = NoiseBand {
@@ -124,7 +129,8 @@ mod tests {
         let Wave::Sampled { sizes, .. } = noise(&band, 20.0, 11, &|| false) else {
             panic!("not sampled")
         };
-        // The straight lines leave sinc^2 of each frequency: sample it away at the edges of the band.
+        // Linear interpolation multiplies each frequency by sinc^2; divide by it at the edges of
+        // the band.
         let square = sizes.iter().map(|u| u * u).sum::<f64>() / sizes.len() as f64;
         let wanted = 0.02
             * (0..=200)
@@ -148,7 +154,8 @@ mod tests {
         assert!(cross.abs() < 0.05 * square, "{cross}");
     }
 
-    /// At the first look, and on the way; who does not stop it gets every sample, the same as on a thread of its own.
+    /// Cancels at the first check and later; without cancellation all samples equal those of a
+    /// separate thread.
     #[test]
     fn a_realisation_that_nobody_waits_for_is_silence() {
         let band = NoiseBand {

@@ -1,39 +1,39 @@
 //! Seeded random numbers.
 //!
-//! Source: G. Steele, D. Lea, C. Flood, "Fast splittable pseudorandom number generators" (OOPSLA 2014), SplitMix64; G. Box, M. Muller, Ann.
-//! Math. Stat. 29 (1958) 610.
+//! Source: G. Steele, D. Lea, C. Flood, "Fast splittable pseudorandom number generators" (OOPSLA
+//! 2014), SplitMix64; G. Box, M. Muller, Ann. Math. Stat. 29 (1958) 610.
 
 use std::f64::consts::TAU;
 
-/// A stream of numbers of its own for each seed and index.
+/// Stream of random numbers, one for each seed and index.
 #[derive(Debug, Clone)]
 pub struct RandomStream(u64);
 
 impl RandomStream {
-    /// Stream number `index` of a seed: the same whatever else is drawn.
+    /// Creates stream number `index` of a seed, independent of all other draws.
     pub fn new(seed: u64, index: u64) -> Self {
         Self(mixed(seed) ^ mixed(index.wrapping_add(1)))
     }
 
-    /// Uniform in [-1, 1).
+    /// Returns a uniform number in [-1, 1).
     pub fn symmetric(&mut self) -> f64 {
         self.uniform() * 2.0 - 1.0
     }
 
-    /// Two independent normal numbers of mean 0 and variance 1.
+    /// Returns two independent normal numbers of mean 0 and variance 1.
     pub fn normal_pair(&mut self) -> [f64; 2] {
-        // In (0, 1], so that the logarithm is finite.
+        // In (0, 1], so the logarithm is finite.
         let radius = (-2.0 * (1.0 - self.uniform()).ln()).sqrt();
         let (sin, cos) = (TAU * self.uniform()).sin_cos();
         [radius * cos, radius * sin]
     }
 
-    /// A whole number of 53 bits, for a seed that a spec can hold.
+    /// Returns an integer of 53 bits, a seed that a spec can hold.
     pub fn seed(&mut self) -> u64 {
         self.next() >> 11
     }
 
-    /// Uniform in [0, 1).
+    /// Returns a uniform number in [0, 1).
     pub fn uniform(&mut self) -> f64 {
         (self.next() >> 11) as f64 / (1u64 << 53) as f64
     }
@@ -67,7 +67,8 @@ mod tests {
         assert!(values.iter().all(|v| (-1.0..1.0).contains(v)));
     }
 
-    /// Moments 1 to 4 of a normal distribution are 0, 1, 0, 3; their errors over 40000 numbers are below 0.005, 0.007, 0.02, 0.05.
+    /// Moments 1 to 4 of a normal distribution are 0, 1, 0, 3; their errors over 40000 numbers are
+    /// below 0.005, 0.007, 0.02, 0.05.
     #[test]
     fn normal_numbers_have_the_moments_of_their_distribution() {
         let mut stream = RandomStream::new(3, 5);

@@ -10,7 +10,7 @@ use super::Wave;
 use crate::spec::{DriveSignal, FrequencySweep};
 use std::f64::consts::TAU;
 
-/// What sweeps.
+/// Sinusoid with a frequency sweep.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Chirp {
     /// `A`, zero to peak.
@@ -19,7 +19,7 @@ pub struct Chirp {
     pub from_hz: f64,
     /// `f1`, Hz.
     pub to_hz: f64,
-    /// How the frequency goes.
+    /// Law of the frequency.
     pub sweep: FrequencySweep,
     /// `p0`, rad.
     pub phase_rad: f64,
@@ -30,7 +30,7 @@ pub struct Chirp {
 }
 
 impl Chirp {
-    /// Angle, rad, angular frequency, rad/s, and its rate, rad/s^2, a time after the start.
+    /// Angle, rad, angular frequency, rad/s, and its rate, rad/s^2, at a time after the start.
     fn angle(&self, after_s: f64) -> [f64; 3] {
         let (f0, f1, length) = (self.from_hz, self.to_hz, self.duration_s);
         let octaves = (f1 / f0).ln();
@@ -53,12 +53,13 @@ impl Chirp {
 }
 
 impl Chirp {
-    /// Its size a time after the start.
+    /// Value at a time after the start.
     pub(super) fn size(&self, after_s: f64) -> f64 {
         self.amplitude * self.angle(after_s)[0].sin()
     }
 
-    /// The samples of its second derivative, `A (p'' cos(p) - p'^2 sin(p))`, terms in the square of `p''` left out of their correction.
+    /// Samples of the second derivative, `A (p'' cos(p) - p'^2 sin(p))`; their correction omits
+    /// terms in the square of `p''`.
     pub(super) fn acceleration(&self) -> Wave {
         self.sampled(|[angle, w, rate], step_s| {
             let (sin, cos) = angle.sin_cos();
@@ -85,10 +86,10 @@ impl Chirp {
     }
 }
 
-/// The samples of a chirp, 0 outside of its duration.
+/// Returns the samples of a chirp, 0 outside its duration.
 ///
-/// # Limits
-/// The images of the straight lines are 1.5e-5 of the amplitude, at 255 times the highest frequency.
+/// # Limits The images of linear interpolation are 1.5e-5 of the amplitude, at 255 times the
+/// highest frequency.
 pub fn chirp(chirp: &Chirp) -> Wave {
     chirp.sampled(|[angle, w, rate], step_s| {
         let (sin, cos) = angle.sin_cos();

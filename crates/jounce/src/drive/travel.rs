@@ -1,4 +1,4 @@
-//! Where the base is that a course of acceleration moves.
+//! Motion of a base from its acceleration signal.
 //!
 //! With `a(t) = u + s t` on a piece that begins at the displacement `x` and the velocity `v`,
 //!
@@ -6,7 +6,8 @@
 //! x(t) = x + v t + u t^2 / 2 + s t^3 / 6,   v(t) = v + u t + s t^2 / 2
 //! ```
 //!
-//! exactly. The base is at rest at 0 before the course begins; an impulse of acceleration is a jump of `v`.
+//! exactly. The base is at rest at 0 before the signal begins; an impulse of acceleration is a jump
+//! of `v`.
 
 use super::{Wave, WavePiece};
 
@@ -17,7 +18,7 @@ pub struct Travel {
 }
 
 impl Travel {
-    /// Of a course of acceleration, m/s^2.
+    /// Integrates an acceleration signal, m/s^2.
     pub fn of(wave: &Wave) -> Self {
         let mut starts = vec![[0.0; 2]];
         let mut index = 0;
@@ -37,7 +38,8 @@ impl Travel {
         Self { starts }
     }
 
-    /// Displacement, m, and velocity, m/s, at a time of a piece, which is number `index` of the wave.
+    /// Returns displacement, m, and velocity, m/s, at a time within a piece, which has number
+    /// `index` in the wave.
     #[inline(always)]
     pub fn at(&self, index: usize, piece: &WavePiece, time_s: f64) -> [f64; 2] {
         if index == 0 {
@@ -62,7 +64,7 @@ mod tests {
     use super::*;
     use std::sync::Arc;
 
-    /// A step of velocity, and straight lines against their integrals by hand.
+    /// Compares a velocity step and linear pieces with their integrals by hand.
     #[test]
     fn a_base_goes_where_its_acceleration_takes_it() {
         let step = Wave::Impulse {
@@ -87,7 +89,7 @@ mod tests {
             (at(0.7), at(1.5), at(2.0)),
             ([0.0; 2], [0.125, 0.75], [1.0, 3.0])
         );
-        // On the second line a = 6 - 12 t: v = 3 + 6 t - 6 t^2 and x = 1 + 3 t + 3 t^2 - 2 t^3.
+        // On the second piece a = 6 - 12 t: v = 3 + 6 t - 6 t^2 and x = 1 + 3 t + 3 t^2 - 2 t^3.
         assert_eq!(
             (at(2.5), at(3.0), at(5.0)),
             ([3.0, 4.5], [5.0, 3.0], [11.0, 3.0])

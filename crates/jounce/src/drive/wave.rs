@@ -1,11 +1,11 @@
-//! The course of a drive in time: linear between breakpoints.
+//! Drive signal in time, linear between breakpoints.
 
 use std::sync::Arc;
 
-/// The course of a drive in time.
+/// Drive signal in time.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Wave {
-    /// The same for ever.
+    /// Constant for all time.
     Constant(f64),
     /// Linear between samples (first-order hold), 0 before the first and after the last.
     Sampled {
@@ -16,31 +16,31 @@ pub enum Wave {
         /// The samples, at least two.
         sizes: Arc<[f64]>,
     },
-    /// All at once.
+    /// Impulse at one instant.
     Impulse {
-        /// When, s.
+        /// Time of the impulse, s.
         time_s: f64,
         /// Integral over time.
         size_s: f64,
     },
 }
 
-/// A stretch of time on which a wave is linear.
+/// Interval on which a wave is linear.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct WavePiece {
-    /// Its start, s; minus infinity for the first.
+    /// Start, s; minus infinity for the first.
     pub from_s: f64,
-    /// Its end, s; infinity for the last.
+    /// End, s; infinity for the last.
     pub until_s: f64,
-    /// Length as the wave means it, s: free of the roundoff of its ends.
+    /// Nominal length, s, without the roundoff of the two ends.
     pub length_s: f64,
-    /// Size at its start.
+    /// Value at the start.
     pub size: f64,
-    /// Size at its end.
+    /// Value at the end.
     pub end_size: f64,
-    /// Change of the size, 1/s.
+    /// Slope, 1/s.
     pub slope: f64,
-    /// Impulse at its start.
+    /// Impulse at the start.
     pub impulse_s: f64,
 }
 
@@ -55,11 +55,11 @@ impl WavePiece {
         impulse_s: 0.0,
     };
 
-    /// Size at a time of the piece.
+    /// Returns the value at a time of the piece.
     #[inline(always)]
     pub fn size_at(&self, time_s: f64) -> f64 {
         if time_s == self.until_s {
-            // To the last bit where the next piece begins.
+            // Exact to the last bit where the next piece begins.
             self.end_size
         } else if self.slope == 0.0 {
             self.size
@@ -75,7 +75,7 @@ impl Wave {
         matches!(self, Wave::Constant(_))
     }
 
-    /// Piece number `index`, in order of time.
+    /// Returns piece number `index`, in order of time.
     pub fn piece(&self, index: usize) -> WavePiece {
         match *self {
             Wave::Constant(size) => WavePiece {
@@ -121,7 +121,8 @@ impl Wave {
         }
     }
 
-    /// Number of the piece that begins at or before a time. An impulse at that very time is still to come.
+    /// Returns the number of the piece that begins at or before a time. An impulse at exactly this
+    /// time is still ahead.
     pub fn index_at(&self, time_s: f64) -> usize {
         match *self {
             Wave::Constant(_) => 0,
@@ -136,7 +137,7 @@ impl Wave {
                     .clamp(-1.0, sizes.len() as f64) as i64
                     + 1;
                 let mut index = near.clamp(0, sizes.len() as i64) as usize;
-                // The quotient is rounded: the ends of the pieces decide.
+                // The quotient is rounded, so the ends of the pieces decide.
                 while index > 0 && self.piece(index).from_s > time_s {
                     index -= 1;
                 }

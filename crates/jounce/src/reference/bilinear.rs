@@ -1,15 +1,16 @@
 //! Free motion of a mass whose spring is stiffer beyond a gap.
 //!
-//! Let go at rest at `x = -a`, the mass meets a second spring, relaxed at the gap `g`. With `w1` on the free side and
-//! `w2 = sqrt(w1^2 + k / m)` in contact:
+//! Released at rest at `x = -a`, the mass meets a second spring, relaxed at the gap `g`. With `w1`
+//! on the free side and `w2 = sqrt(w1^2 + k / m)` in contact:
 //!
 //! ```text
 //! T = 2 / w1 (pi - acos(g / a)) + 2 / w2 acos((g - c) / b)
 //! c = g (1 - w1^2 / w2^2),   b^2 = (g - c)^2 + w1^2 (a^2 - g^2) / w2^2,   x_max = c + b
 //! ```
 //!
-//! `c` is the equilibrium in contact and `b` the amplitude about it. Without a gap `T = pi / w1 + pi / w2` at any amplitude: the
-//! bilinear frequency `2 w1 w2 / (w1 + w2)`. With one, this is the backbone of the driven motion.
+//! `c` is the equilibrium in contact and `b` the amplitude about it. Without a gap
+//! `T = pi / w1 + pi / w2` at any amplitude: the bilinear frequency `2 w1 w2 / (w1 + w2)`. With a
+//! gap, this is the backbone of the driven motion.
 //!
 //! SI units. Source: two sinusoids joined at the gap; Shaw and Holmes, J. Sound Vib. 90 (1983) 129.
 
@@ -19,7 +20,7 @@ use crate::contact::{Hertz, Law};
 use crate::plant::{Drive, System};
 use std::f64::consts::{PI, TAU};
 
-/// A mass on a spring that touches a second spring on one side.
+/// Mass on a spring that touches a second spring on one side.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bilinear {
     /// `m`, kg.
@@ -40,7 +41,7 @@ impl Reference for Bilinear {
 }
 
 impl Bilinear {
-    /// The system without a drive.
+    /// Returns the system without a drive.
     pub fn system(&self) -> System {
         let law = Law::Hertz(Hertz {
             stiffness: self.stop_stiffness_n_m,
@@ -54,7 +55,7 @@ impl Bilinear {
         )
     }
 
-    /// The system under `F sin(w t)`.
+    /// Returns the system under `F sin(w t)`.
     pub fn driven(&self, amplitude_n: f64, drive_rad_s: f64) -> System {
         let mut system = self.system();
         system.drives.push(Drive {
@@ -68,7 +69,7 @@ impl Bilinear {
         system
     }
 
-    /// Start `(q, q')` at rest, away from the stop.
+    /// Returns the initial state `(q, q')` at rest, away from the stop.
     pub fn start(&self, away_m: f64) -> Vec<f64> {
         state(self.mass_kg, -away_m, 0.0)
     }
@@ -79,7 +80,7 @@ impl Bilinear {
             .hypot((self.stop_stiffness_n_m / self.mass_kg).sqrt())
     }
 
-    /// `(g - c, b)`, m: the gap and the amplitude from the equilibrium in contact.
+    /// `(g - c, b)`, m: gap and amplitude, measured from the equilibrium in contact.
     fn contact_m(&self, away_m: f64) -> (f64, f64) {
         let ratio = self.frequency_rad_s / self.contact_frequency_rad_s();
         let edge_m = self.gap_m * ratio * ratio;
@@ -89,7 +90,8 @@ impl Bilinear {
         )
     }
 
-    /// `T`, s, of the motion that reaches `away_m` on the free side; the first spring alone where that is within the gap.
+    /// `T`, s, of the motion that reaches `away_m` on the free side; that of the first spring where
+    /// this is within the gap.
     pub fn period_s(&self, away_m: f64) -> f64 {
         if away_m <= self.gap_m {
             return TAU / self.frequency_rad_s;
@@ -126,7 +128,8 @@ mod tests {
             gap_m: 0.1,
             ..bilinear
         };
-        // Just beyond the gap the contact lasts 2 v / (w1^2 g), which the first spring alone would spend there too.
+        // Just beyond the gap the contact lasts 2 v / (w1^2 g), the same time as with the first
+        // spring only.
         assert!((with_gap.period_s(0.1 + 1e-9) - TAU / 3.0).abs() < 1e-6);
         assert!((with_gap.period_s(1e9) - bilinear.period_s(1.0)).abs() < 1e-9);
         // Energy: m w1^2 a^2 = m w1^2 x^2 + k (x - g)^2 at the far turning point.

@@ -1,14 +1,15 @@
-//! A ball that falls on a rigid floor and keeps the share `e` of its speed at each bounce.
+//! Ball that falls on a rigid floor and rebounds with the fraction `e` of its speed at each bounce.
 //!
 //! ```text
-//! time to rest = sqrt(2 h / g) (1 + e) / (1 - e),     way to rest = h (1 + e^2) / (1 - e^2)
+//! time to rest = sqrt(2 h / g) (1 + e) / (1 - e),     distance to rest = h (1 + e^2) / (1 - e^2)
 //! ```
 //!
-//! Infinitely many bounces happen in a finite time (Zeno). SI units. Source: Falcon et al., Eur. Phys. J. B 3 (1998) 45.
+//! Infinitely many bounces happen in a finite time (Zeno). SI units. Source: Falcon et al., Eur.
+//! Phys. J. B 3 (1998) 45.
 
 use super::Reference;
 
-/// A ball dropped at rest.
+/// Ball released at rest.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BouncingBall {
     /// `h`, m.
@@ -46,7 +47,7 @@ impl BouncingBall {
         (2.0 * self.height_m / self.gravity_m_s2).sqrt() * (1.0 + e) / (1.0 - e)
     }
 
-    /// Way to rest, up and down together, m.
+    /// Total distance to rest, up and down, m.
     pub fn way_to_rest_m(&self) -> f64 {
         let squared = self.restitution.powi(2);
         self.height_m * (1.0 + squared) / (1.0 - squared)

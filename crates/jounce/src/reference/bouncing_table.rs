@@ -1,6 +1,8 @@
-//! A ball that bounces on a table in vertical sinusoidal motion, once in `n` cycles, and keeps the share `e` of its relative speed.
+//! Ball that bounces once in `n` cycles on a table in vertical sinusoidal motion, with restitution
+//! `e`.
 //!
-//! In units of the angular frequency of the table and of gravity (1 rad/s, 1 m/s^2), with the table at `G sin th`:
+//! In units of the angular frequency of the table and of gravity (1 rad/s, 1 m/s^2), with the table
+//! at `G sin th`:
 //!
 //! ```text
 //! cos th = n pi (1 - e) / (G (1 + e)),  speed of the ball after the bounce = n pi;  exists for  G >= n pi (1 - e) / (1 + e)
@@ -8,10 +10,12 @@
 //! doubles at  G^2 = [n pi (1 - e) / (1 + e)]^2 + [2 (1 + e^2) / (1 + e)^2]^2
 //! ```
 //!
-//! A ball under gravity is a mass at the end of a soft spring stretched far: with the stiffness `s` and the stop at `-1 / s` it is drawn
-//! to the stop with force 1, and the drive is the table's acceleration. What is left of the spring is of order `s`.
+//! A ball under gravity is a mass at the end of a soft, highly stretched spring. With the stiffness
+//! `s` and the stop at `-1 / s` the spring pulls it to the stop with force 1, and the drive is the
+//! acceleration of the table. The residual effect of the spring is of order `s`.
 //!
-//! Source: P. J. Holmes, J. Sound Vib. 84 (1982) 173, here with the table's displacement kept in the time of flight.
+//! Source: P. J. Holmes, J. Sound Vib. 84 (1982) 173, here including the displacement of the table
+//! in the time of flight.
 
 use super::Reference;
 use super::root::between;
@@ -20,10 +24,10 @@ use crate::contact::{Law, Rigid};
 use crate::plant::{Drive, System};
 use std::f64::consts::{PI, TAU};
 
-/// Looks per cycle of the table for the next bounce.
+/// Samples per cycle of the table in the search for the next bounce.
 const LOOKS: f64 = 1000.0;
 
-/// A ball on a table.
+/// Ball on a table.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BouncingTable {
     /// `e`.
@@ -32,7 +36,7 @@ pub struct BouncingTable {
     pub acceleration_ratio: f64,
 }
 
-/// A periodic orbit with one bounce.
+/// Periodic orbit with one bounce.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TableOrbit {
     /// `n`, cycles of the table per bounce.
@@ -52,7 +56,8 @@ impl Reference for BouncingTable {
 }
 
 impl BouncingTable {
-    /// The system to march, the ball on a spring of stiffness `softness`; its drive starts at `angle_rad` of the table's sine.
+    /// Returns the system, with the ball on a spring of stiffness `softness`; the drive starts at
+    /// `angle_rad` of the table's sine.
     pub fn system(&self, softness: f64, angle_rad: f64) -> System {
         let law = Law::Rigid(Rigid {
             restitution: self.restitution,
@@ -63,7 +68,8 @@ impl BouncingTable {
             -1.0 / softness,
             law,
         );
-        // Down is positive: in the frame of the table the ball feels `-(table's acceleration)` upwards, `-G sin th` downwards.
+        // Down is positive. In the frame of the table the ball has minus the acceleration of the
+        // table upwards, `-G sin th` downwards.
         system.drives.push(Drive {
             name: "table".to_owned(),
             shape: shape(1.0),
@@ -75,7 +81,7 @@ impl BouncingTable {
         system
     }
 
-    /// State `(q, q')` of that system just after the bounce of an orbit.
+    /// Returns the state `(q, q')` of that system just after the bounce of an orbit.
     pub fn start(&self, softness: f64, orbit: &TableOrbit) -> Vec<f64> {
         state(
             1.0,
@@ -89,14 +95,14 @@ impl BouncingTable {
         f64::from(cycles) * PI * (1.0 - self.restitution) / (1.0 + self.restitution)
     }
 
-    /// `G` at which it doubles.
+    /// `G` at which the orbit doubles its period.
     pub fn doubling(&self, cycles: u32) -> f64 {
         let e = self.restitution;
         self.existence(cycles)
             .hypot(2.0 * (1.0 + e * e) / (1.0 + e).powi(2))
     }
 
-    /// The orbit that is stable from its first `G` to its doubling; `None` below that.
+    /// Returns the orbit that is stable from its first `G` to its doubling; `None` below the first.
     pub fn orbit(&self, cycles: u32) -> Option<TableOrbit> {
         let (e, g) = (self.restitution, self.acceleration_ratio);
         let angle_rad = (self.existence(cycles) / g).acos();
@@ -110,7 +116,8 @@ impl BouncingTable {
         (!angle_rad.is_nan()).then_some(orbit)
     }
 
-    /// Angle and speed after the next bounce, from those after one, by a search for the first time at which ball and table meet.
+    /// Returns angle and speed after the next bounce, by a search for the first time at which ball
+    /// and table meet.
     pub fn next(&self, angle_rad: f64, speed: f64) -> (f64, f64) {
         let (e, g) = (self.restitution, self.acceleration_ratio);
         let height =
@@ -160,7 +167,8 @@ mod tests {
         }
     }
 
-    /// Bounce by bounce: the orbit comes back, and differences of the map give trace and determinant to 1e-8.
+    /// Maps bounce by bounce: the orbit returns, and differences of the map give trace and
+    /// determinant to 1e-8.
     #[test]
     fn the_orbit_is_a_fixed_point_of_the_bounces_with_these_multipliers() {
         for (restitution, acceleration_ratio, cycles) in
@@ -204,7 +212,8 @@ mod tests {
         }
     }
 
-    /// Distance between every other bounce, after many: none below the doubling, clear above it.
+    /// Difference between alternate bounces after many: zero below the doubling, clearly nonzero
+    /// above it.
     #[test]
     fn bounces_settle_on_one_height_below_the_doubling_and_on_two_above() {
         let apart = |factor: f64| {

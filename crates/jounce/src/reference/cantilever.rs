@@ -5,8 +5,8 @@
 //! phi(x) = (cosh b - cos b - s (sinh b - sin b)) / sqrt(m L),  b = l x / L,  s = (cosh l + cos l) / (sinh l + sin l)
 //! ```
 //!
-//! `EI` in N m^2, `m` in kg/m, `phi` mass-normalised, kg^-1/2. Source: Blevins, Formulas for Natural Frequency and Mode Shape
-//! (1979), table 8-1.
+//! `EI` in N m^2, `m` in kg/m, `phi` mass-normalised, kg^-1/2. Source: Blevins, Formulas for
+//! Natural Frequency and Mode Shape (1979), table 8-1.
 
 use super::Reference;
 use super::root::between;
@@ -14,7 +14,7 @@ use crate::structure::Modes;
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
-/// A uniform clamped-free beam.
+/// Uniform clamped-free beam.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cantilever {
     /// `EI`, N m^2.
@@ -34,7 +34,8 @@ impl Reference for Cantilever {
 impl Cantilever {
     /// Root `l` of the frequency equation of mode `mode`, counted from 0.
     pub fn root(mode: usize) -> f64 {
-        // Divided by cosh, which grows without bound; the root lies within 0.32 of (mode + 1/2) pi and nearer the higher it is.
+        // Divided by cosh, which grows without bound. The root lies within 0.32 of (mode + 1/2) pi,
+        // and nearer for higher modes.
         let middle = (mode as f64 + 0.5) * PI;
         between(|l| l.cos() + 1.0 / l.cosh(), middle - 0.4, middle + 0.4)
     }
@@ -45,7 +46,8 @@ impl Cantilever {
             * (self.bending_stiffness_n_m2 / self.mass_per_length_kg_m).sqrt()
     }
 
-    /// Mass-normalised shape at a distance from the clamp, kg^-1/2; the tip moves in the positive direction.
+    /// Mass-normalised shape at a distance from the clamp, kg^-1/2; the tip moves in the positive
+    /// direction.
     pub fn shape(&self, mode: usize, place_m: f64) -> f64 {
         let l = Self::root(mode);
         let b = l * place_m / self.length_m;
@@ -59,8 +61,8 @@ impl Cantilever {
         sign * value / (self.mass_per_length_kg_m * self.length_m).sqrt()
     }
 
-    /// Mass times mass-normalised shape, integrated over the beam, kg^1/2: `2 s sqrt(m L) / l`, positive where the tip moves in the
-    /// positive direction and most of the beam with it.
+    /// Mass times mass-normalised shape, integrated over the beam, kg^1/2: `2 s sqrt(m L) / l`. The
+    /// sign is positive where the tip and most of the beam move in the positive direction.
     pub fn participation_sqrt_kg(&self, mode: usize) -> f64 {
         let l = Self::root(mode);
         // s - 1 = (exp(-l) + cos l - sin l) / (sinh l + sin l), all terms divided by exp(l).
@@ -70,7 +72,7 @@ impl Cantilever {
         sign * 2.0 * ratio / l * (self.mass_per_length_kg_m * self.length_m).sqrt()
     }
 
-    /// The first modes, undamped, with the point `tip`.
+    /// Returns the first modes, undamped, with the point `tip`.
     pub fn modes(&self, count: usize) -> Modes {
         let tip = 2.0 / (self.mass_per_length_kg_m * self.length_m).sqrt();
         Modes {

@@ -4,11 +4,13 @@
 //! m (x'' + 2 zeta w0 x' + w0^2 x) + k3 x^3 = F sin(w t),   b = k3 / m
 //! ```
 //!
-//! Free and undamped it swings with `w(a) = pi sqrt(w0^2 + b a^2) / (2 K(n))`, `n = b a^2 / (2 (w0^2 + b a^2))`, `K` the complete
-//! elliptic integral: the backbone. Its first harmonic alone gives `w^2 = w0^2 + 3/4 b a^2`, and for the driven motion
-//! `[(w0^2 - w^2 + 3/4 b a^2)^2 + (2 zeta w0 w)^2] a^2 = (F / m)^2`, whose curve turns back at the folds.
+//! The backbone is that of the free undamped motion, `w(a) = pi sqrt(w0^2 + b a^2) / (2 K(n))`,
+//! with `n = b a^2 / (2 (w0^2 + b a^2))` and `K` the complete elliptic integral. The first harmonic
+//! alone gives `w^2 = w0^2 + 3/4 b a^2`. For the driven motion it gives
+//! `[(w0^2 - w^2 + 3/4 b a^2)^2 + (2 zeta w0 w)^2] a^2 = (F / m)^2`, a curve with folds.
 //!
-//! SI units, amplitudes zero to peak. Source: I. Kovacic and M. J. Brennan, *The Duffing Equation* (Wiley, 2011), sections 2.2 and 5.3.
+//! SI units, amplitudes zero to peak. Source: I. Kovacic and M. J. Brennan, *The Duffing Equation*
+//! (Wiley, 2011), sections 2.2 and 5.3.
 
 use super::Reference;
 use super::root::between;
@@ -17,7 +19,7 @@ use crate::contact::{Cubic, Law};
 use crate::plant::{Drive, System};
 use std::f64::consts::TAU;
 
-/// A mass on a linear and a cubic spring.
+/// Mass on a linear and a cubic spring.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Duffing {
     /// `m`, kg.
@@ -36,7 +38,7 @@ impl Reference for Duffing {
 }
 
 impl Duffing {
-    /// The system without a drive.
+    /// Returns the system without a drive.
     pub fn system(&self) -> System {
         let law = Law::Cubic(Cubic {
             stiffness_n_m: 0.0,
@@ -50,7 +52,7 @@ impl Duffing {
         )
     }
 
-    /// The system under `F sin(w t)`.
+    /// Returns the system under `F sin(w t)`.
     pub fn driven(&self, amplitude_n: f64, drive_rad_s: f64) -> System {
         let mut system = self.system();
         system.drives.push(Drive {
@@ -64,7 +66,7 @@ impl Duffing {
         system
     }
 
-    /// State `(q, q')` of the mass at rest at a place.
+    /// Returns the state `(q, q')` of the mass at rest at a displacement.
     pub fn at_rest(&self, displacement_m: f64) -> Vec<f64> {
         state(self.mass_kg, displacement_m, 0.0)
     }
@@ -74,10 +76,11 @@ impl Duffing {
         self.cubic_stiffness_n_m3 / self.mass_kg * amplitude_m * amplitude_m
     }
 
-    /// `w(a)` of the free motion, rad/s, exactly; of a softening spring below the amplitude `w0 / sqrt(-b)` from which it does not come back.
+    /// Exact `w(a)` of the free motion, rad/s; for a softening spring only below the amplitude
+    /// `w0 / sqrt(-b)`, above which the motion diverges.
     pub fn backbone_rad_s(&self, amplitude_m: f64) -> f64 {
         let (square, added) = (self.frequency_rad_s.powi(2), self.stiffening(amplitude_m));
-        // K(n) = pi / (2 M(1, sqrt(1 - n))), M the mean of Gauss.
+        // K(n) = pi / (2 M(1, sqrt(1 - n))), with M the arithmetic-geometric mean.
         (square + added).sqrt()
             * gauss_mean(1.0, ((square + 0.5 * added) / (square + added)).sqrt())
     }
@@ -87,7 +90,8 @@ impl Duffing {
         (self.frequency_rad_s.powi(2) + 0.75 * self.stiffening(amplitude_m)).sqrt()
     }
 
-    /// Folds of the driven motion by the first harmonic alone, `(w in rad/s, a in m)`, largest amplitude first.
+    /// Folds of the driven motion by the first harmonic alone, `(w in rad/s, a in m)`, largest
+    /// amplitude first.
     pub fn first_harmonic_folds(&self, amplitude_n: f64) -> Vec<(f64, f64)> {
         let curve = FirstHarmonic {
             square: self.frequency_rad_s.powi(2),
@@ -98,7 +102,7 @@ impl Duffing {
         let Some(tip) = curve.tip() else {
             return Vec::new();
         };
-        // The folds lie as close to the tip as they like: looks at distances that grow in proportion.
+        // The folds may lie arbitrarily close to the tip, so the samples have geometric spacing.
         let looks: Vec<f64> = (0..=LOOKS)
             .map(|k| tip * (1.0 - 1e-9_f64.powf(1.0 - f64::from(k) / f64::from(LOOKS + 1))))
             .collect();
@@ -114,10 +118,11 @@ impl Duffing {
     }
 }
 
-/// Looks for folds along the curve.
+/// Number of samples along the curve in the search for folds.
 const LOOKS: u32 = 4000;
 
-/// The curve `(w0^2 + h s - u)^2 + 2 l u = f^2 / s` over `s = a^2`, solved for `u = w^2` on the side that turns back:
+/// Curve `(w0^2 + h s - u)^2 + 2 l u = f^2 / s` over `s = a^2`, solved for `u = w^2` on the side
+/// with folds:
 ///
 /// ```text
 /// u = w0^2 + h s - l +- r,   r^2 = l^2 - 2 l (w0^2 + h s) + f^2 / s
@@ -133,7 +138,7 @@ struct FirstHarmonic {
 }
 
 impl FirstHarmonic {
-    /// `s` where `r` vanishes: the largest swing.
+    /// `s` where `r` vanishes: the largest amplitude.
     fn tip(&self) -> Option<f64> {
         let (a, b) = (
             2.0 * self.loss * self.bending,
@@ -192,7 +197,7 @@ mod tests {
             assert!((TAU / exact - period_s).abs() < 1e-9, "{}", TAU / exact);
             assert!((duffing(b).first_harmonic_backbone_rad_s(1.0) - first).abs() < 1e-9);
         }
-        // Small swings: w = w0 (1 + 3/8 b a^2 - 21/256 b^2 a^4 ...), both signs.
+        // Small amplitudes: w = w0 (1 + 3/8 b a^2 - 21/256 b^2 a^4 ...), both signs.
         for b in [1.0, -1.0] {
             let (a, exact) = (0.1, duffing(b).backbone_rad_s(0.1));
             let series = 1.0 + 0.375 * b * a * a - 21.0 / 256.0 * (b * a * a).powi(2);
@@ -200,7 +205,7 @@ mod tests {
         }
     }
 
-    /// Both equations of a fold hold: the curve, and that it is upright there.
+    /// Checks both equations of a fold: the point is on the curve, and the curve is vertical there.
     #[test]
     fn folds_of_the_first_harmonic_solve_its_equations() {
         for (b, force) in [(0.05, 0.04), (-0.05, 0.02)] {

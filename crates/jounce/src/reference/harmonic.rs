@@ -12,7 +12,7 @@ use super::single_mode::{oscillator, shape};
 use crate::plant::{Drive, System};
 use std::f64::consts::TAU;
 
-/// A driven mass on a spring and a dashpot.
+/// Driven mass on a spring and a dashpot.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Harmonic {
     /// `m`, kg.
@@ -33,7 +33,7 @@ impl Reference for Harmonic {
 }
 
 impl Harmonic {
-    /// The system to solve.
+    /// Returns the system to solve.
     pub fn system(&self) -> System {
         let mut system = oscillator(self.mass_kg, self.frequency_rad_s, self.damping_ratio);
         system.drives.push(Drive {
@@ -53,7 +53,7 @@ impl Harmonic {
         self.amplitude_n / self.mass_kg / elastic.hypot(damping)
     }
 
-    /// `a`, rad, by which the displacement lags the force, 0 to pi.
+    /// `a`, rad, phase lag of the displacement behind the force, 0 to pi.
     pub fn lag_rad(&self) -> f64 {
         let (elastic, damping) = self.parts();
         damping.atan2(elastic)

@@ -1,12 +1,13 @@
-//! A free mass strikes an elastic stop `F = k d^n` and leaves at the speed with which it came.
+//! Free mass that strikes an elastic stop `F = k d^n` and rebounds with its approach speed.
 //!
 //! ```text
 //! d_max = ((n + 1) m v^2 / (2 k))^(1 / (n + 1)),   F_max = k d_max^n
 //! t_c = 2 (d_max / v) sqrt(pi) Gamma(1 + 1/(n+1)) / Gamma(1/2 + 1/(n+1))
 //! ```
 //!
-//! SI units, `k` in N/m^n. `n = 1` gives `t_c = pi sqrt(m / k)`, `n = 3/2` gives `2.943275184 d_max / v`. Source: energy
-//! balance; Hertz, J. reine angew. Math. 92 (1881) 156 for `n = 3/2`.
+//! SI units, `k` in N/m^n. `n = 1` gives `t_c = pi sqrt(m / k)`, `n = 3/2` gives
+//! `2.943275184 d_max / v`. Source: energy balance; Hertz, J. reine angew. Math. 92 (1881) 156 for
+//! `n = 3/2`.
 
 use super::Reference;
 use super::single_mode::{oscillator, state, with_stop};
@@ -14,7 +15,7 @@ use crate::contact::{Hertz, Law};
 use crate::plant::System;
 use std::f64::consts::PI;
 
-/// A free mass against a stop at the place 0.
+/// Free mass and a stop at displacement 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HertzCollision {
     /// `m`, kg.
@@ -33,7 +34,7 @@ impl Reference for HertzCollision {
 }
 
 impl HertzCollision {
-    /// The system to march, the stop at displacement 0.
+    /// Returns the system to integrate, with the stop at displacement 0.
     pub fn system(&self) -> System {
         let law = Law::Hertz(Hertz {
             stiffness: self.stiffness,
@@ -42,7 +43,7 @@ impl HertzCollision {
         with_stop(oscillator(self.mass_kg, 0.0, 0.0), self.mass_kg, 0.0, law)
     }
 
-    /// Start `(q, q')` at a distance before the stop, on the way to it.
+    /// Returns the initial state `(q, q')` at a distance before the stop, moving towards it.
     pub fn start(&self, before_m: f64) -> Vec<f64> {
         state(self.mass_kg, -before_m, self.speed_m_s)
     }
@@ -83,7 +84,7 @@ mod tests {
             "{}",
             hertz.peak_penetration_m()
         );
-        // Published as 2.943275184 peak depths over the speed.
+        // Published as 2.943275184 times the peak penetration over the speed.
         let published_s = 2.943275184 * hertz.peak_penetration_m() / hertz.speed_m_s;
         assert!(
             (hertz.contact_time_s() / published_s - 1.0).abs() < 1e-9,

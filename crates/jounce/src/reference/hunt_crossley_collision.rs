@@ -1,6 +1,7 @@
-//! A free mass strikes a stop whose damping grows with penetration, `F = k d^n (1 + a d')`.
+//! Free mass that strikes a stop whose damping grows with penetration, `F = k d^n (1 + a d')`.
 //!
-//! `m s ds / (1 + a s) = -k d^n dd` for the rate `s` integrates to `g(s) = s / a - ln(1 + a s) / a^2`, equal at entry and exit:
+//! `m s ds / (1 + a s) = -k d^n dd` for the rate `s` integrates to
+//! `g(s) = s / a - ln(1 + a s) / a^2`, equal at entry and exit:
 //!
 //! ```text
 //! g(-e v) = g(v),     k d_max^(n+1) / ((n + 1) m) = g(v)
@@ -14,7 +15,7 @@ use super::single_mode::{oscillator, state, with_stop};
 use crate::contact::{Hertz, HuntCrossley, Law};
 use crate::plant::System;
 
-/// A free mass against a stop at the place 0.
+/// Free mass and a stop at displacement 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HuntCrossleyCollision {
     /// `m`, kg.
@@ -35,7 +36,7 @@ impl Reference for HuntCrossleyCollision {
 }
 
 impl HuntCrossleyCollision {
-    /// The system to march, the stop at displacement 0.
+    /// Returns the system to integrate, with the stop at displacement 0.
     pub fn system(&self) -> System {
         let elastic = Hertz {
             stiffness: self.stiffness,
@@ -48,7 +49,7 @@ impl HuntCrossleyCollision {
         with_stop(oscillator(self.mass_kg, 0.0, 0.0), self.mass_kg, 0.0, law)
     }
 
-    /// Start `(q, q')` at a distance before the stop, on the way to it.
+    /// Returns the initial state `(q, q')` at a distance before the stop, moving towards it.
     pub fn start(&self, before_m: f64) -> Vec<f64> {
         state(self.mass_kg, -before_m, self.speed_m_s)
     }
@@ -57,7 +58,8 @@ impl HuntCrossleyCollision {
     pub fn restitution(&self) -> f64 {
         let av = self.damping_s_m * self.speed_m_s;
         let entry = scaled_energy(av);
-        // The energy grows without bound as e a v nears 1: the root lies below both 1 and 1 / (a v).
+        // The energy grows without bound as e a v approaches 1, so the root lies below both 1 and 1
+        // / (a v).
         between(
             |e| scaled_energy(-e * av) - entry,
             0.0,
@@ -73,7 +75,7 @@ impl HuntCrossleyCollision {
     }
 }
 
-/// `x - ln(1 + x)`, without loss of figures near 0.
+/// `x - ln(1 + x)`, without cancellation near 0.
 fn scaled_energy(x: f64) -> f64 {
     if x.abs() > 0.1 {
         return x - x.ln_1p();

@@ -4,12 +4,13 @@
 //! x'' + 2 zeta x' + x = cos(w t),   x <= d,   x'_after = -r x'_before
 //! ```
 //!
-//! in units of the mass, of the frequency and of the drive (1 kg, 1 rad/s, 1 N). With `P = e^{A T}`, `T = 2 pi n / w`, the steady
-//! motion `(p, s)` at the impact obeys `p = d - k0 v`, `s = k1 v`,
-//! `[P11 - 1, -P12; P21, 1 - P22] k = [P12 r; 1 + P22 r]`, and the impact speed `v` solves
-//! `(d - k0 v)^2 + (k1 v / w)^2 = X^2`, `X = 1 / sqrt((1 - w^2)^2 + (2 zeta w)^2)`.
-//! The orbit is stable when the eigenvalues of `P S`, `S = [[-r, 0], [(a+ + r a-) / v, -r]]`, lie inside the unit circle, `a`
-//! being the accelerations before (-) and after (+) the impact. That `x < d` holds between the impacts is not checked.
+//! in units of the mass, of the frequency and of the drive (1 kg, 1 rad/s, 1 N). With
+//! `P = e^{A T}`, `T = 2 pi n / w`, the steady motion `(p, s)` at the impact obeys `p = d - k0 v`,
+//! `s = k1 v`, `[P11 - 1, -P12; P21, 1 - P22] k = [P12 r; 1 + P22 r]`, and the impact speed `v`
+//! solves `(d - k0 v)^2 + (k1 v / w)^2 = X^2`, `X = 1 / sqrt((1 - w^2)^2 + (2 zeta w)^2)`. The
+//! orbit is stable when the eigenvalues of `P S`, `S = [[-r, 0], [(a+ + r a-) / v, -r]]`, lie
+//! inside the unit circle, with `a` the accelerations before (-) and after (+) the impact. The
+//! condition `x < d` between the impacts is not checked.
 //!
 //! Source: Shaw and Holmes, J. Sound Vib. 90 (1983) 129.
 
@@ -19,7 +20,7 @@ use crate::contact::{Law, Rigid};
 use crate::plant::{BlockPair, Drive, System};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-/// A driven oscillator with a rigid stop.
+/// Driven oscillator with a rigid stop.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ImpactOscillator {
     /// `w`, drive frequency over natural frequency.
@@ -32,7 +33,7 @@ pub struct ImpactOscillator {
     pub gap: f64,
 }
 
-/// A periodic orbit with one impact.
+/// Periodic orbit with one impact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ImpactOrbit {
     /// Drive cycles per impact.
@@ -51,7 +52,7 @@ impl Reference for ImpactOscillator {
 }
 
 impl ImpactOscillator {
-    /// The system to march; its drive starts at `angle_rad` of the cosine.
+    /// Returns the system to integrate; its drive starts at `angle_rad` of the cosine.
     pub fn system(&self, angle_rad: f64) -> System {
         let law = Law::Rigid(Rigid {
             restitution: self.restitution,
@@ -68,18 +69,18 @@ impl ImpactOscillator {
         system
     }
 
-    /// State `(q, q')` just after the impact of an orbit.
+    /// Returns the state `(q, q')` just after the impact of an orbit.
     pub fn start(&self, orbit: &ImpactOrbit) -> Vec<f64> {
         state(1.0, self.gap, -self.restitution * orbit.speed)
     }
 
-    /// `X`, the amplitude without the stop; the stop is grazed where it equals the gap.
+    /// `X`, the amplitude without the stop; grazing occurs where it equals the gap.
     pub fn steady_amplitude(&self) -> f64 {
         let w = self.frequency_ratio;
         1.0 / (1.0 - w * w).hypot(2.0 * self.damping_ratio * w)
     }
 
-    /// All orbits with one impact in `cycles` cycles of the drive, slowest impact first.
+    /// Returns all orbits with one impact in `cycles` cycles of the drive, slowest impact first.
     pub fn orbits(&self, cycles: u32) -> Vec<ImpactOrbit> {
         let (w, r, d) = (self.frequency_ratio, self.restitution, self.gap);
         let map = self.flow(TAU * f64::from(cycles) / w);

@@ -1,17 +1,19 @@
-//! Share of a blow's energy that reaches the resistor: one mode, one patch, one velocity impulse.
+//! Fraction of the energy of a blow that reaches the resistor: one mode, one patch, one velocity
+//! impulse.
 //!
 //! ```text
 //! eta = alpha kappa^2 / [(2 zeta alpha^2 + alpha) kappa^2 + 4 zeta^2 alpha + 2 (alpha^2 + 1) zeta]
 //! best alpha = 1 / sqrt(1 + kappa^2),   best eta = kappa^2 / (kappa^2 + 4 zeta sqrt(1 + kappa^2) + 4 zeta^2)
 //! ```
 //!
-//! `alpha = w0 C R`, `kappa^2 = theta^2 / (m w0^2 C)`, `zeta` the damping ratio; `eta` is the energy in the resistor over
-//! `m v^2 / 2`. Source: derived from the Lyapunov equation of the coupled system, the algebra of Adhikari, Friswell and Inman,
-//! Smart Mater. Struct. 18 (2009) 115005.
+//! `alpha = w0 C R`, `kappa^2 = theta^2 / (m w0^2 C)`, `zeta` the damping ratio; `eta` is the
+//! energy in the resistor over `m v^2 / 2`. Source: derived from the Lyapunov equation of the
+//! coupled system, with the algebra of Adhikari, Friswell and Inman, Smart Mater. Struct. 18 (2009)
+//! 115005.
 
 use super::{PiezoResistor, Reference};
 
-/// A blow on a piezoelectric oscillator with a resistor.
+/// Blow on a piezoelectric oscillator with a resistor.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Impulse {
     /// `alpha`.
@@ -52,7 +54,8 @@ impl Impulse {
         k / (k + 4.0 * zeta * (1.0 + k).sqrt() + 4.0 * zeta * zeta)
     }
 
-    /// An oscillator of unit mass, unit frequency (rad/s) and unit capacitance with these numbers; strike it with any velocity.
+    /// Returns an oscillator of unit mass, unit frequency (rad/s) and unit capacitance with these
+    /// numbers; any initial velocity may be used.
     pub fn oscillator(&self) -> PiezoResistor {
         PiezoResistor {
             mass_kg: 1.0,

@@ -1,7 +1,8 @@
-//! A free mass strikes a spring and dashpot that push and never pull.
+//! Free mass that strikes a spring and dashpot that push and never pull.
 //!
-//! With `w = sqrt(k / m)`, `zeta = c / (2 sqrt(k m)) < 1` and `phi = 2 acos(zeta)`, the force vanishes after
-//! `t_c = phi / (w sqrt(1 - zeta^2))`, while the mass still lies past the stop, and the restitution is
+//! With `w = sqrt(k / m)`, `zeta = c / (2 sqrt(k m)) < 1` and `phi = 2 acos(zeta)`, the force
+//! vanishes after `t_c = phi / (w sqrt(1 - zeta^2))`, while the mass is still past the stop. The
+//! restitution is
 //!
 //! ```text
 //! e = exp(-zeta phi / sqrt(1 - zeta^2))
@@ -14,7 +15,7 @@ use super::single_mode::{oscillator, state, with_stop};
 use crate::contact::{KelvinVoigt, Law};
 use crate::plant::System;
 
-/// A free mass against a stop at the place 0.
+/// Free mass and a stop at displacement 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct KelvinVoigtCollision {
     /// `m`, kg.
@@ -33,7 +34,7 @@ impl Reference for KelvinVoigtCollision {
 }
 
 impl KelvinVoigtCollision {
-    /// The system to march, the stop at displacement 0.
+    /// Returns the system to integrate, with the stop at displacement 0.
     pub fn system(&self) -> System {
         let law = Law::KelvinVoigt(KelvinVoigt {
             stiffness_n_m: self.stiffness_n_m,
@@ -42,7 +43,7 @@ impl KelvinVoigtCollision {
         with_stop(oscillator(self.mass_kg, 0.0, 0.0), self.mass_kg, 0.0, law)
     }
 
-    /// Start `(q, q')` at a distance before the stop, on the way to it.
+    /// Returns the initial state `(q, q')` at a distance before the stop, moving towards it.
     pub fn start(&self, before_m: f64) -> Vec<f64> {
         state(self.mass_kg, -before_m, self.speed_m_s)
     }

@@ -1,8 +1,10 @@
-//! Exact answers: small problems whose solution is known in closed form, each with the system that jounce solves for it.
+//! Exact solutions: small problems with a closed-form solution, each with the system that jounce
+//! solves for it.
 //!
-//! A problem is one type in one file. Its fields are its parameters in SI units; `system` gives the [`crate::plant::System`] to
-//! solve (where jounce can be asked the question), the other methods give the exact answer. [`Reference::SOURCE`] says where
-//! the answer comes from, [`Reference::TOLERANCE`] how closely a correct solver must meet it.
+//! Each problem is one type in one file. Its fields are its parameters in SI units. `system` gives
+//! the [`crate::plant::System`] to solve, where jounce can solve it; the other methods give the
+//! exact solution. [`Reference::SOURCE`] gives the source of the solution, [`Reference::TOLERANCE`]
+//! the largest error of a correct solver.
 
 mod bilinear;
 mod bouncing_ball;
@@ -33,10 +35,10 @@ pub use kelvin_voigt_collision::KelvinVoigtCollision;
 pub use piezo_resistor::PiezoResistor;
 pub use single_mode::{MASS, PATCH};
 
-/// Where an exact answer comes from and how closely it must be met.
+/// Source and tolerance of an exact solution.
 pub trait Reference {
     /// Source of the closed form.
     const SOURCE: &'static str;
-    /// Largest relative error of a correct solver that works at its tightest tolerance.
+    /// Largest relative error of a correct solver at its tightest tolerance.
     const TOLERANCE: f64;
 }

@@ -1,4 +1,4 @@
-//! A mass on a spring whose patch feeds a resistor, under a sinusoidal force or white noise.
+//! Mass on a spring whose patch feeds a resistor, under a sinusoidal force or white noise.
 //!
 //! ```text
 //! m (x'' + 2 zeta w0 x' + w0^2 x) - theta V = F(t),     C V' + V / R + theta x' = 0
@@ -6,12 +6,13 @@
 //! V / F = -i w theta / [ (1/R + i w C) m (w0^2 - w^2 + 2 i zeta w0 w) + i w theta^2 ]
 //! ```
 //!
-//! Optimal loads: at the short-circuit resonance `R w0 C = 1 / sqrt(1 + (kappa^2 / 2 zeta)^2)`. White base acceleration of
-//! two-sided density `Phi` (m^2 s^-4 per rad/s) gives the mean power
-//! `pi m alpha kappa^2 Phi / [(2 zeta alpha^2 + alpha) kappa^2 + 4 zeta^2 alpha + 2 (alpha^2 + 1) zeta]`.
+//! Optimal loads: at the short-circuit resonance `R w0 C = 1 / sqrt(1 + (kappa^2 / 2 zeta)^2)`.
+//! White base acceleration of two-sided density `Phi` (m^2 s^-4 per rad/s) gives the mean power `pi
+//! m alpha kappa^2 Phi / [(2 zeta alpha^2 + alpha) kappa^2 + 4 zeta^2 alpha + 2 (alpha^2 + 1)
+//! zeta]`.
 //!
-//! Sources: Erturk and Inman, J. Vib. Acoust. 130 (2008) 041002, one mode; Adhikari, Friswell and Inman, Smart Mater. Struct.
-//! 18 (2009) 115005, eq. for the harvester without inductor.
+//! Sources: Erturk and Inman, J. Vib. Acoust. 130 (2008) 041002, one mode; Adhikari, Friswell and
+//! Inman, Smart Mater. Struct. 18 (2009) 115005, eq. for the harvester without inductor.
 
 use super::Reference;
 use super::single_mode::{PATCH, oscillator, shape};
@@ -44,7 +45,7 @@ impl Reference for PiezoResistor {
 }
 
 impl PiezoResistor {
-    /// The system under a force `amplitude sin(2 pi f t)` on the mass.
+    /// Returns the system under a force `amplitude sin(2 pi f t)` on the mass.
     pub fn system(&self, amplitude_n: f64, drive_hz: f64) -> System {
         let mut system = oscillator(self.mass_kg, self.frequency_rad_s, self.damping_ratio);
         let coupling_n_per_v = vec![self.coupling_n_per_v / self.mass_kg.sqrt()];
@@ -92,26 +93,28 @@ impl PiezoResistor {
             / (electrical * mechanical + c64::new(0.0, w * self.coupling_n_per_v.powi(2)))
     }
 
-    /// Mean power in the resistor under a force of that amplitude (zero to peak), W.
+    /// Mean power in the resistor under a force of the given amplitude (zero to peak), W.
     pub fn mean_power_w(&self, amplitude_n: f64, drive_hz: f64) -> f64 {
         0.5 * self.voltage_per_newton(drive_hz).norm_sqr() * amplitude_n.powi(2)
             / self.resistance_ohm
     }
 
-    /// Resistance that draws most power from a drive at the short-circuit resonance, ohm.
+    /// Resistance with the largest power at the short-circuit resonance, ohm.
     pub fn best_resistance_short_circuit_ohm(&self) -> f64 {
         let ratio = self.coupling_squared() / (2.0 * self.damping_ratio);
         1.0 / (self.frequency_rad_s * self.capacitance_f * 1f64.hypot(ratio))
     }
 
-    /// Mean power under white base acceleration of unit two-sided density (1 m^2 s^-4 per rad/s), W.
+    /// Mean power under white base acceleration of unit two-sided density (1 m^2 s^-4 per rad/s),
+    /// W.
     pub fn white_noise_power_w(&self) -> f64 {
         let impulse = super::Impulse {
             alpha: self.alpha(),
             coupling_squared: self.coupling_squared(),
             damping_ratio: self.damping_ratio,
         };
-        // White noise is a train of impulses: each square metre per second squared of it carries the energy pi m.
+        // White noise is a train of impulses: each square metre per second squared carries the
+        // energy pi m.
         PI * self.mass_kg * impulse.efficiency()
     }
 }
@@ -120,7 +123,8 @@ impl PiezoResistor {
 mod tests {
     use super::*;
 
-    /// The harvester of duToit and Wardle in the symbols of Adhikari et al.; numbers checked against the Lyapunov equation.
+    /// Uses the harvester of duToit and Wardle in the symbols of Adhikari et al.; numbers checked
+    /// against the Lyapunov equation.
     #[test]
     fn white_noise_power_of_the_published_harvester() {
         let harvester = PiezoResistor {

@@ -1,6 +1,7 @@
 //! Roots of scalar equations, to roundoff.
 
-/// The root of `value` between two places where its signs differ, by bisection until no number lies between them.
+/// Returns the root of `value` between two points where its signs differ, by bisection until no
+/// number lies between them.
 pub(super) fn between(value: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
     let rises = value(high) > 0.0;
     loop {

@@ -1,7 +1,7 @@
-//! Systems of one mode, from which most references are made.
+//! Systems of one mode, the basis of most references.
 //!
-//! A point mass `m` with displacement `x` is the mode `q = sqrt(m) x`, of shape `1 / sqrt(m)` at the mass; without a spring its
-//! frequency is 0.
+//! A point mass `m` with displacement `x` is the mode `q = sqrt(m) x`, of shape `1 / sqrt(m)` at
+//! the mass. Without a spring its frequency is 0.
 
 use crate::contact::Law;
 use crate::plant::{Stop, System};
@@ -14,7 +14,7 @@ pub const MASS: &str = "mass";
 /// Name of the patch of a reference that has one.
 pub const PATCH: &str = "patch";
 
-/// A mass on a spring and a dashpot to the ground, without anything else.
+/// Returns a mass on a spring and a dashpot to the ground.
 pub(super) fn oscillator(mass_kg: f64, frequency_rad_s: f64, damping_ratio: f64) -> System {
     let modes = Modes {
         frequency_rad_s: vec![frequency_rad_s],
@@ -31,7 +31,7 @@ pub(super) fn oscillator(mass_kg: f64, frequency_rad_s: f64, damping_ratio: f64)
     }
 }
 
-/// The same with a stop in the positive direction.
+/// Adds a stop in the positive direction.
 pub(super) fn with_stop(mut system: System, mass_kg: f64, gap_m: f64, law: Law) -> System {
     system.stops.push(Stop {
         name: "stop".to_owned(),
@@ -48,7 +48,7 @@ pub(super) fn shape(mass_kg: f64) -> Vec<f64> {
     vec![1.0 / mass_kg.sqrt()]
 }
 
-/// `(q, q')` of a displacement and a velocity of the mass.
+/// Returns `(q, q')` for a displacement and a velocity of the mass.
 pub(super) fn state(mass_kg: f64, displacement_m: f64, velocity_m_s: f64) -> Vec<f64> {
     vec![
         mass_kg.sqrt() * displacement_m,

@@ -1,4 +1,4 @@
-//! The library's accounts of the starts of a cloud against marches by brute force.
+//! The library's results for the starts of a cloud against brute-force integrations.
 
 use crate::brute::{Ending, Flow, Kind, Patience, ReferenceModel, classify};
 use crate::library::{Account, AccountKind, accounts, unseen};
@@ -12,49 +12,53 @@ use std::time::Instant;
 /// Largest relative difference of the powers of one attractor.
 const POWER: f64 = 1e-4;
 
-/// Distance from the limit at which a motion counts as periodic, relative to its size, with a margin of ten: the power of a voltage that is
-/// small in the motion is known no better than this allows.
+/// Distance from the limit at which a motion counts as periodic, relative to its size, with a
+/// margin of ten. It limits the accuracy of the power of a voltage that is small in the motion.
 const CLOSE: f64 = 1e-7;
 
-/// Largest distance of the states of one attractor, relative to the size of the motion.
+/// Largest distance between states of one attractor, relative to the size of the motion.
 const STATES: f64 = 1e-4;
 
-/// Part of the starts, one in so many, whose intervals are held against the shares of all the others.
+/// One start in this many; their intervals are compared with the shares of all other starts.
 const HELD_BACK: usize = 8;
 
-/// Errors per step, relative to that of the comparison, with which a start is marched again that ends elsewhere.
+/// Errors per step, relative to that of the comparison, for repeated integrations of starts with
+/// different results.
 const AGAIN: [f64; 3] = [3.0, 10.0, 100.0];
 
-/// One start.
+/// Verdict on one start.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Verdict {
     /// Both end on one attractor.
     Same,
     /// They end on different ones.
     Different,
-    /// They do, but brute force with a larger error per step ends where the library does: the start lies so near the edge of a basin, or
-    /// wanders so long, that steps of this error do not decide.
+    /// They do, but brute force with a larger error per step ends where the library does. The start
+    /// lies so near a basin boundary, or its transient is so long, that steps of this error do not
+    /// decide.
     Sensitive,
-    /// The library does not decide.
+    /// The library gives no result.
     Undecided,
-    /// Brute force does not decide.
+    /// Brute force gives no result.
     Unknown,
 }
 
-/// What a comparison found.
+/// Result of a comparison.
 pub struct Agreement {
     pub endings: Vec<Ending>,
     pub accounts: Vec<Account>,
     pub verdicts: Vec<Verdict>,
-    /// Intervals that were checked, and those that hold the share by brute force: from the same starts.
+    /// Number of intervals checked, and of those that contain the brute-force share, for the same
+    /// starts.
     pub same_starts: [usize; 2],
-    /// The same for intervals of a part of the starts and shares of the others: 93.6 % of these must hold, since the shares scatter too.
+    /// Same counts, for intervals of some starts and shares of the others: 93.6 % must contain
+    /// them, since the shares scatter too.
     pub other_starts: [usize; 2],
     /// Wall time of the library and of brute force, s.
     pub seconds: [f64; 2],
 }
 
-/// Marches all starts of a cloud by brute force.
+/// Integrates all starts of a cloud by brute force.
 pub fn endings(
     system: &System,
     starts: &[Vec<f64>],
@@ -91,7 +95,7 @@ fn endings_of<const N: usize, const D: usize>(
         .collect()
 }
 
-/// Whether the states of one motion are those of another, shifted by some cycles.
+/// True where the states of two motions are equal up to a shift by some cycles.
 fn same_states(a: &[Vec<f64>], b: &[Vec<f64>], size: f64) -> bool {
     let distance = |x: &[f64], y: &[f64]| {
         x.iter()
@@ -105,7 +109,8 @@ fn same_states(a: &[Vec<f64>], b: &[Vec<f64>], size: f64) -> bool {
         && (0..n).any(|shift| (0..n).all(|i| distance(&a[i], &b[(i + shift) % n]) <= STATES * size))
 }
 
-/// Whether a power is that of an ending: relative to itself, and within what the states leave open, `2 sqrt(P P_close) + P_close`.
+/// True where a power equals that of an ending: relative to it, and within the error of the states,
+/// `2 sqrt(P P_close) + P_close`.
 fn same_power(ending: &Ending, power_w: f64) -> bool {
     let (larger, close) = (
         ending.mean_power_w.max(power_w),
@@ -114,7 +119,7 @@ fn same_power(ending: &Ending, power_w: f64) -> bool {
     (ending.mean_power_w - power_w).abs() <= POWER * larger + 2.0 * (larger * close).sqrt() + close
 }
 
-/// Whether an account describes an ending.
+/// Compares an ending with an account of the library.
 fn verdict(ending: &Ending, account: Option<&Account>) -> Verdict {
     let Some(account) = account else {
         return Verdict::Undecided;
@@ -132,7 +137,7 @@ fn verdict(ending: &Ending, account: Option<&Account>) -> Verdict {
             }
         }
         (Kind::Torus, AccountKind::Torus) | (Kind::Chaos, AccountKind::Chaos) => Verdict::Same,
-        // A period that brute force does not look for may be there.
+        // Brute force does not search for such a long period.
         (Kind::Torus, AccountKind::Periodic(theirs)) if theirs > ending.cycles / 4 => {
             Verdict::Unknown
         }
@@ -140,7 +145,7 @@ fn verdict(ending: &Ending, account: Option<&Account>) -> Verdict {
     }
 }
 
-/// Endings that are one attractor, by their numbers; those without a period by their kind.
+/// Groups endings into attractors by their numbers; those without a period by their kind.
 fn groups(endings: &[Ending]) -> Vec<Vec<usize>> {
     let mut groups: Vec<Vec<usize>> = Vec::new();
     for (index, ending) in endings.iter().enumerate() {
@@ -202,7 +207,7 @@ pub fn compare(
         decided => decided,
     };
     let verdicts = endings.iter().enumerate().map(decide).collect();
-    // The starts of a cloud are drawn one by one, so that its first ones are a cloud too.
+    // The starts of a cloud are drawn one by one, so its first ones also form a cloud.
     let other_starts = match starts {
         InitialStates::Cloud(cloud) => {
             let part = cloud.starts / HELD_BACK;
@@ -228,7 +233,8 @@ pub fn compare(
     }
 }
 
-/// Attractors of brute force, and those whose share lies in the interval that the library gives of `of` starts.
+/// Number of attractors by brute force, and of those whose share lies in the library's interval for
+/// `of` starts.
 fn covered(endings: &[Ending], accounts: &[Account], of: usize) -> [usize; 2] {
     let groups = groups(endings);
     let holds = |group: &&Vec<usize>| {

@@ -1,12 +1,13 @@
-//! Harvesters drawn at random, as spec text: the same for the same seed and number.
+//! Random harvesters as spec text, reproducible from seed and number.
 //!
-//! One to three modes near a frequency `f`, a length `L` for gaps and motions, and one or two stops whose stiffness makes the first mode 2 to
-//! 60 times as fast while it is pressed: three and a half decades of stiffness, all of which an explicit method can march.
+//! One to three modes near a frequency `f`, a length `L` for gaps and motions, and one or two
+//! stops. Contact raises the frequency of the first mode by a factor of 2 to 60: three and a half
+//! decades of stiffness, all accessible to an explicit method.
 
 use std::f64::consts::TAU;
 use std::fmt::Write;
 
-/// The generator splitmix64: Steele, Lea and Flood, OOPSLA 2014.
+/// Generator splitmix64: Steele, Lea and Flood, OOPSLA 2014.
 pub struct Draw(u64);
 
 impl Draw {
@@ -30,7 +31,7 @@ impl Draw {
         low + (high - low) * (self.next() >> 11) as f64 / (1u64 << 53) as f64
     }
 
-    /// Uniform in the logarithm.
+    /// Returns a number uniform in the logarithm.
     fn decades(&mut self, low: f64, high: f64) -> f64 {
         self.within(low.ln(), high.ln()).exp()
     }
@@ -44,7 +45,7 @@ impl Draw {
     }
 }
 
-/// What the parts of a harvester are drawn from.
+/// Scales for the random parts of a harvester.
 struct Scales {
     /// Frequencies of the modes, Hz.
     frequencies: Vec<f64>,
@@ -62,7 +63,7 @@ impl Scales {
     }
 }
 
-/// The text of harvester number `index` of a seed.
+/// Returns the text of harvester number `index` of a seed.
 pub fn drawn(seed: u64, index: u64) -> String {
     let draw = &mut Draw::new(seed, index);
     let modes = draw.one_of(&[1, 1, 2, 2, 3]);
@@ -80,7 +81,8 @@ pub fn drawn(seed: u64, index: u64) -> String {
     stops(draw, &scales, &mut text);
     let ratio = draw.decades(0.3, 2.5);
     let frequency = ratio * scales.frequencies[0];
-    // The first mode alone would move by some lengths: the reach of the tip is the static one over the distance from resonance.
+    // The first mode without stops would move by some lengths: the static displacement of the tip
+    // over the distance from resonance.
     let magnified = ((1.0 - ratio * ratio).powi(2) + (0.1 * ratio).powi(2)).sqrt();
     let amplitude = draw.decades(0.7, 8.0) * scales.length * scales.stiffness * magnified;
     let phase = draw.one_of(&[0.0, 0.1, 2.0]);
@@ -104,7 +106,7 @@ fn list(values: impl Iterator<Item = f64>) -> String {
         .join(", ")
 }
 
-/// The table of modes and, mostly, a patch with its resistor.
+/// Writes the table of modes and, in most cases, a patch with its resistor.
 fn modal(draw: &mut Draw, scales: &Scales) -> String {
     let modes = scales.frequencies.len();
     let (frequency, tip) = (
@@ -143,7 +145,7 @@ fn modal(draw: &mut Draw, scales: &Scales) -> String {
     text
 }
 
-/// One or two stops: two on both sides of the tip, or the second at another point.
+/// Writes one or two stops: two on both sides of the tip, or the second at another point.
 fn stops(draw: &mut Draw, scales: &Scales, text: &mut String) {
     let count = draw.one_of(&[1, 2]);
     let mut rigid = false;
@@ -162,7 +164,7 @@ fn stops(draw: &mut Draw, scales: &Scales, text: &mut String) {
             "rigid",
             "cubic",
         ];
-        // A rigid stop at another point than the first one's has no place beside a second rigid one.
+        // A rigid stop at another point than the first is not combined with a second rigid one.
         let word = draw.one_of(if at == "side" || number == 1 && !rigid {
             &words[..4]
         } else {

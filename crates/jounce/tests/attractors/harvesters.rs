@@ -1,11 +1,12 @@
-//! Comparisons on drawn harvesters: a few in every run, many where the environment asks for them.
+//! Comparisons on random harvesters: a few in every run, many if environment variables request
+//! them.
 //!
 //! ```text
 //! JOUNCE_DRAWN_SYSTEMS=60 JOUNCE_DRAWN_STARTS=400 cargo test --release -p jounce --test attractors many_drawn -- --nocapture
 //! ```
 //!
-//! `JOUNCE_DRAWN_FIRST` is the number of the first harvester, 0 without it; `JOUNCE_DRAWN_CYCLES` the cycles after which a motion is not
-//! periodic, 20,000 without it.
+//! `JOUNCE_DRAWN_FIRST` is the number of the first harvester, default 0; `JOUNCE_DRAWN_CYCLES` the
+//! cycles after which a motion is not periodic, default 20,000.
 
 use crate::agreement::{Verdict, compare};
 use crate::brute::Patience;
@@ -16,7 +17,7 @@ use jounce::spec::SpecFile;
 /// Seed of the harvesters.
 const SEED: u64 = 22;
 
-/// Error of a step by brute force, relative to the size of the motion.
+/// Error of a brute-force step, relative to the size of the motion.
 const TOLERANCE: f64 = 1e-13;
 
 fn number(name: &str) -> Option<usize> {
@@ -34,8 +35,8 @@ fn cloud(starts: usize) -> InitialStates {
     })
 }
 
-/// Drawn harvesters that cost little: their motions settle within some hundred cycles. Neither the library nor brute force takes any of
-/// them for chaos or a torus.
+/// Random harvesters of low cost: their motions settle within some hundred cycles. Neither the
+/// library nor brute force classifies any of them as chaos or a torus.
 const QUICK: [u64; 6] = [8, 15, 18, 20, 25, 26];
 
 #[test]

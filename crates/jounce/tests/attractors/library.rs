@@ -1,4 +1,4 @@
-//! The library's account of a cloud: all that is used of its analysis of basins.
+//! Results of the library for a cloud: the part of its basin analysis that the comparison uses.
 
 use jounce::analysis::{
     Attractor, AttractorKind, BasinFraction, Basins, InitialStates, Model, Parameter, Recognition,
@@ -6,29 +6,30 @@ use jounce::analysis::{
 };
 use jounce::spec::SpecFile;
 
-/// What the library says of the starts that end on one attractor.
+/// Result of the library for the starts that end on one attractor.
 #[derive(Debug, Clone)]
 pub struct Account {
     pub id: String,
     pub kind: AccountKind,
     pub mean_power_w: f64,
-    /// States at the starts of drive cycles, energy coordinates; none without an orbit.
+    /// States at the starts of drive cycles, energy coordinates; empty without an orbit.
     pub strobe: Vec<Vec<f64>>,
     pub share: BasinFraction,
     pub starts: Vec<usize>,
 }
 
-/// Kind of what a start is counted for.
+/// Kind of attractor to which a start is assigned.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum AccountKind {
-    /// A periodic orbit of some drive cycles.
+    /// Periodic orbit with this period in drive cycles.
     Periodic(usize),
     Torus,
     Chaos,
     Undecided,
 }
 
-/// The accounts of all starts; a start that none lists is undecided. `key` is any numeric key of the spec.
+/// Returns the results for all starts; a start in no list is undecided. `key` is any numeric key of
+/// the spec.
 pub fn accounts(file: &SpecFile, (key, value): (&str, f64), starts: InitialStates) -> Vec<Account> {
     let base = Model::new(file.spec().unwrap()).unwrap();
     let key = file.numeric_key(key).unwrap();
@@ -56,7 +57,7 @@ fn account(attractor: &Attractor) -> Account {
         id: attractor.id.clone(),
         kind,
         mean_power_w: attractor.mean_power_w,
-        // The last state is the first again.
+        // The last state equals the first.
         strobe: attractor.orbit.as_ref().map_or(Vec::new(), |orbit| {
             orbit.strobe_states[..orbit.period_cycles as usize].to_vec()
         }),
@@ -65,7 +66,7 @@ fn account(attractor: &Attractor) -> Account {
     }
 }
 
-/// The interval of an attractor that none of some starts has reached.
+/// Confidence interval of an attractor that no start has reached.
 pub fn unseen(of: usize) -> [f64; 2] {
     let share = wilson(0, of);
     [share.low, share.high]

@@ -1,4 +1,5 @@
-//! Where the starts of a cloud end: the library's analysis of basins against brute force, which shares no code with it.
+//! Attractors of the starts of a cloud: the library's basin analysis against brute force, which
+//! shares no code with it.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 mod agreement;

@@ -1,5 +1,6 @@
-//! A free ball on a table that moves: in the frame of the table, where the ground moves with all of its stops, and in space, where the
-//! table alone moves. Gravity, noise, pulses and steps of velocity; the energies are those of two frames, and each balance closes.
+//! A free ball on a moving table, in two frames. In the frame of the table the ground moves with
+//! all of its stops; in space only the table moves. Gravity, noise, pulses and velocity steps. The
+//! energies are those of two frames, and each balance closes.
 
 use crate::systems::{LAWS, integrator, kernel, motion};
 use jounce::drive::Travel;
@@ -29,7 +30,8 @@ fn a_ball_falls_on_a_moving_table_in_either_frame() {
                 kernel(&text(law, "ground", drive)),
                 kernel(&text(law, "table", drive)),
             );
-            // Where the table is: of a sinusoid, its steady displacement; else the twofold integral.
+            // Position of the table: the steady displacement of a sinusoid, otherwise the double
+            // integral.
             let table = |t: f64| -> [f64; 2] {
                 let own = outside.plant.system.drives.first().map_or([0.0; 2], |own| {
                     let w = std::f64::consts::TAU * own.frequency_hz;
@@ -78,7 +80,8 @@ fn a_ball_falls_on_a_moving_table_in_either_frame() {
                 balance[0],
                 balance[1]
             );
-            // The bounces at the end of chatter are counted until they are too slow to matter, which the two frames need not agree on.
+            // The bounces of chatter are counted until they are negligible; the two frames may
+            // differ in this count.
             let agree = contacts[0] == contacts[1] || law.contains("rigid");
             assert!(
                 agree && contacts.iter().all(|count| *count > 0),

@@ -1,5 +1,6 @@
-//! A mass on a spring on a moving base strikes stops that stand still. In the frame of the base it feels inertial forces and stops that
-//! move; in space a force `k X + c X'` and stops at rest, without any base. Both must be one motion.
+//! A mass on a spring on a moving base strikes stops at rest. In the frame of the base, inertial
+//! forces act and the stops move. In space, a force `k X + c X'` acts, the stops are at rest, and
+//! there is no base. Both must give one motion.
 
 use crate::systems::{LAWS, integrator, kernel, motion};
 use std::f64::consts::{PI, TAU};
@@ -12,7 +13,7 @@ fn stiffness_n_m() -> f64 {
     MASS_KG * (TAU * FREQUENCY_HZ).powi(2)
 }
 
-/// The mass on a base, with two stops that stand on the ground.
+/// A mass on a base, with two stops fixed to the ground.
 fn text(on: &str, damping_ratio: f64, law: &str, drives: &str) -> String {
     let stop = |name: &str, side: &str, gap: &str| {
         format!(
@@ -26,7 +27,8 @@ fn text(on: &str, damping_ratio: f64, law: &str, drives: &str) -> String {
     )
 }
 
-/// Marches both to several times and compares place and speed in space; gives the contacts.
+/// Integrates both to several times and compares position and speed in space; returns the number of
+/// contacts.
 fn compare(
     what: &str,
     moving: &str,
@@ -36,7 +38,7 @@ fn compare(
 ) -> u64 {
     let (moving, still) = (kernel(moving), kernel(still));
     let [x, v] = base(0.0);
-    // At rest in space, in both.
+    // At rest in space, for both.
     let mut one = integrator(&moving, &[-x], &[-v], TOLERANCE);
     let mut other = integrator(&still, &[0.0], &[0.0], TOLERANCE);
     let (mut worst, mut largest) = (0.0_f64, 0.0_f64);
@@ -121,7 +123,7 @@ fn a_sinusoidal_base_is_a_force_on_its_spring() {
     }
 }
 
-/// A half-sine of displacement and a chirp: without damping the force is the same course, `k` times as large.
+/// A half-sine of displacement and a chirp: without damping the force is the same signal times `k`.
 #[test]
 fn other_displacements_are_forces_on_a_spring_too() {
     let k = stiffness_n_m();
@@ -143,7 +145,7 @@ fn other_displacements_are_forces_on_a_spring_too() {
     };
     let sweep = "signal = \"chirp\"\nfrom = \"4 Hz\"\nto = \"12 Hz\"\nduration = \"3 s\"\n";
     let chirp = |t: f64| {
-        // The jump of its velocity at the start is still to come.
+        // The jump of its velocity at the start is still ahead.
         if t == 0.0 {
             return [0.0; 2];
         }

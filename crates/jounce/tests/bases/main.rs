@@ -1,4 +1,4 @@
-//! Bases that move against each other: the same system written in two frames moves in the same way, and closed forms hold.
+//! Bases in relative motion: a system written in two frames has one motion, and closed forms hold.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 mod courses;

@@ -1,4 +1,5 @@
-//! Periodic orbits against a stop that stands still, by both methods, against the same orbit of the harvester that a force drives.
+//! Periodic orbits with a stop at rest, by both methods, against the orbit of the force-driven
+//! harvester.
 
 use jounce::analysis::{Model, Parameter, settled_orbit};
 use jounce::continuation::{Corrector, Metric, Position, correct_at};

@@ -1,4 +1,4 @@
-//! What a spec may not say of bases, each told with its key and what to do.
+//! Errors of specs on bases, each with its key and a suggestion.
 
 use jounce::linear::Random;
 use jounce::spec::Spec;
@@ -51,8 +51,9 @@ fn every_fault_of_a_base_is_told() {
     assert!(lost.unwrap_err().to_string().contains("beam.b.root"));
 }
 
-/// The twofold integral of a noise goes farther and farther: a gap between the base that it moves and the ground is reached at no rate. Where both
-/// sides stand on the same base there is one, and it is that of the same harvester on the ground.
+/// The double integral of noise grows without bound, so a gap between the base that it moves and
+/// the ground has no contact rate. Where both sides are on the same base there is a rate, equal to
+/// that of the same harvester on the ground.
 #[test]
 fn a_gap_that_noise_carries_away_has_no_rate() {
     let text = |base: &str, frame: &str| {

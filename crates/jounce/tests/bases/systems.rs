@@ -1,4 +1,4 @@
-//! What several tests share.
+//! Helpers shared by several tests.
 
 use jounce::integrate::{Integrator, Kernel};
 use jounce::plant::{Plant, System};
@@ -11,7 +11,7 @@ pub fn kernel(text: &str) -> Kernel {
     Kernel::new(Plant::new(system).unwrap()).unwrap()
 }
 
-/// A march from displacements and velocities of all modes.
+/// Integrates from displacements and velocities of all modes.
 pub fn integrator<'k>(
     kernel: &'k Kernel,
     displacement: &[f64],
@@ -30,7 +30,7 @@ pub fn motion(integrator: &Integrator, kernel: &Kernel, point: &str) -> [f64; 2]
     [0, n].map(|first| shape.iter().zip(&x[first..]).map(|(s, q)| s * q).sum())
 }
 
-/// Contact laws of all kinds about a mass of 1 kg; all of them take energy but the first.
+/// Contact laws of all kinds for a mass of 1 kg; all except the first dissipate energy.
 pub const LAWS: [&str; 5] = [
     "law = \"hertz\"\nstiffness = \"3e6 N/m^1.5\"",
     "law = \"spring\"\nstiffness = \"20 kN/m\"",

@@ -1,6 +1,7 @@
-//! A mass between two springs, one on a shaken base and one on the ground, which is a contact that never opens: in space its steady
-//! amplitude is `(k1 + i c w) / (k1 + k2 - m w^2 + i c w)` times that of the base, and the mean power
-//! of the base, `c w^2 |Z - X|^2 / 2`, is what the dashpot between them takes.
+//! A mass between two springs, one on a shaken base and one on the ground; the latter is a contact
+//! that never opens. In space its steady amplitude is `(k1 + i c w) / (k1 + k2 - m w^2 + i c w)`
+//! times that of the base. The mean power of the base, `c w^2 |Z - X|^2 / 2`, equals the loss in
+//! the dashpot between them.
 
 use crate::systems::{integrator, kernel, motion};
 use faer::c64;
@@ -20,7 +21,7 @@ fn a_mass_between_two_springs_moves_as_its_closed_form_says() {
         let kernel = kernel(&text);
         let carried = c64::new(k1, c * w);
         let relative = carried / (carried + c64::new(k2 - m * w * w, 0.0)) - c64::new(1.0, 0.0);
-        // The coupled oscillator decays by c / 2 m: 60 s leave e^-56 of the start.
+        // The coupled oscillator decays by c / 2 m: after 60 s, e^-56 of the start remains.
         let (end_s, window_s) = (60.0, 10.0 / drive_hz);
         let mut march = integrator(&kernel, &[0.0], &[0.0], 1e-11);
         march.advance_to(end_s - window_s).unwrap();

@@ -1,12 +1,12 @@
-//! A picture that is kept beside its example.
+//! Comparison of a picture with the file in the folder of its example.
 
 use crate::rows::folder;
 use jounce::picture::Figure;
 
-/// Coordinates carry two decimals; another machine may round the last one otherwise.
+/// Coordinates have two decimals; another machine may round the last one differently.
 const ALLOWED_PX: f64 = 0.05;
 
-/// Holds a figure to the one that is kept, or keeps it where `JOUNCE_DRAW` is set.
+/// Compares a figure with the stored one, or stores it where `JOUNCE_DRAW` is set.
 pub fn check(example: &str, name: &str, figure: &Figure) {
     let path = folder(example).join(name).with_extension("svg");
     let drawn = figure.to_svg().unwrap();
@@ -24,7 +24,7 @@ pub fn check(example: &str, name: &str, figure: &Figure) {
     }
 }
 
-/// The first pieces of two texts that differ by more than the rounding of their numbers.
+/// Returns the first pieces of two texts that differ by more than rounding.
 fn difference<'t>(one: &'t str, other: &'t str) -> Option<(&'t str, &'t str)> {
     let pieces = |text: &'t str| {
         text.split([' ', '"', 'L', 'M', '>', '<'])

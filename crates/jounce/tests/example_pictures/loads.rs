@@ -1,11 +1,11 @@
-//! Lines over the load resistance.
+//! Curves over the load resistance.
 
 use crate::example::G_M_S2;
 use jounce::linear::{FrfInput, FrfResponse, frf};
 use jounce::picture::{LineDirection, SweepLine};
 use jounce::plant::Plant;
 
-/// Size of a response per g of the base.
+/// Magnitude of a response per g of the base.
 pub fn per_g(plant: &Plant, response: FrfResponse, frequency_hz: &[f64]) -> Vec<f64> {
     let answer = frf(
         plant,
@@ -38,7 +38,7 @@ pub fn spaced(low: f64, high: f64, count: usize) -> Vec<f64> {
         .collect()
 }
 
-/// A line over resistances, each in words for a spec.
+/// Curve over resistances, each as text for a spec.
 pub fn over_resistance(
     label: &str,
     resistance_ohm: &[f64],

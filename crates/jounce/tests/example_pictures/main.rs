@@ -1,4 +1,5 @@
-//! The pictures of the examples that no command draws: drawn from their specs, held to what stands in the folder of each.
+//! Pictures of the examples that no command draws: computed from their specs and compared with the
+//! stored files.
 //!
 //! `JOUNCE_DRAW=1 cargo test --test example_pictures` draws them again.
 #![allow(clippy::unwrap_used, reason = "tests")]

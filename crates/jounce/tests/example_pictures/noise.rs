@@ -10,7 +10,7 @@ use std::f64::consts::PI;
 #[test]
 fn power_with_and_without_an_inductor() {
     const EXAMPLE: &str = "white-noise-adhikari-2009";
-    // The paper's two-sided density of 1 per rad/s as a one-sided one per Hz.
+    // Two-sided density of the paper, 1 per rad/s, as a one-sided density per Hz.
     let density = 4.0 * PI;
     let resistance_ohm = spaced(1e3, 1e7, 81);
     let power = |words: &str, inductance: Option<&str>| {

@@ -12,7 +12,7 @@ fn line(branch: &Branch) -> BranchLine {
     BranchLine {
         label: format!("period {}", branch.period_cycles),
         parameter: branch.points.iter().map(|point| point.parameter).collect(),
-        // The cubic spring is relaxed at 0: how far it is pressed is the displacement.
+        // The cubic spring is relaxed at 0, so its penetration is the displacement.
         value: branch
             .points
             .iter()

@@ -1,4 +1,4 @@
-//! `mfc-bender-bilgen-2010`, `porous-patch-martinez-ayuso`: what another patch changes.
+//! `mfc-bender-bilgen-2010`, `porous-patch-martinez-ayuso`: effect of another patch.
 
 use crate::example::plant;
 use crate::kept::check;

@@ -1,4 +1,5 @@
-//! `rectified-shu-lien-2006`: power against the load of four interfaces, and the storage as it charges.
+//! `rectified-shu-lien-2006`: power against the load for four interfaces, and the charging of the
+//! storage.
 
 use crate::kept::check;
 use crate::loads::{over_resistance, spaced};
@@ -11,7 +12,7 @@ use std::path::Path;
 
 const EXAMPLE: &str = "rectified-shu-lien-2006";
 
-/// The diodes of the spec, nearly without resistance.
+/// Diodes of the spec, almost without resistance.
 const DIODES: (&str, &str) = ("circuit.rectifier.diode_resistance", "1 uohm");
 
 fn run(
@@ -21,7 +22,7 @@ fn run(
     record_s: f64,
 ) -> (Model, RunResult) {
     let text = std::fs::read_to_string(folder(EXAMPLE).join("harvester.toml")).unwrap();
-    // Not every interface has diodes with a resistance of their own: those that have one set it again.
+    // Not every interface has diodes with a resistance; those that have one set it again.
     let text: String = text
         .lines()
         .filter(|line| !line.starts_with("diode_resistance"))
@@ -84,7 +85,7 @@ fn power_of_the_interfaces_against_the_load() {
     );
 }
 
-/// The storage charges within some cycles; the patch's voltage swings against it.
+/// The storage charges within some cycles; the voltage of the patch alternates against it.
 #[test]
 fn the_storage_as_it_charges() {
     let settings = [

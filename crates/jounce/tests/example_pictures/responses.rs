@@ -6,7 +6,7 @@ use crate::loads::{over_resistance, per_g, power_per_g2, spaced};
 use jounce::linear::FrfResponse;
 use jounce::picture::{Axis, Figure, Panel, Series, power_against_resistance};
 
-/// A panel of one line for each load.
+/// A panel with one curve per load.
 fn panel(
     quantity: &str,
     unit: &str,
@@ -79,7 +79,7 @@ fn unimorph_voltage_current_and_tip_at_five_loads() {
 fn bimorph_power_in_series_and_parallel() {
     const EXAMPLE: &str = "bimorph-erturk-2009";
     let resistance_ohm = spaced(1e3, 1e7, 81);
-    // The resonances with shorted and with open electrodes.
+    // Resonances with short-circuited and open electrodes.
     let lines: Vec<_> = [
         ("series", 45.7),
         ("series", 48.2),

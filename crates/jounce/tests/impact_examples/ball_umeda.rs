@@ -14,7 +14,7 @@ const G_M_S2: f64 = 9.81;
 const CAPACITANCE_F: f64 = 10e-9;
 const DISC_RAD_S: f64 = std::f64::consts::TAU * 4000.0;
 
-/// Share of the energy of a blow that reaches the resistor, by marching.
+/// Fraction of the energy of a blow that reaches the resistor, by integration.
 fn share(blow: &Impulse) -> f64 {
     let coupling = blow.coupling_squared.sqrt() * DISC_RAD_S * CAPACITANCE_F.sqrt();
     let resistance = blow.alpha / (DISC_RAD_S * CAPACITANCE_F);
@@ -28,7 +28,7 @@ fn share(blow: &Impulse) -> f64 {
             format!("[{coupling}]"),
         ),
         ("circuit.load.resistance", format!("{resistance} ohm")),
-        // Until what is left is 1e-11 of the blow.
+        // Until the remainder is 1e-11 of the blow.
         (
             "run.duration",
             format!("{} s", 13.0 / (blow.damping_ratio * DISC_RAD_S)),
@@ -70,7 +70,8 @@ fn share_of_a_blow_is_the_closed_form() {
     }
 }
 
-/// The load of the largest share, by the vertex of a parabola through three loads in even ratios.
+/// Load of the largest fraction, by the vertex of a parabola through three loads in geometric
+/// spacing.
 fn best_alpha(start: &Impulse) -> f64 {
     let step = 0.01_f64;
     let at = |k: f64| {
@@ -84,7 +85,8 @@ fn best_alpha(start: &Impulse) -> f64 {
     start.best_alpha() * (0.5 * step * (low - high) / (low - 2.0 * middle + high)).exp()
 }
 
-/// More of the blow arrives with a better resonator and a stronger coupling, less where the ceramic itself conducts.
+/// The fraction increases with the quality factor and the coupling, and decreases where the ceramic
+/// conducts.
 #[test]
 fn trends_of_the_efficiency() {
     let rising = |values: &[f64]| values.windows(2).all(|pair| pair[0] < pair[1]);
@@ -94,7 +96,7 @@ fn trends_of_the_efficiency() {
     assert!(rising(&[0.01, 0.03, 0.1, 0.3].map(|coupling_squared| {
         share(&blow(0.01, coupling_squared, 1.0))
     })));
-    // A lossy dielectric is a resistor beside the load: the pair takes what the two take together.
+    // A lossy dielectric is a resistor parallel to the load; the fraction is that of the pair.
     let load = 1.0;
     let with_leak =
         |leak: f64| share(&blow(0.01, 0.05, load * leak / (load + leak))) * leak / (load + leak);
@@ -103,7 +105,7 @@ fn trends_of_the_efficiency() {
     assert!(rising(&shares) && relative(shares[3], blow(0.01, 0.05, load).efficiency()) < 1e-5);
 }
 
-/// A ball that does not bounce goes on with the disc: momentum, energy, and the common velocity.
+/// A ball that does not bounce moves with the disc: momentum, energy, and the common velocity.
 fn merge() -> [f64; 2] {
     let mut system = system(EXAMPLE, "harvester.toml", &[]);
     system.stops[0].law = Law::Rigid(Rigid { restitution: 0.0 });
@@ -154,7 +156,8 @@ fn every_expected_row_is_met() {
     );
 }
 
-/// Energy in the load over that of the fall, all bounces of half a second; the balance must close.
+/// Energy in the load over that of the fall, for all bounces in half a second; the balance must
+/// close.
 fn drop_share() -> f64 {
     let (_, answer) = run(EXAMPLE, "harvester.toml", &[]);
     let residual = answer.energies.residual_relative();

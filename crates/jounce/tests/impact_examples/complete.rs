@@ -1,9 +1,10 @@
-//! Every folder of `examples/` holds a spec, a page, expected numbers and a picture that the page shows.
+//! Every folder of `examples/` has a spec, a page, expected numbers and a picture that the page
+//! shows.
 
 use crate::rows::folder;
 use jounce::spec::SpecFile;
 
-/// Files that are no specs of a harvester.
+/// Files that are not specs of a harvester.
 const BESIDE: [&str; 3] = ["expected.toml", "measured.toml", "study.toml"];
 
 #[test]

@@ -12,12 +12,12 @@ const MASS_KG: [f64; 2] = [2e-3, 0.2e-3];
 const STIFFNESS_N_M: [f64; 2] = [30.0, 2000.0];
 const SPEED_M_S: f64 = 0.1;
 
-/// `w = sqrt((k1 + k2) / (m1 + m2))` of the two together, rad/s.
+/// `w = sqrt((k1 + k2) / (m1 + m2))` of both in contact, rad/s.
 fn coupled_rad_s() -> f64 {
     (STIFFNESS_N_M.iter().sum::<f64>() / MASS_KG.iter().sum::<f64>()).sqrt()
 }
 
-/// `zeta = (c1 + c2) / (2 sqrt((k1 + k2) (m1 + m2)))` of the two together.
+/// `zeta = (c1 + c2) / (2 sqrt((k1 + k2) (m1 + m2)))` of both in contact.
 fn coupled_damping(own: [f64; 2]) -> f64 {
     let damping: f64 = (0..2)
         .map(|i| 2.0 * own[i] * (STIFFNESS_N_M[i] * MASS_KG[i]).sqrt())
@@ -37,14 +37,14 @@ fn oscillators(damping: [f64; 2]) -> Kernel {
     ))
 }
 
-/// The driving mass has just come in at 0.1 m/s.
+/// State where the driving mass has just come into contact at 0.1 m/s.
 fn struck(kernel: &Kernel) -> Integrator<'_> {
     let mut start = vec![0.0; kernel.plant.len()];
     throw(&kernel.plant.system, &mut start, "driving", SPEED_M_S);
     integrator(kernel, &start, 1e-11)
 }
 
-/// While together they swing as one oscillator, with its frequency and its damping. Measured: 1e-15.
+/// In contact they move as one oscillator, with its frequency and its damping. Measured: 1e-15.
 #[test]
 fn together_they_are_one_oscillator() {
     let damping = [0.02, 0.01];
@@ -64,7 +64,8 @@ fn together_they_are_one_oscillator() {
     }
 }
 
-/// Without damping they part where both springs are relaxed, after half a period: duration and energy lost in the merge.
+/// Without damping they separate after half a period, where both springs are relaxed: duration and
+/// energy lost in the merge.
 fn contact() -> [f64; 2] {
     let kernel = oscillators([0.0, 0.0]);
     let mut integrator = struck(&kernel);
@@ -73,8 +74,8 @@ fn contact() -> [f64; 2] {
     [statistics.sticking_s, integrator.energies().contact_loss_j]
 }
 
-/// The spec by itself shows the strike: one contact of half a period together, and the loss of the merge. Measured without damping: 1e-7
-/// (time), 4e-16 (loss).
+/// The spec shows the impact: one contact of half a coupled period, and the loss of the merge.
+/// Measured without damping: 1e-7 (time), 4e-16 (loss).
 #[test]
 fn the_spec_starts_with_the_strike() {
     let (_, answer) = run(EXAMPLE, SPEC, &[]);

@@ -8,7 +8,7 @@ use jounce::run::{RunPlan, RunResult, simulate};
 use jounce::spec::{Spec, SpecFile};
 use jounce::structure::modes;
 
-/// A spec of an example with some keys set.
+/// Spec of an example with some keys changed.
 pub fn spec(example: &str, file: &str, settings: &[(&str, &str)]) -> Spec {
     let mut file = SpecFile::read(folder(example).join(file)).unwrap();
     for (key, value) in settings {
@@ -26,7 +26,7 @@ pub fn kernel(system: System) -> Kernel {
     Kernel::new(Plant::new(system).unwrap()).unwrap()
 }
 
-/// The run that a spec asks for.
+/// Run as specified in a spec.
 pub fn run(example: &str, file: &str, settings: &[(&str, &str)]) -> (Kernel, RunResult) {
     let spec = spec(example, file, settings);
     let run = spec.run.clone();
@@ -37,14 +37,14 @@ pub fn run(example: &str, file: &str, settings: &[(&str, &str)]) -> (Kernel, Run
     (prepared.kernel, answer)
 }
 
-/// Sets the velocity of a point that one mode moves, m/s, in a physical state `(q, q', V)`.
+/// Sets the velocity, m/s, of a point moved by one mode, in a physical state `(q, q', V)`.
 pub fn throw(system: &System, state: &mut [f64], point: &str, velocity_m_s: f64) {
     let n = system.modes.len();
     state[n + own_mode(system, point)] =
         velocity_m_s / system.modes.shape[point][own_mode(system, point)];
 }
 
-/// The one mode that moves a point.
+/// Returns the only mode that moves a point.
 pub fn own_mode(system: &System, point: &str) -> usize {
     let shape = &system.modes.shape[point];
     let moving: Vec<usize> = (0..shape.len()).filter(|i| shape[*i] != 0.0).collect();
@@ -52,7 +52,7 @@ pub fn own_mode(system: &System, point: &str) -> usize {
     moving[0]
 }
 
-/// A march from a physical state at time 0.
+/// Integrates from a physical state at time 0.
 pub fn integrator<'k>(kernel: &'k Kernel, state: &[f64], tolerance: f64) -> Integrator<'k> {
     Integrator::new(
         kernel,
@@ -63,7 +63,7 @@ pub fn integrator<'k>(kernel: &'k Kernel, state: &[f64], tolerance: f64) -> Inte
     .unwrap()
 }
 
-/// Displacement and velocity of a point where a march has come to.
+/// Displacement and velocity of a point at the end of an integration.
 pub fn motion(integrator: &Integrator, kernel: &Kernel, point: &str) -> [f64; 2] {
     let state = kernel
         .plant

@@ -1,4 +1,4 @@
-//! What impact harvesters are refused for: one clear error each.
+//! Errors of impact harvesters, one clear message each.
 
 use jounce::run::{RunError, RunPlan, StartState, simulate};
 use jounce::spec::Spec;
@@ -19,7 +19,8 @@ fn contact(gap: &str, more: &str) -> String {
 fn each_fault_is_told_once() {
     let gravity = "[gravity]\nacceleration = \"-9.81 m/s^2\"\n";
     assert!(Spec::from_toml(&format!("{BALL}{}", contact("20 mm", gravity))).is_ok());
-    // A ball may rest on a plate, as deep in it as its weight presses: (0.049 N / 1e8 N/m^1.5)^(2/3) = 0.62 um.
+    // A ball may rest on a plate with the penetration of its weight: (0.049 N / 1e8 N/m^1.5)^(2/3)
+    // = 0.62 um.
     assert!(Spec::from_toml(&format!("{BALL}{}", contact("-0.6 um", gravity))).is_ok());
     assert!(Spec::from_toml(&format!("{BALL}{}", contact("-0.7 um", gravity))).is_err());
     for (text, message) in [

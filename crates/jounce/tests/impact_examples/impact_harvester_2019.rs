@@ -1,4 +1,5 @@
-//! `examples/impact-harvester-2019`: the paper "Experimental validation of an impact off-resonance energy harvester" (2019).
+//! `examples/impact-harvester-2019`: the paper "Experimental validation of an impact off-resonance
+//! energy harvester" (2019).
 
 use crate::example::{run, spec};
 use crate::rows::check;
@@ -9,7 +10,8 @@ use std::f64::consts::TAU;
 const EXAMPLE: &str = "impact-harvester-2019";
 const SPEC: &str = "harvester.toml";
 
-/// The runs of the other programs: a table of damping ratio 0.05, 20 s from rest, mean power over the last 10 s, W.
+/// Mean power, W, of the runs of the other programs: table damping ratio 0.05, 20 s from rest, mean
+/// over the last 10 s.
 fn run_w(force: &str, frequency: &str) -> f64 {
     let settings = [
         ("mass.table.damping_ratio", "0.05"),
@@ -49,8 +51,8 @@ fn every_expected_row_is_met() {
     );
 }
 
-/// The paper's claim in its title: at 13 Hz, half as high again as the resonance, impacts give more than the harvester without its stop; at
-/// 6 Hz they give less. Ours: 3.89 times as much, 0.387 times.
+/// The claim of the paper's title: at 13 Hz, 1.5 times the resonance, impacts give more power than
+/// the harvester without its stop; at 6 Hz they give less. Ours: 3.89 times as much, 0.387 times.
 #[test]
 fn impacts_help_above_the_resonance_and_not_below() {
     for (force, frequency, least, most) in

@@ -1,4 +1,5 @@
-//! Impact harvesters of the literature: every spec of `examples/` that strikes something or rectifies, against closed forms.
+//! Impact harvesters of the literature: every spec of `examples/` with impacts or a rectifier,
+//! against closed forms.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 mod ball_umeda;

@@ -1,4 +1,5 @@
-//! `examples/missile-renaud-2009`: Renaud, Fiorini, van Schaijk and van Hoof, Smart Mater. Struct. 18 (2009) 035001.
+//! `examples/missile-renaud-2009`: Renaud, Fiorini, van Schaijk and van Hoof, Smart Mater. Struct.
+//! 18 (2009) 035001.
 
 use crate::example::{integrator, kernel, motion, own_mode, relative, run, system, throw};
 use crate::rows::check;
@@ -17,7 +18,7 @@ fn undriven(settings: &[(&str, &str)]) -> System {
     system
 }
 
-/// What moves with the tip of the right beam, kg.
+/// Mass that moves with the tip of the right beam, kg.
 fn beam_kg(system: &System) -> f64 {
     system.modes.shape["right.end"][own_mode(system, "right.end")].powi(-2)
 }
@@ -53,8 +54,8 @@ fn one_impact_is_newtons() {
     assert!(errors.iter().all(|error| *error < 1e-9), "{errors:?}");
 }
 
-/// A light missile strikes once and flies away: what the beam gets and what of it reaches the load. The missile is 40 mg and the other
-/// beam far away.
+/// A light missile strikes once and departs: the energy of the beam and its fraction in the load.
+/// The missile is 40 mg and the other beam far away.
 fn isolated_impact() -> [f64; 2] {
     let system = undriven(&[("mass.missile.mass", "40 mg"), ("stop.left.gap", "10 m")]);
     let (m, beam, speed, mode) = (40e-6, beam_kg(&system), 0.8, own_mode(&system, "right.end"));
@@ -91,7 +92,7 @@ fn isolated_impact() -> [f64; 2] {
     [found_j, exact_j]
 }
 
-/// Under gravity along the channel: time of flight and speed of the strike, from 12 mm before the middle.
+/// Under gravity along the channel: time of flight and impact speed, from 12 mm before the middle.
 #[test]
 fn a_fall_through_the_channel_takes_its_time() {
     let mut system = undriven(&[]);
@@ -136,7 +137,7 @@ fn every_expected_row_is_met() {
         );
         assert!(residual.abs() < 1e-5 && answer.stops.iter().all(|stop| stop.contacts > 10));
     }
-    // No turn can give more than the weight of the missile times the length of the channel.
+    // The energy per turn is at most the weight of the missile times the length of the channel.
     assert!(turned.mean_power_w < 4e-3 * 9.80665 * 2.0 * GAP_M * 1.0);
     check(
         EXAMPLE,

@@ -1,4 +1,5 @@
-//! `examples/random-base`: noise against the harvester with and without its stop, and a ball on its beam.
+//! `examples/random-base`: noise against the harvester with and without its stop, and a ball on its
+//! beam.
 
 use crate::example::{run, spec};
 use crate::rows::check;
@@ -7,14 +8,14 @@ use jounce::linear::{Random, steady_power_w};
 use std::path::Path;
 
 const EXAMPLE: &str = "random-base";
-/// Above the resonance, strong, the stop on the table.
+/// Strong noise above the resonance, with the stop on the table.
 const ABOVE: &[(&str, &str)] = &[
     ("drive.shaker.low", "12 Hz"),
     ("drive.shaker.psd", "1000 N^2/Hz"),
     ("stop.tip.frame", "table"),
 ];
 
-/// Mean power without and with the stop, W: in closed form, and of four members of 12 s.
+/// Mean power without and with the stop, W: in closed form, and over four members of 12 s.
 fn powers_w(file: &str, settings: &[(&str, &str)]) -> [f64; 2] {
     let short = [("run.duration", "12 s"), ("run.average_over", "10 s")];
     let base = Model::new(spec(EXAMPLE, file, &[settings, &short].concat())).unwrap();
@@ -57,7 +58,8 @@ fn every_expected_row_is_met() {
     let (kernel, ball) = run(EXAMPLE, "ball.toml", &[]);
     let no_ball_w = steady_power_w(&kernel.plant);
     assert!(ball.energies.residual_relative().abs() < 1e-6 && ball.contacts > 100);
-    // What the page says: a stop costs at resonance, wins above it and past a soft spring; a ball wins above resonance.
+    // Claims of the page: a stop reduces power at resonance and increases it above it and past a
+    // soft spring; a ball increases it above resonance.
     assert!(
         stop_w < 0.5 * linear_w
             && stop_above_w > 10.0 * linear_above_w

@@ -8,7 +8,8 @@ use std::f64::consts::{PI, TAU};
 
 const EXAMPLE: &str = "rectified-shu-lien-2006";
 
-/// `P / (F^2 / (w M))` by the formula of Shu and Lien (2006), with `r = C w R` and the frequency ratio.
+/// `P / (F^2 / (w M))` by the formula of Shu and Lien (2006), with `r = C w R` and the frequency
+/// ratio.
 fn formula(squared_coupling: f64, damping_ratio: f64, ratio: f64, r: f64) -> f64 {
     let shared = r * ratio + PI / 2.0;
     let damping = (2.0 * damping_ratio + 2.0 * squared_coupling * r / shared.powi(2)) * ratio;
@@ -18,11 +19,12 @@ fn formula(squared_coupling: f64, damping_ratio: f64, ratio: f64, r: f64) -> f64
         / (damping * damping + stiffness * stiffness)
 }
 
-/// The same by the first harmonic of the voltage of the element with its right phase, where the formula takes the phase from a balance at
-/// resonance: `u = u0 cos t`, and the voltage falls from `V_c` at slope `Theta / C` until it is clipped at `-V_c`.
+/// `P / (F^2 / (w M))` by the first harmonic of the element's voltage with its exact phase; the
+/// formula takes the phase from a balance at resonance. `u = u0 cos t`, and the voltage falls from
+/// `V_c` at slope `Theta / C` until it is clipped at `-V_c`.
 fn first_harmonic(squared_coupling: f64, damping_ratio: f64, ratio: f64, r: f64) -> f64 {
     let coupling = squared_coupling.sqrt();
-    // Per displacement of 1.
+    // For a displacement of 1.
     let storage = 2.0 * coupling / (2.0 + PI / (r * ratio));
     let clipped = (1.0 - 2.0 * storage / coupling).acos();
     let offset = storage - coupling;
@@ -36,7 +38,8 @@ fn first_harmonic(squared_coupling: f64, damping_ratio: f64, ratio: f64, r: f64)
     storage * storage / r / (stiffness * stiffness + damping * damping)
 }
 
-/// Direct integration, `k_e^2`, damping ratio, frequency ratio, `r`, storage and duration in units of the spec.
+/// Direct integration, `k_e^2`, damping ratio, frequency ratio, `r`, storage and duration in units
+/// of the spec.
 fn marched(cell: (f64, f64), ratio: f64, r: f64, storage: &str, duration: &str) -> f64 {
     let (coupling, damping) = (format!("[{}]", cell.0.sqrt()), format!("[{}]", cell.1));
     let (frequency, resistance) = (format!("{} Hz", ratio / TAU), format!("{r} ohm"));
@@ -64,8 +67,9 @@ fn marched(cell: (f64, f64), ratio: f64, r: f64, storage: &str, duration: &str) 
     answer.mean_power_w
 }
 
-/// With weak damping and strong coupling the power has two equal peaks, at the shorted and at the open resonance. The numbers that the
-/// literature gives for them are those of the formula: direct integration has 11 % more, 0.10 % and 0.14 % below the first harmonic.
+/// With weak damping and strong coupling the power has two equal peaks, at the short-circuit and
+/// open-circuit resonances. The numbers in the literature are those of the formula: direct
+/// integration has 11 % more, 0.10 % and 0.14 % below the first harmonic.
 #[test]
 fn the_power_is_that_of_direct_integration() {
     let strong = (1.0, 0.03);

@@ -1,14 +1,15 @@
-//! Two ways to keep few coordinates of a beam that is struck at its tip.
+//! Two reduced bases of a beam that is struck at its tip.
 //!
-//! Free-interface: the lowest modes of the beam. Fixed-contact (Craig and Bampton, AIAA J. 6 (1968) 1313): the lowest modes with the tip
-//! held, and the static shape under a force on the tip. Both are taken from one model with many free-interface modes, in which they span
-//! the same space when nothing is left out.
+//! Free-interface: the lowest modes of the beam. Fixed-contact (Craig and Bampton, AIAA J. 6 (1968)
+//! 1313): the lowest modes with the tip fixed, and the static shape under a force on the tip. Both
+//! are computed from one model with many free-interface modes; without truncation they span the
+//! same space.
 
 use faer::{Mat, Side};
 use jounce::plant::System;
 use std::sync::Arc;
 
-/// The system with only the lowest modes of its beam kept; the free mass (mode 0) stays.
+/// System with only the lowest modes of its beam; the free mass (mode 0) remains.
 pub fn free_interface(system: &System, kept: usize) -> System {
     let beam = system.modes.len() - 1;
     in_coordinates(
@@ -21,7 +22,7 @@ pub fn free_interface(system: &System, kept: usize) -> System {
     )
 }
 
-/// The system with the modes of the beam held at its tip and the static shape, `kept` coordinates in all.
+/// System with the fixed-tip modes of the beam and the static shape, `kept` coordinates in all.
 pub fn fixed_contact(system: &System, kept: usize) -> System {
     let square: Vec<f64> = system.modes.frequency_rad_s[1..]
         .iter()
@@ -29,7 +30,8 @@ pub fn fixed_contact(system: &System, kept: usize) -> System {
         .collect();
     let tip = &system.modes.shape["upper.end"][1..];
     let n = tip.len();
-    // An orthonormal basis of what leaves the tip where it is: the columns of a reflection that turns the tip's row into an axis.
+    // An orthonormal basis of the motions without tip displacement: columns of a reflection that
+    // maps the tip's row to an axis.
     let norm = tip.iter().map(|t| t * t).sum::<f64>().sqrt();
     let mut mirror: Vec<f64> = tip.iter().map(|t| t / norm).collect();
     mirror[0] += mirror[0].signum();
@@ -54,7 +56,7 @@ pub fn fixed_contact(system: &System, kept: usize) -> System {
     in_coordinates(system, &basis)
 }
 
-/// The system on the columns of a basis of the beam's coordinates, diagonal again.
+/// System in a basis of the beam's coordinates, diagonalised again.
 fn in_coordinates(system: &System, basis: &Mat<f64>) -> System {
     let modes = &system.modes;
     let square: Vec<f64> = modes.frequency_rad_s[1..].iter().map(|w| w * w).collect();

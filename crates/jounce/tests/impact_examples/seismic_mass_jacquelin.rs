@@ -1,4 +1,5 @@
-//! `examples/seismic-mass-jacquelin-2011`: Jacquelin, Adhikari and Friswell, Smart Mater. Struct. 20 (2011) 105008.
+//! `examples/seismic-mass-jacquelin-2011`: Jacquelin, Adhikari and Friswell, Smart Mater. Struct.
+//! 20 (2011) 105008.
 
 use crate::example::{integrator, kernel, motion, relative, run, system, throw};
 use crate::reduced_basis::{fixed_contact, free_interface};
@@ -14,7 +15,8 @@ const SPEC: &str = "harvester.toml";
 const SEISMIC_KG: f64 = 50e-3;
 const STIFFNESS: f64 = 7.4e9;
 
-/// The mass cut off its spring before the upper beam, which keeps `modes` modes, without damping.
+/// The seismic mass, released from its spring, before the upper beam with `modes` modes, without
+/// damping.
 fn detached(modes: usize, settings: &[(&str, &str)]) -> System {
     let kept = format!("{}", 2 * modes + 1);
     let settings: Vec<(&str, &str)> = [("reduction.modes", kept.as_str()), ("damping.beyond", "0")]
@@ -26,7 +28,7 @@ fn detached(modes: usize, settings: &[(&str, &str)]) -> System {
     system.drives.clear();
     system.stops.retain(|stop| !names(&stop.name));
     system.loads.retain(|load| !names(&load.name));
-    // What is left: the mass, made free, and the upper beam.
+    // The remaining parts: the free mass and the upper beam.
     let seismic = system.modes.shape["seismic"]
         .iter()
         .position(|s| *s != 0.0)
@@ -58,7 +60,8 @@ fn detached(modes: usize, settings: &[(&str, &str)]) -> System {
     system
 }
 
-/// Force of the contact at 4000 times over the first 8 ms after the mass arrives at 0.1 m/s, N, and the speed it leaves the window with.
+/// Contact force, N, at 4000 times over the first 8 ms after the mass arrives at 0.1 m/s, and its
+/// final speed.
 fn force_n(system: System) -> (Vec<f64>, f64) {
     let kernel = kernel(system);
     let mut start = vec![0.0; kernel.plant.len()];
@@ -84,9 +87,10 @@ fn distance(one: &[f64], other: &[f64]) -> f64 {
     norm(&mut one.iter().zip(other).map(|(a, b)| a - b)) / norm(&mut other.iter().copied())
 }
 
-/// The two bases of the model give one answer when complete, and the one with the static shape needs fewer coordinates.
-/// A soft contact (1e6 N/m^1.5), so that what is compared is the bases and not the number of bounces.
-/// Measured: complete bases differ by 1.3e-7, roundoff of the two eigenproblems that the contact amplifies.
+/// The two bases of the model give equal results when complete, and the one with the static shape
+/// needs fewer coordinates. A soft contact (1e6 N/m^1.5) makes the comparison depend on the bases
+/// and not on the number of bounces. Measured: complete bases differ by 1.3e-7, the roundoff of the
+/// two eigenproblems amplified by the contact.
 #[test]
 fn free_interface_and_fixed_contact_bases_are_equivalent() {
     let many = 40;
@@ -122,8 +126,8 @@ fn free_interface_and_fixed_contact_bases_are_equivalent() {
     }
 }
 
-/// On a beam that is ever stiffer and heavier the collision becomes that of Hertz with a fixed body: peak force and duration.
-/// Measured: 2e-2, 2e-4, 2e-6 and 8e-3, 8e-5, 7e-7.
+/// With increasing stiffness and mass of the beam, the collision approaches that of Hertz with a
+/// fixed body: peak force and duration. Measured: 2e-2, 2e-4, 2e-6 and 8e-3, 8e-5, 7e-7.
 fn hertz_errors(times: f64) -> [f64; 2] {
     let (modulus, density) = (
         format!("{} GPa", 110.0 * times),
@@ -170,7 +174,7 @@ fn a_heavy_beam_is_the_fixed_body_of_hertz() {
     assert!(errors[2].iter().all(|error| *error < 1e-5), "{errors:?}");
 }
 
-/// Largest power of all loads between two times of a recorded run, W.
+/// Largest power of all loads between two times of a run with a record, W.
 fn peak_power_w(kernel: &Kernel, answer: &jounce::run::RunResult, from_s: f64, to_s: f64) -> f64 {
     let plant = &kernel.plant;
     let times: Vec<f64> = (0..20_000)

@@ -11,12 +11,12 @@ const EXAMPLE: &str = "shock-cavallier-2005";
 const SPEC: &str = "harvester.toml";
 const PEAK_M_S2: f64 = 100.0 * 9.80665;
 
-/// First mode alone: angular frequency, participation, and the blow that a shock becomes.
+/// First mode only: angular frequency, participation, and the blow equivalent to a shock.
 fn single() -> (f64, f64, Impulse) {
     let system = system(EXAMPLE, SPEC, &[("reduction.modes", "1")]);
     let (modes, load) = (&system.modes, &system.loads[0]);
     let frequency_rad_s = modes.frequency_rad_s[0];
-    // Both layers in parallel, the lower one turned round.
+    // Both layers in parallel, the lower one with reversed polarity.
     let coupling: f64 = load
         .connections
         .iter()
@@ -31,7 +31,8 @@ fn single() -> (f64, f64, Impulse) {
     (frequency_rad_s, modes.participation_sqrt_kg[0], blow)
 }
 
-/// Energy in the load after a half sine of that many periods, over that of a blow with the same change of velocity.
+/// Energy in the load after a half sine of the given periods, over that of a blow with equal change
+/// of velocity.
 fn share(periods: f64) -> f64 {
     let (frequency_rad_s, participation, _) = single();
     let duration_s = periods * TAU / frequency_rad_s;
@@ -48,8 +49,8 @@ fn share(periods: f64) -> f64 {
     answer.energies.loads_j[0] / (0.5 * (participation * velocity).powi(2))
 }
 
-/// A short shock is a blow: within 1 % at a twentieth of a period, and the rest falls with the square of the length.
-/// Measured: 4.9e-3 and 1.2e-3.
+/// A short shock acts as a blow: within 1 % at a twentieth of a period, and the difference falls
+/// with the square of the length. Measured: 4.9e-3 and 1.2e-3.
 #[test]
 fn a_short_shock_is_a_blow() {
     let (_, _, blow) = single();
@@ -61,7 +62,7 @@ fn a_short_shock_is_a_blow() {
     );
 }
 
-/// The mode alone with open patches and without damping, and its frequency.
+/// The first mode with open patches and without damping, and its frequency.
 fn undamped() -> (System, f64) {
     let mut system = system(
         EXAMPLE,
@@ -79,7 +80,8 @@ fn undamped() -> (System, f64) {
     (system, frequency_rad_s)
 }
 
-/// Amplitude that rings on after a half sine of length `T`, over `p A / w^2`, with `w T = 2 pi periods`.
+/// Amplitude of the free oscillation after a half sine of length `T`, over `p A / w^2`, with
+/// `w T = 2 pi periods`.
 fn residual(periods: f64) -> f64 {
     let (mut system, frequency_rad_s) = undamped();
     let participation = system.modes.participation_sqrt_kg[0];
@@ -112,7 +114,7 @@ fn residual_exact(periods: f64) -> f64 {
     }
 }
 
-/// Measured: 5e-13; a half sine is marched exactly.
+/// Measured: 5e-13; a half sine is integrated exactly.
 #[test]
 fn residual_spectrum_of_a_half_sine() {
     for periods in [0.05, 0.2, 0.5, 0.8, 1.0, 1.5, 2.2, 3.0, 5.0] {
@@ -122,8 +124,8 @@ fn residual_spectrum_of_a_half_sine() {
     }
 }
 
-/// Energy that the same layers of PZT could give when glued flat to the package, at most: `Q^2 / C` with the charge `d33 m a / 2` of the
-/// plate's own inertia.
+/// Largest energy of the same layers of PZT glued flat to the package: `Q^2 / C` with the charge
+/// `d33 m a / 2` of the plate's inertia.
 fn glued_plate_j() -> f64 {
     let (d33_m_per_v, density, thickness_m, area_m2) = (374e-12, 7750.0, 0.1e-3, 20e-3 * 5e-3);
     let capacitance_f = system(EXAMPLE, SPEC, &[]).modes.patch["top"].capacitance_f;
@@ -131,7 +133,7 @@ fn glued_plate_j() -> f64 {
     2.0 * charge_c * charge_c / capacitance_f
 }
 
-/// First mode of the three layers, Hz, from `EI` and the mass of a length.
+/// First mode of the three layers, Hz, from `EI` and the mass per length.
 fn layered_beam_hz() -> f64 {
     let (core_m, layer_m, length_m) = (0.3e-3_f64, 0.1e-3_f64, 20e-3);
     let whole_m = core_m + 2.0 * layer_m;

@@ -1,4 +1,5 @@
-//! `examples/two-beams-vijayan-2015`: Vijayan, Friswell, Haddad Khodaparast and Adhikari, Int. J. Mech. Sci. 96-97 (2015) 101.
+//! `examples/two-beams-vijayan-2015`: Vijayan, Friswell, Haddad Khodaparast and Adhikari, Int. J.
+//! Mech. Sci. 96-97 (2015) 101.
 
 use crate::example::{integrator, kernel, relative, run, system, throw};
 use crate::rows::check;
@@ -14,8 +15,8 @@ const EXAMPLE: &str = "two-beams-vijayan-2015";
 const SPEC: &str = "harvester.toml";
 const STIFFNESS_N_M: f64 = 5e4;
 
-/// Twenty swings of the relative motion of two equal oscillators that touch: half of each apart at 1 rad/s, half pressed at 10 rad/s.
-/// Measured: state 3e-11, time of contact 1e-8.
+/// Twenty periods of the relative motion of two equal oscillators that touch: half of each apart at
+/// 1 rad/s, half in contact at 10 rad/s. Measured: state 3e-11, time of contact 1e-8.
 #[test]
 fn two_oscillators_swing_at_the_bilinear_frequency() {
     let kernel = kernel(system(EXAMPLE, "bilinear.toml", &[]));
@@ -46,7 +47,7 @@ fn two_oscillators_swing_at_the_bilinear_frequency() {
     );
 }
 
-/// The spec by itself shows it: pressed together for half a period of 10 rad/s, at whatever speeds.
+/// The spec shows it: in contact for half a period of 10 rad/s, at any speed.
 #[test]
 fn the_spec_starts_as_the_oscillators_meet() {
     for settings in [vec![], vec![("mass.lower.velocity", "0.3 m/s")]] {
@@ -61,7 +62,8 @@ fn the_spec_starts_as_the_oscillators_meet() {
     }
 }
 
-/// Equal beams on one base move alike; beams that are far apart do not know of each other: no contact, and the power of linear theory.
+/// Equal beams on one base move equally; beams far apart are uncoupled: no contact, and the power
+/// of linear theory.
 #[test]
 fn equal_beams_and_distant_beams_are_linear() {
     for settings in [
@@ -79,7 +81,8 @@ fn equal_beams_and_distant_beams_are_linear() {
     }
 }
 
-/// Steady power of the harvester with a spring between the tips that never lets go, by the equations themselves in complex numbers.
+/// Steady power of the harvester with a two-sided spring between the tips, from the complex
+/// equations.
 fn coupled_power_w(system: &System) -> f64 {
     let (modes, drive) = (&system.modes, &system.drives[0]);
     let n = modes.len();
@@ -125,7 +128,8 @@ fn coupled_power_w(system: &System) -> f64 {
         .sum()
 }
 
-/// A spring that pushes and pulls, marched from rest until it is steady, and the coupled linear equations. Measured: 7e-12.
+/// A two-sided spring, integrated from rest to steady state, against the coupled linear equations.
+/// Measured: 7e-12.
 fn permanent() -> [f64; 2] {
     let mut system = system(EXAMPLE, SPEC, &[("stop.tips.gap", "0 mm")]);
     system.stops[0].law = Law::Cubic(Cubic {

@@ -1,8 +1,10 @@
-//! Rust code with everything blanked out that is not code of the product: comments, literals, and items under `#[cfg(test)]`.
+//! Rust source with all text blanked that is not product code: comments, literals, and items under
+//! `#[cfg(test)]`.
 //!
-//! Blanked characters become spaces and line breaks stay, so that places in the result are places in the source.
+//! Spaces replace blanked characters and line breaks remain, so positions equal those in the
+//! source.
 
-/// The code of a source, places kept.
+/// Returns the code of a source, with positions unchanged.
 pub fn blanked(source: &str) -> String {
     let mut text = without_comments_and_literals(source);
     while let Some(start) = position(&text, &TEST_ATTRIBUTE, 0) {
@@ -91,14 +93,15 @@ fn end_of_raw_string(text: &[char], start: usize) -> usize {
 /// `'x'` or `'\n'`; `start` itself for a lifetime.
 fn end_of_character(text: &[char], start: usize) -> usize {
     match (text.get(start + 1), text.get(start + 2)) {
-        // An escaped quote is two characters long, so the search for the closing one starts behind it.
+        // An escaped quote has two characters, so the search for the closing one starts behind it.
         (Some('\\'), Some(_)) => position(text, &['\''], start + 3).map_or(text.len(), |at| at + 1),
         (Some(_), Some('\'')) => start + 3,
         _ => start,
     }
 }
 
-/// Where the item that starts at a place ends: behind its closing brace and what may follow it, or behind its semicolon.
+/// End of the item that starts at a position: behind its closing brace with what may follow, or
+/// behind its semicolon.
 fn end_of_item(text: &[char], start: usize) -> usize {
     let mut depth = 0;
     for (at, c) in text.iter().enumerate().skip(start) {

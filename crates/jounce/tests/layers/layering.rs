@@ -1,11 +1,11 @@
-//! The layers from left to right, and what breaks their order.
+//! The layers from left to right, and violations of their order.
 
 use super::paths::uses;
 
-/// A file with its path below `src/`.
+/// File with its path below `src/`.
 #[derive(Debug, Clone)]
 pub struct Source {
-    /// Path with slashes, as in `march/flight.rs`.
+    /// Path with slashes, as in `integrate/flight.rs`.
     pub path: String,
     /// Its text.
     pub text: String,
@@ -15,11 +15,12 @@ pub struct Source {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Layering(Vec<String>);
 
-/// How the layer list of a crate begins in a document; the crate's name follows.
+/// Start of the layer list of a crate in a document; the name of the crate follows.
 const OPENING: &str = "```text layers of ";
 
 impl Layering {
-    /// Reads the list of a crate from the block "```text layers of CRATE": one layer per line, its name first.
+    /// Reads the list of a crate from the block "```text layers of CRATE": one layer per line, its
+    /// name first.
     pub fn from_markdown(text: &str, name: &str) -> Option<Self> {
         let opens = |line: &str| line.trim_end().strip_prefix(OPENING) == Some(name);
         let lines = text
@@ -33,7 +34,7 @@ impl Layering {
         (!names.is_empty()).then_some(Self(names))
     }
 
-    /// Everything that breaks the order, one sentence each.
+    /// Returns every violation of the order, one sentence each.
     pub fn faults(&self, sources: &[Source]) -> Vec<String> {
         let mut folders: Vec<&str> = sources
             .iter()
@@ -57,7 +58,7 @@ impl Layering {
     }
 
     fn faults_of(&self, source: &Source) -> Vec<String> {
-        // The root of the crate sees everything.
+        // The root of the crate may use all modules.
         let Some(layer) = layer_of(&source.path) else {
             return Vec::new();
         };
@@ -87,7 +88,7 @@ impl Layering {
     }
 }
 
-/// Layer of a file; none for the root of the crate.
+/// Layer of a file; `None` for the root of the crate.
 fn layer_of(path: &str) -> Option<&str> {
     match path.split_once('/') {
         Some((folder, _)) => Some(folder),

@@ -1,4 +1,4 @@
-//! The layer list of ARCHITECTURE.md holds: a folder uses only what stands before it.
+//! The code follows the layer list of ARCHITECTURE.md: a folder uses only the folders before it.
 
 mod blanked;
 mod layering;

@@ -1,17 +1,18 @@
-//! Every path of a module that begins at the root of the crate: `crate::name`, `crate::{name, name}`, `super::super::name`.
+//! Module paths that begin at the root of the crate: `crate::name`, `crate::{name, name}`,
+//! `super::super::name`.
 
 use super::blanked::{blanked, is_word};
 
-/// A use of a top-level module.
+/// Use of a top-level module.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Use {
-    /// The name behind the root.
+    /// Name behind the root.
     pub name: String,
     /// Line of the source, from 1.
     pub line: usize,
 }
 
-/// The uses in the source of a module that lies `depth` modules below the root.
+/// Returns the uses in the source of a module `depth` modules below the root.
 pub fn uses(source: &str, depth: usize) -> Vec<Use> {
     let code: Vec<char> = blanked(source).chars().collect();
     let words = words(&code);
@@ -32,7 +33,7 @@ pub fn uses(source: &str, depth: usize) -> Vec<Use> {
     found
 }
 
-/// Identifiers with their places.
+/// Identifiers with their positions.
 fn words(code: &[char]) -> Vec<(usize, String)> {
     let mut words: Vec<(usize, String)> = Vec::new();
     for (at, c) in code.iter().enumerate().filter(|(_, c)| is_word(**c)) {
@@ -44,7 +45,7 @@ fn words(code: &[char]) -> Vec<(usize, String)> {
     words
 }
 
-/// True where only `::` lies between a word and the place of the next.
+/// True where only `::` lies between a word and the position of the next.
 fn joined(code: &[char], before: &(usize, String), next: usize) -> bool {
     let between: String = code[before.0 + before.1.chars().count()..next]
         .iter()
@@ -61,7 +62,7 @@ fn supers(code: &[char], words: &[(usize, String)]) -> usize {
     1 + linked
 }
 
-/// First names of what stands behind the `::` at a place: one, or all of a `{..}` group.
+/// First names behind the `::` at a position: one, or all of a `{..}` group.
 fn names_behind(code: &[char], place: usize) -> Vec<String> {
     let rest: String = code[place..].iter().collect();
     let Some(rest) = rest.trim_start().strip_prefix("::").map(str::trim_start) else {
@@ -73,7 +74,7 @@ fn names_behind(code: &[char], place: usize) -> Vec<String> {
     }
 }
 
-/// First names of the members of a group, its opening brace taken away.
+/// First names of the members of a group, without its opening brace.
 fn first_names(group: &str) -> Vec<String> {
     let (mut depth, mut members) = (0, vec![String::new()]);
     for c in group.chars() {
@@ -95,7 +96,7 @@ fn first_names(group: &str) -> Vec<String> {
         .collect()
 }
 
-/// The name at the start; a glob is itself.
+/// Name at the start; a glob is returned as it is.
 fn first_name(text: &str) -> String {
     let text = text.strip_prefix("r#").unwrap_or(text);
     if text.starts_with('*') {

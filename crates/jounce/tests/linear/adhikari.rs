@@ -1,11 +1,12 @@
-//! `examples/white-noise-adhikari-2009`: Adhikari, Friswell and Inman, Smart Mater. Struct. 18 (2009) 115005.
+//! `examples/white-noise-adhikari-2009`: Adhikari, Friswell and Inman, Smart Mater. Struct. 18
+//! (2009) 115005.
 
 use crate::expected::{check, plant};
 use jounce::linear::{noise_powers_between_w, white_noise_powers_w};
 use std::f64::consts::{PI, TAU};
 
 const EXAMPLE: &str = "white-noise-adhikari-2009";
-/// The paper's two-sided density of 1 per rad/s as a one-sided one per Hz.
+/// Two-sided density of the paper, 1 per rad/s, as a one-sided density per Hz.
 const DENSITY: f64 = 4.0 * PI;
 const MASS_KG: f64 = 9.12e-3;
 const CAPACITANCE_F: f64 = 4.3e-8;
@@ -85,7 +86,7 @@ fn every_expected_row_is_met() {
     let scale = frequency_rad_s() * CAPACITANCE_F;
     let tuned_h = 1.0 / (frequency_rad_s().powi(2) * CAPACITANCE_F);
     let best_ohm = 1.0 / (1.0 + coupling_squared()).sqrt() / scale;
-    // It is a maximum: both neighbours draw less.
+    // It is a maximum: both neighbours give less.
     let best = powers(best_ohm, None)[0];
     assert!(powers(0.99 * best_ohm, None)[0] < best && powers(1.01 * best_ohm, None)[0] < best);
     check(
@@ -103,7 +104,7 @@ fn every_expected_row_is_met() {
     );
 }
 
-/// Bands add up to the whole, and the half-power band of the resonance holds most of it.
+/// Bands sum to the total, and the half-power band of the resonance contains most of it.
 #[test]
 fn bands_add_up() {
     let plant = plant(EXAMPLE, &[]);

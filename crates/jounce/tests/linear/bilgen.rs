@@ -1,4 +1,5 @@
-//! `examples/mfc-bender-bilgen-2010`: patch moments of both kinds of Macro Fiber Composite against static beam theory.
+//! `examples/mfc-bender-bilgen-2010`: patch moments of both kinds of Macro Fiber Composite against
+//! static beam theory.
 
 use crate::expected::{check, spec};
 use crate::rows;
@@ -14,9 +15,9 @@ fn bimetal_curvature(h_m: f64, e_pa: f64, patch_m: f64, patch_pa: f64, strain: f
         / ((h_m + patch_m) * (3.0 * (1.0 + m).powi(2) + (1.0 + m * n) * (m * m + 1.0 / (m * n))))
 }
 
-/// One volt bends the stretch under the patch as a bimetal and leaves the rest straight: the end moves by
-/// `curvature * length * (distance from the middle of the patch to the end)`. The modes must add up to that; after 40 of them 1e-5 is
-/// left.
+/// One volt bends the segment under the patch like a bimetal and leaves the rest straight. The end
+/// moves by `curvature * length * (distance from the middle of the patch to the end)`. The modes
+/// must sum to that; the error after 40 of them is 1e-5.
 #[test]
 fn one_volt_bends_it_as_a_bimetal() {
     for (material, strain_per_v) in [("MFC-P2", -170e-12 / 0.3e-3), ("MFC-P1", 400e-12 / 0.5e-3)] {
@@ -38,7 +39,7 @@ fn one_volt_bends_it_as_a_bimetal() {
     }
 }
 
-/// The composite given from its layers, with some keys set.
+/// The composite specified by its layers, with some keys changed.
 fn layered(kind: &[(&str, &str)]) -> jounce::spec::Spec {
     let path = rows::folder(EXAMPLE).join("layers.toml");
     let mut file = jounce::spec::SpecFile::read(path).unwrap();
@@ -47,9 +48,10 @@ fn layered(kind: &[(&str, &str)]) -> jounce::spec::Spec {
     file.spec().unwrap_or_else(|faults| panic!("{faults}"))
 }
 
-/// Curvature per volt of a stack of layers `(modulus, thickness)` from the bottom, of which number `active` strains freely by
-/// `strain_per_v`: no force and no moment on the whole, `[EA, ES; ES, EI] (e0, k) = (N, M)` about the bottom. Classical laminate theory
-/// without a neutral axis, 1/(V m).
+/// Curvature per volt of a stack of layers `(modulus, thickness)` from the bottom, where number
+/// `active` has the free strain `strain_per_v`. The total force and moment are zero,
+/// `[EA, ES; ES, EI] (e0, k) = (N, M)` about the bottom. Classical laminate theory without a
+/// neutral axis, 1/(V m).
 fn stack_curvature(stack: &[(f64, f64)], active: usize, strain_per_v: f64) -> f64 {
     let (mut bottom_m, mut sums, mut free) = (0.0, [0.0; 3], [0.0; 2]);
     for (k, (modulus_pa, thickness_m)) in stack.iter().enumerate() {
@@ -67,8 +69,9 @@ fn stack_curvature(stack: &[(f64, f64)], active: usize, strain_per_v: f64) -> f6
     (sums[0] * free[1] - sums[1] * free[0]) / (sums[0] * sums[2] - sums[1] * sums[1])
 }
 
-/// Given from substrate, bond, foil, fibres and foil the patch bends as the stack of these layers does, d31 and d33. Measured 2e-16 in the
-/// moment over the stiffness, 1e-5 in the sum of 40 modes.
+/// Specified by substrate, bond, foil, fibres and foil, the patch bends like the stack of these
+/// layers, d31 and d33. Measured 2e-16 in the moment over the stiffness, 1e-5 in the sum of 40
+/// modes.
 #[test]
 fn a_composite_given_from_its_layers_bends_as_their_stack() {
     let d33 = [
@@ -108,7 +111,8 @@ fn a_composite_given_from_its_layers_bends_as_their_stack() {
     }
 }
 
-/// Foils of the modulus of the fibres make one layer of the whole thickness: the bimetal again. Measured 4e-16.
+/// Foils with the modulus of the fibres form one layer of the total thickness, again a bimetal.
+/// Measured 4e-16.
 #[test]
 fn foils_like_the_fibres_make_one_layer() {
     let alike = [
@@ -119,7 +123,8 @@ fn foils_like_the_fibres_make_one_layer() {
     let (beam, patch) = (&spec.beam["substrate"], &spec.patch["mfc"]);
     let section = CrossSection::laminated(beam, spec.layer.values(), spec.patch.values());
     let found = patch_moment_n_m_per_v(beam, &section, patch) / section.bending_stiffness_n_m2;
-    // The moment of a d31 patch is that of its modulus, coefficient and lever, however thick it is.
+    // The moment of a d31 patch depends on its modulus, coefficient and lever arm only, not on its
+    // thickness.
     let exact = bimetal_curvature(0.52e-3, 70e9, 0.3e-3, 48e9, -210e-12 / 0.3e-3);
     eprintln!("{:.1e}", found / exact - 1.0);
     assert!((found / exact - 1.0).abs() < 1e-13);
@@ -165,7 +170,8 @@ fn capacitances_are_those_of_the_manufacturer() {
     }
 }
 
-/// The same numbers as rows: the motion of the end as the sum of the modes, the capacitance of the patch.
+/// The same numbers as rows: the motion of the end as the sum of the modes, the capacitance of the
+/// patch.
 #[test]
 fn every_expected_row_is_met() {
     let of = |material: &str| {

@@ -1,4 +1,5 @@
-//! Wiring and inductors against circuit equations written out, and the conserved charge of open patches.
+//! Wiring and inductors against explicit circuit equations, and the conserved charge of open
+//! patches.
 
 use faer::c64;
 use jounce::linear::{FrfInput, FrfResponse, frf};
@@ -10,7 +11,7 @@ use std::f64::consts::TAU;
 
 const NAMES: [&str; 3] = ["a", "b", "c"];
 
-/// Three modes and three unlike patches.
+/// Three modes and three unequal patches.
 fn modes() -> Modes {
     let patch = |coupling: [f64; 3], capacitance_f: f64| PatchModes {
         coupling_n_per_v: coupling.to_vec(),
@@ -63,10 +64,12 @@ fn plant(load: &Load) -> Plant {
     .unwrap()
 }
 
-/// Linear equations on `(V_a, V_b, V_c, i)`, `i` the current into the load: coefficients and right side.
+/// Linear equations on `(V_a, V_b, V_c, i)`, `i` the current into the load: coefficients and right
+/// side.
 ///
-/// The current out of patch `p` is `i_p = source_p - sum_r Y_pr V_r`, with `Y` its capacitance and the dynamic admittance of the modes
-/// and the source the motion of the base; series members carry `sign i`, parallel ones have `sign V`, open ones carry nothing.
+/// The current out of patch `p` is `i_p = source_p - sum_r Y_pr V_r`, with `Y` its capacitance and
+/// the dynamic admittance of the modes. The source is the motion of the base. Series members carry
+/// `sign i`, parallel ones have `sign V`, open ones carry no current.
 fn equations(load: &Load, w: f64) -> Vec<Vec<c64>> {
     let (modes, s, zero) = (modes(), c64::new(0.0, w), c64::new(0.0, 0.0));
     let theta = |patch: usize, mode: usize| modes.patch[NAMES[patch]].coupling_n_per_v[mode];
@@ -160,7 +163,7 @@ fn solved(mut rows: Vec<Vec<c64>>) -> Vec<c64> {
     (0..n).map(|k| rows[k][n] / rows[k][k]).collect()
 }
 
-/// Every wiring of unlike patches, with and without an inductor.
+/// Every wiring of unequal patches, with and without an inductor.
 #[test]
 fn voltages_solve_the_circuit_equations() {
     let wanted = NAMES.map(|name| FrfResponse::Voltage(name.into()));
@@ -203,7 +206,8 @@ fn voltages_solve_the_circuit_equations() {
     eprintln!("largest error {worst:.1e}");
 }
 
-/// An open patch keeps its charge: the state that holds it is at rest, has rate 0 exactly, and no meter sees it.
+/// An open patch has constant charge: its state is at rest, has rate exactly 0, and enters no
+/// meter.
 #[test]
 fn an_open_patch_keeps_its_charge() {
     let plant = plant(&load(&[("a", 1.0)], Wiring::Parallel, None));

@@ -66,8 +66,9 @@ fn every_expected_row_is_met() {
     );
 }
 
-/// Eqs. (33) to (38) of the paper with the closed-form modes of a clamped-free beam, in every mode that is kept:
-/// `V / a = sum (i w chi gamma / D) / (1/R + i w C + sum i w chi^2 / D)`. Measured 2e-12.
+/// Eqs. (33) to (38) of the paper with the closed-form modes of a clamped-free beam, in every
+/// retained mode: `V / a = sum (i w chi gamma / D) / (1/R + i w C + sum i w chi^2 / D)`. Measured
+/// 2e-12.
 #[test]
 fn voltage_and_motion_are_the_closed_form() {
     let spec = spec(EXAMPLE, &[]);
@@ -82,7 +83,8 @@ fn voltage_and_motion_are_the_closed_form() {
     let capacitance_f = patch.clamped_capacitance_f();
     let slope = |mode: usize| {
         let l = Cantilever::root(mode);
-        // phi'(L) = l / L (sinh l + sin l - s (cosh l - cos l)) / sqrt(m L), positive at the tip like phi(L).
+        // phi'(L) = l / L (sinh l + sin l - s (cosh l - cos l)) / sqrt(m L), positive at the tip
+        // like phi(L).
         let s = (l.cosh() + l.cos()) / (l.sinh() + l.sin());
         let sign = if mode.is_multiple_of(2) { 1.0 } else { -1.0 };
         let root_mass = (closed.mass_per_length_kg_m * closed.length_m).sqrt();

@@ -41,7 +41,7 @@ fn every_expected_row_is_met() {
             ("measured_open_circuit_hz", open_hz),
             ("bending_stiffness_n_m2", section.bending_stiffness_n_m2),
             ("series_capacitance_nf", node.capacitance_f * 1e9),
-            // Each layer sees half the voltage and both push the same way.
+            // Each layer has half the voltage, and both act in the same direction.
             ("series_moment_n_m_per_v", moment),
             ("voltage_1_kohm_v_per_g", peaks[0].1),
             ("voltage_peak_1_kohm_hz", peaks[0].0),
@@ -77,7 +77,8 @@ fn every_expected_row_is_met() {
     );
 }
 
-/// `V_series(R) = 2 V_parallel(R / 4)` at every frequency; measured 2e-13. Connected the wrong way round the layers cancel.
+/// `V_series(R) = 2 V_parallel(R / 4)` at every frequency; measured 2e-13. With reversed polarity
+/// the layers cancel.
 #[test]
 fn series_and_parallel_are_one_harvester() {
     for (series, parallel) in [
@@ -94,7 +95,7 @@ fn series_and_parallel_are_one_harvester() {
             );
         }
     }
-    // Two equal layers in series need no state but their terminal voltage.
+    // Two equal layers in series need no state other than their terminal voltage.
     assert_eq!(wired("series", "1 kohm").electrical.nodes.len(), 1);
     for wiring in ["series", "parallel"] {
         let wrong = plant(
@@ -110,8 +111,9 @@ fn series_and_parallel_are_one_harvester() {
     }
 }
 
-/// One mode and its circuit, `Y = i w C (1 + k^2 w_s^2 / (w_s^2 - w^2 + 2 i zeta w_s w))` with `k^2 = theta^2 / (C w_s^2)`: the best
-/// resistance is `1 / |Y|`, at the shorted and at the open resonance in closed form, and no mean power passes `sigma^2 a^2 / (16 zeta w_s)`.
+/// One mode and its circuit, `Y = i w C (1 + k^2 w_s^2 / (w_s^2 - w^2 + 2 i zeta w_s w))` with
+/// `k^2 = theta^2 / (C w_s^2)`. The best resistance is `1 / |Y|`, at the short-circuit and
+/// open-circuit resonances in closed form. No mean power exceeds `sigma^2 a^2 / (16 zeta w_s)`.
 /// Measured: 8e-15 of the resistances.
 #[test]
 fn one_mode_has_the_best_resistances_of_the_closed_form() {
@@ -127,7 +129,7 @@ fn one_mode_has_the_best_resistances_of_the_closed_form() {
     let made = single("1 kohm");
     let (modes, node) = (&made.system.modes, &made.electrical.nodes[0]);
     let (short, zeta) = (modes.frequency_rad_s[0], modes.damping_ratio[0]);
-    // In series each layer takes half of the voltage.
+    // In series each layer has half of the voltage.
     let theta = 0.5
         * (modes.patch["top"].coupling_n_per_v[0].abs()
             + modes.patch["bottom"].coupling_n_per_v[0].abs());

@@ -1,14 +1,14 @@
-//! An example: its spec with some keys set, its plant.
+//! An example: its spec with some keys changed, its plant.
 
 use crate::rows::folder;
 use jounce::plant::{Plant, System};
 use jounce::spec::{Spec, SpecFile};
 use jounce::structure::modes;
 
-/// Acceleration of gravity that the papers refer their answers to, m/s^2.
+/// Acceleration of gravity used in the results of the papers, m/s^2.
 pub const G_M_S2: f64 = 9.81;
 
-/// The spec of an example with some keys set.
+/// Spec of an example with some keys changed.
 pub fn spec(example: &str, settings: &[(&str, &str)]) -> Spec {
     let mut file = SpecFile::read(folder(example).join("harvester.toml")).unwrap();
     for (key, value) in settings {

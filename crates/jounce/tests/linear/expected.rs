@@ -1,4 +1,4 @@
-//! The expected numbers of an example.
+//! Expected numbers of an example.
 
 use crate::example::G_M_S2;
 pub use crate::example::{plant, spec};
@@ -35,7 +35,8 @@ pub fn peak(plant: &Plant, mut low_hz: f64, mut high_hz: f64) -> (f64, f64) {
     (low_hz, voltage_per_g(plant, low_hz))
 }
 
-/// Best resistance at a frequency and the peak voltage squared over it, from `V (1/R + Y) = I` at two resistances.
+/// Best resistance at a frequency and the peak voltage squared over it, from `V (1/R + Y) = I` at
+/// two resistances.
 pub fn best_resistance(make: impl Fn(&str) -> Plant, frequency_hz: f64) -> (f64, f64) {
     let voltage = |ohm: f64| {
         let plant = make(&format!("{ohm} ohm"));

@@ -1,4 +1,5 @@
-//! Linear answers: base motion, circuits and noise, against closed forms and the expected numbers of `examples/`.
+//! Linear responses: base motion, circuits and noise, against closed forms and the expected numbers
+//! of `examples/`.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 mod adhikari;

@@ -1,5 +1,5 @@
-//! `examples/porous-patch-martinez-ayuso`: the constants of its patch from those of the dense ceramic; what its paper says of the load and of
-//! driving off resonance, for our dimensions.
+//! `examples/porous-patch-martinez-ayuso`: constants of its patch from those of the dense ceramic,
+//! and the results of its paper on the load and off-resonance drive, for our dimensions.
 
 use crate::expected::{check, plant, spec};
 use jounce::contact::Law;
@@ -93,7 +93,7 @@ fn every_expected_row_is_met() {
     assert!((patch.d31_m_per_v.unwrap() / porous.d31_m_per_v - 1.0).abs() < 1e-3);
 }
 
-/// Of vacuum, F/m.
+/// Permittivity of vacuum, F/m.
 const PERMITTIVITY_OF_VACUUM_F_M: f64 = 8.854_187_812_8e-12;
 
 fn modulus_gpa(porosity: f64, pores: PoreGeometry, scheme: Scheme) -> f64 {
@@ -109,7 +109,7 @@ fn kernel(settings: &[(&str, &str)]) -> Kernel {
     Kernel::new(plant(EXAMPLE, settings)).unwrap()
 }
 
-/// The run that the spec asks for: 20 s from rest, the mean over the last 10.
+/// Run as in the spec: 20 s from rest, mean over the last 10.
 fn settled(settings: &[(&str, &str)]) -> RunResult {
     let run = spec(EXAMPLE, settings).run;
     let kernel = kernel(settings);
@@ -121,8 +121,9 @@ fn settled(settings: &[(&str, &str)]) -> RunResult {
     .unwrap()
 }
 
-/// Mean power over the last second of two from rest by Runge and Kutta's method on the equations as they stand,
-/// `q'' + 2 zeta w q' + w^2 q - theta V = phi (F - N(phi q - g))`, `C V' + theta q' = -V / R`, with 20 000 steps a second.
+/// Mean power over the last second of two from rest, by the Runge-Kutta method on the equations
+/// `q'' + 2 zeta w q' + w^2 q - theta V = phi (F - N(phi q - g))`, `C V' + theta q' = -V / R`, with
+/// 20 000 steps a second.
 fn plain_power_w(plant: &Plant) -> f64 {
     let (modes, drive, stop) = (
         &plant.system.modes,
@@ -173,7 +174,8 @@ fn plain_power_w(plant: &Plant) -> f64 {
     energy_j
 }
 
-/// Where the example's rows on load and frequency stand: the march is that of a plain integrator. Measured: 1.4e-7.
+/// At the rows of the example on load and frequency: integration against Runge-Kutta. Measured:
+/// 1.4e-7.
 #[test]
 fn powers_beside_the_stop_are_those_of_a_plain_integrator() {
     for settings in [

@@ -1,4 +1,4 @@
-//! Linear answers to noise: closed forms of an oscillator, two methods held to each other, and what is refused.
+//! Linear responses to noise: closed forms of an oscillator, agreement of two methods, and errors.
 
 use crate::expected::{plant, spec};
 use jounce::linear::{
@@ -36,8 +36,9 @@ fn relative(found: f64, exact: f64) -> f64 {
     (found / exact - 1.0).abs()
 }
 
-/// Mean squares `S pi f / (4 zeta w^4)` and `S pi f / (4 zeta w^2)`, bandwidths `pi zeta (1 - zeta^2) f`, `pi zeta f` and
-/// `2 pi zeta f / (1 + 4 zeta^2)`, upcrossings of the mean `f`. Measured: 5.3e-13.
+/// Mean squares `S pi f / (4 zeta w^4)` and `S pi f / (4 zeta w^2)`, bandwidths
+/// `pi zeta (1 - zeta^2) f`, `pi zeta f` and `2 pi zeta f / (1 + 4 zeta^2)`, upcrossings of the
+/// mean `f`. Measured: 5.3e-13.
 #[test]
 fn an_oscillator_under_white_noise_is_its_closed_form() {
     let w = TAU * FREQUENCY_HZ;
@@ -83,8 +84,8 @@ fn an_oscillator_under_white_noise_is_its_closed_form() {
     eprintln!("largest error {worst:.1e}");
 }
 
-/// Any band, of oscillators under, at and above critical damping, against quadrature; bands add up to white noise.
-/// Measured: 7.3e-16 of the white answer.
+/// Any band, of oscillators below, at and above critical damping, against quadrature; bands sum to
+/// white noise. Measured: 7.3e-16 of the white-noise result.
 #[test]
 fn a_band_is_the_integral_over_it() {
     let mut worst = 0.0_f64;
@@ -166,7 +167,8 @@ fn both_methods_agree_on_harvesters() {
     }
 }
 
-/// The paper's harvester on a shaker with noise: everything that is told, and how the densities sum to it.
+/// The paper's harvester on a shaker with noise: all reported values, and their sums from the
+/// densities.
 #[test]
 fn a_spec_is_answered_without_its_stop() {
     let spec =
@@ -201,7 +203,7 @@ fn a_spec_is_answered_without_its_stop() {
     let trapezia: f64 = (1..places.len())
         .map(|k| 0.5 * (places[k] - places[k - 1]) * (voltage.value[k] + voltage.value[k - 1]))
         .sum();
-    // Straight lines between the frequencies: 2e-5.
+    // Linear interpolation between the frequencies: 2e-5.
     assert!(
         relative(trapezia, load.voltage_rms_v.powi(2)) < 1e-3,
         "{trapezia}"

@@ -1,4 +1,4 @@
-//! The rows of `expected.toml` of an example.
+//! Rows of `expected.toml` of an example.
 
 use std::path::{Path, PathBuf};
 
@@ -16,7 +16,8 @@ fn expected(example: &str) -> toml_edit::DocumentMut {
         .unwrap()
 }
 
-/// Every row of `expected.toml` must be among the computed ones and lie within what it allows; the other way round too.
+/// Every row of `expected.toml` must be among the computed ones and lie within its tolerance, and
+/// every computed one must have a row.
 pub fn check(example: &str, computed: &[(&str, f64)]) {
     let document = expected(example);
     assert_eq!(document.len(), computed.len());
@@ -29,7 +30,7 @@ pub fn check(example: &str, computed: &[(&str, f64)]) {
     }
 }
 
-/// One row of `expected.toml`.
+/// Checks one row of `expected.toml`.
 pub fn check_row(example: &str, name: &str, found: f64) {
     let document = expected(example);
     let row = document

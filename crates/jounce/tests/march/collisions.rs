@@ -1,16 +1,16 @@
-//! A free mass strikes a stop: every law against its closed form.
+//! A free mass strikes a stop; each law is compared with its closed form.
 
 use crate::plants::{kernel, march, physical, relative};
 use jounce::plant::System;
 use jounce::reference::{HertzCollision, HuntCrossleyCollision, KelvinVoigtCollision, Reference};
 
-/// What a collision left behind.
+/// Result of a collision.
 #[derive(Debug)]
 struct Rebound {
     speed_m_s: f64,
     peak_penetration_m: f64,
     peak_force_n: f64,
-    /// From the straight flights before and after the contact.
+    /// Computed from the straight flights before and after the contact.
     contact_time_s: f64,
     contacts: u64,
     loss_j: f64,
@@ -48,7 +48,8 @@ fn collide(
 
 fn hertz(problem: &HertzCollision, tolerance: f64) -> Rebound {
     let contact_s = problem.contact_time_s();
-    // A contact time away from the stop, so that neither flight drowns the contact in roundoff.
+    // Start one contact time away from the stop, so that roundoff of the flights does not hide the
+    // contact.
     let before_m = 0.7 * contact_s * problem.speed_m_s;
     collide(
         problem.system(),
@@ -129,7 +130,7 @@ fn kelvin_voigt_collision_loses_what_the_closed_form_says() {
         };
         let push_s = problem.push_time_s();
         let before_m = 0.5 * push_s * problem.speed_m_s;
-        // After the push the mass coasts out of the stop, slowly where the damping is strong.
+        // After the push the mass coasts out of the stop, slowly with strong damping.
         let found = collide(
             problem.system(),
             &problem.start(before_m),
@@ -149,7 +150,7 @@ fn kelvin_voigt_collision_loses_what_the_closed_form_says() {
             "c {damping_n_s_m}, zeta {:.3}: speed, loss, energy {errors:?}",
             problem.damping_ratio()
         );
-        // The loss of a light dashpot is the small difference of large energies.
+        // The loss of a light dashpot is a small difference of large energies.
         let amplified = 1.0 / (1.0 - e * e);
         assert!(
             errors[0] <= 1e-8 && errors[1] <= 1e-8 * amplified && errors[2] <= 1e-8,

@@ -1,4 +1,4 @@
-//! Contact statistics: number, speed and dwell of contacts against closed forms.
+//! Contact statistics: number, approach speed and duration of contacts against closed forms.
 
 use crate::plants::{kernel, march, physical, relative, springs};
 use jounce::contact::{Cubic, Hertz, HuntCrossley, Law, Rigid};
@@ -19,9 +19,10 @@ fn stop(shape: &[f64], gap_m: f64, law: Law) -> Stop {
     }
 }
 
-/// A free mass of 1 kg strikes one on a spring without bouncing: both go on together, `w / sqrt(2)`, for half a period, and part with
-/// opposite speeds. One contact, alone and beside a stop that is never reached. Measured: dwell 5e-8 at a tolerance
-/// of 1e-10 (the force that ends it goes to zero with time), speeds 1e-14.
+/// A free mass of 1 kg strikes one on a spring without bounce. Both move together at `w / sqrt(2)`
+/// for half a period and part with opposite speeds. One contact, without and with a second stop
+/// that is never reached. Measured: contact duration 5e-8 at a tolerance of 1e-10 (the force that
+/// ends it goes to zero with time), speeds 1e-14.
 #[test]
 fn a_merge_is_one_contact() {
     let w = TAU * 20.0;
@@ -67,8 +68,9 @@ fn a_merge_is_one_contact() {
     }
 }
 
-/// A mass on a spring against a linear spring without gap: half a period of each in turn, `pi / w` and `pi / sqrt(w^2 + k)`. Rate, speed,
-/// dwell, duty, force of a window of ten periods. Measured: 4e-14.
+/// A mass on a spring against a linear spring without gap: alternate half periods, `pi / w` and
+/// `pi / sqrt(w^2 + k)`. Rate, speed, duration, duty and force in a window of ten periods.
+/// Measured: 4e-14.
 #[test]
 fn a_bilinear_oscillator_has_its_dwell_rate_and_duty() {
     let (w, k, speed) = (TAU * 2.0, 4000.0, 0.7);
@@ -84,7 +86,7 @@ fn a_bilinear_oscillator_has_its_dwell_rate_and_duty() {
     let kernel = kernel(system);
     let hard = (w * w + k).sqrt();
     let (contact_duration_s, period_s) = (PI / hard, PI / hard + PI / w);
-    // From the middle of a flight to the middle of the tenth after it.
+    // From the middle of a flight to the middle of the tenth flight after it.
     let start = StartState {
         displacement: vec![-speed / w],
         velocity: vec![0.0],
@@ -128,7 +130,7 @@ fn ball(height_m: f64, restitution: f64) -> System {
     system
 }
 
-/// The bounces of a ball: number up to a time between two of them, mean and largest speed.
+/// Bounces of a ball: number up to a time between two of them, mean and largest speed.
 #[test]
 fn the_strikes_of_a_bouncing_ball_are_a_geometric_series() {
     let reference = BouncingBall {
@@ -158,7 +160,7 @@ fn the_strikes_of_a_bouncing_ball_are_a_geometric_series() {
     );
 }
 
-/// A ball that lies on the ground has nothing to tell but that nothing happened; one that falls has.
+/// A ball at rest on the ground gives a trivial result; a falling ball does not.
 #[test]
 fn nothing_happens_to_a_ball_at_rest() {
     let kernel = kernel(ball(0.01, 0.5));
@@ -174,7 +176,8 @@ fn nothing_happens_to_a_ball_at_rest() {
     assert!(!falls.are_still() && falls.residual_relative().abs() < 1e-12);
 }
 
-/// An elastic collision changes no energy, but it is no run in which nothing happened, before the averaging window or in it.
+/// An elastic collision changes no energy, but the run is not trivial, whether it falls before the
+/// averaging window or in it.
 #[test]
 fn an_elastic_collision_is_something() {
     let mut system = springs(&[0.0], 0.0);
@@ -210,8 +213,9 @@ fn an_elastic_collision_is_something() {
     assert!(idle.contacts == 0 && idle.is_trivial());
 }
 
-/// A window that opens inside a contact, at its deepest: the force there is the largest of the window. Closed form `k d^1.5`, on a mass
-/// that a stop 2 mm deep throws off, with a law that also damps, and on a spring on both sides. Measured: exact to roundoff.
+/// A window that opens at the deepest point of a contact: the force there is its largest. Closed
+/// form `k d^1.5` for a mass that rebounds from a stop 2 mm deep, a damped law, and a spring on
+/// both sides. Measured: exact to roundoff.
 #[test]
 fn a_window_that_opens_at_the_deepest_point_tells_its_force() {
     let hertz = Hertz {
@@ -257,7 +261,7 @@ fn a_window_that_opens_at_the_deepest_point_tells_its_force() {
             relative(statistics.max_force_n, force_n) < 1e-14
                 && relative(statistics.max_penetration_m, 2e-3) < 1e-14
         );
-        // Past its deepest point a contact tells where the window opens.
+        // Past the deepest point, the largest force is that at the start of the window.
         let [depth_m, rate_m_s] = [
             physical(&integrator, &kernel)[0],
             physical(&integrator, &kernel)[1],

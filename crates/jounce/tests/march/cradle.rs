@@ -4,8 +4,8 @@ use crate::plants::{kernel, march, physical, springs};
 use jounce::contact::{Hertz, Law, Rigid};
 use jounce::plant::{Stop, System};
 
-/// Masses on a line, each a free mode, with a contact between neighbours. Coordinates are displacements from where neighbours
-/// stand a gap apart.
+/// Masses on a line, each a free mode, with a contact between neighbours. Coordinates are
+/// displacements from the positions with the given gaps between neighbours.
 fn row(masses_kg: &[f64], gaps_m: &[f64], law: Law) -> System {
     let contacts: Vec<_> = gaps_m
         .iter()
@@ -82,7 +82,8 @@ const HERTZ: Law = Law::Hertz(Hertz {
     exponent: 1.5,
 });
 
-/// Two equal masses exchange their velocities, and a third far away gets it next.
+/// Two equal masses exchange their velocities; later the second passes its velocity to a third one
+/// far away.
 #[test]
 fn equal_masses_hand_the_velocity_on() {
     let after = struck(&[0.3; 3], &[1e-3, 2e-3], HERTZ, 0.01);
@@ -93,7 +94,8 @@ fn equal_masses_hand_the_velocity_on() {
     assert_eq!(after.contacts, [1, 1]);
 }
 
-/// Masses that touch are all in contact at once; the speeds are nobody's closed form, momentum and energy are.
+/// Masses that touch are all in contact at once. The speeds have no closed form, but momentum and
+/// energy are conserved.
 #[test]
 fn touching_masses_conserve_momentum_and_energy() {
     for masses_kg in [[0.3, 0.3, 0.3], [0.1, 0.5, 0.2], [0.7, 0.2, 0.1]] {
@@ -103,7 +105,8 @@ fn touching_masses_conserve_momentum_and_energy() {
                 after.momentum_error.abs() < 1e-9 && after.energy_error.abs() < 1e-9,
                 "{masses_kg:?} {gaps_m:?}"
             );
-            // The last of equal masses leaves with most of the speed, the first goes back (Herrmann and Schmalzle 1981).
+            // The last of equal masses leaves with most of the speed; the first rebounds (Herrmann
+            // and Schmalzle 1981).
             assert!(
                 masses_kg[1] != 0.3 || (after.speeds_m_s[2] > 0.9 && after.speeds_m_s[0] < 0.0)
             );
@@ -111,7 +114,7 @@ fn touching_masses_conserve_momentum_and_energy() {
     }
 }
 
-/// One mass strikes two others at the same instant, whose contacts are not alike, and however much time is left then.
+/// One mass strikes two others at the same instant, with different contacts and any remaining time.
 #[test]
 fn one_mass_strikes_two_at_once() {
     let hertz = |stiffness: f64| {
@@ -148,7 +151,8 @@ fn one_mass_strikes_two_at_once() {
     }
 }
 
-/// Three equal masses with linear springs: both springs act from the start until the first mass leaves, in closed form.
+/// Three equal masses with linear springs: both springs act from the start until the first mass
+/// leaves, in closed form.
 #[test]
 fn linear_springs_agree_with_their_closed_form() {
     let (m, k): (f64, f64) = (0.3, 1e6);
@@ -161,7 +165,8 @@ fn linear_springs_agree_with_their_closed_form() {
         }),
         0.02,
     );
-    // Compressions a and b of the two springs: a'' = -(2 a - b) k/m, b'' = -(2 b - a) k/m with a'(0) = 1, b'(0) = 0, until a = 0.
+    // Compressions a and b of the two springs: a'' = -(2 a - b) k/m, b'' = -(2 b - a) k/m with
+    // a'(0) = 1, b'(0) = 0, until a = 0.
     let (slow, fast) = ((k / m).sqrt(), (3.0 * k / m).sqrt());
     let a = |t: f64| 0.5 * ((slow * t).sin() / slow + (fast * t).sin() / fast);
     let (mut low, mut high) = (
@@ -180,7 +185,8 @@ fn linear_springs_agree_with_their_closed_form() {
     let (rate_a, rate_b) = (0.5 * (s + f), 0.5 * (s - f));
     // Speeds from the centre of mass at 1/3 m/s: v0 - v1 = a', v1 - v2 = b'.
     let first = (1.0 + 2.0 * rate_a + rate_b) / 3.0;
-    // Then the last two part by energy and momentum: their compression b goes on alone and they swap what is relative.
+    // Then the last two separate by energy and momentum: only their compression b remains and their
+    // relative velocity reverses.
     let b = 0.5 * ((slow * low).sin() / slow - (fast * low).sin() / fast);
     let parting = -(rate_b * rate_b + 2.0 * k / m * b * b).sqrt();
     let pair = 1.0 - first;
@@ -192,7 +198,7 @@ fn linear_springs_agree_with_their_closed_form() {
     assert!(error < 1e-9, "{error:e}");
 }
 
-/// Rigid impacts one after another: equal masses that touch pass the velocity through, whatever their number.
+/// Successive rigid impacts: equal masses that touch pass the velocity on, whatever their number.
 #[test]
 fn rigid_masses_pass_the_velocity_through() {
     for gaps_m in [[1e-3, 2e-3, 1e-3], [1e-3, 0.0, 0.0]] {
@@ -209,7 +215,7 @@ fn rigid_masses_pass_the_velocity_through() {
     }
 }
 
-/// Newton's law between two masses, each touched in turn, with losses.
+/// Newton's law between two masses in turn, with losses.
 #[test]
 fn rigid_masses_follow_newtons_law() {
     let (masses, e) = ([0.4, 0.1, 0.2], 0.6);
@@ -220,7 +226,7 @@ fn rigid_masses_follow_newtons_law() {
         2e-3,
     );
     let mut speeds = [1.0, 0.0, 0.0];
-    // In the order of the stops, until none approaches.
+    // In the order of the stops, until all pairs separate.
     while let Some(i) = (0..2).find(|i| speeds[*i] - speeds[i + 1] > 1e-13) {
         let (m, n) = (masses[i], masses[i + 1]);
         let impulse = (1.0 + e) * (speeds[i] - speeds[i + 1]) * m * n / (m + n);

@@ -1,4 +1,5 @@
-//! Random answers: an ensemble without contact against the closed form, and the same bits for any number of threads.
+//! Random responses: an ensemble without contact against the closed form, and identical bits for
+//! any number of threads.
 
 use jounce::analysis::{AnalysisError, Ensemble, EnsembleResult, IntervalOver, Model};
 use jounce::linear::Random;
@@ -6,7 +7,8 @@ use jounce::spec::Spec;
 use std::f64::consts::{PI, TAU};
 use std::path::Path;
 
-/// Mass, stiffness, dashpot, coupling, capacitance and load of S. Adhikari, M. Friswell, D. Inman, Smart Mater. Struct. 18 (2009) 115005.
+/// Mass, stiffness, dashpot, coupling, capacitance and load of S. Adhikari, M. Friswell, D. Inman,
+/// Smart Mater. Struct. 18 (2009) 115005.
 const MASS_KG: f64 = 9.12e-3;
 const STIFFNESS_N_M: f64 = 4.1e3;
 const DASHPOT_N_S_M: f64 = 0.218;
@@ -59,7 +61,7 @@ fn marched(
     study.run(&|_| {})
 }
 
-/// Realisations are not made for members that will not be marched: 100,000 of them would take minutes.
+/// No realisations are computed for members that will not run: 100,000 of them would take minutes.
 #[test]
 fn a_stopped_ensemble_makes_no_more_realisations() {
     let base = spec("");
@@ -74,8 +76,9 @@ fn a_stopped_ensemble_makes_no_more_realisations() {
     );
 }
 
-/// Mean power `pi m a k^2 S / ((2 z a^2 + a) k^2 + 4 z^2 a + 2 (a^2 + 1) z)`, `a = w C R`, `k^2 = theta^2 / (K C)`, `S` two-sided per
-/// rad/s (Adhikari, Friswell, Inman 2009). The band leaves out 0.3 % of it.
+/// Mean power `pi m a k^2 S / ((2 z a^2 + a) k^2 + 4 z^2 a + 2 (a^2 + 1) z)`, `a = w C R`,
+/// `k^2 = theta^2 / (K C)`, `S` two-sided per rad/s (Adhikari, Friswell, Inman 2009). The band
+/// excludes 0.3 % of it.
 #[test]
 fn mean_power_under_white_noise_is_that_of_the_closed_form() {
     let answer = run(&spec(""), 24, None).unwrap();
@@ -100,7 +103,7 @@ fn mean_power_under_white_noise_is_that_of_the_closed_form() {
         (power.interval, answer.reached, answer.contact_rate_hz.mean),
         (IntervalOver::Members, true, 0.0)
     );
-    // 2.07 is Student's quantile of 23 degrees of freedom: three standard deviations.
+    // 2.07 is Student's quantile for 23 degrees of freedom; the limit is three standard deviations.
     assert!(
         (power.mean - exact).abs() < 3.0 * power.half_width / 2.07 + 0.005 * exact,
         "{} {exact}",
@@ -153,9 +156,10 @@ fn an_ensemble_needs_noise_and_orbits_refuse_it() {
     );
 }
 
-/// A stop too soft to be felt counts what Rice's formula says of the linear answer: rate, share of the time, and with `s_v` the rms of the
-/// velocity the mean approach speed `sqrt(pi / 2) s_v`. The voltage has the statistical bandwidth of its exact density, but for the resolution.
-/// Allowed are three standard deviations; 24 members bring them to 2 %.
+/// A very soft stop follows Rice's formula for the linear response: rate, fraction of the time in
+/// contact, and mean approach speed `sqrt(pi / 2) s_v`, with `s_v` the rms of the velocity. The
+/// voltage has the statistical bandwidth of its exact density, except for the resolution. The limit
+/// is three standard deviations, 2 % with 24 members.
 #[test]
 fn a_stop_that_is_not_felt_is_struck_as_rice_says() {
     let base = spec(
@@ -211,7 +215,8 @@ fn a_stop_that_is_not_felt_is_struck_as_rice_says() {
     );
 }
 
-/// Longest dwell and largest speed are no smaller than their means, and the members' counts add up to those of the stops.
+/// The longest contact and the largest speed are no smaller than their means; the counts of the
+/// members sum to those of the stops.
 #[test]
 fn counts_of_stops_add_up() {
     let base = spec(

@@ -1,4 +1,4 @@
-//! Integrals along a record in closed form, against quadrature of the states that the record tells.
+//! Time integrals along a record in closed form, against quadrature of the recorded states.
 
 use crate::plants::kernel;
 use crate::rectified::lossy_beside_a_stop;
@@ -7,7 +7,7 @@ use jounce::integrate::{Integrator, Kernel, Trajectory};
 use jounce::plant::{Scheme, Signal, Storage};
 use std::sync::Arc;
 
-/// Places and weights of Gauss's rule with five points on (-1, 1).
+/// Nodes and weights of the five-point Gauss rule on (-1, 1).
 const GAUSS: [(f64, f64); 5] = [
     (-0.906_179_845_938_664, 0.236_926_885_056_189_1),
     (-0.538_469_310_105_683_1, 0.478_628_670_499_366_5),
@@ -16,7 +16,8 @@ const GAUSS: [(f64, f64); 5] = [
     (0.906_179_845_938_664, 0.236_926_885_056_189_1),
 ];
 
-/// Every number of the physical state by quadrature over panels no longer than `panel_s`, cut where steps end.
+/// Integrates every component of the physical state by quadrature over panels no longer than
+/// `panel_s`, split at step ends.
 fn by_quadrature(
     kernel: &Kernel,
     record: &Trajectory,
@@ -46,9 +47,10 @@ fn by_quadrature(
     sum
 }
 
-/// Contacts, diodes, a switch, a sinusoid and a sampled force at once; from and to times that cut steps. The integral of a velocity is also
-/// what the displacement has gained: measured 3e-14. Beside the quadrature 1e-13, but for the velocity, which a record tells to 1e-7 in the
-/// first step of a contact: 2e-10.
+/// Contacts, diodes, a switch, a sinusoid and a sampled force together; start and end times that
+/// cut steps. The integral of a velocity equals the change of displacement: measured 3e-14. Against
+/// quadrature: 1e-13, except 2e-10 for the velocity, which a record gives to 1e-7 in the first step
+/// of a contact.
 #[test]
 fn integrals_along_a_record_are_those_by_quadrature() {
     let storage = Storage::Capacitor {

@@ -1,4 +1,5 @@
-//! A free mass in a channel with viscous friction, from its spec, against closed forms: rate `a = c / m`.
+//! A free mass in a channel with viscous friction, from its spec, against closed forms: rate
+//! `a = c / m`.
 
 use crate::plants::{kernel, march, physical, relative};
 use jounce::integrate::Kernel;
@@ -23,7 +24,7 @@ fn channel(more: &str) -> Kernel {
     kernel(System::assemble(&spec, modes(&spec).unwrap()).unwrap())
 }
 
-/// `(q, q')` of a velocity, m/s.
+/// `(q, q')` for a velocity, m/s.
 fn thrown(velocity_m_s: f64) -> Vec<f64> {
     vec![0.0, MASS_KG.sqrt() * velocity_m_s]
 }
@@ -33,8 +34,9 @@ fn motion(state: &[f64]) -> [f64; 2] {
     [state[0], state[1]].map(|q| q / MASS_KG.sqrt())
 }
 
-/// Released under gravity: `v = g / a (1 - e^(-a t))`, at last `m g / c`; gravity does the work that friction takes and the motion keeps.
-/// Measured: 4e-14, the loss 1.5e-12 (of the fall of 0.5 mm within 10 ms; 1e-15 later).
+/// Released under gravity: `v = g / a (1 - e^(-a t))`, in the limit `m g / c`. The work of gravity
+/// is the friction loss plus the kinetic energy. Measured: 4e-14, the loss 1.5e-12 (of the fall of
+/// 0.5 mm within 10 ms; 1e-15 later).
 #[test]
 fn a_falling_mass_reaches_its_last_speed() {
     let kernel = channel(&format!("{GRAVITY}{WALL}").replace("25 mm", "100 m"));
@@ -63,8 +65,9 @@ fn a_falling_mass_reaches_its_last_speed() {
     }
 }
 
-/// Thrown at a rigid wall 25 mm away: it comes at `-ln(1 - a d / v) / a` with `v - a d`, and back from there with 0.7 of it; short of speed it
-/// never comes, its way being `v / a`. Measured: 2e-15.
+/// Thrown at a rigid wall 25 mm away: it arrives at `-ln(1 - a d / v) / a` with `v - a d`, and
+/// rebounds with 0.7 of it. At too low a speed it never arrives: its total travel is `v / a`.
+/// Measured: 2e-15.
 #[test]
 fn a_thrown_mass_strikes_with_what_friction_leaves() {
     let kernel = channel(WALL);
@@ -102,14 +105,16 @@ fn a_thrown_mass_strikes_with_what_friction_leaves() {
     );
 }
 
-/// A frame that swings with amplitude `X`: relative to it the missile swings with `X w / sqrt(w^2 + a^2)`. Measured: 2e-15.
+/// A frame oscillates with amplitude `X`; the missile moves relative to it with amplitude
+/// `X w / sqrt(w^2 + a^2)`. Measured: 2e-15.
 #[test]
 fn a_shaken_channel_drags_its_missile() {
     let drive = "[drive.frame]\nkind = \"base-displacement\"\namplitude = \"10 mm\"\nfrequency = \"2 Hz\"\n";
     let kernel = channel(&format!("{drive}{WALL}").replace("25 mm", "1 m"));
     let w = std::f64::consts::TAU * 2.0;
     let amplitude_m = 0.01 * w / w.hypot(RATE_PER_S);
-    // After 20 s nothing is left of the start but where it is: half of the difference between two ends of the swing tells the amplitude.
+    // After 20 s only the mean position depends on the start; half the difference of the two
+    // extremes is the amplitude.
     let at = |time_s: f64| {
         motion(&physical(
             &march(&kernel, &thrown(0.0), 0.0, time_s, 1e-10),

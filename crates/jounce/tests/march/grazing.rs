@@ -1,4 +1,4 @@
-//! A stop at the very edge of the motion is never missed and never invented.
+//! A stop at the very edge of the motion is neither missed nor falsely detected.
 
 use crate::plants::{bench, kernel, relative};
 use jounce::contact::{Hertz, Law};
@@ -7,7 +7,8 @@ use jounce::plant::{Stop, System};
 use jounce::reference::Harmonic;
 use jounce::run::{RunPlan, RunResult, StartState, simulate};
 
-/// A run in the steady state without contact, the drive scaled so that the closest approach is `reach` times the gap.
+/// A run in the steady state without contact, with the drive scaled so that the closest approach is
+/// `reach` times the gap.
 fn graze(mut system: System, reach: f64, duration_s: f64) -> RunResult {
     let peak_m = Plant::new(system.clone()).unwrap().ports[0].steady_m[0].norm();
     system.drives[0].amplitude_n *= reach * system.stops[0].gap_m / peak_m;
@@ -64,7 +65,7 @@ fn a_hair_over_the_grazing_amplitude_touches_and_a_hair_below_does_not() {
     }
 }
 
-/// A touch so soft that it changes nothing: once per cycle, to the depth of the sine past the gap.
+/// A touch too soft to change the motion: once per cycle, to the depth of the sine past the gap.
 #[test]
 fn soft_stop_is_touched_once_per_cycle() {
     let mut system = harmonic();
@@ -84,7 +85,7 @@ fn soft_stop_is_touched_once_per_cycle() {
     }
 }
 
-/// Contacts too weak to matter must not lengthen the steps until they swallow whole cycles.
+/// Very weak contacts must not lengthen the steps until they skip entire cycles.
 #[test]
 fn grazing_for_long_loses_no_contact() {
     let answer = graze(harmonic(), 1.0 + 1e-9, 200.0 / 7.0);

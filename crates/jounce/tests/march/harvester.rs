@@ -1,8 +1,10 @@
-//! The harvester of the paper: mean power over 10 to 20 s from rest, against runs of other solvers at tight tolerance.
+//! Harvester of the paper: mean power over 10 to 20 s from rest, against other solvers at tight
+//! tolerance.
 
 use crate::plants::{bench, from_rest, kernel, paper, relative};
 
-/// Amplitude N, frequency Hz, mean power W: DOP853 at relative tolerance 1e-13, agreed with a second solver.
+/// Amplitude N, frequency Hz, mean power W: DOP853 at relative tolerance 1e-13, confirmed by a
+/// second solver.
 const CASES: [(f64, f64, f64); 3] = [
     (50.0, 11.0, 7.0237364131e-5),
     (50.0, 6.0, 1.8880658277e-5),
@@ -37,7 +39,8 @@ fn error_falls_with_the_tolerance() {
         .map(|tolerance| relative(from_rest(&kernel, 20.0, tolerance).mean_power_w, CASES[0].2))
         .collect();
     eprintln!("errors at 1e-3, 1e-5, 1e-7, 1e-9: {errors:?}");
-    // Errors of single runs scatter by chance: each must stay below its tolerance, and the tightest must be far below the loosest.
+    // Errors of single runs scatter: each must stay below its tolerance, and the tightest far below
+    // the loosest.
     let below = errors
         .iter()
         .zip([1e-3, 1e-5, 1e-7, 1e-9])

@@ -1,4 +1,4 @@
-//! Instants at which much happens at once: switches, impacts on several stops, the end of chatter.
+//! Several events at one instant: switches, impacts on several stops, the end of chatter.
 
 use crate::plants::{from_rest, kernel, march, physical, relative, springs};
 use jounce::contact::{Law, Rigid};
@@ -11,8 +11,9 @@ fn spec(text: &str) -> System {
     System::assemble(&spec, jounce::structure::modes(&spec).unwrap()).unwrap()
 }
 
-/// A bimorph under parallel SSHI against a stop, four modes. At 0.1016 s, in contact, the voltage holds the current at zero from either
-/// side: each time that the switch turns it over, the current passes zero again at once, until too little voltage is left.
+/// A bimorph under parallel SSHI against a stop, four modes. At 0.1016 s, in contact, the voltage
+/// holds the current at zero from either side. Each time the switch inverts it, the current passes
+/// zero again at once, until too little voltage is left.
 const SWITCHED: &str = r#"
 [beam.b]
 material = "brass"
@@ -60,7 +61,8 @@ beyond = 0.015
 modes = 4
 "#;
 
-/// The march went on by 3e-18 s a step here. Measured: power 1.8e-10 between the tolerances, residuals 9e-11 and 5e-12.
+/// Without a rule for it, steps here shrink to 3e-18 s. Measured: power 1.8e-10 between the
+/// tolerances, residuals 9e-11 and 5e-12.
 #[test]
 fn a_switch_closes_again_and_again_at_one_instant_and_the_march_goes_on() {
     let kernel = kernel(spec(SWITCHED));
@@ -78,7 +80,7 @@ fn a_switch_closes_again_and_again_at_one_instant_and_the_march_goes_on() {
     );
 }
 
-/// A switch without loss turns the whole voltage over, and there it would close for ever.
+/// A switch without loss inverts the full voltage, and would close without end there.
 #[test]
 fn a_switch_that_never_comes_to_an_end_is_an_error() {
     let mut system = spec(SWITCHED);
@@ -99,7 +101,7 @@ fn a_switch_that_never_comes_to_an_end_is_an_error() {
     );
 }
 
-/// A free mass that comes in at two others, equally far away.
+/// A free mass that approaches two others at equal distances.
 fn two_stops(masses_kg: [f64; 3], restitution: [f64; 2], order: [usize; 2]) -> Kernel {
     let mut system = springs(&[0.0; 3], 0.0);
     for k in order {
@@ -119,8 +121,9 @@ fn two_stops(masses_kg: [f64; 3], restitution: [f64; 2], order: [usize; 2]) -> K
     kernel(system)
 }
 
-/// One mass strikes two others at once. Newton's law for both: with `u_k` the speed of approach after, `v - u_k = p_k / m_k + (p_1 + p_2) / m`.
-/// Whatever the order of the stops, impulses are those of the two equations, measured to 2.3e-16, and equal masses share equally.
+/// One mass strikes two others at once. Newton's law for both: with `u_k` the approach speed after
+/// the impact, `v - u_k = p_k / m_k + (p_1 + p_2) / m`. In any order of the stops the impulses
+/// solve the two equations, measured to 2.3e-16, and equal masses share equally.
 #[test]
 fn two_rigid_stops_struck_at_once_obey_newtons_law_together() {
     for (masses_kg, restitution) in [
@@ -168,7 +171,8 @@ fn two_rigid_stops_struck_at_once_obey_newtons_law_together() {
     }
 }
 
-/// Two stops that hold the same motion share one impulse equally, and the mass turns round as from one.
+/// Two stops that constrain the same motion share one impulse equally, and the mass rebounds as
+/// from one.
 #[test]
 fn equal_stops_on_one_motion_share_its_impulse() {
     let mut system = springs(&[0.0], 0.0);
@@ -196,8 +200,9 @@ fn equal_stops_on_one_motion_share_its_impulse() {
     );
 }
 
-/// A ball on a table that shakes at 1.2 g: it is thrown, chatters and rests in every cycle. Measured residuals: at most 1.5e-10 at a
-/// tolerance of 1e-7 and 6e-14 at 1e-11, where chatter that went on below the roundoff of the distance left 1e-6 at either.
+/// A ball on a table that shakes at 1.2 g: it is thrown, chatters and sticks in every cycle.
+/// Measured residuals: at most 1.5e-10 at a tolerance of 1e-7 and 6e-14 at 1e-11. Chatter below the
+/// roundoff of the distance would leave 1e-6 at both.
 #[test]
 fn chatter_that_ends_at_rest_balances_its_energy() {
     for restitution in [0.2, 0.5, 0.8] {
@@ -242,9 +247,9 @@ fn chatter_that_ends_at_rest_balances_its_energy() {
     }
 }
 
-/// A table that shakes at 1.01 g throws its ball a quarter of a micrometre high in every cycle, and the last hops are as low as roundoff.
-/// Rest forgets what was before, so that every cycle is the first one again; a ball past its table by more than the height of a hop
-/// sank through it.
+/// A table that shakes at 1.01 g throws its ball a quarter of a micrometre high in every cycle, and
+/// the last hops are of the order of roundoff. Sticking erases the past, so every cycle repeats the
+/// first one. A ball past its table by more than the height of a hop would sink through it.
 #[test]
 fn a_ball_does_not_sink_through_its_table() {
     let system = spec(

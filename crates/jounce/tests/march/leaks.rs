@@ -1,4 +1,4 @@
-//! Leakage across patches: a resistance beside the load, behind a rectifier, and in series.
+//! Leakage across patches: a resistance parallel to the load, behind a rectifier, and in series.
 
 use crate::plants::{from_rest, kernel, relative};
 use jounce::contact::{Hertz, Law};
@@ -17,7 +17,7 @@ const DIODE_OHM: f64 = 0.05;
 const STORAGE_F: f64 = 4.0;
 const LOAD_OHM: f64 = 2.0;
 
-/// Mass and stiffness 1, a force of amplitude 1, a stop, and patches that leak.
+/// Mass and stiffness 1, a force of amplitude 1, a stop, and leaking patches.
 fn cell(leaks: &[Option<f64>]) -> System {
     let patch = |k: usize| PatchModes {
         coupling_n_per_v: vec![COUPLING[k]],
@@ -94,8 +94,9 @@ fn rectified(leaks: &[Option<f64>], storage: Storage) -> System {
     }
 }
 
-/// A leak beside a resistor shares its power as their conductances do, and both are one resistor to the motion: also against a stop.
-/// Measured: powers and residual 3.3e-14.
+/// A leak parallel to a resistor shares its power in proportion to the conductances. The motion,
+/// also against a stop, is that with one equivalent resistor. Measured: powers and residual
+/// 3.3e-14.
 #[test]
 fn a_leak_is_a_resistor_beside_the_load() {
     let with = |resistance_ohm: f64, leak: Option<f64>| {
@@ -123,7 +124,8 @@ fn a_leak_is_a_resistor_beside_the_load() {
     );
 }
 
-/// Plain RK4 on the voltage of every patch, diodes as kinks of their current, at 2e4 steps a unit of time.
+/// RK4 on the voltage of every patch, with the diodes as kinks of their current, at 2e4 steps per
+/// unit of time.
 fn integrated(leaks: &[Option<f64>], battery: Option<f64>, end_s: f64) -> Vec<f64> {
     let count = leaks.len();
     let rates = |t: f64, x: &[f64]| -> Vec<f64> {
@@ -156,8 +158,9 @@ fn integrated(leaks: &[Option<f64>], battery: Option<f64>, end_s: f64) -> Vec<f6
     x
 }
 
-/// One patch that leaks, two unlike ones in series that leak, and two of which one does, behind a bridge with a drop, into a capacitor with
-/// a load and into a battery. Energies close, and the charge of the diodes is what the storage has taken.
+/// One leaking patch, two unequal leaking ones in series, and two with one leak, behind a bridge
+/// with a drop, into a capacitor with a load and into a battery. The energy balances, and the
+/// charge through the diodes equals that of the storage.
 #[test]
 fn leaking_patches_behind_a_bridge_meet_a_plain_integrator() {
     for leaks in [

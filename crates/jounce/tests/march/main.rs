@@ -1,4 +1,4 @@
-//! The integrator against exact answers, against itself under symmetries, and against published and tight reference runs.
+//! The integrator against closed forms, symmetries, and published and tight reference runs.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 mod collisions;

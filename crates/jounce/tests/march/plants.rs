@@ -1,4 +1,4 @@
-//! Plants and runs that several tests share.
+//! Plants and runs shared by several tests.
 
 use jounce::integrate::{Integrator, Kernel};
 use jounce::plant::{Plant, System};
@@ -12,7 +12,7 @@ fn read(text: &str) -> System {
     System::assemble(&spec, modes(&spec).unwrap()).unwrap()
 }
 
-/// `bench/plant.toml`: the paper's harvester by eight modes.
+/// `bench/plant.toml`: the paper's harvester with eight modes.
 pub fn bench(amplitude_n: f64, frequency_hz: f64) -> System {
     driven(
         read(include_str!("../../../../bench/plant.toml")),
@@ -21,7 +21,7 @@ pub fn bench(amplitude_n: f64, frequency_hz: f64) -> System {
     )
 }
 
-/// The plant of the paper that stands beside the repository, where it does.
+/// The plant of the paper, if its file is present next to the repository.
 pub fn paper(amplitude_n: f64, frequency_hz: f64) -> Option<System> {
     let path =
         PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../../shared/plant/paper-plant.toml");
@@ -71,7 +71,7 @@ pub fn from_rest(kernel: &Kernel, duration_s: f64, tolerance: f64) -> RunResult 
     simulate(kernel, &StartState::rest(&kernel.plant), &plan).unwrap()
 }
 
-/// A march from a physical state `(q, q', V)`.
+/// Integrates from a physical state `(q, q', V)`.
 pub fn march<'k>(
     kernel: &'k Kernel,
     start: &[f64],
@@ -85,7 +85,7 @@ pub fn march<'k>(
     integrator
 }
 
-/// Physical state `(q, q', V)` where a march has come to.
+/// Physical state `(q, q', V)` at the end of an integration.
 pub fn physical(integrator: &Integrator, kernel: &Kernel) -> Vec<f64> {
     kernel
         .plant

@@ -1,4 +1,4 @@
-//! Several ports: against single runs, against their mirror image, against a plain integrator, and by their energies.
+//! Several ports: against single runs, their mirror image, RK4 and their energy balance.
 
 use crate::plants::{bench, distance, from_rest, kernel, march, physical, relative, springs};
 use jounce::contact::{Cubic, Hertz, HuntCrossley, KelvinVoigt, Law, Rigid};
@@ -31,7 +31,7 @@ fn shaken(mut system: System, shape: &[f64], amplitude_n: f64, frequency_hz: f64
     system
 }
 
-/// The bench plant between its stop and the mirror image of it.
+/// The bench plant between its stop and the mirror image of this stop.
 pub fn between_stops(amplitude_n: f64, frequency_hz: f64) -> System {
     let mut system = bench(amplitude_n, frequency_hz);
     let first = &system.stops[0];
@@ -41,7 +41,7 @@ pub fn between_stops(amplitude_n: f64, frequency_hz: f64) -> System {
     system
 }
 
-/// Three coupled modes against two soft stops that overlap in time.
+/// Three coupled modes and two soft stops with contacts that overlap in time.
 pub fn coupled() -> System {
     let mut system = shaken(
         springs(&[8.0, 21.0, 45.0], 0.01),
@@ -70,7 +70,7 @@ pub fn coupled() -> System {
     system
 }
 
-/// Fourth-order Runge-Kutta on the modal equations, every law as it stands.
+/// Fourth-order Runge-Kutta on the modal equations with the contact laws.
 fn runge_kutta(system: &System, start: &[f64], end_s: f64, steps: u32) -> Vec<f64> {
     let n = system.modes.len();
     let rate = |t: f64, x: &[f64]| -> Vec<f64> {
@@ -114,7 +114,7 @@ fn runge_kutta(system: &System, start: &[f64], end_s: f64, steps: u32) -> Vec<f6
     x
 }
 
-/// What happens at one of two independent oscillators does not depend on the other.
+/// The motion of one of two independent oscillators does not depend on the other.
 #[test]
 fn independent_oscillators_are_two_single_runs() {
     let mut both = shaken(springs(&[10.0, 13.7], 0.02), &[1.0, 1.0], 30.0, 11.0);
@@ -168,7 +168,7 @@ fn independent_oscillators_are_two_single_runs() {
     assert_eq!(together.statistics().contacts, contacts.iter().sum::<u64>());
 }
 
-/// Swapping the sides of a harvester between two equal stops turns its motion round.
+/// Swapping the sides of a harvester between two equal stops mirrors its motion.
 #[test]
 fn equal_stops_on_both_sides_mirror_the_motion() {
     let system = between_stops(60.0, 11.0);
@@ -195,7 +195,7 @@ fn equal_stops_on_both_sides_mirror_the_motion() {
     assert!(error < 1e-9, "{error:e}");
 }
 
-/// Largest error of marches against Runge-Kutta steps, at falling tolerances.
+/// Largest error of integrations relative to Runge-Kutta, at decreasing tolerances.
 fn errors(system: &System, end_s: f64) -> Vec<f64> {
     let start = vec![0.0; 2 * system.modes.len()];
     let exact = runge_kutta(system, &start, end_s, 1_200_000);
@@ -222,8 +222,8 @@ fn errors(system: &System, end_s: f64) -> Vec<f64> {
     errors
 }
 
-/// Contacts that overlap, against Runge-Kutta steps. Measured: 3e-8, 2e-10, 6e-12, 3e-12, where halving the reference's steps moves
-/// it by 2e-11.
+/// Overlapping contacts, against Runge-Kutta. Measured: 3e-8, 2e-10, 6e-12, 3e-12; halving the
+/// steps of the reference changes it by 2e-11.
 #[test]
 fn overlapping_contacts_agree_with_a_plain_integrator() {
     let errors = errors(&coupled(), 0.6);
@@ -236,7 +236,7 @@ fn overlapping_contacts_agree_with_a_plain_integrator() {
     );
 }
 
-/// A spring that is never left beside a stop that is.
+/// A two-sided spring together with a one-sided stop.
 #[test]
 fn a_cubic_spring_beside_a_stop_agrees_with_a_plain_integrator() {
     let mut system = coupled();
@@ -248,7 +248,7 @@ fn a_cubic_spring_beside_a_stop_agrees_with_a_plain_integrator() {
     assert!(errors[0] < 1e-4 && errors[3] < 1e-9, "{errors:?}");
 }
 
-/// What the drive puts in is found again, whatever the laws and however the contacts overlap.
+/// The energy balance holds for all laws and overlaps of contacts.
 #[test]
 fn energies_balance() {
     let kelvin_voigt = Law::KelvinVoigt(KelvinVoigt {
@@ -286,7 +286,7 @@ fn energies_balance() {
     }
 }
 
-/// A record gives the states and the forces of the march.
+/// A record gives the states and the forces of the integration.
 #[test]
 fn a_record_holds_both_forces() {
     let kernel = kernel(coupled());

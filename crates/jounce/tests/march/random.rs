@@ -1,4 +1,4 @@
-//! Random small harvesters: the energy balance holds whatever the plant, the law and the drive.
+//! Random small harvesters: the energy balance holds for any plant, law and drive.
 
 use crate::plants::{from_rest, kernel};
 use jounce::contact::{Cubic, Hertz, HuntCrossley, KelvinVoigt, Law};
@@ -87,7 +87,8 @@ proptest! {
     fn energy_is_balanced(system in harvester()) {
         let answer = from_rest(&kernel(system), 1.0, 1e-8);
         let residual = answer.energies.residual_relative();
-        // A step may spend a tenth of the tolerance: in a contact that never ends those of a damped law add up.
+        // Each step may have an error of a tenth of the tolerance; in an endless contact with a
+        // damped law these add up.
         let promised = 1e-9 * (answer.work.contact_steps as f64).max(100.0);
         prop_assert!(residual.abs() < promised, "residual {:e} after {} contacts", residual, answer.contacts);
     }

@@ -1,4 +1,4 @@
-//! Rectifiers: closed forms, numbers of others, a plain integrator, balances of charge and energy.
+//! Rectifiers: closed forms, published numbers, RK4, balances of charge and energy.
 
 use crate::plants::{from_rest, kernel};
 use jounce::analysis::{Model, Sweep, SweepOrder, SweepPoint};
@@ -65,7 +65,8 @@ pub fn cell(
     }
 }
 
-/// Mean power into the battery or the load over the last of `cycles`, and the residual of the energy balance.
+/// Mean power into the battery or the load over the last of `cycles`, and the residual of the
+/// energy balance.
 fn settled_power(
     kernel: &Kernel,
     start: &StartState,
@@ -84,8 +85,9 @@ fn settled_power(
     (answer.mean_power_w, answer.energies.residual_relative())
 }
 
-/// Direct integration of the same circuit by another program, with a battery of 1 and of 2: 2.37962 and 2.10016. Ours lie 2.1e-5 and
-/// 4.5e-5 from these; that program's own error is not known, and the plain integrator below meets ours to 1e-10.
+/// Direct integration of the same circuit by another program, with a battery of 1 and of 2: 2.37962
+/// and 2.10016. Ours differ by 2.1e-5 and 4.5e-5. The error of that program is unknown; the RK4
+/// integration below agrees with ours to 1e-10.
 #[test]
 fn a_bridge_on_a_strongly_coupled_oscillator_gives_the_power_of_direct_integration() {
     for (battery, power) in [(1.0, 2.37962), (2.0, 2.10016)] {
@@ -103,7 +105,8 @@ fn a_bridge_on_a_strongly_coupled_oscillator_gives_the_power_of_direct_integrati
     }
 }
 
-/// Weak coupling: the motion is that without a circuit, and the powers are in closed form (Guyomar et al. 2005, Lefeuvre et al. 2006).
+/// Weak coupling: the motion is that without a circuit, and the powers are in closed form (Guyomar
+/// et al. 2005, Lefeuvre et al. 2006).
 #[test]
 fn weakly_coupled_interfaces_give_their_closed_forms() {
     let (w, theta, q) = (0.8_f64, 1e-5, 0.7);
@@ -165,8 +168,9 @@ fn weakly_coupled_interfaces_give_their_closed_forms() {
     }
 }
 
-/// A bridge with drop, leakage and a load, against a stop: every scheme closes its energy, and the charge that the diodes pass is that
-/// which the storage takes, by Gauss quadrature of its currents along the record.
+/// A bridge with drop, leakage and a load, against a stop. For every scheme the energy balances.
+/// The charge through the diodes equals that of the storage, by Gauss quadrature of its currents
+/// along the record.
 #[test]
 fn charge_and_energy_are_balanced() {
     let storage = Storage::Capacitor {
@@ -229,7 +233,8 @@ fn charge_and_energy_are_balanced() {
     }
 }
 
-/// A cell whose diodes drop, resist and feed a leaking storage, and whose mass strikes a stop.
+/// A cell with diodes that have a drop and a resistance, a leaking storage, and a mass that strikes
+/// a stop.
 pub fn lossy_beside_a_stop(scheme: Scheme, storage: Storage) -> System {
     let mut system = cell(0.5, 0.02, 0.9, scheme, storage);
     (
@@ -250,8 +255,9 @@ pub fn lossy_beside_a_stop(scheme: Scheme, storage: Storage) -> System {
     system
 }
 
-/// What a run tells of charge and energy over its averaging window, not settled: the charge of the diodes, counted at the patches, is what
-/// load, leakage and storage get, by the integral of the voltage of the storage; what the storage gains is told. Measured: 3e-15 at most.
+/// Charge and energy that a run reports for its averaging window, before steady state. The charge
+/// of the diodes, counted at the patches, equals that of load, leakage and storage, by the integral
+/// of the storage voltage. Measured: 3e-15 at most.
 #[test]
 fn a_run_tells_where_charge_and_energy_went() {
     let storage = Storage::Capacitor {
@@ -291,15 +297,16 @@ fn a_run_tells_where_charge_and_energy_went() {
                 && answer.contacts > 3
         );
         assert!((charge.leakage_c / charge.load_c / (3.0 / 40.0) - 1.0).abs() < 1e-14);
-        // C (V1^2 - V0^2) / 2 of the charge that the storage kept and its last voltage.
+        // C (V1^2 - V0^2) / 2 from the charge stored and the last voltage of the storage.
         let node = kernel.plant.electrical.bridges[0].storage.unwrap();
         let kept_j = charge.storage_c * (answer.end.voltage_v[node] - 0.5 * charge.storage_c / 5.0);
         assert!((own.storage_w * plan.average_over_s / kept_j - 1.0).abs() < 1e-12);
     }
 }
 
-/// Diodes of 10 ohm on a storage of 10 nF settle within 0.1 us of steps of 0.4 ms, those of 10 milliohm within 0.1 ns; then what the load takes
-/// is 1e-9 of what the path could carry. Measured: 2e-13 at most.
+/// Diodes of 10 ohm on a storage of 10 nF settle within 0.1 us, with steps of 0.4 ms; those of 10
+/// milliohm within 0.1 ns. Then the load draws 1e-9 of the current that the path could carry.
+/// Measured: 2e-13 at most.
 #[test]
 fn the_charge_of_diodes_far_faster_than_a_step_is_balanced() {
     let starter = jounce::starter::Starter::of("bimorph-with-rectifier").unwrap();
@@ -343,7 +350,8 @@ fn the_charge_of_diodes_far_faster_than_a_step_is_balanced() {
     }
 }
 
-/// Plain RK4 on the same equations, diodes as kinks of their current, at 2e5 steps a unit of time.
+/// RK4 on the same equations, with the diodes as kinks of their current, at 2e5 steps per unit of
+/// time.
 #[test]
 fn a_bridge_beside_a_stop_meets_a_plain_integrator() {
     let storage = Storage::Capacitor {
@@ -400,7 +408,8 @@ fn a_bridge_beside_a_stop_meets_a_plain_integrator() {
     assert!(error < 1e-8 && answer.contacts > 1);
 }
 
-/// With nothing but diodes of no resistance and no storage to speak of, a battery above the open voltage takes nothing.
+/// With diodes of zero resistance and negligible storage, a battery above the open-circuit voltage
+/// receives no current.
 #[test]
 fn a_battery_above_the_open_voltage_takes_nothing() {
     let kernel = kernel(cell(
@@ -420,9 +429,10 @@ fn a_battery_above_the_open_voltage_takes_nothing() {
     assert!(power == 0.0 && residual.abs() < 1e-12);
 }
 
-/// Diodes of 1 ohm on a patch of 177 nF settle within 0.2 us: the instant at which they block is told to the roundoff of a voltage and no
-/// better. Of the march in contact it asked for more, and ended there. A guard left unseen where a contact begins would be passed late, at
-/// some tolerances and not at others.
+/// Diodes of 1 ohm on a patch of 177 nF settle within 0.2 us. The instant at which they block is
+/// known only to the roundoff of a voltage, so the integration in contact must not require more. An
+/// event function not checked at the start of a contact would be passed late, at some tolerances
+/// only.
 #[test]
 fn diodes_far_faster_than_the_motion_change_during_a_contact() {
     let path = concat!(
@@ -460,7 +470,8 @@ fn diodes_far_faster_than_the_motion_change_during_a_contact() {
     }
 }
 
-/// A sweep tells the voltage of a rectified circuit that a run tells, and none where nothing takes power; both come back from a journal.
+/// A sweep reports the voltage of a rectified circuit as a run does, and no voltage where the
+/// circuit draws no power; both survive a journal.
 #[test]
 fn a_sweep_tells_the_voltage_of_the_storage() {
     let text = r#"

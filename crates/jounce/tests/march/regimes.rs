@@ -1,4 +1,5 @@
-//! The derivative of the flow through diodes and switches against differences of the flow and its determinant.
+//! Derivative of the flow through diodes and switches, against differences of the flow and its
+//! determinant.
 
 use crate::plants::kernel;
 use crate::rectified::{cell, lossy_beside_a_stop};
@@ -19,7 +20,8 @@ const CAPACITOR: Storage = Storage::Capacitor {
     load_ohm: 3.0,
 };
 
-/// Error of the derivative over a period, relative to its largest entry, with how many changes and contacts it passed; error of the rate.
+/// Error of the derivative over a period, relative to its largest entry; error of the rate; numbers
+/// of changes and contacts.
 fn checked(kernel: &Kernel) -> (f64, f64, usize, u64) {
     let (y, period_s) = settled(kernel);
     let found = FlowSensitivity::march(
@@ -69,7 +71,8 @@ fn diodes_and_switches() {
     }
 }
 
-/// A voltage turned over beyond that of the storage: the diodes conduct at the very instant of the switch, and their current jumps.
+/// A voltage inverted beyond that of the storage: the diodes conduct at the instant of the switch,
+/// and their current jumps.
 #[test]
 fn diodes_that_conduct_at_once_after_a_switch() {
     let mut system = without_stop(Scheme::ParallelSshi { inversion: 0.9 }, CAPACITOR);
@@ -99,7 +102,7 @@ fn diodes_that_conduct_at_once_after_a_switch() {
     );
 }
 
-/// Diodes that change and switches that close while the point is pressed into its stop, or while it flies.
+/// Diodes that change and switches that close while the point is in contact or in flight.
 #[test]
 fn diodes_and_switches_beside_a_stop() {
     let yielding = Law::KelvinVoigt(KelvinVoigt {
@@ -124,7 +127,8 @@ fn diodes_and_switches_beside_a_stop() {
     }
 }
 
-/// An impact on a rigid stop turns the current of the patch over: the switch closes at that very instant.
+/// An impact on a rigid stop reverses the current of the patch, and the switch closes at that
+/// instant.
 #[test]
 fn a_switch_closed_by_an_impact() {
     for scheme in SCHEMES {
@@ -141,8 +145,9 @@ fn a_switch_closed_by_an_impact() {
     }
 }
 
-/// Of a lossless cell with parallel SSHI on a battery that is never reached only the switch takes volume: `-q` by what it does to the
-/// voltage, times the acceleration after it beside that before.
+/// In a lossless cell with parallel SSHI on a battery that is never reached, only the switch
+/// contracts volume: by `-q` for the voltage, times the ratio of the accelerations after and before
+/// it.
 #[test]
 fn determinant_of_a_switch() {
     let (theta, inversion) = (0.4, 0.6);

@@ -1,4 +1,4 @@
-//! Rest on rigid stops while other ports strike and press.
+//! Sticking on rigid stops while other ports strike and press.
 
 use crate::plants::{distance, from_rest, kernel, march, physical, springs};
 use jounce::contact::{Hertz, Law, Rigid};
@@ -19,7 +19,8 @@ fn stop(name: &str, shape: &[f64], gap_m: f64, law: Law) -> Stop {
     }
 }
 
-/// A mass pressed by its own spring onto a rigid stop, and a second one that strikes it from behind.
+/// A mass pressed onto a rigid stop by its own spring, and a second one that strikes it from
+/// behind.
 fn anvil(restitution: f64) -> System {
     let mut system = springs(&[5.0, 12.0], 0.01);
     system.stops.push(stop(
@@ -40,7 +41,7 @@ fn anvil(restitution: f64) -> System {
     system
 }
 
-/// The second mass against an anvil that cannot move.
+/// The second mass and an anvil that cannot move.
 fn fixed() -> System {
     let mut system = springs(&[12.0], 0.01);
     system.stops.push(stop(
@@ -55,7 +56,7 @@ fn fixed() -> System {
     system
 }
 
-/// Measured: the hammer is off by 1e-12 of its motion, the anvil by roundoff.
+/// Measured: the error of the hammer is 1e-12 of its motion, that of the anvil roundoff.
 #[test]
 fn a_mass_at_rest_is_a_fixed_anvil() {
     let (two, one) = (kernel(anvil(0.0)), kernel(fixed()));
@@ -78,7 +79,8 @@ fn a_mass_at_rest_is_a_fixed_anvil() {
     );
 }
 
-/// The mass comes to rest by chatter and is then struck: what is lost and what is left add up.
+/// The mass comes to rest by chatter and is then struck: losses and remaining energy sum to the
+/// input.
 #[test]
 fn a_mass_that_chatters_to_rest_is_struck() {
     let kernel = kernel(anvil(0.5));
@@ -100,7 +102,7 @@ fn a_mass_that_chatters_to_rest_is_struck() {
     assert!(energies.residual_relative().abs() < 1e-8 && energies.contact_loss_j > 0.0);
 }
 
-/// Two masses on a stop each rest side by side; two stops under one mass cannot share its force.
+/// Two masses each stick to their own stop; two stops under one mass cannot share its force.
 #[test]
 fn rest_on_two_stops_is_held_or_refused() {
     let rigid = Law::Rigid(Rigid { restitution: 0.0 });
@@ -141,9 +143,10 @@ fn rest_on_two_stops_is_held_or_refused() {
     );
 }
 
-/// A mass on a compressed spring pushes a free one of the same mass from rest, nothing ever strikes: until the spring would pull they
-/// are one mass of two, then the free one keeps its speed. Alone and beside a second stop, which another law of rest serves.
-/// Measured at the tolerance 1e-10: 2.8e-14, with the second stop 1.7e-15.
+/// A mass on a compressed spring pushes a free one of equal mass from rest, without impacts. They
+/// move as one mass until the spring would pull; then the free one has constant speed. Without and
+/// with a second stop, which uses another sticking rule. Measured at the tolerance 1e-10: 2.8e-14,
+/// with the second stop 1.7e-15.
 #[test]
 fn a_mass_pushes_another_from_rest_and_lets_it_go() {
     let (zeta, frequency_hz, start_m) = (0.01, 3.0, 4e-3);
@@ -190,8 +193,9 @@ fn a_mass_pushes_another_from_rest_and_lets_it_go() {
     }
 }
 
-/// A ball that is let go from rest while the beam under it has hardly begun to go away: what the interpolant of a step rises by first is less than
-/// it knows, and struck at the same instant for ever. Every restitution and tolerance comes to its end, with its energy.
+/// A ball released from rest while the beam under it has hardly begun to recede: the first rise of
+/// the interpolant of a step is below its uncertainty, which could give endless impacts at one
+/// instant. Runs complete and balance their energy at every restitution and tolerance.
 #[test]
 fn what_is_let_go_from_rest_leaves() {
     for restitution in [0.0, 0.2, 0.3, 0.4, 0.5] {

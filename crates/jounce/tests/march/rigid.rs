@@ -41,7 +41,8 @@ fn orbit_with_one_impact_per_cycle_repeats_itself() {
     }
 }
 
-/// A spring stretched by 1 m at the stop pulls with all but constant force over bounces of a micrometre: a ball under gravity.
+/// A spring stretched by 1 m at the stop has an almost constant force over bounces of a micrometre:
+/// a ball under gravity.
 #[test]
 fn chatter_ends_when_the_bouncing_ball_rests() {
     let ball = BouncingBall {
@@ -67,7 +68,7 @@ fn chatter_ends_when_the_bouncing_ball_rests() {
         "rest after {rest_s} s: {error:.1e}, loss {lost:.1e}, {} contacts",
         integrator.statistics().contacts
     );
-    // The pull grows by a millionth with height.
+    // The spring force grows by a millionth with height.
     assert!(error < 1e-5 && lost < 1e-5, "{rest_s} {error:e} {lost:e}");
     assert!((physical(&integrator, &kernel)[0] + 1.0).abs() < 1e-14);
 }

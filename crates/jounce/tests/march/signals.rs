@@ -1,4 +1,4 @@
-//! Drives that are no sinusoids: against closed forms, recurrences, statistics and brute force.
+//! Drives other than sinusoids: against closed forms, recurrences, statistics and RK4.
 
 use crate::plants::{bench, kernel, march, physical, relative};
 use jounce::contact::{Hertz, Law, Rigid};
@@ -9,7 +9,7 @@ use jounce::reference::{BouncingBall, Harmonic};
 use jounce::spec::{FrequencySweep, Spec};
 use std::f64::consts::{PI, TAU};
 
-/// A mass of 1 kg, so that modal and physical coordinates are the same.
+/// A mass of 1 kg, so modal and physical coordinates are equal.
 fn oscillator(frequency_rad_s: f64, damping_ratio: f64) -> System {
     let mut system = Harmonic {
         mass_kg: 1.0,
@@ -51,7 +51,8 @@ fn rough(count: u32) -> Vec<f64> {
         .collect()
 }
 
-/// Measured: speeds after each of eight bounces and the time to rest to 3e-13, energy residual 1e-15.
+/// Measured: speeds after each of eight bounces and the time to rest to 3e-13, energy residual
+/// 1e-15.
 #[test]
 fn a_ball_bounces_under_gravity_as_in_its_closed_form() {
     let ball = BouncingBall {
@@ -95,7 +96,8 @@ fn a_ball_bounces_under_gravity_as_in_its_closed_form() {
     assert_eq!(physical(&integrator, &kernel), [0.0, 0.0]);
 }
 
-/// The deepest point solves `m g (h + d) = k d^(5/2) / (5/2)`, and the ball comes back to where it fell from.
+/// The deepest point solves `m g (h + d) = k d^(5/2) / (5/2)`, and the ball returns to its initial
+/// height.
 #[test]
 fn a_ball_falls_onto_a_hertz_stop_and_comes_back() {
     let (height_m, gravity, stiffness) = (0.2, 9.81, 1e6);
@@ -120,7 +122,7 @@ fn a_ball_falls_onto_a_hertz_stop_and_comes_back() {
     let start = kernel.plant.from_physical(&[-height_m, 0.0], 0.0);
     let mut integrator = Integrator::new(&kernel, &start, 0.0, 1e-11).unwrap();
     let fall_s = (2.0 * height_m / gravity).sqrt();
-    // 2.3 falls after the start the ball is on its way up.
+    // At 2.3 fall times after the start the ball moves up.
     integrator.advance_to(2.3 * fall_s).unwrap();
     let state = physical(&integrator, &kernel);
     let energy = relative(
@@ -160,8 +162,9 @@ fn gravity_lets_a_sprung_mass_sag() {
     assert!(settled.energies.residual_relative().abs() < 1e-13 && settled.settlement.is_none());
 }
 
-/// The exact recurrence for straight lines (N. Nigam, P. Jennings, Bull. Seism. Soc. Am. 59 (1969) 909), its coefficients by the power
-/// series of the flow of `(w x, x', u, h u')`, because their closed form loses digits on short steps.
+/// Exact recurrence for piecewise linear forces (N. Nigam, P. Jennings, Bull. Seism. Soc. Am. 59
+/// (1969) 909). The coefficients come from the power series of the flow of `(w x, x', u, h u')`,
+/// because their closed form loses digits on short steps.
 fn nigam_jennings(w: f64, zeta: f64, h: f64, force: &[f64]) -> [f64; 2] {
     let rate = |y: [f64; 4]| {
         [
@@ -214,8 +217,8 @@ fn a_recording_moves_an_oscillator_as_the_exact_recurrence_says() {
     }
 }
 
-/// During the pulse `x = X (sin W t - r sin w t) / (1 - r^2)`, `r = W / w`, `X = A / w^2`; what is left swings with
-/// `2 r cos(pi / (2 r)) X / (1 - r^2)`.
+/// During the pulse `x = X (sin W t - r sin w t) / (1 - r^2)`, `r = W / w`, `X = A / w^2`; the
+/// remaining oscillation has the amplitude `2 r cos(pi / (2 r)) X / (1 - r^2)`.
 #[test]
 fn a_half_sine_shock_leaves_what_its_spectrum_says() {
     for (w, duration_s) in [(100.0, 0.011), (100.0, 0.07), (100.0, 0.003)] {
@@ -248,7 +251,7 @@ fn a_half_sine_shock_leaves_what_its_spectrum_says() {
     }
 }
 
-/// The jump of the velocity is exact, and its work is the impulse times the mean speed.
+/// The velocity jump is exact, and its work is the impulse times the mean speed.
 #[test]
 fn a_velocity_step_is_an_impulse() {
     let kernel = kernel(with_signal(
@@ -269,7 +272,8 @@ fn a_velocity_step_is_an_impulse() {
     );
 }
 
-/// A chirp that does not sweep is a sinusoid: straight lines between 256 samples a cycle, measured 3e-9 of the steady amplitude.
+/// A chirp of constant frequency is a sinusoid: linear between 256 samples per cycle, measured 3e-9
+/// of the steady amplitude.
 #[test]
 fn a_chirp_without_sweep_is_a_sinusoid() {
     let (w, zeta, drive_hz) = (60.0, 0.2, 7.0);
@@ -295,8 +299,8 @@ fn a_chirp_without_sweep_is_a_sinusoid() {
     assert!(error < 1e-7, "{error:e}");
 }
 
-/// White noise: mean square displacement `G / (8 zeta w^3)` and loss `G / 4` per unit mass; 400 s hold some 1260 memories, so that one
-/// standard deviation is about 2.8 %.
+/// White noise: mean square displacement `G / (8 zeta w^3)` and loss `G / 4` per unit mass. 400 s
+/// contain about 1260 correlation times, so one standard deviation is about 2.8 %.
 #[test]
 fn white_noise_gives_the_mean_square_of_its_closed_form() {
     let (w, zeta, density, high_hz) = (TAU * 10.0, 0.05, 0.4, 100.0);
@@ -339,7 +343,8 @@ fn white_noise_gives_the_mean_square_of_its_closed_form() {
     assert!(energies.residual_relative().abs() < 1e-11);
 }
 
-/// The harvester of the paper with its stop, under each kind of drive: what goes in is what is used, lost and stored.
+/// The harvester of the paper with its stop, under each kind of drive: input energy equals energy
+/// used, lost and stored.
 #[test]
 fn energy_balances_under_every_kind_of_drive_through_contacts() {
     let shape = bench(1.0, 11.0).drives[0].shape.clone();
@@ -405,7 +410,8 @@ fn energy_balances_under_every_kind_of_drive_through_contacts() {
     }
 }
 
-/// A recording drives an oscillator onto a Hertz stop: fourth-order Runge-Kutta with 5 us steps, halved once for its own error.
+/// A recording drives an oscillator onto a Hertz stop: fourth-order Runge-Kutta with 5 us steps,
+/// halved once for its error.
 #[test]
 fn a_recording_with_contacts_agrees_with_brute_force() {
     let (w, zeta, gap_m, stiffness, step_s) = (60.0, 0.02, 1e-3, 1e5, 1.0 / 500.0);
@@ -470,7 +476,8 @@ fn sprung(drive: &str) -> System {
     System::assemble(&spec, jounce::structure::modes(&spec).unwrap()).unwrap()
 }
 
-/// Relative displacement of a mass on a moving base: `Z / X = W^2 / sqrt((w^2 - W^2)^2 + (2 zeta w W)^2)`; the same force by hand.
+/// Relative displacement of a mass on a moving base:
+/// `Z / X = W^2 / sqrt((w^2 - W^2)^2 + (2 zeta w W)^2)`; also with the equivalent force.
 #[test]
 fn a_moving_base_is_a_force_against_the_mass() {
     let (w, drive) = (60.0, TAU * 7.0);

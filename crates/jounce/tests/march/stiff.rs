@@ -1,4 +1,4 @@
-//! Circuits far faster than every mode: they follow at once, and cost nothing.
+//! Circuits far faster than every mode: they are quasi-static, and add no cost.
 
 use crate::plants::{kernel, march, physical};
 use jounce::contact::{Hertz, Law};
@@ -54,8 +54,9 @@ fn cell(resistance_ohm: f64) -> System {
     }
 }
 
-/// RK4 of the motion with the circuit following at once, `V = -R theta q'`: a dashpot `R theta^2`. The energy in the load is its last
-/// state, less what the capacitance holds back to first order, `R^2 C theta^2 q'^2`.
+/// RK4 of the motion with a quasi-static circuit, `V = -R theta q'`: a dashpot `R theta^2`. The
+/// energy in the load is its last state, less the energy in the capacitance to first order,
+/// `R^2 C theta^2 q'^2`.
 fn following(resistance_ohm: f64, end: f64) -> [f64; 3] {
     let dashpot = 0.06 + resistance_ohm * COUPLING * COUPLING;
     let rates = |t: f64, [q, v, _]: [f64; 3]| -> [f64; 3] {
@@ -84,7 +85,8 @@ fn following(resistance_ohm: f64, end: f64) -> [f64; 3] {
     x
 }
 
-/// Against the limit, whose own error is `R^2 C theta^2`. The steps are those of a circuit as slow as the mass.
+/// Against the limit, whose error is `R^2 C theta^2`. The number of steps equals that of a circuit
+/// as slow as the mass.
 #[test]
 fn a_circuit_of_small_resistance_follows_at_once_and_costs_nothing() {
     let slow = march(&kernel(cell(1.0)), &[0.0; 3], 0.0, 20.0, 1e-10).work();
@@ -118,7 +120,8 @@ fn a_circuit_of_small_resistance_follows_at_once_and_costs_nothing() {
     }
 }
 
-/// Beyond what eigenvectors can tell the key is named with its bound, and no march panics.
+/// Beyond the accuracy of eigenvectors, the error names the key and its bound, and no integration
+/// panics.
 #[test]
 fn a_circuit_too_fast_to_be_computed_is_named_with_its_bound() {
     for resistance_ohm in [1e-9, 1e-12, 1e-300] {

@@ -1,4 +1,5 @@
-//! Swings against a spring: bilinear period, preloaded contact, the blow on a piezoelectric oscillator.
+//! Oscillations against a spring: bilinear period, preloaded contact, a blow on a piezoelectric
+//! oscillator.
 
 use crate::plants::{distance, kernel, march, physical, relative};
 use jounce::reference::{Bilinear, Duffing, Impulse, Reference};
@@ -25,7 +26,8 @@ fn bilinear_oscillator_comes_back_after_its_period() {
         let swings = 20.0;
         let integrator = march(&kernel, &start, 0.0, swings * problem.period_s(0.01), 1e-10);
         let end = physical(&integrator, &kernel);
-        // An error of the period turns into a speed: q' = -w^2 q dt; relative to the period it is the mean of 20 swings.
+        // An error dt of the period appears as a speed: q' = -w^2 q dt. Relative to the period it
+        // is the mean of 20 periods.
         let late = end[1] / (start[0] * 20.0 * 20.0) / (swings * problem.period_s(0.01));
         let depth = relative(
             integrator.statistics().max_penetration_m,
@@ -40,7 +42,8 @@ fn bilinear_oscillator_comes_back_after_its_period() {
     }
 }
 
-/// Pressed by 2 mm at rest in its middle, the mass swings about its new equilibrium and never leaves the stop.
+/// With its centre pressed 2 mm into the stop at rest, the mass oscillates about its new
+/// equilibrium and never leaves the stop.
 #[test]
 fn preloaded_contact_is_a_spring() {
     let problem = Bilinear {
@@ -95,7 +98,7 @@ fn share_of_a_blow_that_reaches_the_resistor() {
     }
 }
 
-/// Pressed so deep that it never leaves the stop, the mass feels one stiffer spring.
+/// Pressed so deep that it never leaves the stop, the mass has one stiffer spring.
 #[test]
 fn stiffness_in_parallel_adds() {
     let soft = Bilinear {
@@ -108,15 +111,16 @@ fn stiffness_in_parallel_adds() {
     let kernel = kernel(soft.system());
     let w = soft.contact_frequency_rad_s();
     let equilibrium_m = -300.0 / (0.5 * w * w);
-    // Let go at 1 cm from the equilibrium: one period of the stiffened spring later it is back.
+    // Released 1 cm from the equilibrium, it returns after one period of the stiffened spring.
     let start = [0.5_f64.sqrt() * (equilibrium_m + 0.01), 0.0];
     let integrator = march(&kernel, &start, 0.0, 10.0 * TAU / w, 1e-10);
     let error = distance(&kernel, &physical(&integrator, &kernel), &start);
     assert!(error < 1e-9, "{error:e}");
 }
 
-/// A cubic spring on both sides, hardening and softening: back after twenty exact periods, its energy kept. Measured: period
-/// 8e-13, and 4e-10 where it nearly stands still far out (softening, 1.4 of 1.414); energy 6e-12.
+/// A cubic spring on both sides, hardening and softening: returns after twenty exact periods with
+/// its energy. Measured: period 8e-13, and 4e-10 at a large softening amplitude near the unstable
+/// equilibrium (1.4 of 1.414); energy 6e-12.
 #[test]
 fn duffing_oscillator_comes_back_after_its_elliptic_period() {
     for (cubic_stiffness_n_m3, amplitude_m) in [

@@ -1,4 +1,4 @@
-//! What must not matter: when the clock starts, which side is positive, the units, where the march is interrupted.
+//! Invariances: the start time, the positive side, the units, and interruptions of the integration.
 
 use crate::plants::{bench, distance, from_rest, kernel, march, physical, relative, springs};
 use jounce::contact::{Hertz, Law};
@@ -58,8 +58,8 @@ fn lengths_scale_with_the_force() {
     assert!(error < 1e-8 && other.contacts == one.contacts, "{error:e}");
 }
 
-/// Twice as fast: frequencies, resistances' inverse and forces rise together; powers by the cube of the rate times the square of
-/// the length, here the length kept.
+/// Twice as fast: frequencies, conductances and forces scale together; powers scale with the cube
+/// of the rate times the square of the length, with the length unchanged here.
 #[test]
 fn time_scales_with_the_frequencies() {
     let rate = 2.0;
@@ -68,7 +68,8 @@ fn time_scales_with_the_frequencies() {
         .frequency_rad_s
         .iter_mut()
         .for_each(|w| *w *= rate);
-    // q'' scales by rate^2, so do forces; theta V against q'' and C V against theta q: V kept in proportion by theta -> rate theta.
+    // q'' scales by rate^2, and so do forces; theta V scales like q'' and C V like theta q: theta
+    // -> rate theta leaves V unchanged.
     Arc::make_mut(&mut fast.modes)
         .patch
         .values_mut()
@@ -146,8 +147,9 @@ fn a_run_goes_on_from_its_end() {
     );
 }
 
-/// One mass on equal Hertz stops at one place: three tell what one three times as stiff does, the same each, though roundoff lets them go
-/// and brings them back at the instant of the strike.
+/// One mass on equal Hertz stops at one point. Three stops give the result of one with three times
+/// the stiffness, with equal statistics, although roundoff opens and closes them at the instant of
+/// impact.
 #[test]
 fn equal_stops_at_one_place_are_told_alike() {
     let stopped = |count: usize| {

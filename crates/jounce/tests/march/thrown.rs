@@ -1,4 +1,4 @@
-//! Masses that start with a velocity.
+//! Masses with an initial velocity.
 
 use jounce::analysis::Model;
 use jounce::run::{RunPlan, simulate};
@@ -26,7 +26,8 @@ fn speed_m_s(prepared: &Model, answer: &jounce::run::RunResult, body: &str) -> f
         .sum()
 }
 
-/// Newton's law of restitution: `v1' = v (m1 - e m2) / M`, `v2' = v (1 + e) m1 / M`. Measured: exact to the last digit, 1e-15.
+/// Newton's law of restitution: `v1' = v (m1 - e m2) / M`, `v2' = v (1 + e) m1 / M`. Measured:
+/// exact to the last digit, 1e-15.
 #[test]
 fn a_thrown_mass_strikes_another() {
     let (prepared, answer) = marched(
@@ -46,7 +47,8 @@ fn a_thrown_mass_strikes_another() {
     assert!((answer.stops[0].max_impact_velocity_m_s - 2.0).abs() < 1e-12);
 }
 
-/// `v(t) = v cos w t` without damping, after 7.3 cycles, of a mass that carries another. Measured 1e-13.
+/// `v(t) = v cos w t` without damping, after 7.3 cycles, for a mass that carries another one.
+/// Measured 1e-13.
 #[test]
 fn a_thrown_mass_swings_on_its_spring() {
     let (prepared, answer) = marched(

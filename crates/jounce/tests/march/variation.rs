@@ -1,4 +1,5 @@
-//! The derivative of the flow against differences of the flow, its determinant and the closed form of the impact oscillator.
+//! Derivative of the flow against differences of the flow, its determinant and the closed form of
+//! the impact oscillator.
 
 use crate::plants::{bench, kernel};
 use crate::ports::{between_stops, coupled};
@@ -10,7 +11,7 @@ use jounce::plant::{Signal, System};
 use jounce::reference::ImpactOscillator;
 use jounce::spec::Spec;
 
-/// A state after some contacts, and a stretch of one drive period from there.
+/// A state after some contacts, and one drive period from there.
 pub fn settled(kernel: &Kernel) -> (Vec<f64>, f64) {
     let period_s = 1.0 / kernel.plant.system.drives[0].frequency_hz;
     let y = kernel
@@ -21,7 +22,7 @@ pub fn settled(kernel: &Kernel) -> (Vec<f64>, f64) {
     (integrator.state(), period_s)
 }
 
-/// Start of the march of every check: a whole number of periods is time 0 again.
+/// Start time of every check: any integer number of periods is equivalent to time 0.
 const START_S: f64 = 0.0;
 
 fn end(kernel: &Kernel, y: &[f64], duration_s: f64) -> Vec<f64> {
@@ -35,7 +36,8 @@ fn with_law(mut system: System, law: Law) -> System {
     system
 }
 
-/// Largest error of the jacobian against central differences, relative to its largest entry, on a stretch with contacts.
+/// Largest error of the Jacobian against central differences, relative to its largest entry, on an
+/// interval with contacts.
 fn error(kernel: &Kernel, y: &[f64], duration_s: f64) -> f64 {
     let found = FlowSensitivity::march(
         kernel,
@@ -53,7 +55,7 @@ fn error(kernel: &Kernel, y: &[f64], duration_s: f64) -> f64 {
     against_differences(kernel, y, duration_s, &found)
 }
 
-/// The same on any stretch.
+/// Error of the Jacobian on any interval.
 pub fn against_differences(
     kernel: &Kernel,
     y: &[f64],
@@ -154,7 +156,7 @@ fn jacobian_is_the_difference_of_flows_for_two_stops() {
     }
 }
 
-/// One mode bounces cleanly off a rigid stop, where many chatter.
+/// With one mode the rebounds from a rigid stop are clean; many modes chatter.
 #[test]
 fn jacobian_is_the_difference_of_flows_for_a_rigid_stop() {
     let oscillator = ImpactOscillator {
@@ -170,7 +172,7 @@ fn jacobian_is_the_difference_of_flows_for_a_rigid_stop() {
     assert!(found < 1e-6, "{found:e}");
 }
 
-/// A ball that gravity lets fall on a shaken table which yields, or throws it back at once.
+/// A ball that falls under gravity on a shaken table, compliant or rigid.
 fn ball(stop: &str) -> Kernel {
     let text = format!(
         "[mass.ball]\non = \"nothing\"\nmass = \"0.5 kg\"\n[stop.t]\nat = \"ball\"\nside = \"negative\"\ngap = \"0 mm\"\n{stop}\n\
@@ -179,8 +181,9 @@ fn ball(stop: &str) -> Kernel {
     Model::new(Spec::from_toml(&text).unwrap()).unwrap().kernel
 }
 
-/// Constant forces: on modes that follow them and on a free body, which does not. The derivative by the duration too. Measured: 5e-10
-/// to 3e-6, the largest for the ball and Kelvin and Voigt; by the duration 2e-9.
+/// Constant forces on modes with restoring forces and on a free body, which has none. Includes the
+/// derivative by the duration. Measured: 5e-10 to 3e-6, the largest for the ball and Kelvin and
+/// Voigt; by the duration 2e-9.
 #[test]
 fn jacobian_is_the_difference_of_flows_under_gravity() {
     let hertz = Hertz {
@@ -255,7 +258,8 @@ fn jacobian_is_the_difference_of_flows_under_gravity() {
     }
 }
 
-/// An elastic contact changes no volume: the determinant of a period is that of the linear plant, `exp(T trace A)`.
+/// An elastic contact preserves volume: the determinant over a period is that of the linear plant,
+/// `exp(T trace A)`.
 #[test]
 fn determinant_is_that_of_the_plant() {
     let kernel = kernel(bench(50.0, 11.0));
@@ -325,7 +329,7 @@ fn rigid_impact_has_the_multipliers_of_the_closed_form() {
     }
 }
 
-/// Gap, stiffness and drive as parameters, against differences of flows of changed systems.
+/// Derivatives by gap, stiffness and drive, against differences of flows of modified systems.
 #[test]
 fn drift_is_the_difference_of_flows_of_changed_systems() {
     let base = bench(50.0, 11.0);

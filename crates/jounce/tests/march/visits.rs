@@ -1,4 +1,4 @@
-//! A visitor of the control is let in during every kind of march, however the march goes on.
+//! The callback of the control runs during every kind of integration.
 
 use crate::plants::{bench, kernel};
 use crate::rectified::lossy_beside_a_stop;
@@ -7,7 +7,7 @@ use jounce::integrate::{Control, IntegrationError, Integrator};
 use jounce::plant::{Scheme, Stop, Storage, System};
 use std::sync::atomic::{AtomicU32, Ordering};
 
-/// Longer than any of these marches takes to the third visit.
+/// Longer than the time of any of these runs up to the third callback.
 const LONG_S: f64 = 1e4;
 
 fn rigid() -> System {

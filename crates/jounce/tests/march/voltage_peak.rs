@@ -30,8 +30,8 @@ fn marched(file: &SpecFile, record_s: f64) -> (Kernel, RunPlan, RunResult, Volta
     (kernel, plan, answer, peaks)
 }
 
-/// One patch with a resistor, the same with an inductor beside it and before it, and two patches in series, without contact: the closed form of the frequency
-/// response.
+/// One patch with a resistor, with an inductor parallel to and in series with it, and two patches
+/// in series, without contact: closed form of the frequency response.
 #[test]
 fn peaks_without_contact_are_those_of_the_frequency_response() {
     let second = "[patch.second]\non = \"beam\"\nmaterial = \"MFC-P2\"\nstart = \"110 mm\"\nlength = \"60 mm\"\nwidth = \"30 mm\"\n\
@@ -89,7 +89,8 @@ fn peaks_without_contact_are_those_of_the_frequency_response() {
     }
 }
 
-/// With impacts, settled and not yet: a hundred thousand looks at the times that the peak is of.
+/// With impacts, in steady state and in the transient: a hundred thousand samples over the interval
+/// of the peak.
 #[test]
 fn peaks_with_impacts_are_those_of_many_looks() {
     for (amplitude, frequency_hz, duration, settles) in
@@ -136,7 +137,7 @@ fn peaks_with_impacts_are_those_of_many_looks() {
     }
 }
 
-/// Ideal diodes hold the patch at the voltage of the battery.
+/// Ideal diodes clamp the patch at the voltage of the battery.
 #[test]
 fn a_bridge_holds_the_peak_of_its_patch() {
     let kernel = of_system(cell(
@@ -156,11 +157,12 @@ fn a_bridge_holds_the_peak_of_its_patch() {
     let peaks = voltage_peaks(&kernel, &answer, &plan);
     eprintln!("{peaks:?}, {:e} A", answer.rectified[0].mean_current_a);
     assert!(answer.rectified[0].mean_current_a > 0.1 && peaks.loads_v.is_empty());
-    // Two diodes of 1e-6 ohm carry some amperes.
+    // Two diodes of 1e-6 ohm conduct some amperes.
     assert!((peaks.patches_v[0] - 1.5).abs() < 1e-5 && peaks.first_v() == Some(peaks.patches_v[0]));
 }
 
-/// A drive that does not repeat itself: the largest voltage of the record, and none without one.
+/// A drive that is not periodic: the largest voltage of the record, and no voltage without a
+/// record.
 #[test]
 fn a_drive_without_a_period_needs_a_record() {
     let text = PAPER.replace(

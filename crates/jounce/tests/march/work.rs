@@ -1,4 +1,4 @@
-//! Work of three runs, pinned: a change that costs more steps or iterations shows here.
+//! Solver statistics of three runs, fixed: a change that needs more steps or iterations fails here.
 
 use crate::plants::{bench, from_rest, kernel};
 

@@ -1,7 +1,8 @@
-//! Driven oscillators at phase resonance against the period of their free motion, which is known exactly.
+//! Driven oscillators at phase resonance, against the exactly known period of their free motion.
 //!
-//! Under `F sin(w t)` the motion `x(-t) = x(t)` of the undriven, undamped oscillator lies a quarter of a period behind the drive, and
-//! force and damping hold each other up. What both change of the frequency at a given amplitude is of second order in the damping.
+//! Under `F sin(w t)` the motion `x(-t) = x(t)` of the undriven, undamped oscillator lags the drive
+//! by a quarter of a period, and force and damping balance. At a given amplitude both change the
+//! frequency to second order in the damping.
 
 use crate::harvesters::Systems;
 use jounce::continuation::{Corrector, Metric, Position, correct_at};
@@ -16,13 +17,13 @@ const CORRECTOR: Corrector = Corrector {
     most: 20,
 };
 
-/// Where a multiplier is close to 1, the tolerance of the march is felt enlarged.
+/// Where a multiplier is close to 1, errors of the integration are amplified.
 const AT_RESONANCE: Corrector = Corrector {
     goal: 2e-10,
     most: 20,
 };
 
-/// The orbit at a parameter, from a physical state near it.
+/// Orbit at a parameter, from a physical state near it.
 fn orbit(
     make: &(impl Fn(f64) -> System + Sync),
     corrector: &Corrector,
@@ -40,7 +41,8 @@ fn orbit(
     shooting.orbit(&found.local, found.error).unwrap()
 }
 
-/// Parameter, and displacement against the drive, where the velocity vanishes at the start of the cycle: by secants.
+/// Parameter, and displacement relative to the drive, where the velocity vanishes at the start of
+/// the cycle: by secants.
 pub fn phase_resonance(
     make: impl Fn(f64) -> System + Sync,
     start: &[f64],
@@ -59,7 +61,8 @@ pub fn phase_resonance(
         let (moved, reached) = speed_at(&state, next);
         let step = -moved * (next - at) / (moved - speed);
         (at, speed, state) = (next, moved, reached);
-        // The phase is then as good, and the amplitude better by the damping.
+        // The phase is then equally accurate, and the amplitude better by the factor of the
+        // damping.
         if speed.abs() < 1e-8 * scale {
             return (at, -state[0]);
         }
@@ -68,7 +71,8 @@ pub fn phase_resonance(
     panic!("no phase resonance near {parameter}");
 }
 
-/// Force that holds up the damping `c x'` of the free motion that starts at rest: `c int x'^2 dt = F int x' sin(w t) dt`.
+/// Force that balances the damping `c x'` of the free motion that starts at rest:
+/// `c int x'^2 dt = F int x' sin(w t) dt`.
 fn balancing_force(free: System, start: &[f64], w: f64, damping_n_s_m: f64) -> f64 {
     let kernel = Kernel::new(Plant::new(free).unwrap()).unwrap();
     let mut integrator =
@@ -84,7 +88,7 @@ fn balancing_force(free: System, start: &[f64], w: f64, damping_n_s_m: f64) -> f
     damping_n_s_m * lost / fed
 }
 
-/// Errors of the frequency at two dampings, the second half the first.
+/// Errors of the frequency at two dampings; the second damping is half the first.
 fn check(name: &str, errors: [f64; 2], allowed: f64) {
     let order = (errors[0] / errors[1]).abs().log2();
     eprintln!(
@@ -158,7 +162,8 @@ fn bilinear_backbone_is_two_joined_sinusoids() {
     }
 }
 
-/// Without a gap the frequency belongs to no amplitude: `2 w1 w2 / (w1 + w2)`, here `2 * 1 * 3 / (1 + 3)`.
+/// Without a gap the frequency does not depend on the amplitude: `2 w1 w2 / (w1 + w2)`, here
+/// `2 * 1 * 3 / (1 + 3)`.
 #[test]
 fn without_a_gap_the_resonance_is_the_bilinear_frequency() {
     let errors = [0.008, 0.004].map(|damping_ratio| {
@@ -181,7 +186,8 @@ fn without_a_gap_the_resonance_is_the_bilinear_frequency() {
     check("no gap", errors, 1e-4);
 }
 
-/// A spring that never lets go, by harmonics: the state and the multipliers of shooting, within the estimate of either.
+/// A two-sided spring by harmonic balance: the state and the multipliers of shooting, within both
+/// error estimates.
 #[test]
 fn harmonic_balance_meets_shooting_on_a_cubic_spring() {
     for (b, gap_m, drive_rad_s) in [(1.0, 0.0, 1.2), (-0.3, 0.0, 0.7), (1.0, 0.2, 1.3)] {

@@ -1,4 +1,4 @@
-//! Harmonic balance against shooting: the same orbits within its own error estimate.
+//! Harmonic balance against shooting: equal orbits within its error estimate.
 
 use crate::harvesters::{bench, branches};
 use jounce::analysis::{BranchKind, Model, OrbitMethodKind, Parameter, settled_orbit};
@@ -95,8 +95,9 @@ fn balance_meets_shooting_within_its_own_estimate() {
     }
 }
 
-/// At points of the branch that shooting follows, stable or not, the states and the mean powers of both methods differ by less than the
-/// sum of their estimates, and the powers by less than a millionth.
+/// Compares points of the branch that shooting follows, stable or not. States and mean powers of the
+/// two methods differ by less than the sum of their estimates, and the powers by less than a
+/// millionth.
 #[test]
 fn both_methods_agree_along_the_whole_branch() {
     let file = bench();
@@ -176,7 +177,8 @@ fn folds_are_those_of_shooting_and_no_others() {
     }
 }
 
-/// From end to end, with harmonics that come and go: every fold, doubling, torus and grazing of shooting, and no other.
+/// The complete branch with an adaptive number of harmonics: exactly the folds, doublings, tori and
+/// grazings of shooting.
 #[test]
 fn labels_of_the_whole_branch_are_those_of_shooting() {
     let file = bench();
@@ -217,7 +219,7 @@ fn labels_of_the_whole_branch_are_those_of_shooting() {
     assert!(worst < 1e-5, "{worst:e}");
 }
 
-/// The number of harmonics goes up and down by a half and by a third, between ends.
+/// The number of harmonics increases by a half and decreases by a third, between limits.
 #[test]
 fn the_number_of_harmonics_has_two_ends() {
     let harvester = crate::harvesters::Systems(|frequency_hz| {
@@ -267,7 +269,8 @@ fn a_rigid_stop_is_refused_with_the_other_method_named() {
     );
 }
 
-/// The derivative by the parameter in closed form is that of differences: frequency, amplitude, gap and stiffness.
+/// Derivatives by the parameter in closed form against differences: frequency, amplitude, gap and
+/// stiffness.
 #[test]
 fn the_change_with_the_parameter_is_that_of_differences() {
     let file = bench();
@@ -298,7 +301,7 @@ fn the_change_with_the_parameter_is_that_of_differences() {
         .unwrap();
         let unknown = method.unknown_of(exact.start(), value).unwrap();
         let none = vec![0.0; unknown.len()];
-        // With the parameter fixed the bordered solution moves along `-R_u^-1 R_p`.
+        // At fixed parameter the bordered solution is `-R_u^-1 R_p`.
         let (along, _) = method
             .at(&unknown, value)
             .unwrap()
@@ -319,12 +322,14 @@ fn the_change_with_the_parameter_is_that_of_differences() {
         let apart = norm(&mut along.iter().zip(&by_difference).map(|(a, b)| a - b))
             / norm(&mut along.iter().copied());
         eprintln!("{name}: {apart:.1e}");
-        // 3e-10 and less, 3e-7 for the gap: its edges move the nodes, and the difference sees what the rule leaves out change.
+        // At most 3e-10; 3e-7 for the gap, whose contact edges move the nodes and so change the
+        // quadrature error in the difference.
         assert!(apart < 1e-6, "{name}: {apart:e}");
     }
 }
 
-/// The size of the problem does not know how many modes the plant has: harmonics, nodes in contact, evaluations of Newton.
+/// The problem size is independent of the number of modes of the plant: harmonics, nodes in
+/// contact, Newton evaluations.
 #[test]
 fn the_work_at_a_point_is_flat_in_the_number_of_modes() {
     let mut told = String::new();
@@ -374,7 +379,8 @@ fn the_work_at_a_point_is_flat_in_the_number_of_modes() {
     insta::assert_snapshot!(told);
 }
 
-/// Where Newton is given up it tells the residual by harmonic: of an orbit that touches nothing, what the third one was moved by.
+/// When Newton fails, the error lists the residual by harmonic: for a contact-free orbit, the shift
+/// of the third one.
 #[test]
 fn a_failure_tells_the_residual_by_harmonic() {
     let law = Law::Hertz(Hertz {

@@ -1,4 +1,5 @@
-//! Attractors and their shares against plain marches, and exponents against closed forms.
+//! Attractors and their shares against plain integrations, and Lyapunov exponents against closed
+//! forms.
 
 use crate::harvesters::bench;
 use jounce::analysis::largest_exponent;
@@ -33,7 +34,7 @@ fn basins(frequency_hz: f64) -> BasinsResult {
     .unwrap()
 }
 
-/// Mean power over the last cycles of a long march.
+/// Mean power over the last cycles of a long integration.
 fn marched_power_w(kernel: &Kernel, start: &[f64], frequency_hz: f64) -> f64 {
     let mut integrator =
         Integrator::new(kernel, &kernel.plant.from_physical(start, 0.0), 0.0, 1e-8).unwrap();
@@ -96,8 +97,9 @@ fn any_number_of_threads_gives_the_same_bits() {
     assert_eq!(with(1), with(3));
 }
 
-/// The whole range of the harvester by several clouds: what settles slowly is neither left over nor taken for chaos. The torus at
-/// 12.3 Hz is one: its motion fills a closed curve, and neighbours neither part nor close up.
+/// The full range of the harvester by several point clouds: slow transients are neither undecided
+/// nor classified as chaos. The torus at 12.3 Hz is one such case: its motion fills a closed curve,
+/// and neighbours neither separate nor converge.
 #[test]
 fn what_settles_slowly_is_recognised_at_every_frequency() {
     let file = bench();
@@ -139,7 +141,8 @@ fn what_settles_slowly_is_recognised_at_every_frequency() {
     }
 }
 
-/// A side of displacements is bent by a static force, one of velocities struck: the stop's point has just that displacement and speed.
+/// A displacement axis applies a static force, a velocity axis an impulse: the stop's point has
+/// exactly that displacement and speed.
 #[test]
 fn a_grid_starts_where_its_sides_say() {
     let plant = Model::new(bench().spec().unwrap()).unwrap().kernel.plant;
@@ -203,7 +206,7 @@ fn kernel(oscillator: &ImpactOscillator, angle_rad: f64) -> Kernel {
     Kernel::new(jounce::plant::Plant::new(oscillator.system(angle_rad)).unwrap()).unwrap()
 }
 
-/// Two multipliers of one modulus: `ln |multiplier| / T` in closed form.
+/// Two multipliers of equal modulus: `ln |multiplier| / T` in closed form.
 #[test]
 fn the_exponent_of_a_stable_orbit_is_that_of_its_multiplier() {
     let oscillator = oscillator(1.0, 0.8);
@@ -231,7 +234,8 @@ fn the_exponent_of_a_stable_orbit_is_that_of_its_multiplier() {
     );
 }
 
-/// Chaos at `w = 2.8` on a stop without gap: two marches side by side part as fast as the exponent says.
+/// Chaos at `w = 2.8` on a stop without gap: two neighbouring integrations separate at the rate of
+/// the exponent.
 #[test]
 fn chaos_is_told_by_its_exponent() {
     let kernel = kernel(&oscillator(0.0, 2.8), 0.3);

@@ -1,7 +1,8 @@
-//! A ball on a vibrating table: multipliers and doubling in closed form, under gravity and without it.
+//! A ball on a vibrating table: multipliers and doubling in closed form, with and without gravity.
 //!
-//! Without gravity the ball hangs on a spring of stiffness `s` that is stretched far, instead of falling: errors are of order `s`, and two values of `s`
-//! carried to zero leave those of the method.
+//! Without gravity a highly stretched spring of stiffness `s` replaces the weight of the ball.
+//! Errors are of order `s`; extrapolation to zero from two values of `s` leaves the errors of the
+//! method.
 
 use crate::harvesters::Systems;
 use jounce::analysis::{Model, Parameter};
@@ -17,7 +18,7 @@ const CORRECTOR: Corrector = Corrector {
     most: 20,
 };
 
-/// Stiffness of the spring that stands for gravity; twice as much gives the order of its error.
+/// Stiffness of the spring that replaces gravity; twice this value gives the order of its error.
 const SOFTNESS: f64 = 1e-5;
 
 /// Trace and determinant of the orbit of `cycles`, by shooting over the cycles of the drive.
@@ -52,7 +53,7 @@ fn trace_determinant(table: BouncingTable, cycles: u32, softness: f64) -> [f64; 
     [(a + b).re, (a * b).re]
 }
 
-/// At two stiffnesses of the spring, carried to none.
+/// Extrapolates from two stiffnesses of the spring to zero.
 fn without_spring(value: impl Fn(f64) -> f64) -> f64 {
     2.0 * value(SOFTNESS) - value(2.0 * SOFTNESS)
 }
@@ -98,7 +99,7 @@ fn doubling_is_where_the_closed_form_has_it() {
                 );
                 1.0 + trace + determinant
             };
-            // Secants from both sides.
+            // Secant method from both sides.
             let (mut a, mut b) = (0.98 * exact, 1.02 * exact);
             let (mut at_a, mut at_b) = (past(a), past(b));
             assert!(at_a > 0.0 && at_b < 0.0);
@@ -120,7 +121,7 @@ fn doubling_is_where_the_closed_form_has_it() {
     }
 }
 
-/// The ball under gravity, as a spec says it: acceleration of gravity and frequency of the table.
+/// The ball under gravity, as in a spec: acceleration of gravity and frequency of the table.
 const GRAVITY_M_S2: f64 = 9.81;
 const TABLE_HZ: f64 = 10.0;
 
@@ -158,7 +159,7 @@ fn under_gravity(table: BouncingTable, cycles: u32) -> [f64; 2] {
     };
     let metric = Metric::at(&position, 1.0);
     let found = correct_at(&shooting, &CORRECTOR, &metric, position.clone()).unwrap();
-    // The start is that of the closed form.
+    // The start equals that of the closed form.
     assert!(metric.length(&position.to(&found.position)) < 1e-9);
     let orbit = shooting.orbit(&found.local, found.error).unwrap();
     assert_eq!(orbit.contacts, 1);

@@ -1,4 +1,4 @@
-//! Branches carried over to a neighbouring harvester, beside those that a search finds there.
+//! Branches transferred to a neighbouring harvester, against those that a search finds there.
 
 use crate::harvesters::{bench, branches};
 use jounce::analysis::{
@@ -11,7 +11,7 @@ use jounce::spec::SpecFile;
 const RANGE: (f64, f64) = (11.5, 12.8);
 const GAP: &str = "stop.tip.gap";
 
-/// Carries branches over to a spec; gives the evaluations that it took too.
+/// Transfers branches to a spec; also returns the number of evaluations.
 fn carry(
     file: &SpecFile,
     known: &[Branch],
@@ -39,7 +39,7 @@ fn points(branches: &[Branch]) -> usize {
     branches.iter().map(|branch| branch.points.len()).sum()
 }
 
-/// Bifurcations of a kind, by their parameter.
+/// Bifurcations of one kind, in order of parameter.
 fn places(branches: &[Branch], kind: BranchKind) -> Vec<&Bifurcation> {
     let mut found: Vec<&Bifurcation> = branches
         .iter()
@@ -50,8 +50,9 @@ fn places(branches: &[Branch], kind: BranchKind) -> Vec<&Bifurcation> {
     found
 }
 
-/// A gap of 1.02 mm from the branches at 1 mm: no point is lost, the ends stay where they were, and a fold that is located is that of the
-/// search. Measured: 1.4e-11 of its frequency off. The lower fold, about which points overtake each other, is left to the search.
+/// A gap of 1.02 mm from the branches at 1 mm: no point is lost, the ends are unchanged, and a
+/// located fold agrees with the search. Measured: 1.4e-11 of its frequency. The lower fold, near
+/// which points overtake each other, is left to the search.
 #[test]
 fn a_carried_branch_has_the_folds_of_a_search() {
     let mut file = bench();
@@ -86,7 +87,8 @@ fn a_carried_branch_has_the_folds_of_a_search() {
     }
 }
 
-/// From 1 over 1.01 to 1.02 mm, twice: where the change before tells where points go, fewer evaluations find the same orbits.
+/// From 1 via 1.01 to 1.02 mm, in two ways: where the previous change predicts the points, fewer
+/// evaluations find equal orbits.
 #[test]
 fn the_change_before_tells_where_points_go() {
     let mut file = bench();
@@ -145,8 +147,8 @@ fn the_change_before_tells_where_points_go() {
     }
 }
 
-/// What is left out of a curve is not missed: between the points that are kept a straight line is nowhere more than the share off that was
-/// asked for.
+/// A simplified curve is accurate: between the retained points a straight line differs from it by
+/// no more than the requested fraction.
 #[test]
 fn a_thinned_branch_draws_the_same_curve() {
     let share = 1e-3;

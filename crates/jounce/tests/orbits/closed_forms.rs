@@ -21,7 +21,8 @@ fn oscillator(gap: f64) -> ImpactOscillator {
     }
 }
 
-/// The drive starts a third of a cycle after the impact of the orbit at gap 0.5, so that no impact meets the start of a cycle.
+/// The drive starts a third of a cycle after the impact of the orbit at gap 0.5, so no impact falls
+/// on the start of a cycle.
 fn angle() -> f64 {
     oscillator(0.5).orbits(1)[0].angle_rad + TAU / 3.0
 }
@@ -76,7 +77,8 @@ fn impact_oscillator_has_the_multipliers_and_the_speed_of_the_closed_form() {
     }
 }
 
-/// Without contact the orbit is the steady state, and its multipliers are those of the plant over a period.
+/// Without contact the orbit is the steady state, and its multipliers are those of the plant over a
+/// period.
 #[test]
 fn orbit_without_contact_is_linear() {
     let harvester = Systems(|gap| oscillator(gap).system(0.0));
@@ -102,7 +104,8 @@ fn orbit_without_contact_is_linear() {
     assert!((orbit.floquet_max_abs() - modulus).abs() < 1e-12 && orbit.contacts == 0);
 }
 
-/// Half of the way between the surface of the stop and the lowest point of the closed motion between two impacts.
+/// Half the distance between the surface of the stop and the lowest point of the closed-form motion
+/// between two impacts.
 #[test]
 fn impact_oscillator_swings_as_far_as_its_closed_form() {
     for (gap, after_rad) in [(0.5, TAU / 3.0), (0.5, 1.0), (1.0, 4.0)] {

@@ -1,4 +1,5 @@
-//! Bifurcation diagrams by marching against the continued branches, and attractors matched along the key.
+//! Bifurcation diagrams by integration against continued branches, and attractors matched along the
+//! key.
 
 use crate::harvesters::{bench, branches};
 use jounce::analysis::{
@@ -39,7 +40,7 @@ fn powers_w(branches: &[Branch], value: f64) -> Vec<f64> {
         .collect()
 }
 
-/// Stepped up and down the marches stay on the branch, and jump within one step of its fold.
+/// Stepped up and down, the integrations stay on the branch, and jump within one step of its fold.
 #[test]
 fn stepped_marches_lie_on_the_branches_and_jump_at_their_folds() {
     let found = branches(&bench(), (11.4, 12.8), OrbitMethodKind::Shooting, 0);
@@ -62,7 +63,7 @@ fn stepped_marches_lie_on_the_branches_and_jump_at_their_folds() {
             .filter(|visit| visit.motion == AttractorKind::Orbit && visit.period_cycles == 1)
             .all(on)
     );
-    // On the way up power falls by more than ten at the fold.
+    // On the way up, power falls by a factor of more than ten at the fold.
     let up = &visits[..31];
     let jump = up
         .windows(2)
@@ -75,7 +76,8 @@ fn stepped_marches_lie_on_the_branches_and_jump_at_their_folds() {
     assert!(jump[0].parameter < upper_hz && upper_hz < jump[1].parameter);
 }
 
-/// Two attractors side by side keep their ids from value to value, and the third kind is born where its branch folds.
+/// Two coexisting attractors retain their ids from value to value, and the third appears where its
+/// branch folds.
 #[test]
 fn attractors_keep_their_ids() {
     let values = values(13.2, 13.8, 13);
@@ -116,7 +118,7 @@ fn attractors_keep_their_ids() {
         triple.len()
     );
     assert!(triple[0].born.is_some() && triple[0].seen.len() > 8);
-    // Every start has a home of its own kind, and the shares of a value add up to one.
+    // Every start has an attractor of its kind, and the shares at each value sum to one.
     for (visit, home) in visits.iter().zip(&history.homes) {
         let home = &history.attractors[home.unwrap()];
         assert!(home.motion == visit.motion && home.period_cycles == visit.period_cycles);
@@ -131,7 +133,8 @@ fn attractors_keep_their_ids() {
     }
 }
 
-/// The orbit of period 3 is one, from fold to fold, over steps too coarse for a march from value to value.
+/// The orbit of period 3 is one track, from fold to fold, over steps too coarse for an integration
+/// from value to value.
 #[test]
 fn attractors_keep_their_ids_over_coarse_steps() {
     // Folds of the continued branch of period 3.
@@ -189,7 +192,7 @@ fn any_number_of_threads_gives_the_same_diagram() {
     assert_eq!(with(1), with(3));
 }
 
-/// The points of an orbit are the states of its cycles as the stop sees them.
+/// The points of an orbit are its states at each cycle in coordinates of the stop.
 #[test]
 fn a_section_of_an_orbit_has_a_point_for_each_cycle() {
     let (visits, _) = visits(

@@ -1,4 +1,5 @@
-//! Driven Duffing oscillators against a plain Runge-Kutta integration of their equation, and against the first harmonic.
+//! Driven Duffing oscillators against a Runge-Kutta integration of their equation, and against the
+//! first harmonic.
 
 use crate::harvesters::branches;
 use faer::Mat;
@@ -33,7 +34,7 @@ impl Oracle {
         ]
     }
 
-    /// Classical Runge-Kutta of fourth order, 4000 steps: an error of 1e-13 of a motion of this kind.
+    /// Classical fourth-order Runge-Kutta with 4000 steps; its error is 1e-13 for such a motion.
     fn period(&self, w: f64, x: f64, v: f64) -> [f64; 6] {
         let (steps, mut y) = (4000, [x, v, 1.0, 0.0, 0.0, 1.0]);
         let h = TAU / w / f64::from(steps);
@@ -50,7 +51,7 @@ impl Oracle {
         y
     }
 
-    /// What vanishes at a fold: the orbit closes, and one of its multipliers is 1.
+    /// Zero at a fold: the orbit closes, and one of its multipliers is 1.
     fn fold(&self, [x, v, w]: [f64; 3]) -> [f64; 3] {
         let y = self.period(w, x, v);
         [
@@ -60,7 +61,7 @@ impl Oracle {
         ]
     }
 
-    /// Newton with differences.
+    /// Newton's method with differences.
     fn nearest_fold(&self, mut at: [f64; 3]) -> [f64; 3] {
         for _ in 0..6 {
             let value = self.fold(at);
@@ -89,7 +90,8 @@ impl Oracle {
     }
 }
 
-/// What vanishes at a cusp of the folds at `(x, v, w, f)`: besides, the multiplier stays 1 along its eigenvector.
+/// Zero at a cusp of the folds at `(x, v, w, f)`: in addition, the multiplier remains 1 along its
+/// eigenvector.
 fn cusp(square: f64, damping: f64, b: f64, [x, v, w, force]: [f64; 4]) -> [f64; 4] {
     let oracle = Oracle {
         square,
@@ -105,7 +107,7 @@ fn cusp(square: f64, damping: f64, b: f64, [x, v, w, force]: [f64; 4]) -> [f64; 
     [closed, rest, fold, (moved(1e-3) - moved(-1e-3)) / 2e-3]
 }
 
-/// Newton with differences.
+/// Newton's method with differences.
 fn nearest_cusp(square: f64, damping: f64, b: f64, mut at: [f64; 4]) -> [f64; 4] {
     for _ in 0..8 {
         let value = cusp(square, damping, b, at);
@@ -129,7 +131,7 @@ fn nearest_cusp(square: f64, damping: f64, b: f64, mut at: [f64; 4]) -> [f64; 4]
     at
 }
 
-/// The spec of the gallery, and the same problem as plain numbers.
+/// The spec of the gallery, with its numbers.
 fn example(cubic: f64, force: f64) -> (SpecFile, Duffing) {
     let mut file = SpecFile::from_text(include_str!(
         "../../../../examples/bouncing-and-impact-oscillators/duffing.toml"
@@ -149,7 +151,7 @@ fn example(cubic: f64, force: f64) -> (SpecFile, Duffing) {
     (file, duffing)
 }
 
-/// Both folds of the curve, hardening and softening, by either method.
+/// Both folds of the curve, hardening and softening, by both methods.
 #[test]
 fn folds_are_those_of_an_independent_integration() {
     for (cubic, force, range) in [(20.0, 1.0, (0.95, 1.4)), (-10.0, 0.6, (0.75, 1.05))] {
@@ -190,12 +192,12 @@ fn folds_are_those_of_an_independent_integration() {
     }
 }
 
-/// The first harmonic alone foretells a fold the better the less the spring bends: its error goes with the square of `b a^2 / w0^2`.
-/// Measured: 2.0e-6 and 5.1e-7 at the lower fold, order 1.96.
+/// The first harmonic alone predicts a fold with an error proportional to the square of
+/// `b a^2 / w0^2`. Measured: 2.0e-6 and 5.1e-7 at the lower fold, order 1.96.
 #[test]
 fn folds_of_the_first_harmonic_are_the_limit_of_small_bending() {
     let errors = [0.25, 0.125].map(|scale| {
-        // The same amplitudes: bending, force and damping shrink together.
+        // At equal amplitudes, cubic stiffness, force and damping shrink together.
         let (mut file, mut duffing) = example(20.0 * scale, scale);
         duffing.damping_ratio *= scale;
         file.set(
@@ -227,7 +229,8 @@ fn folds_of_the_first_harmonic_are_the_limit_of_small_bending() {
     );
 }
 
-/// Along the curve the product of the multipliers is what the damping leaves of an area in a period.
+/// Along the curve the product of the multipliers equals the area contraction by damping in a
+/// period.
 #[test]
 fn multipliers_multiply_to_the_decay_of_a_period() {
     let (file, duffing) = example(20.0, 1.0);
@@ -248,9 +251,11 @@ fn multipliers_multiply_to_the_decay_of_a_period() {
     assert!(worst < 1e-8);
 }
 
-/// Two folds meet in a cusp where bistability begins. In a plane so narrow that the keys turn round over a thousandth of the motion the curve is
-/// whole and the cusp a point of it, where an independent integration has it; the first harmonic has it at `w^2 - w0^2 = sqrt(3) c`,
-/// `f^2 = (4 c^2 / 3) a^2`, `c = 2 zeta w0 w`, `3 b a^2 / 4 = 2 (w^2 - w0^2) / 3`. Its arms part with the power 3/2 of the distance.
+/// Two folds meet in a cusp where bistability begins. In a plane so narrow that the parameters turn
+/// over a thousandth of the motion, the curve is complete, and the cusp is a point of it, as in an
+/// independent integration. The first harmonic gives `w^2 - w0^2 = sqrt(3) c`,
+/// `f^2 = (4 c^2 / 3) a^2`, `c = 2 zeta w0 w`, `3 b a^2 / 4 = 2 (w^2 - w0^2) / 3`. The arms of the
+/// cusp separate with the power 3/2 of the distance.
 #[test]
 fn a_curve_of_folds_goes_through_its_cusp() {
     let (_, duffing) = example(20.0, 1.0);
@@ -276,7 +281,7 @@ fn a_curve_of_folds_goes_through_its_cusp() {
     );
     assert!((w / exact[2] - 1.0).abs() < 1e-3 && (first[3] / force - 1.0).abs() < 1e-3);
 
-    // The walk stops before the cusp in the one plane, behind it in the other.
+    // Continuation stops before the cusp in one plane, behind it in the other.
     for (own, ranges) in [
         (0.2308, [(1.0172, 1.0178), (0.2303, 0.2313)]),
         (1.0, [(1.016, 1.0185), (0.229, 0.233)]),

@@ -1,5 +1,5 @@
-//! Events on branches: none is missed between two points, whatever the tolerance, the range and the largest step; stability agrees with
-//! marches.
+//! Events on branches: no event is missed between two points at any tolerance, range or step limit;
+//! stability agrees with integrations.
 
 use crate::harvesters::bench;
 use jounce::analysis::{
@@ -23,7 +23,7 @@ fn with(changes: &[(&str, &str)]) -> SpecFile {
     file
 }
 
-/// Branches of one drive cycle over the frequency, with options and a tolerance.
+/// Branches of one drive cycle over the frequency, for given options and tolerance.
 fn found(
     file: &SpecFile,
     range: (f64, f64),
@@ -45,7 +45,7 @@ fn found(
     search.run_with(options).unwrap()
 }
 
-/// Labels but grazings in the order of the key, those at the edges of a range left out.
+/// Labels except grazings in the order of the key, without those at the edges of a range.
 fn labels(branches: &[Branch]) -> Vec<(BranchKind, f64)> {
     let all = branches
         .iter()
@@ -59,7 +59,8 @@ fn labels(branches: &[Branch]) -> Vec<(BranchKind, f64)> {
     all
 }
 
-/// A pair of tori 0.05 Hz apart on a step of 0.3 Hz: at three tolerances, with two largest steps, in one range or in three.
+/// A pair of tori 0.05 Hz apart on a step of 0.3 Hz: at three tolerances, with two largest steps,
+/// in one range or in three.
 fn finds_the_pair_of_tori(file: &SpecFile, pair: [f64; 2]) {
     let mut known: Option<Vec<(BranchKind, f64)>> = None;
     for tolerance in [1e-7, 5e-10, 1e-10] {
@@ -93,7 +94,8 @@ fn finds_the_pair_of_tori(file: &SpecFile, pair: [f64; 2]) {
                     tori.len() == 2 && tori.iter().zip(pair).all(|(a, b)| (a - b).abs() < 1e-4),
                     "{tori:?}"
                 );
-                // The coarsest marches leave more in a turning point near the surface than a step decides.
+                // At the coarsest tolerance the error of a turning point near the surface exceeds
+                // the change over a step.
                 let open = branches
                     .iter()
                     .flat_map(|branch| &branch.not_proved)
@@ -114,7 +116,7 @@ fn finds_the_pair_of_tori(file: &SpecFile, pair: [f64; 2]) {
     }
 }
 
-/// Against an independent Runge-Kutta integration with its own shooting: 10.47358 and 10.52108 Hz.
+/// Against an independent Runge-Kutta integration with separate shooting: 10.47358 and 10.52108 Hz.
 #[test]
 fn a_pair_of_tori_inside_one_step_is_found() {
     let changes = [
@@ -125,7 +127,7 @@ fn a_pair_of_tori_inside_one_step_is_found() {
     finds_the_pair_of_tori(&with(&changes), [10.47358, 10.52108]);
 }
 
-/// Against the same: 10.46710 and 10.52154 Hz.
+/// Against the same independent integration: 10.46710 and 10.52154 Hz.
 #[test]
 fn a_pair_of_tori_does_not_depend_on_the_tolerance() {
     let changes = [
@@ -135,7 +137,8 @@ fn a_pair_of_tori_does_not_depend_on_the_tolerance() {
     finds_the_pair_of_tori(&with(&changes), [10.46710, 10.52154]);
 }
 
-/// Mean power between two labels of a level, by both methods: the labels are where the power of the points crosses it.
+/// Mean power between two labels of a level, by both methods: the labels are where the power of the
+/// points crosses the level.
 #[test]
 fn a_level_of_power_is_labelled_where_the_branch_passes_it() {
     let file = bench();
@@ -197,8 +200,8 @@ fn a_level_of_power_is_labelled_where_the_branch_passes_it() {
     }
 }
 
-/// Places drawn along branches of four harvesters: multipliers say what a march from a kick of 1e-6 does in 300 cycles, or in more where these do not
-/// decide.
+/// Random points along branches of four harvesters: the multipliers agree with an integration from
+/// a perturbation of 1e-6, over 300 cycles or more where these do not decide.
 #[test]
 fn stability_agrees_with_marches_from_a_kick() {
     let specs = [
@@ -252,9 +255,10 @@ fn stability_agrees_with_marches_from_a_kick() {
     assert!(checked > 180 && unstable > 20);
 }
 
-/// Factor per cycle by which a kick grows over the last two thirds of 300 cycles, or until it is a thousand times itself or a thousandth: by the
-/// line of least squares through the logarithms, for the size of a pair that turns goes up and down. Where the kick has changed by less than a factor
-/// of ten, the integration goes on, for up to 9600 cycles.
+/// Growth factor per cycle of a perturbation over the last two thirds of 300 cycles, or until it
+/// has changed by a factor of a thousand. A least-squares line through the logarithms gives it,
+/// since the size of a complex pair oscillates. If the perturbation has changed by less than a
+/// factor of ten, the integration continues, for up to 9600 cycles.
 fn growth<H: ParametricModel>(
     kernel: &jounce::integrate::Kernel,
     shooting: &Shooting<'_, H>,

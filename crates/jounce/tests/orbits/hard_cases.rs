@@ -1,4 +1,4 @@
-//! Hard cases, each with its clear outcome.
+//! Hard cases, each with a definite result.
 
 use crate::harvesters::{bench, branches};
 use jounce::analysis::{
@@ -43,7 +43,8 @@ fn over(
     .run()
 }
 
-/// A stop that touches at rest, and one that is pressed at rest: the first point is what a long march settles on.
+/// A stop that touches at rest, and one that is pressed at rest: the first point is the steady
+/// state of a long integration.
 #[test]
 fn closed_and_preloaded_gaps_are_marched_to_the_same_power() {
     for gap in ["\"0 mm\"", "\"-0.2 mm\""] {
@@ -76,7 +77,7 @@ fn closed_and_preloaded_gaps_are_marched_to_the_same_power() {
     }
 }
 
-/// A stop out of reach leaves the linear answer, stable everywhere.
+/// With a stop out of reach the response is linear and stable everywhere.
 #[test]
 fn a_stop_that_is_never_met_leaves_the_linear_answer() {
     let file = with(&[("stop.tip.gap", "\"500 mm\"")]);
@@ -105,7 +106,7 @@ fn a_stop_that_is_never_met_leaves_the_linear_answer() {
     }
 }
 
-/// The walk starts exactly where the orbit touches the stop.
+/// Continuation starts exactly where the orbit touches the stop.
 #[test]
 fn grazing_at_the_start_is_an_ordinary_start() {
     let first = branches(&bench(), (12.5, 14.0), OrbitMethodKind::Shooting, 0);
@@ -156,7 +157,8 @@ fn resonance_without_damping_says_so() {
     assert!(refused.to_string().contains("damping"), "{refused}");
 }
 
-/// A stop like rock: the branch turns at its grazing more sharply than any step can follow, and says so.
+/// A very stiff stop: the branch turns at its grazing more sharply than any step can follow, and
+/// the error reports this.
 #[test]
 fn a_stop_of_1e10_ends_the_low_branch_at_its_grazing() {
     let file = with(&[("stop.tip.stiffness", "\"1e10 N/m^1.5\"")]);
@@ -177,7 +179,8 @@ fn a_stop_of_1e10_ends_the_low_branch_at_its_grazing() {
     assert!(found.iter().any(grazes));
 }
 
-/// Harmonic balance ends there too and says so, instead of turning round and running back over the orbits that never touch.
+/// Harmonic balance ends there too with an error, instead of reversing along the orbits that never
+/// touch.
 #[test]
 fn a_stop_of_1e10_ends_harmonic_balance_at_the_same_grazing() {
     let file = with(&[("stop.tip.stiffness", "\"1e10 N/m^1.5\"")]);
@@ -201,7 +204,7 @@ fn a_stop_of_1e10_ends_harmonic_balance_at_the_same_grazing() {
         (parameter - 13.340_123).abs() < 1e-5
             && low.points.iter().all(|point| point.parameter <= 14.0)
     );
-    // The way back would pass every orbit again.
+    // A reversed branch would pass every orbit again.
     let untouched = low.points.iter().filter(|point| point.orbit.contacts == 0);
     assert!(
         untouched
@@ -210,7 +213,8 @@ fn a_stop_of_1e10_ends_harmonic_balance_at_the_same_grazing() {
     );
 }
 
-/// Where its resonance is sharp the branch leaves the chords between its points: the orbits at both ends still lie on one branch.
+/// Where its resonance is sharp the branch is far from the chords between its points; the orbits at
+/// both ends still lie on one branch.
 #[test]
 fn a_sharp_resonance_is_one_branch() {
     let file = with(&[("stop.tip.gap", "\"1 m\"")]);
@@ -227,7 +231,7 @@ fn a_sharp_resonance_is_one_branch() {
     }
 }
 
-/// More harmonics move a point across the curve; one at the end of the range stays there.
+/// More harmonics move a point normal to the curve; one at the end of the range stays there.
 #[test]
 fn a_branch_by_harmonic_balance_keeps_to_its_range() {
     let file = bench();
@@ -255,8 +259,9 @@ fn a_branch_by_harmonic_balance_keeps_to_its_range() {
     );
 }
 
-/// Grazings are not lost where the number of harmonics changes or where Newton fails beside their kink. There a place is known to the
-/// accuracy of the orbits, a millionth of the motion, by which a tangency moves up to 8e-5 Hz; elsewhere to 2e-8 Hz.
+/// Grazings are found where the number of harmonics changes or where Newton fails near their kink.
+/// There a point is known to the accuracy of the orbits, a millionth of the motion, which moves a
+/// tangency by up to 8e-5 Hz; elsewhere by 2e-8 Hz.
 #[test]
 fn a_closed_gap_has_the_same_grazings_by_both_methods() {
     let file = with(&[("stop.tip.gap", "\"0 mm\"")]);
@@ -284,7 +289,8 @@ fn a_closed_gap_has_the_same_grazings_by_both_methods() {
     );
 }
 
-/// A circle about a parameter below zero of which there is nothing: steps become shorter before it is given up.
+/// A circle whose problem is not defined below parameter zero: steps become shorter before
+/// continuation ends.
 #[test]
 fn a_step_into_nothing_is_made_shorter() {
     let at = |turned: f64| Position {
@@ -296,7 +302,7 @@ fn a_step_into_nothing_is_made_shorter() {
         parameter: turned.cos(),
     };
     let turned = -0.9;
-    // The circle touches zero at its lowest place.
+    // The circle touches zero at its lowest point.
     let ahead = Direction {
         unknown: vec![-tangent(turned).unknown[0]],
         parameter: -tangent(turned).parameter,
@@ -372,7 +378,7 @@ impl Linearization for Place {
     }
 }
 
-/// Tighter than numbers can be: an answer with the error it has, or none, but no endless search.
+/// A tolerance below roundoff: a result with its actual error, or an error, but no endless search.
 #[test]
 fn a_tolerance_out_of_reach_ends() {
     match over(&bench(), "drive.shaker.frequency", (10.5, 10.6), 1e-17) {
@@ -413,7 +419,7 @@ fn without_a_drive_there_is_no_orbit() {
     );
 }
 
-/// Any numeric key will do: the orbit at the spec's own value is the same, whichever key leads through it.
+/// Any numeric key works: the orbit at the value in the spec does not depend on the key.
 #[test]
 fn every_kind_of_key_leads_through_the_same_orbit() {
     let file = bench();
@@ -445,7 +451,8 @@ fn every_kind_of_key_leads_through_the_same_orbit() {
     );
 }
 
-/// A budget of ten orbits: what was reached is there, cut where the budget ends, and what is left is counted.
+/// A budget of ten orbits: branches are listed up to the point where the budget ends, and the
+/// remainder is counted.
 #[test]
 fn a_budget_ends_the_search_and_counts_what_is_left() {
     let file = bench();
@@ -490,7 +497,8 @@ fn a_budget_ends_the_search_and_counts_what_is_left() {
         .filter(|found| found.kind == BranchKind::PeriodDoubling)
         .count();
     assert!(doublings > 0);
-    // Both ways of the first branch may use the budget, and each start that is left is a point of its own.
+    // Both directions of the first branch may use the budget, and each remaining start is a
+    // separate point.
     assert!(
         work(&cut) < 40
             && cut

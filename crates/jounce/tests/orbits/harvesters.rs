@@ -1,4 +1,4 @@
-//! Harvesters and searches that several tests share.
+//! Harvesters and searches shared by several tests.
 
 use jounce::analysis::{Branch, BranchSearch, Model, OrbitMethodKind, Parameter};
 use jounce::integrate::Kernel;
@@ -6,7 +6,7 @@ use jounce::orbit::{ModelInstance, ParametricModel};
 use jounce::plant::{Plant, PlantError, System};
 use jounce::spec::SpecFile;
 
-/// Systems over any parameter, by a function; derivatives by differences.
+/// Systems given by a function of any parameter, with derivatives by differences.
 pub struct Systems<F>(pub F);
 
 impl<F: Fn(f64) -> System + Sync> ParametricModel for Systems<F> {
@@ -24,7 +24,7 @@ impl<F: Fn(f64) -> System + Sync> ParametricModel for Systems<F> {
     }
 }
 
-/// The plant of the paper that stands beside the repository, where it does.
+/// The plant of the paper, if its file is present next to the repository.
 pub fn paper() -> Option<SpecFile> {
     let path = std::path::PathBuf::from(env!("CARGO_MANIFEST_DIR"))
         .join("../../../shared/plant/paper-plant.toml");
@@ -35,7 +35,7 @@ pub fn paper() -> Option<SpecFile> {
     file
 }
 
-/// `bench/plant.toml`: the paper's harvester by eight modes.
+/// `bench/plant.toml`: the paper's harvester with eight modes.
 pub fn bench() -> SpecFile {
     SpecFile::from_text(include_str!("../../../../bench/plant.toml"))
 }

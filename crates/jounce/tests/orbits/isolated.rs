@@ -1,4 +1,4 @@
-//! Branches that no other branch leads to.
+//! Isolated branches.
 
 use crate::harvesters::{bench, branches_of, paper};
 use jounce::analysis::{
@@ -6,8 +6,9 @@ use jounce::analysis::{
 };
 use jounce::spec::SpecFile;
 
-/// Near 14 Hz the harvester has orbits of three drive cycles on a closed curve of their own. Where such a curve comes back to its start
-/// it may do so a cycle earlier or later; and a step that lands on the orbit of one cycle, gone through three times, has left it.
+/// Near 14 Hz the harvester has orbits of three drive cycles on an isolated closed curve. Such a
+/// curve may close with a shift of a cycle. A step that lands on the orbit of one cycle, traversed
+/// three times, has left the curve.
 #[test]
 fn a_curve_of_three_cycles_closes_and_stays_one_of_three_cycles() {
     let found = branches_of(&bench(), (13.2, 14.4), OrbitMethodKind::Shooting, 6, 3);
@@ -39,8 +40,9 @@ fn a_curve_of_three_cycles_closes_and_stays_one_of_three_cycles() {
     );
 }
 
-/// At 12 Hz and 20 N the large answer lives beside a small one that draws every march begun at rest. Over the gap it is found from a drive that
-/// is eased, and its fold lies where the branch over the amplitude has it at that gap.
+/// At 12 Hz and 20 N the large orbit coexists with a small one that attracts every run from rest.
+/// Over the gap the search finds it from a ramped-down drive, and its fold agrees with the branch
+/// over the amplitude at that gap.
 #[test]
 fn a_large_answer_beside_a_small_one_is_found() {
     let mut file = bench();
@@ -82,7 +84,8 @@ fn a_large_answer_beside_a_small_one_is_found() {
     );
 }
 
-/// At 12.30122 Hz, just below the fold, a range may begin too: 1.751276e-3 W, computed by another program.
+/// At 12.30122 Hz, just below the fold, a range may also begin: 1.751276e-3 W, computed by another
+/// program.
 #[test]
 fn a_large_answer_at_the_end_of_a_range_is_found() {
     let Some(file) = paper() else { return };
@@ -104,9 +107,9 @@ fn a_large_answer_at_the_end_of_a_range_is_found() {
     }
 }
 
-/// Both ends of that curve are sharp folds, which a long step may cross to the sheet on the other side: the walk would turn round there, come
-/// back to its start the wrong way and not see it. By both methods and at every tolerance it has the same labels, and it is stable from fold to
-/// fold.
+/// Both ends of that curve are sharp folds, where a long step may jump to the opposite sheet.
+/// Continuation would then reverse and return to its start in the wrong direction. By both methods
+/// and at every tolerance the labels are equal, and the curve is stable from fold to fold.
 #[test]
 fn no_step_lands_beyond_a_fold() {
     let (file, range) = (bench(), (4.0, 20.0));

@@ -1,4 +1,4 @@
-//! What a branch tells about itself: the same by both methods, for every tolerance, and each thing once.
+//! Labels of a branch: equal for both methods and every tolerance, each listed once.
 
 use crate::harvesters::{bench, branches, branches_of, paper};
 use jounce::analysis::{
@@ -12,8 +12,8 @@ const METHODS: [OrbitMethodKind; 2] = [
     OrbitMethodKind::HarmonicBalance { harmonics: 64 },
 ];
 
-/// A range that ends 1.8 mHz, 0.3 mHz and 20 uHz below a fold: the branch comes to its edge on the side from which it came, and the other
-/// method finds the same power there.
+/// A range that ends 1.8 mHz, 0.3 mHz and 20 uHz below a fold: the branch reaches the edge on its
+/// original side, and both methods find equal power there.
 #[test]
 fn a_branch_that_leaves_the_range_below_a_fold_ends_on_the_edge() {
     let whole = branches(&bench(), (10.5, 12.6), OrbitMethodKind::Shooting, 0);
@@ -46,7 +46,7 @@ fn a_branch_that_leaves_the_range_below_a_fold_ends_on_the_edge() {
                     .all(|end| end.parameter == 10.5 || end.parameter == edge),
                 "{method:?} {edge}"
             );
-            // Of the two sides of the fold the stable one has more power.
+            // On the stable side of the fold the power is larger.
             let at_edge = ends
                 .iter()
                 .filter(|end| end.parameter == edge && end.orbit.is_stable());
@@ -65,8 +65,8 @@ fn a_branch_that_leaves_the_range_below_a_fold_ends_on_the_edge() {
     }
 }
 
-/// Near 5.797 Hz a contact whose force begins with a jump begins with the period, where the state of shooting has a corner and the harmonics
-/// of the displacement have none.
+/// Near 5.797 Hz a contact whose force begins with a jump starts with the period. There the
+/// shooting state has a kink and the harmonics of the displacement do not.
 #[test]
 fn a_branch_goes_on_where_a_contact_begins_with_the_period() {
     let damped = include_str!("../../../../bench/plant.toml")
@@ -105,7 +105,7 @@ fn a_branch_goes_on_where_a_contact_begins_with_the_period() {
     assert!(shooting.len() == 10 && apart < 1e-4, "{apart}");
 }
 
-/// Where a doubled branch comes back to the one that it left, the doubling of that one is all there is.
+/// Where a doubled branch returns to its parent, the only label is the doubling of the parent.
 #[test]
 fn a_doubled_branch_has_no_label_where_it_ends() {
     let Some(file) = paper() else { return };
@@ -133,8 +133,9 @@ fn a_doubled_branch_has_no_label_where_it_ends() {
     }
 }
 
-/// A range that ends at the grazing of the low branch, where a branch of four cycles begins: what ends its stable part is its fold, whether
-/// or not the curve between the two points about it can be had again.
+/// A range that ends at the grazing of the low branch, where a branch of four cycles begins. The
+/// stable part ends at its fold, whether or not continuation can recompute the curve between the
+/// two points about it.
 #[test]
 fn a_bandwidth_ends_with_stability_at_a_fold() {
     let Some(file) = paper() else { return };

@@ -1,4 +1,4 @@
-//! Levels followed over two keys.
+//! Level curves over two keys.
 
 use crate::harvesters::bench;
 use jounce::analysis::{
@@ -48,7 +48,7 @@ fn curves(file: &SpecFile, level: &str, ranges: [(f64, f64); 2]) -> Vec<Bifurcat
     found
 }
 
-/// Without contact the mean power is that of the steady motion, in closed form.
+/// Without contact the mean power is that of the steady state, in closed form.
 #[test]
 fn a_level_of_power_without_contact_is_that_of_the_steady_power() {
     let mut file = bench();
@@ -70,7 +70,8 @@ fn a_level_of_power_without_contact_is_that_of_the_steady_power() {
     }
 }
 
-/// With contact the curves of a force pass the labels that branches at the two outer amplitudes have.
+/// With contact the curves of a force pass through the labels of branches at the two outer
+/// amplitudes.
 #[test]
 fn a_level_of_contact_force_passes_the_labels_along_one_key() {
     let (level, range) = ("contact_force.tip=0.3 N", (11.0, 14.5));

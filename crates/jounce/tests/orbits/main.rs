@@ -1,4 +1,5 @@
-//! Periodic orbits and their branches against published numbers, closed forms, marches, and one method against the other.
+//! Periodic orbits and their branches against published numbers, closed forms and integrations, and
+//! between methods.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 mod backbones;

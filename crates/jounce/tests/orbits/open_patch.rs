@@ -1,4 +1,5 @@
-//! Orbits of a harvester with an open patch, whose charge nothing lets go: no charge is meant.
+//! Orbits of a harvester with an open patch, whose charge is constant: the orbit with zero charge
+//! is selected.
 
 use jounce::analysis::{BranchSearch, Model, OrbitMethodKind, Parameter};
 use jounce::orbit::{ParametricModel, Shooting};
@@ -35,8 +36,9 @@ beyond = 0.02
 modes = 3
 "#;
 
-/// The charge stays what it was before the first motion along the whole branch, and the deepest penetration is that of marches from rest.
-/// Measured: charges below 1e-9 of what the patch holds at its peak, penetrations 6e-8 and 5e-10 apart.
+/// The charge retains its initial value along the complete branch, and the largest penetration
+/// equals that of runs from rest. Measured: charges below 1e-9 of the peak charge of the patch,
+/// penetrations 6e-8 and 5e-10 apart.
 #[test]
 fn a_branch_is_that_of_a_patch_that_was_never_charged() {
     let file = SpecFile::from_text(HARVESTER);

@@ -12,7 +12,7 @@ use jounce::run::{RunPlan, StartState, simulate};
 use jounce::spec::SpecFile;
 use std::f64::consts::TAU;
 
-/// The folder of the specs.
+/// Folder of the specs.
 const EXAMPLE: &str = "bouncing-and-impact-oscillators";
 
 fn meets(found: f64, row: &str) {
@@ -104,7 +104,7 @@ fn kernel(text: &str) -> Kernel {
         .kernel
 }
 
-/// The last bounces are too small to be told apart and taken for rest: 5e-7 s early.
+/// The last bounces are too small to resolve and count as rest: 5e-7 s early.
 #[test]
 fn ball_on_a_floor() {
     let kernel = kernel(include_str!(
@@ -149,7 +149,8 @@ fn ball_on_a_floor() {
     );
 }
 
-/// The orbit with one bounce a cycle, marched from its closed form for 20 cycles; where it doubles, as `jounce branch` finds it.
+/// The orbit with one bounce per cycle, integrated from its closed form for 20 cycles; its
+/// doubling, as `jounce branch` finds it.
 #[test]
 fn ball_on_a_table() {
     let text = include_str!("../../../../examples/bouncing-and-impact-oscillators/table.toml");

@@ -1,4 +1,4 @@
-//! The paper's plant: power, multipliers and folds computed by other programs.
+//! The paper's plant: power, multipliers and folds against other programs.
 
 use crate::harvesters::{branches, paper};
 use jounce::analysis::{Branch, BranchKind, OrbitMethodKind};
@@ -35,7 +35,7 @@ fn published_points_and_folds_lie_on_the_branch() {
         (folds[0].0 - 12.3218).abs() < 1e-4 && (folds[0].1 / 1.68e-3 - 1.0).abs() < 2e-3,
         "{folds:?}"
     );
-    // AUTO-07p turns at 12.322 and 11.651 Hz.
+    // AUTO-07p has folds at 12.322 and 11.651 Hz.
     assert!((folds[1].0 - 11.651).abs() < 1e-3, "{folds:?}");
 }
 
@@ -54,7 +54,7 @@ fn the_stable_point_below_the_fold_is_the_published_one() {
     assert!((last.orbit.mean_power_w / 1.751276e-3 - 1.0).abs() < 1e-6);
 }
 
-/// The low branch is the linear answer; its grazing is where the steady amplitude equals the gap.
+/// The low branch is the linear response; it grazes where the steady amplitude equals the gap.
 #[test]
 fn low_branch_ends_where_the_steady_amplitude_meets_the_gap() {
     let Some(file) = paper() else { return };

@@ -1,4 +1,4 @@
-//! Peaks of power and optimal loads followed over two keys, and tori against where they are found along one key.
+//! Curves of peak power and optimal load over two keys, and tori against those found along one key.
 
 use crate::harvesters::{bench, branches};
 use jounce::analysis::{
@@ -50,8 +50,9 @@ fn curves(
     found
 }
 
-/// Resistance of most power at each frequency: `1 / |Y|` by Thevenin. Newton ends at 1e-7 of the state, and so does the power, which is
-/// flat there. Measured at tolerance 1e-10: loads off by 5e-6 at most, powers by 2e-8.
+/// Resistance of maximum power at each frequency: `1 / |Y|` by Thevenin. Newton ends at 1e-7 of the
+/// state, and so does the power, which is flat there. Measured at tolerance 1e-10: errors of loads
+/// at most 5e-6, of powers 2e-8.
 #[test]
 fn the_optimal_load_of_a_harvester_that_never_touches_is_the_closed_form() {
     let found = peaks(
@@ -85,7 +86,8 @@ fn the_optimal_load_of_a_harvester_that_never_touches_is_the_closed_form() {
     );
 }
 
-/// Frequency of most power at each load, by the slope of the steady power. Measured at tolerance 1e-10: off by 1e-8 Hz at most.
+/// Frequency of maximum power at each load, by the slope of the steady power. Measured at tolerance
+/// 1e-10: at most 1e-8 Hz off.
 #[test]
 fn the_resonance_of_a_harvester_that_never_touches_is_that_of_the_steady_power() {
     let found = peaks(
@@ -110,7 +112,7 @@ fn the_resonance_of_a_harvester_that_never_touches_is_that_of_the_steady_power()
             drives[0].frequency_hz = frequency_hz;
             steady_power_w(&kernel.plant.with_drives(drives).unwrap())
         };
-        // Newton on the slope, by differences that are exact to fourth order.
+        // Newton on the slope, by fourth-order differences.
         let (step, at) = (2e-4, point.parameter);
         let slope = 8.0 * (power_w(at + step) - power_w(at - step))
             - (power_w(at + 2.0 * step) - power_w(at - 2.0 * step));
@@ -121,7 +123,8 @@ fn the_resonance_of_a_harvester_that_never_touches_is_that_of_the_steady_power()
     assert!(worst < 1e-6);
 }
 
-/// With contact the curve of peaks passes through the peak that is located along the branch, and its end too lies on the branch there.
+/// With contact the curve of peaks passes through the peak located along the branch, and its end
+/// also lies on the branch there.
 #[test]
 fn the_peak_of_the_impact_branch_is_the_one_along_the_branch() {
     let found = peaks(
@@ -162,8 +165,9 @@ fn the_peak_of_the_impact_branch_is_the_one_along_the_branch() {
     }
 }
 
-/// The optimal load with contact is the best of the branches at loads beside it: their power at 12.1 Hz has its vertex there. Measured: 0.03 % off by
-/// loads 2 % to both sides, whose own third order is of that size; the power equal to 1e-9.
+/// The optimal load with contact is the vertex of the power at 12.1 Hz of branches at neighbouring
+/// loads. Measured: 0.03 % off with loads 2 % to both sides, whose third-order error is of that
+/// size; the power equal to 1e-9.
 #[test]
 fn the_optimal_load_with_contact_is_the_best_of_the_branches_beside_it() {
     let found = peaks(
@@ -221,8 +225,9 @@ fn the_optimal_load_with_contact_is_the_best_of_the_branches_beside_it() {
     );
 }
 
-/// An isolated branch is born where its two folds meet, as a point: the curve of its peaks ends there, in few points. The vertex of the fold curve is
-/// that of a parabola through the points around it.
+/// An isolated branch appears as a point where its two folds meet. The curve of its peaks ends
+/// there, in few points. The vertex of the fold curve is that of a parabola through the points
+/// around it.
 #[test]
 fn the_peak_of_an_isolated_branch_ends_where_its_folds_meet() {
     let found = curves(

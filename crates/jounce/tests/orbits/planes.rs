@@ -1,4 +1,4 @@
-//! Curves over the whole of a plane: which are found, and each once.
+//! Curves over a complete plane: all are found, each once.
 
 use crate::harvesters::bench;
 use jounce::analysis::{BifurcationCurve, BifurcationSearch, BranchKind, CurveKind, Model};
@@ -20,8 +20,9 @@ fn curves(file: &SpecFile, keys: [(&str, (f64, f64)); 2], seeds: usize) -> Vec<B
     search.run().unwrap()
 }
 
-/// Gap against amplitude at 12 Hz, either key first: the same curves with the same ends, the fold of the large answer across the corner among
-/// them, which passes one edge of each range only.
+/// Gap against amplitude at 12 Hz, with either key first: equal curves with equal ends. They
+/// include the fold of the large orbit across the corner, which crosses only one edge of each
+/// range.
 #[test]
 fn it_does_not_matter_which_key_comes_first() {
     let mut file = bench();
@@ -64,8 +65,9 @@ fn it_does_not_matter_which_key_comes_first() {
     }
 }
 
-/// Two arms of a curve of tori meet at stiffness 4893.1, where a contact grazes, at so small an angle that a walk may miss the way round and come
-/// back over its own points. No curve ends on its start, and that one is listed once and whole.
+/// Two arms of a curve of tori meet at stiffness 4893.1, where a contact grazes, at a very small
+/// angle. Continuation may miss the turn and return over its points. No curve ends on its start,
+/// and that one is listed once and complete.
 #[test]
 fn no_curve_comes_back_over_its_own_points() {
     let keys = [

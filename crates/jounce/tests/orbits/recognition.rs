@@ -1,4 +1,4 @@
-//! Every start is attributed to the attractor that a long integration ends on.
+//! Every start is assigned to the attractor on which a long integration ends.
 
 use crate::harvesters::bench;
 use jounce::analysis::{
@@ -9,7 +9,7 @@ use jounce::integrate::Integrator;
 use jounce::orbit::{Orbit, ParametricModel, Shooting};
 use jounce::spec::SpecFile;
 
-/// Drive cycles of the long integration: periods 1, 3, 7, 10 and 18 divide none of its last steps alike.
+/// Drive cycles of the long integration, for orbits of period 1, 3, 7, 10 and 18.
 const LONG_CYCLES: u32 = 3_024;
 
 fn grid(displacement_m: f64, velocity_m_s: f64, count: usize) -> InitialStates {
@@ -48,7 +48,8 @@ fn with_basins<T>(
     then(&parameter, value, &study.run(&|| ()).unwrap())
 }
 
-/// Distance of a physical state from an orbit at the drive cycle where it is nearest, relative to the size of the orbit.
+/// Distance of a physical state from an orbit at its nearest drive cycle, relative to the size of
+/// the orbit.
 fn distance(shooting: &Shooting<Parameter>, orbit: &Orbit, physical: &[f64]) -> f64 {
     let state = shooting.unknown(physical);
     let apart = |look: &Vec<f64>| {
@@ -66,8 +67,9 @@ fn distance(shooting: &Shooting<Parameter>, orbit: &Orbit, physical: &[f64]) -> 
         / orbit.size()
 }
 
-/// Orbits of periods 1, 1, 3, 7, 10 and 18 attract at once. The one of period 18 gives 6.027567570e-6 W by an independent integration, and
-/// on this grid 51 of 400 starts end there; a recognition that tries periods up to 12 counted them for others.
+/// Orbits of periods 1, 1, 3, 7, 10 and 18 attract at once. The one of period 18 gives
+/// 6.027567570e-6 W by an independent integration, and on this grid 51 of 400 starts end there. A
+/// recognition that tries periods up to 12 only would assign them to others.
 #[test]
 fn no_start_is_attributed_to_an_orbit_that_it_does_not_reach() {
     let mut file = bench();
@@ -133,7 +135,8 @@ fn no_start_is_attributed_to_an_orbit_that_it_does_not_reach() {
     });
 }
 
-/// The page integrates at 1e-6, the command line at 1e-8: both find the same attractors, each start on the same one.
+/// The page integrates at 1e-6, the command line at 1e-8: both find equal attractors, and assign
+/// each start to the same one.
 #[test]
 fn attractors_do_not_depend_on_the_tolerance() {
     let mut file = SpecFile::from_text(include_str!(
@@ -169,7 +172,8 @@ fn attractors_do_not_depend_on_the_tolerance() {
     }
 }
 
-/// A budget of cycles that no start can meet: nothing is attributed, and the interval of the expected power says so.
+/// A cycle budget too small for every start: no start is assigned, and the interval of the expected
+/// power shows this.
 #[test]
 fn what_is_not_proved_is_undecided() {
     let base = Model::new(bench().spec().unwrap()).unwrap();

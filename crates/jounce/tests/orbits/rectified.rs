@@ -1,4 +1,5 @@
-//! Orbits of rectified circuits: against closed forms, against settled marches, and their stability against the decay of a march.
+//! Orbits of rectified circuits: against closed forms and runs in steady state, and their stability
+//! against the decay of a run.
 
 use crate::rows::folder;
 use jounce::analysis::{AnalysisError, BranchSearch, Model, OrbitMethodKind, Parameter};
@@ -8,7 +9,7 @@ use jounce::orbit::{Orbit, OrbitError, OrbitMethod, ParametricModel, Shooting};
 use jounce::spec::SpecFile;
 use std::f64::consts::{PI, TAU};
 
-/// The example without the lines of some keys.
+/// The example without the lines of the given keys.
 fn without(keys: &[&str]) -> SpecFile {
     let text =
         std::fs::read_to_string(folder("rectified-shu-lien-2006").join("harvester.toml")).unwrap();
@@ -25,7 +26,7 @@ fn without(keys: &[&str]) -> SpecFile {
     )
 }
 
-/// The example, with some keys changed, its diodes left at their default: not every interface has them.
+/// The example with changed keys and default diodes: not every interface has them.
 fn file(settings: &[(&str, &str)]) -> SpecFile {
     let mut file = without(&["diode_resistance"]);
     settings
@@ -34,7 +35,8 @@ fn file(settings: &[(&str, &str)]) -> SpecFile {
     file
 }
 
-/// The orbit of a drive cycle that Newton finds from the linear answer and a voltage of the storage.
+/// Orbit of one drive cycle that Newton finds from the linear response and a voltage of the
+/// storage.
 fn orbit(file: &SpecFile, storage_v: f64) -> (Model, Orbit) {
     let base = Model::new(file.spec().unwrap()).unwrap();
     let key = file.numeric_key("drive.shaker.amplitude").unwrap();
@@ -67,9 +69,9 @@ fn orbit(file: &SpecFile, storage_v: f64) -> (Model, Orbit) {
     (base, orbit)
 }
 
-/// Power of the strongly coupled cell by direct integration at a fixed voltage of 1 V, 2.37962. A battery gives that to 2.1e-5, as in the march; 2000 F
-/// of smoothing ripple, which makes 1.8e-4. The orbit gives in a few Newton steps what a march gives after thousands of cycles, in which the
-/// storage charges.
+/// Power of the strongly coupled cell by direct integration at a fixed voltage of 1 V, 2.37962. A
+/// battery gives it to 2.1e-5, as in a run; 2000 F of smoothing ripple, which makes 1.8e-4. Newton
+/// finds the orbit in a few steps; a run needs thousands of cycles to charge the storage.
 #[test]
 fn the_orbit_has_the_power_of_direct_integration() {
     for (settings, allowed) in [
@@ -94,8 +96,9 @@ fn the_orbit_has_the_power_of_direct_integration() {
     }
 }
 
-/// Weak coupling, `theta = 1e-5`: the powers of the interfaces are in closed form (Guyomar et al. 2005, Lefeuvre et al. 2006). A storage of
-/// 20 F ripples by a part in a hundred or so, which is of second order in the power.
+/// Weak coupling, `theta = 1e-5`: the powers of the interfaces are in closed form (Guyomar et al.
+/// 2005, Lefeuvre et al. 2006). A storage of 20 F ripples by about a part in a hundred, which is of
+/// second order in the power.
 #[test]
 fn weakly_coupled_interfaces_have_their_closed_forms() {
     let (w, theta, zeta) = (0.8_f64, 1e-5, 0.05);
@@ -145,7 +148,7 @@ fn weakly_coupled_interfaces_have_their_closed_forms() {
         );
         let (_, orbit) = orbit(&SpecFile::from_text(text), 0.0);
         let modulus = (-zeta * TAU / w).exp();
-        // Both switches of a cycle leave of a voltage what the swing does.
+        // The two switches of a cycle reduce a voltage by the ratio of the inversion.
         let electrical = if interface == "series-sshi" {
             q * q
         } else {
@@ -161,7 +164,7 @@ fn weakly_coupled_interfaces_have_their_closed_forms() {
             "{interface}: {:e} against {power:e}",
             orbit.mean_power_w
         );
-        // The motion does not feel the circuit.
+        // The circuit does not affect the motion.
         let near = |size: f64| {
             orbit
                 .multipliers
@@ -176,7 +179,8 @@ fn weakly_coupled_interfaces_have_their_closed_forms() {
     }
 }
 
-/// A marched disturbance obeys the polynomial of the multipliers from cycle to cycle: `sum_k c_k d_k = 0`, `prod (x - m) = sum_k c_k x^k`.
+/// A perturbation obeys the polynomial of the multipliers from cycle to cycle: `sum_k c_k d_k = 0`,
+/// `prod (x - m) = sum_k c_k x^k`.
 #[test]
 fn a_disturbance_decays_by_the_multipliers() {
     for (interface, quality) in [
@@ -242,7 +246,7 @@ fn a_disturbance_decays_by_the_multipliers() {
     }
 }
 
-/// Power over the load along a branch, against marches long enough to settle.
+/// Power over the load along a branch, against runs long enough to reach steady state.
 #[test]
 fn a_branch_over_the_load_has_the_power_of_settled_marches() {
     let settings = [
@@ -296,7 +300,8 @@ fn a_branch_over_the_load_has_the_power_of_settled_marches() {
     }
 }
 
-/// A battery above the open voltage takes nothing, and the charge of the patch is anybody's: the orbit at the charge of the start.
+/// A battery above the open-circuit voltage receives no current, and the charge of the patch is
+/// arbitrary: the orbit has the charge of the start.
 #[test]
 fn diodes_that_never_conduct_leave_a_charge_alone() {
     let mut file = without(&["storage", "resistance"]);

@@ -1,4 +1,5 @@
-//! A ball on a table that shakes: rest on a rigid stop is an attractor, as long as the table does not throw it.
+//! A ball on a shaken table: sticking to a rigid stop is an attractor, unless the table throws the
+//! ball.
 
 use jounce::analysis::{
     Basins, BasinsResult, BranchKind, BranchSearch, Cloud, InitialStates, Model, OrbitMethodKind,
@@ -84,7 +85,8 @@ fn basins(text: &str, amplitude: &str, starts: usize) -> BasinsResult {
     .unwrap()
 }
 
-/// The ball leaves the table where this falls faster than the ball does, `a sin(w t) > g`, and so nowhere below 1 g.
+/// The ball leaves the table where the table falls faster, `a sin(w t) > g`, and so never below 1
+/// g.
 #[test]
 fn below_one_g_every_start_comes_to_rest_and_above_none_stays_there() {
     for amplitude in ["0.1 g", "0.5 g", "0.99 g"] {
@@ -120,8 +122,8 @@ fn below_one_g_every_start_comes_to_rest_and_above_none_stays_there() {
     );
 }
 
-/// A ball at rest on a disc is one body with it, of one mode again: its power is that of the frequency response of a disc that is
-/// heavier by the ball. Measured: 6e-12.
+/// A ball that sticks to a disc forms one body with it, again with one mode. Its power is that of
+/// the frequency response of a disc with the added mass of the ball. Measured: 6e-12.
 #[test]
 fn a_ball_at_rest_loads_its_disc_by_its_mass() {
     let found = basins(DISC, "0.3 g", 4);
@@ -163,7 +165,8 @@ fn a_ball_at_rest_loads_its_disc_by_its_mass() {
     assert!(error.abs() < 1e-9);
 }
 
-/// A branch on which impacts become a sequence without end: runs on its two sides rest on the wall in every cycle, and never.
+/// A branch ends where impacts become an infinite sequence: runs on one side of the end stick to
+/// the wall in every cycle, those on the other never.
 #[test]
 fn a_branch_ends_where_a_point_begins_to_stick() {
     let mut file = SpecFile::from_text(include_str!(

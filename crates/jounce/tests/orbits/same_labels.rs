@@ -1,5 +1,6 @@
-//! Labels do not depend on the tolerance, the largest step or the cut of the range: where two searches follow the same piece of a curve, each
-//! label of the one is a label of the other, or stands in a part that one of them lists as not proved.
+//! Labels do not depend on the tolerance, the largest step or the subdivision of the range. Where
+//! two searches follow the same piece of a curve, each label of one is a label of the other, or
+//! lies in a part that one of them lists as not proved.
 //!
 //! ```text
 //! JOUNCE_DRAWN_SYSTEMS=40 cargo test --release -p jounce --test orbits labels_of_drawn -- --nocapture
@@ -18,14 +19,16 @@ use jounce::spec::SpecFile;
 /// Seed of the harvesters.
 const SEED: u64 = 7;
 
-/// Distance in the key, beside the range, within which two labels of a kind are one, and in the power of their orbits.
+/// Distance in the key, relative to the range, and in the power of their orbits, within which two
+/// labels of one kind are equal.
 const SAME: f64 = 1e-4;
 const SAME_POWER: f64 = 1e-2;
 
-/// Way to both sides of a label, beside the range, on which another search must have followed the curve to be asked for the label.
+/// Distance to both sides of a label, relative to the range, on which another search must have
+/// followed the curve for a comparison.
 const BESIDE: f64 = 1e-3;
 
-/// A case: a harvester and the frequencies over which its branches are followed.
+/// A harvester and the frequencies over which its branches are followed.
 struct Case {
     file: SpecFile,
     key: &'static str,
@@ -130,7 +133,8 @@ impl Case {
         cuts.windows(2).flat_map(of_piece).collect()
     }
 
-    /// Labels of one search that another one lacks, though it has followed the curve there and lists no doubt.
+    /// Labels of one search that the other lacks, although it followed the curve there and lists no
+    /// unproved part.
     fn missing<'b>(&self, one: &'b [Branch], other: &[Branch]) -> Vec<&'b Bifurcation> {
         let labels = one
             .iter()
@@ -219,7 +223,7 @@ impl Case {
         let near = SAME * self.width();
         let at = label.at.parameter;
         branch.not_proved.iter().any(|part| {
-            // A fold that is not seen is a branch point, and the other way round.
+            // A missed fold may appear as a branch point, and the reverse.
             let is_alike = part.event == label.kind
                 || [part.event, label.kind].iter().all(|kind| is_real(*kind));
             is_alike
@@ -316,7 +320,7 @@ fn labels_of_the_cases_of_these_tests_are_the_same_for_all_settings() {
         ],
         &[("stop.tip.stiffness", "\"1e6 N/m^1.5\"")],
     ];
-    // The first ones in every run, those that the environment asks for otherwise.
+    // The first ones in every run, unless the environment variable gives another number.
     let asked = number("JOUNCE_DRAWN_SYSTEMS")
         .map(|count| (number("JOUNCE_DRAWN_FIRST").unwrap_or(0), count));
     let (first, count) = asked.unwrap_or((0, 5));
@@ -331,7 +335,7 @@ fn labels_of_the_cases_of_these_tests_are_the_same_for_all_settings() {
     assert_eq!(wrong, 0, "labels that one search has and another lacks");
 }
 
-/// Drawn harvesters that cost little: their motions at both ends of the range settle soon.
+/// Random harvesters of low cost: their motions at both ends of the range settle soon.
 const QUICK: [u64; 6] = [1, 10, 12, 14, 17, 19];
 
 #[test]

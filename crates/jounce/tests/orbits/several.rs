@@ -1,4 +1,5 @@
-//! Harmonic balance with several stops, under gravity and with an open patch: against shooting, mirror images and shifted stops.
+//! Harmonic balance with several stops, under gravity and with an open patch: against shooting,
+//! mirror images and shifted stops.
 
 use crate::harvesters::{bench, branches};
 use jounce::analysis::{AnalysisError, Model, OrbitMethodKind, Parameter, settled_orbit};
@@ -21,7 +22,7 @@ fn bench_with(stops: &str) -> SpecFile {
     ))
 }
 
-/// A stop of the bench's own law at its tip.
+/// A stop at the tip with the contact law of the bench.
 fn tip_stop(name: &str, side: &str, gap: &str, stiffness: &str) -> String {
     let place = format!("at = \"harvester.tip\"\nframe = \"ground\"\nside = \"{side}\"");
     format!(
@@ -29,7 +30,7 @@ fn tip_stop(name: &str, side: &str, gap: &str, stiffness: &str) -> String {
     )
 }
 
-/// The beam of the paper with a second stop of another law, half-way along.
+/// The beam of the paper with a second stop, of another law, at mid-length.
 fn two_places() -> SpecFile {
     let text = include_str!("../../../../examples/impact-harvester-2019/harvester.toml");
     let beam = text.replace(
@@ -47,7 +48,7 @@ fn norm(values: &mut dyn Iterator<Item = f64>) -> f64 {
     values.map(|v| v * v).sum::<f64>().sqrt()
 }
 
-/// The orbit near a state by as many harmonics as the accuracy needs.
+/// Orbit near a state, with as many harmonics as the accuracy needs.
 fn balanced(file: &SpecFile, start: &[f64], frequency_hz: f64) -> Orbit {
     let base = Model::new(file.spec().unwrap()).unwrap();
     let key = file.numeric_key(FREQUENCY).unwrap();
@@ -75,7 +76,7 @@ fn balanced(file: &SpecFile, start: &[f64], frequency_hz: f64) -> Orbit {
     }
 }
 
-/// The orbit that a march from rest settles on.
+/// Orbit that a run from rest reaches.
 fn settled(file: &SpecFile, frequency_hz: f64) -> Orbit {
     let base = Model::new(file.spec().unwrap()).unwrap();
     let key = file.numeric_key(FREQUENCY).unwrap();
@@ -90,7 +91,8 @@ fn settled(file: &SpecFile, frequency_hz: f64) -> Orbit {
     .unwrap()
 }
 
-/// Along the branch that shooting follows, stable or not, states and mean powers lie within the sum of both estimates; the most contacts.
+/// Along the branch that shooting follows, stable or not, states and mean powers lie within the sum
+/// of both estimates; returns the most contacts.
 fn agrees_along(file: &SpecFile, range: (f64, f64), every: usize) -> u64 {
     let curve = &branches(file, range, OrbitMethodKind::Shooting, 0)[0];
     let (mut most, mut unstable) = (0, 0);
@@ -132,7 +134,8 @@ fn two_stops_at_two_places_of_the_beam_agree_with_shooting() {
     assert!(agrees_along(&two_places(), (11.0, 12.5), 6) >= 2);
 }
 
-/// Turned round, `x(t + T / 2) -> -x(t)`, the harvester with its gaps and stiffnesses exchanged has the same power.
+/// Mirrored, `x(t + T / 2) -> -x(t)`, the harvester with exchanged gaps and stiffnesses has equal
+/// power.
 #[test]
 fn a_mirror_image_has_the_same_power() {
     let mirrored = |gap: &str, stiffness: &str, behind: &str, other: &str| {
@@ -159,7 +162,8 @@ fn a_mirror_image_has_the_same_power() {
     assert!(power < 1e-7 && one.contacts == two.contacts && one.contacts >= 2 && turned > 1e-3);
 }
 
-/// Two stops of half the stiffness at one place are one: both are in contact at all the same times.
+/// Two stops of half the stiffness at one point are equivalent to one: both are in contact at the
+/// same times.
 #[test]
 fn two_halves_of_a_stop_are_the_whole() {
     let whole = settled(&bench(), 11.0);
@@ -173,7 +177,8 @@ fn two_halves_of_a_stop_are_the_whole() {
     assert!(apart < 1e-9 && state < 1e-9 && two.contacts == 2 * one.contacts);
 }
 
-/// Newton's system undoes a difference of the residual, and its column is the difference along the parameter.
+/// Newton's system reproduces a difference of the residual, and its column the difference along the
+/// parameter.
 #[test]
 fn the_derivative_over_two_stops_is_that_of_differences() {
     for mut file in [
@@ -254,7 +259,8 @@ fn mass(gravity: &str, gaps_mm: [f64; 2]) -> SpecFile {
     ))
 }
 
-/// A weight sags by `m g / k`: as seen from there each stop has moved the other way, and nothing else is changed.
+/// A weight sags by `m g / k`. Relative to this position each stop has moved the other way, without
+/// further change.
 #[test]
 fn gravity_moves_the_stops_by_the_sag() {
     let heavy = mass("[gravity]\nacceleration = \"-5 m/s^2\"\n", [1.0, 2.0]);
@@ -277,7 +283,8 @@ fn gravity_moves_the_stops_by_the_sag() {
     assert!(apart[0] < 1e-8 && apart[1] < 1e-8 && one.contacts == 2 && two.contacts == 2);
 }
 
-/// The charge of an open patch, which nothing brings back, has no part in the compliance of the stop.
+/// The charge of an open patch, which is constant, does not contribute to the compliance of the
+/// stop.
 #[test]
 fn an_open_patch_agrees_with_shooting() {
     let mut spec = bench();
@@ -299,7 +306,7 @@ fn an_open_patch_agrees_with_shooting() {
     assert!(state < found.error_estimate + exact.error_estimate && found.contacts == 1);
 }
 
-/// A ball on a table comes back by gravity alone: its compliance at rest is infinite.
+/// Only gravity returns a ball to its table, so its static compliance is infinite.
 #[test]
 fn a_free_body_is_refused_with_the_other_method_named() {
     let ball = "[mass.ball]\non = \"nothing\"\nmass = \"1 g\"\n[stop.table]\nat = \"ball\"\nside = \"negative\"\nframe = \"ground\"\nlaw = \"spring\"\n\

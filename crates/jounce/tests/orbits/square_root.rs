@@ -1,8 +1,10 @@
-//! The square-root law at a grazing on a rigid stop.
+//! Square-root law at a grazing on a rigid stop.
 //!
-//! With the gap `m` below the steady amplitude `X`, the stop is struck at `v = w sqrt(X^2 - (X - m)^2)`, of order `m^(1/2)`: so far is the
-//! motion thrown off within a cycle, and the derivative of the flow grows like `m^(-1/2)`. An orbit that strikes once in each cycle adapts to
-//! it: its impact speed is of order `m`, so that its largest multiplier grows like `1 / m`.
+//! With the gap `m` below the steady amplitude `X`, the impact speed is
+//! `v = w sqrt(X^2 - (X - m)^2)`, of order `m^(1/2)`. Within a cycle the motion is deflected by
+//! this order, and the derivative of the flow grows like `m^(-1/2)`. An orbit with one impact in
+//! each cycle adapts: its impact speed is of order `m`, so its largest multiplier grows like
+//! `1 / m`.
 //!
 //! Source: A. B. Nordmark, J. Sound Vib. 145 (1991) 279.
 
@@ -28,7 +30,7 @@ fn oscillator(gap: f64) -> ImpactOscillator {
     }
 }
 
-/// `X`, 2.711631, and the angle of the drive's cosine at which the steady motion turns there.
+/// `X`, 2.711631, and the angle of the drive's cosine at the turning point of the steady motion.
 fn steady() -> (f64, f64) {
     let any = oscillator(0.0);
     (any.steady_amplitude(), (0.08_f64).atan2(1.0 - 0.64))
@@ -56,13 +58,14 @@ fn power_law(points: &[(f64, f64)]) -> (f64, f64) {
     )
 }
 
-/// The harvester with the gap `m` below the amplitude; its drive starts half a cycle before the steady motion meets the stop.
+/// The harvester with the gap `m` below the amplitude; its drive starts half a cycle before the
+/// steady motion reaches the stop.
 fn kernel(below: f64) -> Kernel {
     let (amplitude, angle_rad) = steady();
     Kernel::new(Plant::new(oscillator(amplitude - below).system(angle_rad - PI)).unwrap()).unwrap()
 }
 
-/// Over a cycle from the steady motion: how far it is thrown off, and how fast it strikes by the energy that it loses.
+/// Over a cycle from the steady motion: the deflection, and the impact speed from the energy loss.
 #[test]
 fn one_cycle_from_the_steady_motion_leaves_it_by_the_square_root() {
     let (amplitude, _) = steady();
@@ -77,7 +80,8 @@ fn one_cycle_from_the_steady_motion_leaves_it_by_the_square_root() {
         let speed = 0.8 * (amplitude * amplitude - (amplitude - below).powi(2)).sqrt();
         let error = (lost / (0.5 * (1.0 - 0.64) * speed * speed)).sqrt() - 1.0;
         assert_eq!(integrator.statistics().contacts, 1);
-        // `X^2 - d^2` keeps the roundoff of both, and the march that of the place where it strikes.
+        // `X^2 - d^2` has the roundoff of both terms, and the integration that of the impact
+        // position.
         assert!(
             error.abs() < 1e-9 + 4e-15 / below,
             "strikes {error:e} off at {below:e}"
@@ -108,7 +112,8 @@ fn one_cycle_from_the_steady_motion_leaves_it_by_the_square_root() {
     );
 }
 
-/// Orbits with one impact in a cycle, down to a gap 1e-5 below the amplitude: speed and trace of the closed form.
+/// Orbits with one impact in a cycle, down to a gap 1e-5 below the amplitude: speed and trace of
+/// the closed form.
 #[test]
 fn multiplier_of_the_impacting_orbit_diverges_towards_its_grazing() {
     let (amplitude, angle_rad) = steady();
@@ -141,7 +146,8 @@ fn multiplier_of_the_impacting_orbit_diverges_towards_its_grazing() {
             "1e-{decade}: impact speed {:.3e}, trace {trace:.6e}, off by {error:.1e}",
             exact.speed
         );
-        // A place off by `d` is a speed off by `a d / v`. Measured: d = 2.4e-15, the roundoff of the two steady amplitudes.
+        // A position error `d` gives a speed error `a d / v`. Measured: d = 2.4e-15, the roundoff
+        // of the two steady amplitudes.
         let roundoff = 4e-15 * 0.64 * amplitude / exact.speed.powi(2);
         assert!(
             orbit.contacts == 1 && error.abs() < 1e-12 + roundoff && !orbit.is_stable(),
@@ -155,7 +161,7 @@ fn multiplier_of_the_impacting_orbit_diverges_towards_its_grazing() {
         "impact speed: exponent {speed:.4}; largest multiplier: {multiplier:.4} (off the line by {off:.1e})"
     );
     assert!((speed - 1.0).abs() < 1e-2 && (multiplier + 1.0).abs() < 1e-2);
-    // Over the depth that the stop cuts off, `v^2 / 2 X w^2`, it is the square root again.
+    // Over the depth that the stop removes, `v^2 / 2 X w^2`, it is the square root again.
     let depths: Vec<_> = speeds
         .iter()
         .zip(&multipliers)

@@ -41,8 +41,9 @@ fn integrated(mut x: [f64; 2], time_s: f64) -> [f64; 2] {
     x
 }
 
-/// 5 and 7.5 Hz repeat themselves after 0.4 s. The orbit closes by a plain integrator, and its multipliers have the product `e^{-2 zeta w T}` of
-/// Liouville, whatever the stop does. Over the gap it is a branch, found again at its own gap.
+/// 5 and 7.5 Hz have the common period 0.4 s. The orbit closes in an RK4 integration, and its
+/// multipliers have Liouville's product `e^{-2 zeta w T}`, with or without impacts. The orbit is
+/// also found along a branch over the gap, at its gap.
 #[test]
 fn two_frequencies_with_a_common_period_have_orbits() {
     let file = file(7.5);
@@ -97,7 +98,8 @@ fn two_frequencies_with_a_common_period_have_orbits() {
     assert!(branches.iter().any(spans), "{} branches", branches.len());
 }
 
-/// Frequencies without a common period, and harmonic balance of several, are refused with what to do.
+/// Frequencies without a common period, and harmonic balance with several, are refused with a
+/// suggestion.
 #[test]
 fn what_cannot_be_had_of_several_frequencies_is_told() {
     let odd = file(7.123_456);

@@ -1,4 +1,5 @@
-//! Marched runs against branches: where a march settles there is a stable stretch of a branch, with the same power.
+//! Runs against branches: where a run settles there is a stable segment of a branch with equal
+//! power.
 
 use crate::harvesters::{bench, branches};
 use jounce::analysis::{OrbitMethodKind, Sweep, SweepOrder};

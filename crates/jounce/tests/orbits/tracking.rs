@@ -1,4 +1,4 @@
-//! Bifurcations through two parameters: closed forms, and the same places found along one parameter.
+//! Bifurcations in two parameters: closed forms, and the points found along one parameter.
 
 use crate::harvesters::{Systems, bench, branches};
 use jounce::analysis::{
@@ -25,7 +25,7 @@ fn oscillator(gap: f64, frequency_ratio: f64) -> ImpactOscillator {
     }
 }
 
-/// Gap against frequency ratio; the drive starts away from the impact.
+/// Gap and frequency ratio as parameters; the drive does not start at the impact.
 struct Gaps {
     angle_rad: f64,
 }
@@ -163,7 +163,7 @@ fn folds_tori_and_grazings_over_the_amplitude_are_those_along_the_frequency() {
             assert!(distance < 1e-6, "{:?}: {distance:e}", found.kind);
         }
     }
-    // The low branch grazes where the steady amplitude is the gap.
+    // The low branch grazes where the steady amplitude equals the gap.
     let grazing = curves
         .iter()
         .find(|curve| curve.kind == CurveKind::Bifurcation(BranchKind::Grazing))
@@ -180,7 +180,8 @@ fn folds_tori_and_grazings_over_the_amplitude_are_those_along_the_frequency() {
     }
 }
 
-/// The upper fold of the paper's harvester over the stiffness of its stop, against the folds along the frequency at fixed stiffness.
+/// The upper fold of the paper's harvester over the stiffness of its stop, against the folds along
+/// the frequency at fixed stiffness.
 #[test]
 fn the_fold_over_the_stiffness_is_whole_and_the_same_at_each_tolerance() {
     let range = (10.5, 14.0);
@@ -247,7 +248,8 @@ fn the_fold_over_the_stiffness_is_whole_and_the_same_at_each_tolerance() {
                 "{stiffness} N/m^1.5, tolerance {tolerance:e}: {:.6} Hz along the branch, {distance:.1e} Hz away",
                 fold.at.parameter
             );
-            // The ends of the range and the spec's own value are points of the curve; 850 lies between two, on their chord.
+            // The ends of the range and the value in the spec are points of the curve; 850 lies
+            // between two, on their chord.
             let allowed = if stiffness == 850.0 {
                 2e-3
             } else {
@@ -258,7 +260,8 @@ fn the_fold_over_the_stiffness_is_whole_and_the_same_at_each_tolerance() {
     }
 }
 
-/// A curve that leaves the range of the first key ends on its edge, and a seed on an edge of the second is one point.
+/// A curve that leaves the range of the first key ends on its edge, and a start point on an edge of
+/// the second is one point.
 #[test]
 fn curves_are_cut_on_the_edges_of_both_ranges() {
     let file = bench();
@@ -292,7 +295,7 @@ fn curves_are_cut_on_the_edges_of_both_ranges() {
     assert!(fold.points.windows(2).all(|pair| pair[0] != pair[1]));
 }
 
-/// Frequencies of the bifurcations of a kind along the branches at a stiffness.
+/// Frequencies of the bifurcations of one kind along the branches at a stiffness.
 fn along_the_branch(stiffness: f64, range: (f64, f64), kind: BranchKind) -> Vec<f64> {
     let mut changed = bench();
     changed
@@ -306,7 +309,7 @@ fn along_the_branch(stiffness: f64, range: (f64, f64), kind: BranchKind) -> Vec<
     found.map(|found| found.at.parameter).collect()
 }
 
-/// Curves of a kind over the stiffness, each without a failure.
+/// Curves of one kind over the stiffness, each without a failure.
 fn over_the_stiffness(
     own: f64,
     range: (f64, f64),
@@ -350,8 +353,9 @@ fn over_the_stiffness(
     curves
 }
 
-/// Two turning points of the motion meet on the surface of the stop: near 12.6926 Hz and 3906 N/m^1.5 two curves of grazings are one with a
-/// cusp. Its sheets part with the power 3/2 of the distance, as those of `t^3 + a t + b` with a double zero do.
+/// Two turning points of the motion meet on the surface of the stop. Near 12.6926 Hz and 3906
+/// N/m^1.5 two curves of grazings join in a cusp. Its sheets separate with the power 3/2 of the
+/// distance, as those of `t^3 + a t + b` with a double zero do.
 #[test]
 fn a_curve_of_grazings_goes_through_its_cusp() {
     let (range, stiffness) = ((12.5, 13.6), (3700.0, 4400.0));

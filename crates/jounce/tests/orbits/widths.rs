@@ -1,4 +1,5 @@
-//! Peaks and half-power bandwidths against closed forms, and against plain marches where the harvester strikes its stop.
+//! Peaks and half-power bandwidths against closed forms, and against runs where the harvester
+//! strikes its stop.
 
 use crate::harvesters::bench;
 use jounce::analysis::{
@@ -8,7 +9,7 @@ use jounce::analysis::{
 use jounce::linear::steady_power_w;
 use jounce::spec::SpecFile;
 
-/// One mode whose load takes next to nothing out of it.
+/// One mode with a load of negligible damping.
 const OSCILLATOR: &str = r#"
 [modal.oscillator]
 frequency_hz = [10.0]
@@ -61,8 +62,10 @@ fn widths(file: &SpecFile, range: (f64, f64), tolerance: f64) -> Bandwidths {
     .run(&branches)
 }
 
-/// Power of a load that is all resistance follows the speed: `P ~ w^2 / ((w0^2 - w^2)^2 + (2 zeta w0 w)^2)`, largest at `w0` and half at
-/// `w0 (sqrt(1 + zeta^2) +- zeta)`, so that the bandwidth is `2 zeta w0` exactly. The load itself adds 1e-9 of the damping.
+/// Power of a purely resistive load follows the speed:
+/// `P ~ w^2 / ((w0^2 - w^2)^2 + (2 zeta w0 w)^2)`. It is largest at `w0` and half at
+/// `w0 (sqrt(1 + zeta^2) +- zeta)`, so the bandwidth is exactly `2 zeta w0`. The load adds 1e-9 of
+/// the damping.
 ///
 /// Measured at tolerance 1e-10: peak off by 1e-9 Hz, edges by 2e-9 Hz, inside the stated errors.
 #[test]
@@ -91,7 +94,8 @@ fn the_bandwidth_of_one_mode_is_that_of_the_closed_form() {
     assert_eq!(found.together.as_ref(), Some(width));
 }
 
-/// A range that ends inside the peak's flank cuts the interval there, and says so.
+/// A range that ends on the flank of the peak truncates the interval there, and the result states
+/// this.
 #[test]
 fn a_range_that_cuts_the_peak_says_so() {
     let found = widths(&SpecFile::from_text(OSCILLATOR), (9.0, 9.9), 1e-9);
@@ -108,7 +112,8 @@ fn a_range_that_cuts_the_peak_says_so() {
     );
 }
 
-/// The paper's harvester with its stop out of reach: peak and edges of the steady power of all its modes.
+/// The paper's harvester with its stop out of reach: peak and edges of the steady power of all its
+/// modes.
 ///
 /// Measured at tolerance 1e-10: peak off by 3e-10 Hz, edges by 2e-10 Hz.
 #[test]
@@ -123,7 +128,7 @@ fn the_bandwidth_without_contact_is_that_of_the_steady_power() {
         steady_power_w(&base.kernel.plant.with_drives(drives).unwrap())
     };
     assert!((width.peak.mean_power_w / power_w(width.peak.parameter) - 1.0).abs() < 1e-8);
-    // Symmetric about the maximum to third order: the slope there is nothing.
+    // Symmetric about the maximum to third order, so the slope there is zero.
     let (step, at) = (1e-4, width.peak.parameter);
     let (below, above) = (power_w(at - step), power_w(at + step));
     let off = (above - below) / (above + below - 2.0 * power_w(at)) * 0.5 * step;
@@ -143,7 +148,8 @@ fn the_bandwidth_without_contact_is_that_of_the_steady_power() {
     }
 }
 
-/// With contact the stable part ends at the upper fold; at the lower edge a plain march settles on half of the peak.
+/// With contact the stable part ends at the upper fold; at the lower edge a run reaches half the
+/// peak power.
 #[test]
 fn the_bandwidth_of_the_impact_branch_ends_where_it_stops_being_stable() {
     let (file, range) = (bench(), (11.0, 14.0));

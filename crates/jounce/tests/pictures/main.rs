@@ -1,4 +1,5 @@
-//! Draws every kind of picture. The PNGs stay in the build folder under `tmp/pictures` for the eye to judge.
+//! Draws every kind of picture. The PNGs remain in the build folder under `tmp/pictures` for
+//! inspection.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 mod moving_bases;
@@ -14,7 +15,7 @@ fn size(png: &[u8]) -> (u32, u32) {
     (number(16), number(20))
 }
 
-/// Writes both formats, then checks what holds for every picture; gives the SVG.
+/// Writes both formats, checks the requirements of every picture and returns the SVG.
 fn drawn(name: &str, figure: &Figure, texts: &[&str]) -> String {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("pictures");
     std::fs::create_dir_all(&folder).unwrap();
@@ -291,7 +292,7 @@ fn frequency_response_with_phase() {
     drawn("frf-two", &two, &["thin skin", "laminate", "100", "1000"]);
 }
 
-/// Lines like those of the paper's figure 6: hardening branches that jump.
+/// Curves like those of the paper's figure 6: hardening branches that jump.
 fn sweep_lines() -> Vec<SweepLine> {
     let frequency_hz = grid(4.0, 20.0, 161);
     let linear = frequency_hz.iter().map(|f| power(*f)).collect();

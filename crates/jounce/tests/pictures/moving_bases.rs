@@ -1,8 +1,9 @@
-//! Drawings of harvesters whose bases move: an arrow for each.
+//! Drawings of harvesters with moving bases: an arrow for each.
 
 use std::path::Path;
 
-/// The drawing of a spec as SVG, and as PNG for the eye; the places of the labels that begin with some words, px.
+/// Draws a spec as SVG, and as PNG for inspection; returns the positions of labels that begin with
+/// the given words, px.
 fn shown(name: &str, text: &str, words: &[&str]) -> Vec<(f64, f64)> {
     let drawing = jounce::show::drawing(name, &jounce::spec::Spec::from_toml(text).unwrap());
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("pictures");
@@ -98,8 +99,8 @@ amplitude = "0.2 g"
 frequency = "40 Hz"
 "#;
 
-/// What moves is said where it moves: of a structure given by its modes alone, at a stop that stands on a base of its own, and at each of
-/// two clamps on two bases.
+/// Labels of motion are at the moving part: for a structure specified by its modes only, at a stop
+/// on a separate base, and at each of two clamps on two bases.
 #[test]
 fn every_moving_base_has_its_arrow() {
     shown("shaken-modes", MODAL, &["blow: "]);

@@ -1,11 +1,12 @@
-//! The diagonal form against the physical matrices, the secular equation and free decay.
+//! Diagonal form against the physical matrices, the secular equation and free decay.
 
 use crate::systems::{bench, menagerie};
 use faer::{Mat, c64};
 use jounce::plant::{Plant, System};
 use jounce::reference::Harmonic;
 
-/// `A` on `(q, q', V)`, written from the equations, and the factors that turn states into roots of energies.
+/// `A` on `(q, q', V)`, written from the equations, and the factors from states to square roots of
+/// energies.
 pub fn physical_matrix(system: &System) -> (Mat<f64>, Vec<f64>) {
     let (modes, n) = (&system.modes, system.modes.len());
     let size = 2 * n + modes.patch.len();
@@ -61,12 +62,14 @@ fn blocks_are_the_plant_in_other_coordinates() {
         let identity = (t * inverse - Mat::<f64>::identity(n, n)).norm_max();
         eprintln!("{name}: A T - T J {worst:.1e}, T T^-1 - I {identity:.1e}");
         assert!(worst < 1e-13, "{name}: {worst:e}");
-        // Unscaled, the identity mixes volts with metres: a factor of the largest ratio of the scales.
+        // Without scaling, the identity mixes volts with metres: a factor of the largest ratio of
+        // the scales.
         assert!(identity < 1e-8, "{name}: {identity:e}");
     }
 }
 
-/// `C l + 1/R + l sum theta^2 / (l^2 + 2 zeta w l + w^2) = 0`: one Newton step must not move an eigenvalue.
+/// `C l + 1/R + l sum theta^2 / (l^2 + 2 zeta w l + w^2) = 0`: one Newton step must not move an
+/// eigenvalue.
 #[test]
 fn eigenvalues_solve_the_secular_equation() {
     let system = bench();
@@ -115,7 +118,8 @@ fn free_critical_and_overdamped_modes_flow_exactly() {
             let x = plant.to_physical(&plant.diagonal.block.flow(time_s, &y), time_s);
             let exact = decay(frequency_rad_s, zeta, [0.3, -2.0], time_s);
             let error = (x[0] - exact[0]).abs().max((x[1] - exact[1]).abs() / w) / 0.3;
-            // Next to critical damping the two eigenvectors all but coincide, and figures are lost in their difference.
+            // Near critical damping the two eigenvectors almost coincide, and digits are lost in
+            // their difference.
             let allowed = if zeta > 1.0 && zeta < 1.1 {
                 1e-10
             } else {

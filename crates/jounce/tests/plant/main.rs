@@ -1,4 +1,5 @@
-//! The diagonalised plant against its physical matrices, its secular equation, closed forms and quadrature.
+//! Diagonalised plant against its physical matrices, its secular equation, closed forms and
+//! quadrature.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 mod diagonal;

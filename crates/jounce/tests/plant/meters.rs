@@ -9,7 +9,8 @@ use jounce::reference::Impulse;
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-/// An efficiency by the meter alone: the energy in the resistor after a blow, from the two ends of the flow.
+/// An efficiency from the meter only: the energy in the resistor after a blow, from the two ends of
+/// the flow.
 #[test]
 fn meter_of_a_blow_is_the_closed_form() {
     let blow = Impulse {
@@ -38,7 +39,8 @@ const GAUSS: [(f64, f64); 4] = [
     (0.949_107_912_342_758_5, 0.129_484_966_168_869_7),
 ];
 
-/// Times and weights of composite Gauss quadrature over the pieces between `marks`, no panel longer than `longest_s`.
+/// Times and weights of composite Gauss quadrature over the pieces between `marks`, no panel longer
+/// than `longest_s`.
 fn quadrature(marks: &[f64], longest_s: f64) -> (Vec<f64>, Vec<f64>) {
     let (mut times, mut weights) = (Vec::new(), Vec::new());
     for ends in marks.windows(2) {
@@ -56,7 +58,8 @@ fn quadrature(marks: &[f64], longest_s: f64) -> (Vec<f64>, Vec<f64>) {
     (times, weights)
 }
 
-/// Loads, damping and input of a recorded march by quadrature of the physical powers, against the exact integrals.
+/// Loads, damping and input of a recorded run by quadrature of the physical powers, against the
+/// exact integrals.
 fn assert_meters(name: &str, system: System, start: &[f64], duration_s: f64, allowed: f64) {
     let kernel = Kernel::new(Plant::new(system).unwrap()).unwrap();
     let plant = &kernel.plant;
@@ -154,7 +157,8 @@ fn drive(shape: &[f64], amplitude_n: f64, frequency_hz: f64, phase_rad: f64) -> 
 #[test]
 fn meters_agree_with_quadrature_along_the_flow() {
     let mut system = menagerie();
-    // A drive on a free mode makes it drift with a steady speed: its energies grow, and so does their roundoff.
+    // A drive on a rigid-body mode makes it drift at constant speed, so its energies and their
+    // roundoff grow.
     let shape = [0.0, 0.5, -0.7, 0.3, 1.1, 2.0];
     system.drives = vec![
         drive(&shape, 3.0, 1.3, 0.4),
@@ -205,7 +209,8 @@ fn meters_agree_with_quadrature_through_contacts() {
     assert_meters("menagerie with stop", system, &start, 3.0, 1e-9);
 }
 
-/// Gravity, a rough recording that starts late and ends early with a jump, and two tones, on every kind of mode.
+/// Gravity, a rough recording that starts late and ends early with a jump, and two tones, on every
+/// kind of mode.
 fn signals(shape: &[f64], rough: f64) -> Vec<Signal> {
     let sizes: Vec<f64> = (0..40)
         .map(|k: i32| rough * (1.7 * f64::from(k * k)).sin() + 0.3)

@@ -4,7 +4,8 @@ use jounce::plant::{Plant, PlantError};
 use jounce::reference::{Harmonic, PiezoResistor};
 use std::f64::consts::TAU;
 
-/// Triple root: `(l + 1)^3 = l^3 + 3 l^2 + 3 l + 1` with `1 / (R C) = 3`, `w^2 = 1/3`, `theta^2 / C = 8/3`.
+/// Triple root: `(l + 1)^3 = l^3 + 3 l^2 + 3 l + 1` with `1 / (R C) = 3`, `w^2 = 1/3`,
+/// `theta^2 / C = 8/3`.
 #[test]
 fn coinciding_eigenvectors_are_refused() {
     let problem = PiezoResistor {

@@ -35,7 +35,7 @@ fn steady_state_solves_the_physical_equations() {
         let inertia = c64::new(0.0, tone.angular_frequency_rad_s) * x[i];
         let flow: c64 = (0..n).map(|j| x[j] * a[(i, j)]).sum();
         let residual = scale[i] * (inertia - flow - force).norm() / size;
-        // Roundoff of 17 states through eigenvectors and back: measured 9e-14.
+        // Roundoff of 17 states through the eigenvectors and back: measured 9e-14.
         assert!(residual < 1e-12, "row {i}: {residual:e}");
     }
 }
@@ -95,7 +95,7 @@ fn voltage_and_power_of_one_mode_are_the_closed_form() {
     }
 }
 
-/// The period of all drives is the least time that is whole for each of them.
+/// The period of all drives is the smallest common multiple of their periods.
 #[test]
 fn drives_have_their_least_common_period() {
     let period_s = |frequencies_hz: &[f64]| {

@@ -1,4 +1,4 @@
-//! Systems that several tests share.
+//! Systems shared by several tests.
 
 use jounce::plant::{Load, System};
 use jounce::spec::Spec;
@@ -11,7 +11,8 @@ pub fn bench() -> System {
     System::assemble(&spec, modes(&spec).unwrap()).unwrap()
 }
 
-/// Modes and patches of every kind at once: free, under-, critically and overdamped, coupled and not, one patch open.
+/// Modes and patches of every kind: free, under-, critically and overdamped, coupled and uncoupled,
+/// one patch open.
 pub fn menagerie() -> System {
     let frequency_rad_s = vec![0.0, 3.0, 10.0, 10.0, 40.0, 300.0];
     let n = frequency_rad_s.len();

@@ -1,4 +1,4 @@
-//! What users see: every nasty file of `tests/corpus/spec` with all its faults.
+//! Errors that users see: every invalid file of `tests/corpus/spec` with all its faults.
 
 use jounce::spec::SpecFile;
 
@@ -21,7 +21,7 @@ fn the_faults_of_the_corpus_are_as_they_were() {
                 .spec()
                 .map(|_| "no fault".to_owned())
                 .unwrap_or_else(|faults| faults.to_string()),
-            // The path is not the same on every machine.
+            // The path differs between machines.
             Err(error) => error.to_string().rsplit('/').next().unwrap().to_owned(),
         };
         let name = path.file_stem().unwrap().to_string_lossy().into_owned();

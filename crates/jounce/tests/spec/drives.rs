@@ -1,4 +1,4 @@
-//! Drives: what goes together, and what is told where it does not.
+//! Drives: valid combinations of keys, and errors of others.
 
 use jounce::spec::{DriveKind, DriveSignal, Spec};
 

@@ -1,4 +1,4 @@
-//! The example specs say what they are meant to say.
+//! The example specs have their intended content.
 
 use jounce::spec::{DriveKind, DriveSignal, Section, Side, Spec, SpecFile, Start, StopLaw};
 

@@ -1,7 +1,7 @@
-//! The reader never panics, always knows the place of a fault, and is done in bounded time.
+//! The reader never panics, always reports the place of a fault, and finishes in bounded time.
 //!
-//! `JOUNCE_FUZZ_SECONDS=600 cargo test --release -p jounce --test spec fuzz` runs longer; what breaks the reader is written to the
-//! corpus folder as `found-*.toml`.
+//! `JOUNCE_FUZZ_SECONDS=600 cargo test --release -p jounce --test spec fuzz` runs longer. Inputs
+//! that break the reader are written to the corpus folder as `found-*.toml`.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::{Duration, Instant};
@@ -13,7 +13,7 @@ use proptest::test_runner::{Config, TestRng, TestRunner};
 
 use crate::{MODAL, paper, random};
 
-/// Words that the reader takes apart.
+/// Words of the syntax.
 const WORDS: &[&str] = &[
     "[",
     "]",
@@ -93,7 +93,7 @@ fn mutate(bytes: &mut Vec<u8>, from: usize, to: usize, kind: u8, word: &str) {
             let end = bytes.len();
             bytes.splice(end..end, piece);
         }
-        // Whole lines trade places, which keeps much of the grammar.
+        // Swapping complete lines preserves much of the grammar.
         _ => {
             let mut lines: Vec<Vec<u8>> = bytes
                 .split(|byte| *byte == b'\n')
@@ -114,7 +114,7 @@ fn garbage() -> impl Strategy<Value = Vec<u8>> {
     ]
 }
 
-/// What must hold for any bytes; the message says what does not.
+/// Requirements for any bytes; the error names the one that fails.
 fn check(bytes: &[u8]) -> Result<(), String> {
     let Ok(text) = std::str::from_utf8(bytes) else {
         return Ok(());
@@ -150,7 +150,7 @@ fn check(bytes: &[u8]) -> Result<(), String> {
         let _ = (file.spec(), file.text());
     }
     let took = start.elapsed();
-    // Measured: 0.3 to 1 s per megabyte on an idle core, whatever stands in it.
+    // Measured: 0.3 to 1 s per megabyte on an idle core, for any content.
     if took > Duration::from_secs_f64(2.0 + 5e-6 * text.len() as f64) {
         Err(format!("took {took:?}"))
     } else {
@@ -168,7 +168,7 @@ fn fuzz_the_reader() {
         failure_persistence: None,
         ..Config::default()
     };
-    // The short run is the same every time; the long one is not.
+    // The short run is reproducible; the long one is not.
     let mut runner = if seconds > 2 {
         TestRunner::new(config)
     } else {

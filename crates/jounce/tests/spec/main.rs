@@ -27,7 +27,7 @@ fn paper() -> String {
     std::fs::read_to_string(root().join("examples/impact-harvester-2019/harvester.toml")).unwrap()
 }
 
-/// A structure given by two modes.
+/// A structure specified by two modes.
 const MODAL: &str = r#"
 [modal.harvester]
 frequency_hz = [0.99893740470155179, 8.6690552090301676]

@@ -1,4 +1,4 @@
-//! Bodies that would lie inside each other at rest.
+//! Bodies that would overlap at rest.
 
 use jounce::spec::Spec;
 
@@ -37,7 +37,8 @@ fn bodies_that_fall_together_do_not_overlap() {
     }
 }
 
-/// The end of a cantilever in a rigid stop is told with the stop; one that yields is pressed in.
+/// The end of a cantilever in a rigid stop is reported with the stop; in a compliant stop it has a
+/// penetration.
 #[test]
 fn a_beam_does_not_begin_inside_a_rigid_stop() {
     let beam = "[beam.b]\nmaterial = \"steel\"\nlength = \"100 mm\"\nwidth = \"10 mm\"\nthickness = \"1 mm\"\n[damping]\nbeyond = 0.01\n";
@@ -61,7 +62,8 @@ fn a_beam_does_not_begin_inside_a_rigid_stop() {
     );
 }
 
-/// Weight of 1 g at 10 m/s^2: 0.01 N, which the stop bears at (0.01 / 1e6)^(2/3) m = 4.6416e-6 m.
+/// Weight of 1 g at 10 m/s^2: 0.01 N, which the stop supports at (0.01 / 1e6)^(2/3) m = 4.6416e-6
+/// m.
 #[test]
 fn a_preload_under_gravity_goes_no_deeper_than_weight_presses() {
     let ball = |gap: &str, side: &str| {
@@ -79,7 +81,7 @@ fn a_preload_under_gravity_goes_no_deeper_than_weight_presses() {
         fault.contains("deeper than weight can press it; give at least -4.64 um"),
         "{fault}"
     );
-    // A ceiling: weight pulls the ball away from it.
+    // A ceiling: the weight pulls the ball away from it.
     assert!(
         Spec::from_toml(&ball("-4.6e-6 m", "positive"))
             .unwrap_err()
@@ -94,7 +96,7 @@ fn a_preload_under_gravity_goes_no_deeper_than_weight_presses() {
         ))
         .is_ok()
     );
-    // Two balls on each other: the lower one carries both.
+    // Two balls stacked: the lower one carries both.
     let lower = stop("ground", ["a", "ground", "negative", "-7e-6 m"], HERTZ);
     let stack = format!(
         "{}{}{lower}{}{DOWN}",
@@ -127,7 +129,8 @@ fn two_rigid_stops_leave_room_between_them() {
         ),
         "{fault}"
     );
-    // They hold it where they meet, 1 mm from its rest: a run from rest cannot begin there.
+    // The two stops hold it where they meet, 1 mm from its rest position: a run from rest cannot
+    // begin there.
     let held = between("1 mm", "-1 mm", RIGID);
     assert!(Spec::from_toml(&format!("{held}[run]\nstart = \"linear\"\n")).is_ok());
     let fault = Spec::from_toml(&held).unwrap_err().to_string();
@@ -137,6 +140,6 @@ fn two_rigid_stops_leave_room_between_them() {
         ),
         "{fault}"
     );
-    // Stops that yield may squeeze what stands between them.
+    // Compliant stops may squeeze the body between them.
     assert!(Spec::from_toml(&between("1 mm", "-2 mm", HERTZ)).is_ok());
 }

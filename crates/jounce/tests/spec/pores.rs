@@ -1,4 +1,4 @@
-//! Pores of patches: constants that follow from them, and what does not go with them.
+//! Porous patches: constants that follow from the pores, and invalid combinations.
 
 use jounce::material::porous::{PZT_5A, PoreGeometry, Scheme};
 use jounce::spec::{NumericKey, Spec};
@@ -66,7 +66,8 @@ fn porosity_is_swept_with_all_that_follows_from_it() {
     );
 }
 
-/// Dense: the two sources of the library agree along the beam within 1.1 % (modulus, coefficient and permittivity).
+/// Dense: the two sources of the library agree along the beam within 1.1 % (modulus, coefficient
+/// and permittivity).
 #[test]
 fn no_pores_leave_nearly_the_material_of_the_library() {
     let [dense, none] = ["", "porosity = 0"]

@@ -1,4 +1,4 @@
-//! Random specs without faults.
+//! Random valid specs.
 
 use std::collections::BTreeMap;
 
@@ -288,7 +288,7 @@ fn run() -> impl Strategy<Value = Run> {
     )
 }
 
-/// A spec of any structure, with any laws, circuits and drives, and no fault.
+/// Generates a valid spec of any structure, with any laws, circuits and drives.
 pub fn spec() -> impl Strategy<Value = Spec> {
     structure().prop_flat_map(|spec| {
         let patches: Vec<_> = spec.beam.clone().into_iter().map(patch).collect();
@@ -308,7 +308,7 @@ pub fn spec() -> impl Strategy<Value = Spec> {
     })
 }
 
-/// A resistor; of a quarter of them, with an inductor, across a list of one.
+/// A resistor; in a quarter of the cases with an inductor and a list of one patch.
 fn circuit(patch: String, resistance_ohm: f64) -> Circuit {
     let many = resistance_ohm.to_bits().is_multiple_of(4);
     let own = Circuit::resistor(
@@ -331,8 +331,8 @@ fn circuit(patch: String, resistance_ohm: f64) -> Circuit {
     }
 }
 
-/// Nothing lies inside a rigid stop, nor a free mass inside anything: gaps are positive there. A mass has a velocity of its own where no
-/// beam is clamped to it and no file holds those of a start.
+/// No body lies inside a rigid stop, and no free mass inside any stop: gaps are positive there. A
+/// mass has an initial velocity where no beam is clamped to it and no file specifies the start.
 fn apart(spec: &mut Spec) {
     let free = |point: &str| {
         spec.mass
@@ -393,7 +393,7 @@ fn assemble(
         .zip(loads)
         .map(|(patch, (name, resistance_ohm))| (name, circuit(patch, resistance_ohm)))
         .collect();
-    // Of two circuits of one name the second stands; the patch of the first is left open.
+    // If two circuits have one name, the second is used; the patch of the first is left open.
     let taken: Vec<String> = spec
         .circuit
         .values()
@@ -410,7 +410,7 @@ fn assemble(
     own.chain(modal)
         .filter(|(name, _)| !taken.contains(name))
         .for_each(|(_, electrodes)| *electrodes = Electrodes::Open);
-    // A thin skin without mass prints and reads its unused density like any other.
+    // A thin skin without mass prints and reads its unused density like any other value.
     let mut spec = Spec {
         stop,
         drive,

@@ -1,4 +1,4 @@
-//! Recordings as drives: read as any recording, by the same rules.
+//! Recordings as drives: read by the same rules as any recording.
 
 use super::drives::BODY;
 use jounce::spec::{DriveSignal, Recording, Spec, SpecFile};
@@ -8,7 +8,7 @@ use std::sync::Arc;
 /// One g, m/s^2.
 const G: f64 = 9.80665;
 
-/// The spec with a base driven by `FILE`, and the keys that follow.
+/// Spec with a base driven by `FILE` and the given keys.
 fn spec(folder: &Path, (name, text): (&str, &str), keys: &str) -> Result<Spec, String> {
     std::fs::write(folder.join(name), text).unwrap();
     let drive = format!(

@@ -1,4 +1,4 @@
-//! What is printed is read back, bit for bit.
+//! A printed spec reads back bit for bit.
 
 use jounce::spec::Spec;
 use proptest::prelude::*;

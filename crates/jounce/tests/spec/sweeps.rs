@@ -1,4 +1,4 @@
-//! Ranges of numeric keys, and setting numbers many times.
+//! Ranges of numeric keys, and repeated changes of numbers.
 
 use std::time::Instant;
 

@@ -1,4 +1,4 @@
-//! Velocities of masses at the start of a run: to whom they may be given.
+//! Initial velocities of masses: which masses may have one.
 
 use jounce::spec::Spec;
 

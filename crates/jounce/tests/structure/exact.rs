@@ -1,4 +1,4 @@
-//! Against closed forms and the transfer matrix.
+//! Modes against closed forms and the transfer matrix.
 
 use crate::paper::{
     CLAMPED_HZ, ON_TABLE_HZ, bare_cantilever, frequency_hz, greatest_relative_difference, paper,
@@ -55,7 +55,8 @@ fn uniform_cantilever_has_its_closed_form() {
     }
 }
 
-/// Roundoff does not grow with the mesh: cubic elements approach the exact frequencies from above, as `h^4`, and never from below.
+/// Roundoff does not grow with the mesh: cubic elements approach the exact frequencies from above,
+/// as `h^4`, and never from below.
 #[test]
 fn low_frequencies_hold_on_any_cubic_mesh() {
     let spec = paper(Section::ThinSkin);
@@ -84,7 +85,7 @@ fn low_frequencies_hold_on_any_cubic_mesh() {
     }
 }
 
-/// Couplings and shapes do not move when the tolerance is tightened; measured 6e-15.
+/// A tighter tolerance does not change couplings and shapes; measured 6e-15.
 #[test]
 fn shapes_and_couplings_are_converged() {
     let mut spec = paper(Section::ThinSkin);
@@ -112,7 +113,8 @@ fn shapes_and_couplings_are_converged() {
     );
 }
 
-/// `sum shape^2 / w^2` is the static flexibility: `x^3 / (3 EI)` on a bare cantilever; the modes left out add only positive parts.
+/// `sum shape^2 / w^2` is the static flexibility: `x^3 / (3 EI)` on a bare cantilever; omitted
+/// modes would add only positive parts.
 #[test]
 fn modal_sum_approaches_the_static_deflection() {
     let flexibility = 0.305_f64.powi(3) / (3.0 * 65e9 * 0.03 * 0.98e-3_f64.powi(3) / 12.0);
@@ -143,7 +145,8 @@ fn shapes_along_beams_pass_through_the_points() {
             (shape[61] - found.shape["beam.tip"][mode]).abs() < 1e-10,
             "305 mm is place 61 of 63 to rounding"
         );
-        // One node more with each mode; the first flexible mode has one too, because the table moves against the beam.
+        // Each mode adds one node; the first flexible mode also has one, because the table moves
+        // against the beam.
         let nodes = shape
             .windows(2)
             .filter(|pair| pair[0] * pair[1] < 0.0)

@@ -1,4 +1,4 @@
-//! Bad specs: each with its one error.
+//! Invalid specs, each with its one error.
 
 use crate::paper::{paper, paper_patch};
 use jounce::spec::{Patch, Section, Spec};

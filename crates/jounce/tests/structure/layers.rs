@@ -1,4 +1,4 @@
-//! Passive layers: a two-layer cantilever in closed form, a layer as part of its beam, what is refused.
+//! Passive layers: a two-layer cantilever in closed form, a layer as part of its beam, errors.
 
 use crate::paper::{frequency_hz, paper_beam, paper_patch};
 use jounce::spec::{Beam, Damping, Face, Layer, Patch, Reduction, Section, Spec};
@@ -54,8 +54,9 @@ fn relative(found: f64, exact: f64) -> f64 {
     (found / exact - 1.0).abs()
 }
 
-/// `EI = b (E1^2 t1^4 + 4 E1 E2 t1^3 t2 + 6 E1 E2 t1^2 t2^2 + 4 E1 E2 t1 t2^3 + E2^2 t2^4) / (12 (E1 t1 + E2 t2))` (S. Timoshenko, J. Opt. Soc.
-/// Am. 11 (1925) 233), on either face; first frequency `1.8751040687^2 / (2 pi L^2) sqrt(EI / m)`.
+/// `EI = b (E1^2 t1^4 + 4 E1 E2 t1^3 t2 + 6 E1 E2 t1^2 t2^2 + 4 E1 E2 t1 t2^3 + E2^2 t2^4) / (12 (E1 t1 + E2 t2))`
+/// (S. Timoshenko, J. Opt. Soc. Am. 11 (1925) 233), on either face; first frequency
+/// `1.8751040687^2 / (2 pi L^2) sqrt(EI / m)`.
 #[test]
 fn a_layer_over_the_whole_beam_makes_a_bimetal() {
     let beam = paper_beam("ground");
@@ -91,8 +92,8 @@ fn a_layer_over_the_whole_beam_makes_a_bimetal() {
     }
 }
 
-/// Layers of the beam's own material on both faces are a thicker beam, with a patch on top of one of them: frequencies, coupling, strain.
-/// Measured: the same bits.
+/// Layers of the beam's material on both faces are equivalent to a thicker beam, also with a patch
+/// on one of them: frequencies, coupling, strain. Measured: identical bits.
 #[test]
 fn layers_of_the_beams_material_thicken_it() {
     let beam = paper_beam("ground");
@@ -125,8 +126,8 @@ fn layers_of_the_beams_material_thicken_it() {
     assert!(worst < 1e-11, "{worst:e}");
 }
 
-/// A bond line between beam and patch: forces and moments of three layers in equilibrium, solved for strain and curvature without a neutral
-/// axis. Measured: 1.3e-15.
+/// A bond line between beam and patch: forces and moments of three layers in equilibrium, solved
+/// for strain and curvature without a neutral axis. Measured: 1.3e-15.
 #[test]
 fn a_bond_line_lifts_its_patch() {
     let (beam, patch) = (paper_beam("ground"), paper_patch(Section::Laminate));
@@ -150,7 +151,8 @@ fn a_bond_line_lifts_its_patch() {
             .sum::<f64>()
     };
     let (a, s, d) = (integral(1), integral(2), integral(3));
-    // Free strain e of the patch: a e0 + s k = N, s e0 + d k = M, with N and M those of the patch held still.
+    // Free strain e of the patch: a e0 + s k = N, s e0 + d k = M, with N and M those of the blocked
+    // patch.
     let free = -170e-12 / 0.3e-3 * 30.336e9 * 0.03;
     let (n, m) = (
         free * 0.3e-3,

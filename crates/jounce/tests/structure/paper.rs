@@ -1,11 +1,12 @@
-//! The harvester of the paper, its parts, and its frequencies by another method.
+//! Harvester of the paper, its parts, and its frequencies by another method.
 
 use jounce::spec::{Beam, Damping, Electrodes, Face, Mass, Patch, Reduction, Section, Spec};
 use jounce::structure::Modes;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
-/// Natural frequencies of the thin-skin harvester by the transfer matrix of its three segments, 40-digit arithmetic, Hz.
+/// Natural frequencies of the thin-skin harvester by the transfer matrix of its three segments,
+/// 40-digit arithmetic, Hz.
 pub const ON_TABLE_HZ: [f64; 8] = [
     0.998931832834536,
     8.66905653443684,
@@ -93,7 +94,7 @@ pub fn fixed(on: &str, mass_kg: f64, rotary_inertia_kg_m2: f64) -> Mass {
     }
 }
 
-/// `examples/impact-harvester-2019/harvester.toml`, as far as its structure goes.
+/// Structure of `examples/impact-harvester-2019/harvester.toml`.
 pub fn paper(section: Section) -> Spec {
     Spec {
         beam: BTreeMap::from([("beam".into(), paper_beam("table"))]),

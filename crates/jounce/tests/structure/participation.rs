@@ -7,7 +7,8 @@ use jounce::structure::{modes, modes_holding};
 
 const MASS_PER_LENGTH_KG_M: f64 = 2750.0 * 0.03 * 0.98e-3;
 
-/// Closed form `2 s sqrt(m L) / l`; 0.7830 sqrt(m L) in mode 1. Measured: 7e-16 in mode 1, 4e-12 sqrt(m L) in the worst of 40.
+/// Closed form `2 s sqrt(m L) / l`; 0.7830 sqrt(m L) in mode 1. Measured: 7e-16 in mode 1, 4e-12
+/// sqrt(m L) in the worst of 40.
 #[test]
 fn cantilever_has_its_closed_form() {
     let found = modes(&bare_cantilever(40)).unwrap();
@@ -24,7 +25,7 @@ fn cantilever_has_its_closed_form() {
     }
 }
 
-/// The squares sum to the mass that moves; of a clamped beam the modes after the last leave `4 / l^2` each.
+/// The squares sum to the moving mass; for a clamped beam each omitted mode contributes `4 / l^2`.
 #[test]
 fn squares_sum_to_the_moving_mass() {
     let exact = Cantilever {
@@ -45,7 +46,8 @@ fn squares_sum_to_the_moving_mass() {
     assert!(((kept + left) / (MASS_PER_LENGTH_KG_M * 0.315) - 1.0).abs() < 3e-6);
 }
 
-/// On its table the paper's harvester moves as a whole in mode 0: the table's mass and the beam's. Held, the table takes no part.
+/// On its table the paper's harvester moves as a rigid body in mode 0, with the mass of table and
+/// beam. A fixed table does not contribute.
 #[test]
 fn a_free_body_participates_in_its_rigid_motion_alone() {
     let mut spec = paper(Section::Laminate);

@@ -1,4 +1,4 @@
-//! Against the paper and numbers published for its model.
+//! Modes against the paper and numbers published for its model.
 
 use crate::paper::{frequency_hz, greatest_relative_difference, paper, table};
 use jounce::spec::Section;
@@ -36,7 +36,8 @@ fn laminate_with_patch_mass_predicts_the_measured_column() {
     );
 }
 
-/// Without the patch's mass: 9.02 Hz and the rest of the row "composite, about shifted NA" of a 2.5 mm mesh.
+/// Without the patch's mass: 9.02 Hz and the rest of the row "composite, about shifted NA" of a 2.5
+/// mm mesh.
 #[test]
 fn laminate_without_patch_mass() {
     let mut spec = paper(Section::Laminate);
@@ -50,7 +51,8 @@ fn laminate_without_patch_mass() {
     }
 }
 
-/// Shapes of the paper's harvester on its table: published values from a mesh of 2.5 mm cubic elements, as printed.
+/// Shapes of the paper's harvester on its table: published values from a mesh of 2.5 mm cubic
+/// elements, as printed.
 #[test]
 fn table_coupled_modes_of_the_paper() {
     let found = modes(&paper(Section::ThinSkin)).unwrap();
@@ -80,8 +82,9 @@ fn table_coupled_modes_of_the_paper() {
     );
 }
 
-/// `shared/plant/paper-plant.toml`, made by another program on cubic elements of at most 5 mm between 0, 9, 94, 305 and 315 mm; its
-/// signs are free. Its first two frequencies carry the roundoff of a plain solve (6e-6 and 2e-7), which ours must not have.
+/// `shared/plant/paper-plant.toml`, made by another program on cubic elements of at most 5 mm
+/// between 0, 9, 94, 305 and 315 mm; its signs are arbitrary. Its first two frequencies have the
+/// roundoff of a plain solve (6e-6 and 2e-7), which ours must not have.
 #[test]
 fn a_cubic_mesh_gives_the_plant_given_as_numbers() {
     let mut spec = paper(Section::ThinSkin);

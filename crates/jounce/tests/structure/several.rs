@@ -1,4 +1,4 @@
-//! Several structures in one spec, free masses, structures given by their modes, damping.
+//! Several structures in one spec, free masses, structures specified by their modes, damping.
 
 use crate::paper::{
     bare_cantilever, fixed, greatest_relative_difference, paper, paper_beam, sprung, table,
@@ -20,7 +20,8 @@ fn table_mode_takes_the_damping_of_the_table() {
     let clamped = modes_holding(&paper(Section::ThinSkin), &table()).unwrap();
     assert_eq!(clamped.damping_ratio, found.damping_ratio[1..]);
     assert_eq!(clamped.shape["table"], [0.0; 7]);
-    // A stiff spring puts the table's mode above all kept ones: its ratio is used by none of them.
+    // A stiff spring puts the table's mode above all retained ones, which then do not use its
+    // ratio.
     let mut stiff = paper(Section::ThinSkin);
     stiff.mass.get_mut("table").unwrap().stiffness_n_m = Some(12.0 * (TAU * 20e3).powi(2));
     assert_eq!(
@@ -91,7 +92,8 @@ fn structures_side_by_side_keep_their_modes() {
     assert_eq!(found.discretisation_error[0], 0.0);
 }
 
-/// A structure given by its modes needs no beam, keeps every mode, and cannot be held at a point.
+/// A structure specified by its modes needs no beam, retains every mode, and cannot be fixed at a
+/// point.
 #[test]
 fn modal_structures_stand_alone() {
     let harvester = Modal {
@@ -143,7 +145,8 @@ fn modal_structures_stand_alone() {
     );
 }
 
-/// Two beams on one light mass: with equal beams the odd modes are those of the clamped beam, and the mass is at rest in them.
+/// Two beams on one light mass: with equal beams the odd modes are those of the clamped beam, in
+/// which the mass is at rest.
 #[test]
 fn equal_beams_on_one_mass_split_into_even_and_odd() {
     let mut spec = paper(Section::ThinSkin);
@@ -165,7 +168,8 @@ fn equal_beams_on_one_mass_split_into_even_and_odd() {
     }
 }
 
-/// A mass without a spring: frequency 0, shape `1/sqrt(total mass)` everywhere; the others are the limit of a soft spring.
+/// A mass without a spring: frequency 0, shape `1/sqrt(total mass)` everywhere; the other modes are
+/// the limit of a soft spring.
 #[test]
 fn free_mass_has_a_rigid_body_mode() {
     let mut spec = paper(Section::ThinSkin);

@@ -10,8 +10,8 @@ const LENGTH_M: f64 = 0.315;
 const STIFFNESS_N_M2: f64 = 65e9 * 0.03 * 0.98e-3 * 0.98e-3 * 0.98e-3 / 12.0;
 const MASS_PER_LENGTH_KG_M: f64 = 2750.0 * 0.03 * 0.98e-3;
 
-/// Left side of the characteristic equation of a cantilever with tip mass ratio `a` and inertia ratio `c`, over `cosh`
-/// (Erturk and Inman, Smart Mater. Struct. 18 (2009) 025009).
+/// Left side of the characteristic equation of a cantilever with tip mass ratio `a` and inertia
+/// ratio `c`, over `cosh` (Erturk and Inman, Smart Mater. Struct. 18 (2009) 025009).
 fn characteristic(l: f64, a: f64, c: f64) -> f64 {
     let (sin, cos, tanh, part) = (l.sin(), l.cos(), l.tanh(), 1.0 / l.cosh());
     part + cos + l * a * (cos * tanh - sin) - l.powi(3) * c * (sin + tanh * cos)
@@ -43,7 +43,7 @@ fn a_tip_mass_with_rotary_inertia_solves_its_characteristic_equation() {
             assert!(error < 1e-12, "{a} {c}: {root} {error:e}");
         }
         assert_eq!(found.shape["tip"], found.shape["beam.end"]);
-        // The tip mass moves with the base too: mode 1 carries most of the mass.
+        // The base also moves the tip mass: mode 1 has most of the mass.
         let squares: f64 = found
             .participation_sqrt_kg
             .iter()
@@ -56,8 +56,9 @@ fn a_tip_mass_with_rotary_inertia_solves_its_characteristic_equation() {
     }
 }
 
-/// Characteristic equation of a beam of phase `l` on a clamp that turns, `c = EI / (k_r L)`, with a tip mass ratio `a`, over `cosh`: from
-/// `w = A (cosh - cos) + B sinh + C sin` with `B + C = 2 c l A`, `w'' = 0` and `w''' = -a l w` at the end.
+/// Characteristic equation of a beam of phase `l` on a rotating clamp, `c = EI / (k_r L)`, with a
+/// tip mass ratio `a`, over `cosh`: from `w = A (cosh - cos) + B sinh + C sin` with
+/// `B + C = 2 c l A`, `w'' = 0` and `w''' = -a l w` at the end.
 fn characteristic_on_clamp(l: f64, a: f64, c: f64) -> f64 {
     let (sin, cos, tanh, part) = (l.sin(), l.cos(), l.tanh(), 1.0 / l.cosh());
     cos + part - (c + a) * l * (sin - cos * tanh) - 2.0 * a * c * l * l * sin * tanh
@@ -87,12 +88,12 @@ fn a_clamp_that_turns_solves_its_characteristic_equation() {
             assert!(error < 1e-13, "{a} {c}: {root} {error:e}");
             assert!(frequency < clamped, "{a} {c}: {frequency} {clamped}");
         }
-        // The root stays where it is, and what the beam carries turns with it.
+        // The root does not move; it only rotates.
         assert!(found.shape["beam.root"].iter().all(|value| *value == 0.0));
     }
 }
 
-/// Two halves chained end to end are one beam; measured 3e-14.
+/// Two halves joined end to end are one beam; measured 3e-14.
 #[test]
 fn a_chain_of_equal_beams_is_one_beam() {
     let whole = modes(&bare_cantilever(8)).unwrap();
@@ -115,7 +116,7 @@ fn a_chain_of_equal_beams_is_one_beam() {
     .into();
     let chain = modes(&spec).unwrap();
     assert!(greatest_relative_difference(&chain.frequency_rad_s, &whole.frequency_rad_s) < 1e-12);
-    // "one.end" moves at least half as far as "two.end" in some modes and then gives the sign.
+    // "one.end" moves at least half as far as "two.end" in some modes and then defines the sign.
     let ends = |modes: &[f64]| modes.iter().map(|value| value.abs()).collect::<Vec<_>>();
     assert!(
         greatest_relative_difference(
@@ -126,7 +127,7 @@ fn a_chain_of_equal_beams_is_one_beam() {
     assert_eq!(chain.shape["two.root"], chain.shape["one.end"]);
 }
 
-/// A beam carried by a tip mass on the end of another turns with it, as if it were clamped to that end.
+/// A beam on a tip mass at the end of another beam rotates with it, as if clamped to that end.
 #[test]
 fn a_rigid_mass_passes_the_slope_on() {
     let build = |root: &str, with_mass: bool| {
@@ -152,8 +153,9 @@ fn a_rigid_mass_passes_the_slope_on() {
     assert!(error < 1e-9, "{error:e}");
 }
 
-/// `receptance(w) = 1 / (m w^2) - 1 / k` at every frequency, with the receptance of the bare beam's tip from its closed-form modes and
-/// its static rest. Measured: 2e-10 of the receptance's scale (the sum is cut after 200 modes).
+/// `receptance(w) = 1 / (m w^2) - 1 / k` at every frequency, with the receptance of the bare beam's
+/// tip from its closed-form modes and its static remainder. Measured: 2e-10 of the receptance's
+/// scale (the sum has 200 modes).
 #[test]
 fn a_sprung_mass_on_the_tip_meets_the_receptance_of_the_beam() {
     let beam = Cantilever {
@@ -171,7 +173,7 @@ fn a_sprung_mass_on_the_tip_meets_the_receptance_of_the_beam() {
     let tip_square = 4.0 / (MASS_PER_LENGTH_KG_M * LENGTH_M);
     let static_rest = LENGTH_M.powi(3) / (3.0 * STIFFNESS_N_M2);
     for w in &found.frequency_rad_s {
-        // 1/(a - b) - 1/a = b / (a (a - b)): what the modes add to the static deflection.
+        // 1/(a - b) - 1/a = b / (a (a - b)): the dynamic part beyond the static deflection.
         let dynamic: f64 = (0..200)
             .map(|mode| {
                 let square = beam.frequency_rad_s(mode).powi(2);
@@ -197,7 +199,7 @@ fn a_sprung_mass_on_the_tip_meets_the_receptance_of_the_beam() {
     );
 }
 
-/// Two sprung masses of one body take a mode each, though both move most in the same one.
+/// Two sprung masses of one body have one mode each, although both move most in the same one.
 #[test]
 fn each_sprung_mass_has_a_mode_of_its_own() {
     let mut spec = bare_cantilever(4);

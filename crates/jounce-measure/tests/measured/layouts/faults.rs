@@ -1,4 +1,4 @@
-//! The same layouts with something wrong: an error with its reason, or a finding, never another time.
+//! The layouts with faults: an error with its reason, or an issue, never a wrong time.
 
 use super::loggers::lvm;
 use super::{rows, sample};
@@ -12,7 +12,7 @@ fn refused(text: &str, notes: Option<&str>) -> String {
         .to_string()
 }
 
-/// Without a step that can be used, a counter stays a counter.
+/// Without a usable step, a counter remains a counter.
 #[test]
 fn a_preamble_without_a_step_gives_no_rate() {
     for step in ["", "0", "-1e-4", "soon"] {
@@ -26,7 +26,7 @@ fn a_preamble_without_a_step_gives_no_rate() {
     }
 }
 
-/// Names that say a time, in whole numbers, ask for their unit; so does any column that only rises.
+/// Column names for time with integer values need a unit; so does any column that only increases.
 #[test]
 fn what_only_rises_is_no_time() {
     for head in ["sample", "Sequence", "index", "n", "#"] {
@@ -57,7 +57,7 @@ fn what_only_rises_is_no_time() {
     assert!((scaled.rate() - 400.0).abs() < 1e-9, "{}", scaled.rate());
 }
 
-/// The header of a thinned record is not its time, and that is told.
+/// The header of a decimated record does not give its time, and this is reported.
 #[test]
 fn stamps_win_over_a_header_that_disagrees() {
     let text = "Sample Interval,1e-05\nTIME,CH1\n".to_owned()
@@ -70,7 +70,7 @@ fn stamps_win_over_a_header_that_disagrees() {
     );
 }
 
-/// Stamps without a unit get it from the rate of the header.
+/// Time stamps without a unit get it from the rate in the header.
 #[test]
 fn the_rate_tells_the_unit_of_the_stamps() {
     let text = "Sample Rate,200\ntime,CH1\n".to_owned()
@@ -78,7 +78,8 @@ fn the_rate_tells_the_unit_of_the_stamps() {
     assert!((one("a.csv", text.as_bytes(), None).rate() - 200.0).abs() < 1e-9);
 }
 
-/// Channels over times of their own are sets of their own; units stay with their channels; a channel may end before the other.
+/// Channels over separate times form separate sets; units stay with their channels; a channel may
+/// end before another.
 #[test]
 fn channels_of_an_lvm_keep_their_own_times_and_units() {
     let text = lvm("Multi").replace("Volts\t\tVolts", "Volts\t\tPounds");
@@ -118,7 +119,7 @@ fn channels_of_an_lvm_keep_their_own_times_and_units() {
     assert_eq!(told, [(1000.0, 400, "CH1"), (250.0, 100, "CH2")]);
 }
 
-/// Power of a tone whose stamps are rounded, against its truth; no sample moves.
+/// Power of a tone with rounded time stamps, against its true value; samples remain in place.
 #[test]
 fn rounded_stamps_leave_every_sample_as_it_is() {
     let tone = |k: usize| (TAU * 0.3 * k as f64).sin();
@@ -163,7 +164,8 @@ fn rounded_stamps_leave_every_sample_as_it_is() {
     );
 }
 
-/// What the first bytes are does not decide what a row is: rows that begin beyond them, and lines longer than them.
+/// The first bytes do not determine the format of a row: rows that begin beyond them, and lines
+/// longer than them.
 #[test]
 fn no_window_decides_what_a_row_is() {
     let remarks = "a remark that fills the header\n".repeat(20_000);
@@ -188,7 +190,7 @@ fn no_window_decides_what_a_row_is() {
         (found.channels.len(), found.channels[0].values.len()),
         (60_000, 6)
     );
-    // A line that ends at the window with fewer fields.
+    // A line that ends at the end of the window with fewer fields.
     let text = "t [s],a [V],b [V]\n".to_owned()
         + &(0..20_000)
             .map(|k| {
@@ -203,7 +205,7 @@ fn no_window_decides_what_a_row_is() {
     assert_eq!(kinds(&one("a.csv", text.as_bytes(), None)), []);
 }
 
-/// A rate in the notes makes no record of what holds no rows.
+/// A rate in the notes does not make a recording of a file without rows.
 #[test]
 fn no_samples_are_no_success() {
     for text in ["5\n", "a,b\nx,y\n", "1,2\r\n", ",,\n,,\n"] {

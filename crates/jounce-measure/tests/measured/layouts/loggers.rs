@@ -9,7 +9,7 @@ fn t(k: usize) -> f64 {
     k as f64 / RATE_HZ
 }
 
-/// The time of day of sample `k`, over midnight.
+/// Time of day of sample `k`, across midnight.
 fn clock(k: usize) -> String {
     let ms = (86_399_900 + k) % 86_400_000;
     format!(
@@ -133,7 +133,7 @@ fn cards() -> Vec<Layout> {
     ]
 }
 
-/// The time of day on a clock of twelve hours.
+/// Time of day on a twelve-hour clock.
 fn twelve(k: usize) -> String {
     let text = clock(k);
     let hour: usize = text[..2].parse().unwrap_or(0);

@@ -1,4 +1,5 @@
-//! Layouts of the texts that oscilloscopes, loggers and programs write: one writer each, and what is read of it. The table of the book holds the same list.
+//! Text layouts of oscilloscopes, loggers and programs: one writer each, and the expected reading.
+//! The book has the same table.
 
 mod faults;
 mod loggers;
@@ -12,17 +13,17 @@ use std::f64::consts::TAU;
 /// Samples of each channel.
 const COUNT: usize = 400;
 
-/// A layout, and what is read of it.
+/// Layout with its expected reading.
 struct Layout {
-    /// Who writes it.
+    /// Instrument or program.
     program: &'static str,
     series: &'static str,
-    /// What is read of it, for the table.
+    /// Recognised content, for the table.
     recognised: &'static str,
-    /// What the notes must say, for the table and as notes: of time, rate and channels.
+    /// Required notes on time, rate and channels, for the table and as notes.
     by_hand: &'static str,
     notes: &'static str,
-    /// What the error says without the notes.
+    /// Text of the error without the notes.
     refused: &'static str,
     text: String,
     rate_hz: f64,
@@ -52,12 +53,13 @@ impl Default for Layout {
     }
 }
 
-/// Sample `k` of a channel in its SI unit: ten samples in a cycle, another phase and size in each channel.
+/// Sample `k` of a channel in its SI unit: ten samples per cycle, with a different phase and
+/// amplitude in each channel.
 fn sample(channel: usize, k: usize) -> f64 {
     [0.8, 0.4, 0.3][channel % 3] * (TAU * 0.1 * k as f64 + channel as f64).sin()
 }
 
-/// Rows of a text, each made from its number.
+/// Rows of a text, each generated from its number.
 fn rows(row: impl Fn(usize) -> String) -> String {
     (0..COUNT).map(|k| row(k) + "\n").collect()
 }
@@ -82,7 +84,7 @@ fn file_name(layout: &Layout) -> &'static str {
     }
 }
 
-/// What is wrong with a recording of a layout.
+/// Faults of a recording of a layout.
 fn faults(layout: &Layout, text: &str) -> Vec<String> {
     let notes = (!layout.notes.is_empty()).then_some(layout.notes);
     let contents = match read(file_name(layout), text.as_bytes(), notes) {
@@ -147,7 +149,8 @@ fn name(layout: &Layout) -> String {
     format!("{}, {}", layout.program, layout.series)
 }
 
-/// Each layout gives its rate, start, names, units and samples; where something must be said by hand the file is refused until the notes say it.
+/// Each layout gives its rate, start, names, units and samples. A file that needs notes is refused
+/// without them.
 #[test]
 fn every_layout_is_read_as_the_table_says() {
     let judged = |layout: &Layout| {
@@ -168,7 +171,7 @@ fn every_layout_is_read_as_the_table_says() {
     report(all().iter().map(judged).collect());
 }
 
-/// The same with other ends of lines and empty rows at the end.
+/// Each layout with other line endings and empty rows at the end.
 #[test]
 fn ends_of_lines_and_empty_rows_at_the_end_change_nothing() {
     let judged = |layout: &Layout| {
@@ -193,7 +196,7 @@ fn ends_of_lines_and_empty_rows_at_the_end_change_nothing() {
     report(all().iter().map(judged).collect());
 }
 
-/// The table of the book holds each layout, and no other.
+/// The table of the book has exactly these layouts.
 #[test]
 fn the_table_of_the_book_is_this_list() {
     let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR"))

@@ -19,7 +19,7 @@ fn table(end: &str) -> String {
     rows(|k| format!("{},{},{}{end}", t(k), v(0, k), v(1, k)))
 }
 
-/// Settings beside the first rows, as in the older Tektronix, three or five fields wide.
+/// Settings next to the first rows, as in older Tektronix files, three or five fields wide.
 fn beside(settings: &[&str], blank: &str, row: impl Fn(usize) -> String) -> String {
     rows(|k| format!("{},{}", settings.get(k).unwrap_or(&blank), row(k)))
 }

@@ -1,4 +1,4 @@
-//! Programs that compute, and those that people copy tables with.
+//! Numerical programs, and programs from which tables are copied.
 
 use super::{Layout, rows, sample};
 

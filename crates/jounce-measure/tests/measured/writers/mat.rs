@@ -5,9 +5,9 @@
 pub enum Value {
     /// Columns of numbers.
     Columns(Vec<Vec<f64>>),
-    /// Real and imaginary parts of an array of any size, the first side the fastest.
+    /// Real and imaginary parts of an array of any size; the first dimension varies fastest.
     Complex(Vec<u32>, Vec<f64>, Vec<f64>),
-    /// Whole numbers of two bytes, kept as such.
+    /// Integers of two bytes, stored as such.
     Short(Vec<i16>),
     Text(&'static str),
     Cell(Vec<Value>),
@@ -24,7 +24,7 @@ pub fn one(fields: Vec<(&'static str, Value)>) -> Value {
     Value::Structs(names, vec![values])
 }
 
-/// A file of variables, each compressed or not.
+/// Writes a file of variables, each compressed or not.
 pub fn file(variables: &[(&str, Value)], compressed: bool) -> Vec<u8> {
     let mut bytes = format!("{:<116}", "MATLAB 5.0 MAT-file, made by a test").into_bytes();
     bytes.extend([0; 8]);

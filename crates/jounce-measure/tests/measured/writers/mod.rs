@@ -1,4 +1,4 @@
-//! Writers of binary formats, as plain as their descriptions allow.
+//! Minimal writers of binary formats, from their specifications.
 pub mod mat;
 pub mod tdms;
 pub mod wav;

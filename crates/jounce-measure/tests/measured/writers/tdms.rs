@@ -6,7 +6,7 @@ pub enum Property {
     Text(&'static str, &'static str),
 }
 
-/// A channel of a segment: its path, its values, what is told of it.
+/// Channel of a segment: path, values, properties.
 pub struct Channel {
     pub path: &'static str,
     pub values: Vec<f64>,
@@ -17,7 +17,7 @@ fn text(text: &str) -> Vec<u8> {
     [&(text.len() as u32).to_le_bytes(), text.as_bytes()].concat()
 }
 
-/// A segment with metadata of its own and one chunk of doubles, channel after channel or by turns.
+/// Writes a segment with its metadata and one chunk of doubles, channel by channel or interleaved.
 pub fn segment(channels: &[Channel], interleaved: bool, closed: bool) -> Vec<u8> {
     let mut metadata = (channels.len() as u32).to_le_bytes().to_vec();
     for channel in channels {

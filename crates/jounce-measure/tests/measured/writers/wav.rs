@@ -1,6 +1,7 @@
 //! WAV files.
 
-/// A file of samples of that kind (1 whole, 3 floating point) and size, all channels by turns.
+/// Writes a file of samples of the given kind (1 integer, 3 floating point) and size, with
+/// interleaved channels.
 pub fn file(kind: u16, size: u16, channels: u16, rate_hz: u32, samples: &[u8]) -> Vec<u8> {
     let mut format = Vec::new();
     for half in [kind, channels] {

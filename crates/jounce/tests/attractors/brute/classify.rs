@@ -1,72 +1,81 @@
-//! Where a start ends: on a periodic orbit, on a torus, in chaos, or nowhere within the patience.
+//! Classification of the motion from a start: periodic orbit, torus, chaos, or undecided within the
+//! limit.
 //!
-//! The states at the starts of drive cycles repeat after `p` cycles where `r = |x_k - x_(k-p)|` is small. Small alone says little of a motion
-//! that settles slowly: with the contraction `c` per period seen over a window, the distance that is left is `r c / (1 - c)`. A motion is
-//! periodic when that is below [`CLOSE`] of the size of the motion at several checks in a row, for the least `p` of which this holds.
+//! The states at the starts of drive cycles repeat after `p` cycles where `r = |x_k - x_(k-p)|` is
+//! small. This is not enough for a motion that settles slowly. With the contraction `c` per period
+//! over a window, the remaining distance is `r c / (1 - c)`. A motion is periodic when that is
+//! below [`CLOSE`] of the size of the motion at several successive checks, for the smallest such
+//! `p`.
 
 use super::flow::{Flow, Motion};
 use super::law::Phase;
 use super::model::STOPS;
 
-/// Distance to the limit, relative to the size of the motion, within which an orbit is reached.
+/// Distance to the limit, relative to the size of the motion, within which an orbit counts as
+/// reached.
 const CLOSE: f64 = 1e-8;
 
-/// Distance over a period, relative to the size of the motion, that may be the errors of its steps and roundoff: it need not shrink. A motion
-/// that contracts by 3e-4 a period or more is within [`CLOSE`] of its orbit there.
+/// Distance over a period, relative to the size of the motion, that may be integration error and
+/// roundoff and need not shrink. A motion that contracts by 3e-4 a period or more is within
+/// [`CLOSE`] of its orbit there.
 const NOISE: f64 = 3e-12;
 
-/// Distance over a part of a period below which the part is the period: far above what is left of the way to the orbit.
+/// Distance over a part of a period below which this part is the period: far above the remaining
+/// distance to the orbit.
 const ONE: f64 = 1e-6;
 
-/// Drive cycles between checks, and least length of the window over which a contraction is taken.
+/// Drive cycles between checks, and shortest window for a contraction.
 const BETWEEN: usize = 32;
 
-/// Checks in a row that must find one period.
+/// Successive checks that must find one period.
 const CHECKS: usize = 4;
 
-/// Drive cycles over which an exponent is taken, in [`BLOCKS`] blocks after a first one.
+/// Drive cycles for an exponent, in [`BLOCKS`] blocks after a first one.
 const EXPONENT_CYCLES: usize = 1600;
 
 /// Blocks whose scatter gives the error of an exponent.
 const BLOCKS: usize = 16;
 
-/// Distance of the neighbour whose growth gives the exponent, relative to the size of the motion: far above roundoff, far below nonlinearity.
+/// Distance of the neighbour whose growth gives the exponent, relative to the size of the motion:
+/// far above roundoff and in the linear range.
 const APART: f64 = 1e-7;
 
-/// Drive cycles over which the power of a motion without a period is averaged.
+/// Drive cycles for the mean power of a motion without a period.
 const AVERAGED: usize = 1000;
 
-/// Limits of a march.
+/// Limits of an integration.
 #[derive(Debug, Clone, Copy)]
 pub struct Patience {
     /// Drive cycles after which a motion is not periodic.
     pub cycles: usize,
-    /// Longest period that is looked for on the way, drive cycles. At the end periods up to a quarter of the march are looked for.
+    /// Longest period tested during the integration, drive cycles. At the end, periods up to a
+    /// quarter of the integration are tested.
     pub period: usize,
 }
 
 /// Kind of an ending.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
-    /// A periodic orbit of some drive cycles.
+    /// Periodic orbit with this period in drive cycles.
     Periodic(usize),
-    /// Neighbours keep their distance.
+    /// The distance of neighbours is constant.
     Torus,
-    /// Neighbours part.
+    /// Neighbours separate.
     Chaos,
-    /// Neighbours close up and nothing repeats yet.
+    /// Neighbours converge, but the motion does not repeat yet.
     Unsettled,
-    /// The march was given up.
+    /// The integration was ended.
     Lost,
 }
 
-/// Where a start ends.
+/// Result of a classification.
 #[derive(Debug, Clone)]
 pub struct Ending {
     pub kind: Kind,
     /// Mean power over the period, or over the last cycles, W.
     pub mean_power_w: f64,
-    /// States at the start of each drive cycle of the period, energy coordinates; one where there is no period.
+    /// States at the start of each drive cycle of the period, energy coordinates; one state where
+    /// there is no period.
     pub strobe: Vec<Vec<f64>>,
     /// Size of the motion in energy coordinates.
     pub size: f64,
@@ -74,7 +83,7 @@ pub struct Ending {
     pub power_scale_w: f64,
     /// Largest exponent with its error, 1/cycle, of a motion without a period.
     pub exponent: Option<[f64; 2]>,
-    /// Drive cycles marched.
+    /// Number of drive cycles integrated.
     pub cycles: usize,
 }
 
@@ -85,7 +94,7 @@ struct History<'f, const N: usize, const D: usize> {
 }
 
 impl<const N: usize, const D: usize> History<'_, N, D> {
-    /// `|x_k - x_(k-p)|` at the last state but `back`.
+    /// `|x_k - x_(k-p)|`, evaluated `back` states before the last.
     fn repeats(&self, period: usize, back: usize) -> f64 {
         let last = self.states.len() - 1 - back;
         let (a, b) = (&self.states[last], &self.states[last - period]);
@@ -96,8 +105,9 @@ impl<const N: usize, const D: usize> History<'_, N, D> {
             .sqrt()
     }
 
-    /// The period within the limit that has been reached. That of a motion which turns about its orbit as it settles may be found by a
-    /// multiple first, which hides the turning: the least part over which the states repeat is the period.
+    /// Period within the limit that has been reached. While a motion spirals onto its orbit, a
+    /// multiple of the period may be found first. The smallest part over which the states repeat is
+    /// the period.
     fn period(&self, longest: usize, size: f64) -> Option<usize> {
         let period = self.reached(longest, size)?;
         let repeats =
@@ -153,7 +163,7 @@ impl<const N: usize, const D: usize> History<'_, N, D> {
     }
 }
 
-/// Marches from a physical start `(q, q', V)` until its ending is known.
+/// Integrates from a physical start `(q, q', V)` until its ending is known.
 pub fn classify<const N: usize, const D: usize>(
     flow: Flow<'_, N, D>,
     start: &[f64],
@@ -180,7 +190,7 @@ pub fn classify<const N: usize, const D: usize>(
                 1
             };
             found = period;
-            // The checks in a row cover several of the longest periods too.
+            // Enough successive checks also cover several of the longest periods.
             if let Some(period) = found.filter(|period| times >= CHECKS.max(3 * period / BETWEEN)) {
                 return history.ending(Kind::Periodic(period), motion.size, None);
             }
@@ -199,7 +209,8 @@ pub fn classify<const N: usize, const D: usize>(
     history.ending(kind, motion.size, Some(exponent))
 }
 
-/// Largest exponent of a motion and its error, 1/cycle, by a neighbour that is brought back near it after each cycle.
+/// Largest exponent of a motion and its error, 1/cycle, from a neighbour that is rescaled after
+/// each cycle.
 fn exponent<const N: usize, const D: usize>(flow: Flow<'_, N, D>, motion: &Motion<D>) -> [f64; 2] {
     let weights = &flow.model.weights;
     let mut motion = motion.clone();
@@ -230,7 +241,7 @@ fn exponent<const N: usize, const D: usize>(flow: Flow<'_, N, D>, motion: &Motio
         }
         means.push(growth / (EXPONENT_CYCLES / BLOCKS) as f64);
     }
-    // The first block turns the neighbour to the direction that grows fastest.
+    // In the first block the neighbour aligns with the fastest growing direction.
     let means = &means[1..];
     let mean = means.iter().sum::<f64>() / BLOCKS as f64;
     let variance = means.iter().map(|m| (m - mean).powi(2)).sum::<f64>() / (BLOCKS - 1) as f64;

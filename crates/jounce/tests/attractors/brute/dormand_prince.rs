@@ -1,7 +1,9 @@
-//! One step of the explicit Runge-Kutta method of order 8 of Dormand and Prince with its error estimate.
+//! Step of the explicit Runge-Kutta method of order 8 of Dormand and Prince with its error
+//! estimate.
 //!
-//! Source: E. Hairer, S. P. Norsett and G. Wanner, *Solving Ordinary Differential Equations I* (2nd ed., Springer, 1993), section II.5 and
-//! appendix (DOP853). The error is `h |e5|^2 / sqrt(|e5|^2 + 0.01 |e3|^2)` with the differences to methods of orders 5 and 3.
+//! Source: E. Hairer, S. P. Norsett and G. Wanner, *Solving Ordinary Differential Equations I* (2nd
+//! ed., Springer, 1993), section II.5 and appendix (DOP853). The error is
+//! `h |e5|^2 / sqrt(|e5|^2 + 0.01 |e3|^2)` with the differences to methods of orders 5 and 3.
 
 use super::scales::Weights;
 
@@ -16,7 +18,7 @@ const C9: f64 = 127.0 / 195.0;
 const C10: f64 = 0.6;
 const C11: f64 = 6.0 / 7.0;
 
-/// The state after a step, and the estimate of its error relative to what `weights` allow.
+/// State after a step, and its error estimate relative to `weights`.
 pub struct Stepped<const D: usize> {
     pub state: [f64; D],
     pub error: f64,
@@ -146,7 +148,7 @@ fn last_stages<const D: usize>(
     [k9, k10, k11, k12]
 }
 
-/// A step of length `h` from `y` at `t`, where the rate is `k1`.
+/// Takes a step of length `h` from `y` at `t`, where the rate is `k1`.
 #[inline(always)]
 pub fn step<const D: usize>(
     rate: impl Fn(f64, &[f64; D]) -> [f64; D],

@@ -1,40 +1,43 @@
-//! The first event of a step, located by repeating the step with a part of its length.
+//! The first event of a step, located by repeating the step with a fraction of its length.
 //!
-//! A step is taken only when no guard changes its sign in it. A guard that is positive at both ends and falls at first and rises at last
-//! has a minimum between: where the cubic through values and rates comes near zero there, the minimum is found and its sign seen.
+//! A step is accepted only when no event function changes its sign in it. An event function that is
+//! positive at both ends, decreasing at the start and increasing at the end, has a minimum between.
+//! If the cubic through values and rates comes near zero there, the sign of the actual minimum is
+//! computed.
 
 use super::flow::{Flow, Motion, NONE};
 use super::guard::Guard;
 
-/// Part of a cycle below which a step is not halved any more: an event that is this near has happened.
+/// Fraction of a cycle below which a step is not halved further: an event this near counts as
+/// having happened.
 pub const LEAST_STEP: f64 = 1e-14;
 
-/// Rise of the cubic's minimum above zero, relative to the larger end, below which the minimum itself is sought: the cubic is wrong by less
-/// where a step turns no mode by more than a radian.
+/// Value of the cubic's minimum, relative to the larger end, below which the actual minimum is
+/// computed. The error of the cubic is smaller where no mode turns by more than a radian in a step.
 const NEAR: f64 = 0.05;
 
-/// Part of a step to which an event is located.
+/// Fraction of a step to which an event is located.
 const LOCATED: f64 = 1e-15;
 
-/// A step's end: part of the step, state and rate there.
+/// End of a step: fraction of the step, state and rate there.
 pub struct End<const D: usize> {
     pub part: f64,
     pub state: [f64; D],
     pub rate: [f64; D],
 }
 
-/// What ends a step.
+/// Event that ends a step.
 pub enum Event<const D: usize> {
-    /// No guard changes its sign.
+    /// No event function changes its sign.
     None(End<D>),
-    /// The first guard that does, and where.
+    /// First event function that changes its sign, and the end of the step there.
     At(Guard, End<D>),
     /// A contact leaves its surface and returns within the step: the step is too long.
     Unclear,
 }
 
 impl<const N: usize, const D: usize> Flow<'_, N, D> {
-    /// The first event of a step, if there is one.
+    /// Returns the first event of a step.
     pub fn event(
         &self,
         motion: &Motion<D>,
@@ -45,7 +48,7 @@ impl<const N: usize, const D: usize> Flow<'_, N, D> {
         let phases = &motion.phases;
         let mut end = whole;
         let mut found = None;
-        // Each guard is seen over what the guards before it have left of the step.
+        // Each event function is checked over the part of the step before the events found so far.
         for guard in self.model.guards(phases).iter() {
             let start = self.model.guard(guard, phases, t, (&motion.state, rate));
             let last = self
@@ -67,7 +70,8 @@ impl<const N: usize, const D: usize> Flow<'_, N, D> {
                 None => continue,
                 // A contact that starts at its surface and does not leave it changes at once.
                 Some(_) if is_at_zero && !leaves => 0.0,
-                // One that leaves it and is back within the step needs a shorter one.
+                // A contact that leaves the surface and returns within the step needs a shorter
+                // step.
                 Some(part) if is_at_zero && part * h > LEAST_STEP * self.model.cycle_s => {
                     return Event::Unclear;
                 }
@@ -83,7 +87,7 @@ impl<const N: usize, const D: usize> Flow<'_, N, D> {
         }
     }
 
-    /// The step's state at a part of it.
+    /// State at a fraction of a step.
     fn part(&self, motion: &Motion<D>, (t, h): (f64, f64), rate: &[f64; D], part: f64) -> End<D> {
         let state = self.step(motion, t, part * h, rate).state;
         End {
@@ -93,7 +97,8 @@ impl<const N: usize, const D: usize> Flow<'_, N, D> {
         }
     }
 
-    /// Where a guard that is positive at both ends is negative between, if it is.
+    /// Finds the point where an event function that is positive at both ends is negative between,
+    /// if there is one.
     fn dip(
         &self,
         motion: &Motion<D>,
@@ -106,7 +111,7 @@ impl<const N: usize, const D: usize> Flow<'_, N, D> {
         if !falls_and_rises || cubic_minimum(start, last, part * h) > NEAR * start[0].max(last[0]) {
             return None;
         }
-        // The minimum by the secant through rates, kept between both ends.
+        // The minimum by the secant through rates, inside the bracket.
         let (mut low, mut high) = ((0.0, start[1]), (part, last[1]));
         for _ in 0..40 {
             let middle = 0.5 * (low.0 + high.0);
@@ -124,7 +129,7 @@ impl<const N: usize, const D: usize> Flow<'_, N, D> {
             if value < -self.model.roundoff(guard, &motion.state) {
                 return Some(at);
             }
-            // No way down is left that reaches zero.
+            // The remaining decrease cannot reach zero.
             if value > slope.abs() * width * h || width < 1e-9 {
                 return None;
             }
@@ -137,7 +142,8 @@ impl<const N: usize, const D: usize> Flow<'_, N, D> {
         None
     }
 
-    /// The part of a step at which a guard that is positive at first and negative at `high` vanishes: Newton's method within a bracket.
+    /// Fraction of a step at which an event function that is positive at the start and negative at
+    /// `high` vanishes: Newton's method in a bracket.
     fn root(
         &self,
         motion: &Motion<D>,
@@ -160,7 +166,7 @@ impl<const N: usize, const D: usize> Flow<'_, N, D> {
             if value.abs() <= 0.25 * roundoff {
                 return at;
             }
-            // Behind the event: a holding force that has vanished must not be there any more.
+            // Beyond the event: a holding force that has vanished must be zero there.
             if high - low < LOCATED {
                 return high;
             }
@@ -172,7 +178,7 @@ impl<const N: usize, const D: usize> Flow<'_, N, D> {
     }
 }
 
-/// Least value between the ends of the cubic with two values and rates over a length.
+/// Smallest value, inside a length, of the cubic with the given values and rates at its ends.
 fn cubic_minimum(start: &[f64; 2], last: &[f64; 2], length: f64) -> f64 {
     let (a, b) = (start[1] * length, last[1] * length);
     let rise = last[0] - start[0];

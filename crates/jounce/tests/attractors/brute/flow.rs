@@ -1,4 +1,5 @@
-//! The flow over drive cycles: steps of controlled error from event to event, and what contacts do at events.
+//! Flow over drive cycles: steps of controlled error from event to event, and changes of contacts
+//! at events.
 
 use super::dormand_prince::{Stepped, step};
 use super::events::{End, Event, LEAST_STEP};
@@ -6,31 +7,33 @@ use super::guard::Guard;
 use super::law::{Law, Phase};
 use super::model::{Phases, ReferenceModel};
 
-/// No stop's number.
+/// Marks the absence of a stop.
 pub const NONE: usize = usize::MAX;
 
-/// Rebound speed in units of the size of the motion below which bounces that die away within [`CHATTER_CYCLES`] are left out. What is left
-/// out moves the point by the speed times that time, below 1e-9 of the size of the motion.
+/// Rebound speed, in units of the size of the motion, below which bounces that end within
+/// [`CHATTER_CYCLES`] are skipped. Skipping moves the point by the speed times that time, below
+/// 1e-9 of the size of the motion.
 const CHATTER_SPEED: f64 = 1e-6;
 
-/// Longest time of bounces that are left out, drive cycles.
+/// Longest duration of skipped bounces, drive cycles.
 const CHATTER_CYCLES: f64 = 1e-3;
 
-/// Events of a cycle above which a contact rattles by roundoff; a bounce of restitution 0.95 dies away within 300.
+/// Number of events in a cycle above which a contact chatters by roundoff; bounces of restitution
+/// 0.95 end within 300.
 const MOST_EVENTS: usize = 20_000;
 
-/// A motion on its way. Time runs from zero in each drive cycle.
+/// State of an integration. Time runs from zero in each drive cycle.
 #[derive(Debug, Clone)]
 pub struct Motion<const D: usize> {
     pub state: [f64; D],
     pub phases: Phases,
     pub size: f64,
-    /// Events of the last cycle outgrew [`MOST_EVENTS`]: the motion is not followed any more.
+    /// True when the last cycle had more than [`MOST_EVENTS`] events and the integration was ended.
     pub is_lost: bool,
     length: f64,
 }
 
-/// The flow of a model with an error per step relative to the size of the motion.
+/// Flow of a model with an error per step relative to the size of the motion.
 #[derive(Debug, Clone, Copy)]
 pub struct Flow<'m, const N: usize, const D: usize> {
     pub model: &'m ReferenceModel<N, D>,
@@ -38,7 +41,7 @@ pub struct Flow<'m, const N: usize, const D: usize> {
 }
 
 impl<const N: usize, const D: usize> Flow<'_, N, D> {
-    /// A motion from a state at the start of a drive cycle.
+    /// Starts from a state at the start of a drive cycle.
     pub fn start(&self, state: [f64; D]) -> Motion<D> {
         let model = self.model;
         let phases = model.phases(&state);
@@ -69,13 +72,14 @@ impl<const N: usize, const D: usize> Flow<'_, N, D> {
             let is_last = motion.length >= remaining;
             let h = motion.length.min(remaining);
             let Stepped { state, error } = self.step(motion, t, h, &rate);
-            // Steps grow slowly, so that they stay as short as the contact before and behind them needs.
+            // Steps grow slowly, so they remain as short as the contacts before and after them
+            // need.
             let next = if error.is_finite() {
                 h * (0.9 * error.max(1e-12).powf(-0.125)).clamp(0.2, 4.0)
             } else {
                 0.2 * h
             };
-            // Not a number where a stage ran far away: the step was much too long.
+            // Not a number where a stage diverged because the step was much too long.
             if (error.is_nan() || error > 1.0) && h > LEAST_STEP * end {
                 motion.length = next;
                 continue;
@@ -111,7 +115,7 @@ impl<const N: usize, const D: usize> Flow<'_, N, D> {
         motion.size = largest.max(model.least_size());
     }
 
-    /// A step of length `h` in the phases of a motion, its error relative to the tolerance.
+    /// Takes a step of length `h` in the current phases; the error is relative to the tolerance.
     pub fn step(&self, motion: &Motion<D>, t: f64, h: f64, rate: &[f64; D]) -> Stepped<D> {
         let right = |t: f64, y: &[f64; D]| self.model.rate(t, y, &motion.phases, NONE);
         let mut stepped = step(right, (t, h), (&motion.state, rate), &self.model.weights);
@@ -119,7 +123,7 @@ impl<const N: usize, const D: usize> Flow<'_, N, D> {
         stepped
     }
 
-    /// What a contact does when its guard vanishes.
+    /// Changes the phase of a contact when its event function vanishes.
     fn change(&self, motion: &mut Motion<D>, guard: Guard, t: f64) {
         let (Guard::Surface(p) | Guard::Push(p) | Guard::Hold(p)) = guard;
         let is_rigid = matches!(self.model.stops[p].law, Law::Rigid { .. });
@@ -131,7 +135,8 @@ impl<const N: usize, const D: usize> Flow<'_, N, D> {
         };
     }
 
-    /// An impact on a rigid stop; where what presses the point ends its bounces soon, it rests.
+    /// Applies an impact on a rigid stop; the point sticks where its acceleration ends the bounces
+    /// soon.
     fn strike(&self, motion: &mut Motion<D>, p: usize, t: f64) {
         let stop = &self.model.stops[p];
         let Law::Rigid { e } = stop.law else { return };

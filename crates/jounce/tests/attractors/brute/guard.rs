@@ -1,20 +1,20 @@
-//! What must stay positive while every contact keeps its phase, with its rate, and what a contact does when it does not.
+//! Event functions of contacts, which stay positive within a phase, and their rates.
 
 use super::law::{Law, Phase};
 use super::model::{Phases, ReferenceModel, STOPS};
 
-/// A function of the state that is positive as long as a contact keeps its phase.
+/// Function of the state that is positive as long as a contact stays in its phase.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Guard {
-    /// Distance from the surface: of a contact that is apart from outside, of another from inside.
+    /// Distance from the surface: outside for an open contact, inside for a closed one.
     Surface(usize),
-    /// What has the sign of a damped force.
+    /// Quantity with the sign of a damped force.
     Push(usize),
-    /// Force that a rigid stop must give to hold its point.
+    /// Force needed from a rigid stop to hold its point.
     Hold(usize),
 }
 
-/// A list of guards without allocation.
+/// List of event functions without allocation.
 #[derive(Debug, Clone, Copy)]
 pub struct Guards {
     list: [Guard; 2 * STOPS],
@@ -22,7 +22,7 @@ pub struct Guards {
 }
 
 impl Guards {
-    /// The guards that are active.
+    /// Iterates over the active event functions.
     pub fn iter(&self) -> impl Iterator<Item = Guard> + '_ {
         self.list[..self.count].iter().copied()
     }
@@ -34,7 +34,7 @@ impl Guards {
 }
 
 impl<const N: usize, const D: usize> ReferenceModel<N, D> {
-    /// The guards of some phases.
+    /// Returns the event functions of the given phases.
     pub fn guards(&self, phases: &Phases) -> Guards {
         let mut guards = Guards {
             list: [Guard::Surface(0); 2 * STOPS],
@@ -55,7 +55,7 @@ impl<const N: usize, const D: usize> ReferenceModel<N, D> {
         guards
     }
 
-    /// Value of a guard and its rate; that of a holding force is not needed, and NaN.
+    /// Value of an event function and its rate; the rate of a holding force is not needed, and NaN.
     #[inline(always)]
     pub fn guard(
         &self,
@@ -93,7 +93,7 @@ impl<const N: usize, const D: usize> ReferenceModel<N, D> {
         }
     }
 
-    /// What of a guard is roundoff: nothing of a holding force, whose sign alone counts.
+    /// Roundoff of an event function; zero for a holding force, of which only the sign is used.
     pub fn roundoff(&self, guard: Guard, y: &[f64; D]) -> f64 {
         let terms = |p: usize, from: usize| {
             (0..N)
@@ -112,7 +112,8 @@ impl<const N: usize, const D: usize> ReferenceModel<N, D> {
             }
     }
 
-    /// Where a guard that is zero goes: its rate, or where that of a surface is roundoff, the rate of the rate.
+    /// Direction of an event function at zero: its rate, or the second derivative where the rate of
+    /// a surface is roundoff.
     pub fn direction(
         &self,
         guard: Guard,

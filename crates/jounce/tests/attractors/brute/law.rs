@@ -11,7 +11,7 @@
 
 use jounce::contact as theirs;
 
-/// The numbers of a law.
+/// Parameters of a law.
 #[derive(Debug, Clone, Copy)]
 pub enum Law {
     Power { k: f64, n: f64, a: f64 },
@@ -23,18 +23,18 @@ pub enum Law {
 /// Phase of one contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Phase {
-    /// Apart.
+    /// Open.
     Free,
-    /// In contact, the force pushes.
+    /// In contact with a positive force.
     Pushing,
-    /// Past the surface of a damped stop that lags behind: no force.
+    /// Past the surface of a damped stop that recovers more slowly: no force.
     Slack,
-    /// At rest on a rigid stop.
+    /// Sticking to a rigid stop.
     Resting,
 }
 
 impl Law {
-    /// The numbers of a stop of a system.
+    /// Parameters from a law of the library.
     pub fn of(law: &theirs::Law) -> Self {
         match law {
             theirs::Law::Hertz(law) => Law::Power {
@@ -59,7 +59,7 @@ impl Law {
         }
     }
 
-    /// The phase in which a motion starts.
+    /// Phase at the start of a motion.
     pub fn phase(&self, d: f64, rate: f64) -> Phase {
         match self {
             Law::Cubic { .. } => Phase::Pushing,
@@ -84,7 +84,7 @@ impl Law {
         }
     }
 
-    /// What has the sign of a damped force past the surface.
+    /// Quantity with the sign of a damped force past the surface.
     #[inline(always)]
     pub fn push(&self, d: f64, rate: f64) -> f64 {
         match *self {
@@ -104,7 +104,7 @@ impl Law {
         }
     }
 
-    /// Whether the force can vanish past the surface.
+    /// True where the force can vanish past the surface.
     pub fn is_damped(&self) -> bool {
         matches!(*self, Law::Power { a, .. } if a > 0.0)
             || matches!(*self, Law::Viscous { c, .. } if c > 0.0)

@@ -1,4 +1,4 @@
-//! Brute force: marches of every start by a method that shares nothing with the library's.
+//! Brute force: integration of every start by a method that shares no code with the library.
 
 mod classify;
 mod dormand_prince;

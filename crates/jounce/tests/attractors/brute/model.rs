@@ -1,4 +1,5 @@
-//! The equations of motion in modal coordinates, state `(q, q', V, E)` with `E` the energy that the resistor has taken.
+//! Equations of motion in modal coordinates, state `(q, q', V, E)` with `E` the energy dissipated
+//! in the resistor.
 //!
 //! ```text
 //! q_i'' = -2 zeta_i w_i q_i' - w_i^2 q_i + theta_i V + p_i sin(W t + phi) + g_i - sum_stops s_i F
@@ -12,7 +13,7 @@ use jounce::drive::Wave;
 use jounce::plant::System;
 use std::f64::consts::TAU;
 
-/// Most stops of a model.
+/// Largest number of stops.
 pub const STOPS: usize = 2;
 
 /// Phases of all contacts.
@@ -27,7 +28,7 @@ pub struct Stop<const N: usize> {
     pub law: Law,
 }
 
-/// The numbers of a harvester with up to `N` modes and at most one patch; `D = 2 N + 2`.
+/// Parameters of a harvester with up to `N` modes and at most one patch; `D = 2 N + 2`.
 #[derive(Debug, Clone)]
 pub struct ReferenceModel<const N: usize, const D: usize> {
     stiffness: [f64; N],
@@ -52,7 +53,7 @@ fn filled<const N: usize>(values: &[f64]) -> [f64; N] {
 }
 
 impl<const N: usize, const D: usize> ReferenceModel<N, D> {
-    /// The numbers of a system, which must be of the kinds that the equations above know.
+    /// Parameters of a system, which must be covered by the equations above.
     pub fn of(system: &System) -> Self {
         assert!(D == 2 * N + 2 && system.modes.len() <= N && system.stops.len() <= STOPS);
         assert!(
@@ -80,7 +81,8 @@ impl<const N: usize, const D: usize> ReferenceModel<N, D> {
         let capacitance = patch.map_or(1.0, |patch| patch.capacitance_f);
         let mut weights = [0.0; D];
         for i in 0..N {
-            // A mode that does not exist stays at zero; one without stiffness is held against the drive.
+            // Unused modes stay at zero; the scale of a mode without stiffness is the drive
+            // frequency.
             weights[i] = if frequency[i] > 0.0 {
                 frequency[i]
             } else {
@@ -116,7 +118,7 @@ impl<const N: usize, const D: usize> ReferenceModel<N, D> {
         }
     }
 
-    /// A physical state `(q, q', V)` with empty meter.
+    /// Converts a physical state `(q, q', V)`, with zero energy in the meter.
     pub fn state(&self, physical: &[f64]) -> [f64; D] {
         let n = self.modes;
         let mut y = [0.0; D];
@@ -126,7 +128,8 @@ impl<const N: usize, const D: usize> ReferenceModel<N, D> {
         y
     }
 
-    /// A state in energy coordinates `(w q, q', sqrt(C) V)`, without what the harvester lacks.
+    /// Converts to energy coordinates `(w q, q', sqrt(C) V)`, without components that the harvester
+    /// lacks.
     pub fn energy_coordinates(&self, y: &[f64; D]) -> Vec<f64> {
         let scaled = self.weights.scaled(y);
         let n = self.modes;
@@ -139,13 +142,14 @@ impl<const N: usize, const D: usize> ReferenceModel<N, D> {
             .collect()
     }
 
-    /// Size below which no motion is measured: a thousandth of what drive and gravity alone do to the velocities in a radian.
+    /// Lower limit of the size of a motion: a thousandth of the velocities due to drive and gravity
+    /// in a radian.
     pub fn least_size(&self) -> f64 {
         let norm = |force: &[f64; N]| force.iter().map(|p| p * p).sum::<f64>().sqrt();
         1e-3 * (norm(&self.driven) + norm(&self.steady)) / self.angular
     }
 
-    /// The phases in which contacts start at a state.
+    /// Returns the phases of contacts at a start.
     #[inline(always)]
     pub fn phases(&self, y: &[f64; D]) -> Phases {
         let mut phases = [Phase::Free; STOPS];
@@ -156,7 +160,7 @@ impl<const N: usize, const D: usize> ReferenceModel<N, D> {
         phases
     }
 
-    /// Penetration and its rate at a stop.
+    /// Returns penetration and rate at a stop.
     #[inline(always)]
     pub fn depth(&self, stop: &Stop<N>, y: &[f64; D]) -> [f64; 2] {
         let (mut d, mut rate) = (-stop.gap, 0.0);
@@ -167,7 +171,8 @@ impl<const N: usize, const D: usize> ReferenceModel<N, D> {
         [d, rate]
     }
 
-    /// Rate of the state. What rests on a rigid stop is held there, unless it rests on stop number `released`.
+    /// Rate of the state. Points that stick to a rigid stop are held there, except that of stop
+    /// number `released`.
     #[inline(always)]
     pub fn rate(&self, t: f64, y: &[f64; D], phases: &Phases, released: usize) -> [f64; D] {
         let drive = (self.angular * t + self.phase).sin();

@@ -1,6 +1,7 @@
-//! Energy coordinates `(w q, q', sqrt(C) V)`: the square of their norm is twice the energy without the stops.
+//! Energy coordinates `(w q, q', sqrt(C) V)`: the square of their norm is twice the energy without
+//! the stops.
 
-/// Factors from a physical state to energy coordinates; the meter of energy has none.
+/// Factors from a physical state to energy coordinates; zero for the energy meter.
 #[derive(Debug, Clone, Copy)]
 pub struct Weights<const D: usize>(pub [f64; D]);
 
@@ -11,7 +12,7 @@ impl<const D: usize> Weights<D> {
         (0..D).map(|i| (self.0[i] * y[i]).powi(2)).sum()
     }
 
-    /// The state in energy coordinates.
+    /// Returns the state in energy coordinates.
     pub fn scaled(&self, y: &[f64; D]) -> [f64; D] {
         std::array::from_fn(|i| self.0[i] * y[i])
     }

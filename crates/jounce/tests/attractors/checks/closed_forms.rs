@@ -1,4 +1,5 @@
-//! Against closed forms: the linear harvester, one collision of each law, the impact oscillator of Shaw and Holmes.
+//! Brute force against closed forms: linear harvester, one collision per law, impact oscillator of
+//! Shaw and Holmes.
 
 use crate::brute::{Flow, Kind, Patience, ReferenceModel, classify};
 use jounce::analysis::Model;
@@ -18,7 +19,8 @@ fn system(text: &str) -> System {
         .clone()
 }
 
-/// `|V|^2 / (2 R)` with `(-W^2 + 2 i zeta w W + w^2) q = theta V + p`, `(i W C + 1 / R) V = -i W theta q`, eliminated by hand.
+/// `|V|^2 / (2 R)` with `(-W^2 + 2 i zeta w W + w^2) q = theta V + p`,
+/// `(i W C + 1 / R) V = -i W theta q`, eliminated by hand.
 #[test]
 fn without_contact_the_power_is_that_of_the_linear_harvester() {
     let (w, zeta, drive, theta, capacitance, resistance, force): (
@@ -68,7 +70,8 @@ fn without_contact_the_power_is_that_of_the_linear_harvester() {
     );
 }
 
-/// Speed and place after a collision of a free mass of 1 kg, which starts 0.1 m before the stop at 0.5 m/s, after a second.
+/// Position and speed of a free mass of 1 kg, one second after it starts 0.1 m before the stop at
+/// 0.5 m/s.
 fn collided(law: &str) -> [f64; 2] {
     let text = format!(
         "[modal.h]\nfrequency_hz = [0.0]\ndamping_ratio = [0.0]\n[modal.h.point]\ntip = [1.0]\n\
@@ -86,7 +89,7 @@ fn collided(law: &str) -> [f64; 2] {
     [motion.state[0], motion.state[1]]
 }
 
-/// A law that stores and gives back: the speed is reversed, and the duration of contact is
+/// An elastic law: the speed is reversed, and the duration of contact is
 /// `2 (d / v) sqrt(pi) G(1 + 1/(n+1)) / G(1/2 + 1/(n+1))`, `d^(n+1) = (n + 1) m v^2 / (2 k)`.
 #[test]
 fn elastic_collisions_take_the_time_of_hertz() {
@@ -114,7 +117,8 @@ fn elastic_collisions_take_the_time_of_hertz() {
     }
 }
 
-/// `m v dv / (1 + a v) = -k d^n dd`, from and to `d = 0`: `v - ln(1 + a v) / a` is the same before and after.
+/// `m v dv / (1 + a v) = -k d^n dd`, from and to `d = 0`: `v - ln(1 + a v) / a` is equal before and
+/// after.
 #[test]
 fn a_collision_of_hunt_and_crossley_keeps_its_first_integral() {
     let a: f64 = 0.7;
@@ -150,7 +154,8 @@ fn a_rigid_collision_keeps_the_restitution() {
     );
 }
 
-/// A stable orbit with an impact at the start of each drive cycle: the state there is the one just before or just after it.
+/// A stable orbit with an impact at the start of each drive cycle: the state there is that just
+/// before or just after the impact.
 #[test]
 fn the_impact_oscillator_stays_on_its_closed_form() {
     let oscillator = ImpactOscillator {
@@ -183,8 +188,9 @@ fn the_impact_oscillator_stays_on_its_closed_form() {
     }
 }
 
-/// At 2.8 times its frequency, on a stop without gap, the same oscillator is chaotic (the exponent in `tests/orbits/basins.rs`, found
-/// by another method); at twice its frequency the orbit with one impact a cycle is stable in closed form.
+/// At 2.8 times its frequency, on a stop without gap, the oscillator is chaotic (the exponent in
+/// `tests/orbits/basins.rs`, found by another method). At twice its frequency the orbit with one
+/// impact per cycle is stable in closed form.
 #[test]
 fn chaos_and_a_period_are_told_apart() {
     let ending = |frequency_ratio: f64| {
@@ -212,7 +218,8 @@ fn chaos_and_a_period_are_told_apart() {
     assert!(chaos.kind == Kind::Chaos && orbit.kind == Kind::Periodic(1));
 }
 
-/// Pressed onto a rigid stop by a steady force, a mass bounces ever lower and rests there.
+/// Pressed onto a rigid stop by a constant force, a mass bounces with decreasing height and comes
+/// to rest.
 #[test]
 fn chatter_ends_at_rest() {
     let text = "[modal.h]\nfrequency_hz = [0.0]\ndamping_ratio = [0.0]\nparticipation_sqrt_kg = [1.0]\n[modal.h.point]\ntip = [1.0]\n\

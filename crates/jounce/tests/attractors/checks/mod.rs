@@ -1,4 +1,5 @@
-//! The brute force itself: against closed forms, against steps of a tenth of the error, against a plain method without events.
+//! Checks of the brute force: closed forms, steps of a tenth of the error, and a method without
+//! events.
 
 mod closed_forms;
 mod published;

@@ -1,8 +1,10 @@
-//! Against what other programs found: the harvester of `bench/plant.toml` at 13.5 Hz with a stiffer stop and a damped table.
+//! Brute force against other programs: the harvester of `bench/plant.toml` at 13.5 Hz with a
+//! stiffer stop and a damped table.
 //!
-//! Five orbits attract, of 1, 3, 7, 10 and 18 drive cycles. The last has 6.027567570e-6 W by shooting and by steps of the classical
-//! Runge-Kutta method. On a grid of 20 by 20 starts 197 were seen to end on period 1, 150 on 3, one each on 7 and 10, and 51 on 18; brute
-//! force ends 201, 153, 1, 1 and 44 times there, with the same modes.
+//! Five orbits attract, of 1, 3, 7, 10 and 18 drive cycles. The last has 6.027567570e-6 W by
+//! shooting and by steps of the classical Runge-Kutta method. On a grid of 20 by 20 starts, another
+//! program found 197 ending on period 1, 150 on 3, one each on 7 and 10, and 51 on 18. With the
+//! same modes, brute force finds 201, 153, 1, 1 and 44.
 
 use crate::agreement::{Verdict, compare, endings};
 use crate::brute::{Kind, Patience};
@@ -12,7 +14,8 @@ use jounce::spec::SpecFile;
 /// Mean power of the orbit of 18 cycles, W.
 const POWER_W: f64 = 6.027_567_570e-6;
 
-/// The power was found with the modes of another mesh, whose frequencies differ by up to 6e-6 from those of `bench/plant.toml`.
+/// The power was found with the modes of another mesh; its frequencies differ by up to 6e-6 from
+/// those of `bench/plant.toml`.
 const OTHER_MESH: f64 = 2e-6;
 
 /// Error of a step, relative to the size of the motion.
@@ -80,8 +83,8 @@ fn starts_end_on_the_published_orbits() {
     assert!((power_w / POWER_W - 1.0).abs() < OTHER_MESH, "{power_w:e}");
 }
 
-/// All 400 starts: minutes, so that only `JOUNCE_GRID=1` asks for them. `JOUNCE_GRID_PLANT` names a file with other modes: those of another
-/// mesh change where one start in ten ends.
+/// All 400 starts: minutes, so only with `JOUNCE_GRID=1`. `JOUNCE_GRID_PLANT` names a file with
+/// other modes; those of another mesh change the result of one start in ten.
 #[test]
 fn the_grid_ends_where_brute_force_ends() {
     if std::env::var("JOUNCE_GRID").is_err() {

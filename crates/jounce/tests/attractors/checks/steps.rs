@@ -1,4 +1,5 @@
-//! Against itself at a tenth of the error, and against the classical Runge-Kutta method with the laws as they stand and no events.
+//! Brute force against a tenth of its error, and against the classical Runge-Kutta method without
+//! events.
 
 use crate::brute::{Flow, ReferenceModel};
 use crate::drawn::drawn;
@@ -20,7 +21,7 @@ fn plant(index: u64) -> Plant {
         .clone()
 }
 
-/// Calls a function with the model of a drawn harvester and its starts.
+/// Calls a function with the model of a random harvester and its starts.
 macro_rules! with_model {
     ($plant:expr, $function:ident) => {{
         let starts: Vec<Vec<f64>> = (0..CLOUD.starts)
@@ -45,8 +46,9 @@ fn distance<const N: usize, const D: usize>(
         .sqrt()
 }
 
-/// Largest difference over one cycle, of each of 30 cycles of every start, to the same cycle at a tenth of the error per step: in the
-/// size of the motion, and in what the cycle makes of a start that is off by 1e-9 of that size.
+/// Largest difference over one cycle, for 30 cycles of every start, to the same cycle at a tenth of
+/// the error per step. The difference is relative to the size of the motion, and to the growth over
+/// the cycle of a perturbation of 1e-9 of that size.
 fn refined<const N: usize, const D: usize>(
     model: &ReferenceModel<N, D>,
     starts: &[Vec<f64>],
@@ -57,7 +59,7 @@ fn refined<const N: usize, const D: usize>(
         let mut motion = coarse.start(model.state(start));
         for _ in 0..30 {
             let (mut finer, mut moved) = (motion.clone(), motion.clone());
-            // Along the velocities, in which an error of a contact force shows.
+            // Along the velocities, where an error of a contact force appears.
             (0..N).for_each(|i| moved.state[N + i] *= 1.0 + 1e-7);
             let apart = distance(model, &motion.state, &moved.state).max(1e-12 * motion.size);
             coarse.cycle(&mut motion);
@@ -72,7 +74,8 @@ fn refined<const N: usize, const D: usize>(
     largest
 }
 
-/// A cycle ends where one ends that starts within 1e-9 of the size of the motion.
+/// The end of a cycle equals that of a cycle with a start perturbed by at most 1e-9 of the size of
+/// the motion.
 #[test]
 fn steps_of_a_tenth_of_the_error_change_a_cycle_by_less_than_1e_9() {
     let mut all: Vec<(f64, u64)> = (0..40)
@@ -83,7 +86,8 @@ fn steps_of_a_tenth_of_the_error_change_a_cycle_by_less_than_1e_9() {
     assert!(all[0].0 < 1e-9, "{:?}", &all[..8]);
 }
 
-/// Largest differences after a cycle to 20,000 and to 160,000 steps of the classical method of order 4.
+/// Largest differences after a cycle from 20,000 and 160,000 steps of the classical fourth-order
+/// method.
 fn plain<const N: usize, const D: usize>(
     model: &ReferenceModel<N, D>,
     starts: &[Vec<f64>],
@@ -127,9 +131,10 @@ fn plain_cycle<const N: usize, const D: usize>(
     y
 }
 
-/// Eight times shorter steps bring a method without events nearer to the same motion: with the square of the step where a force bends, with
-/// the step where it jumps, and there the place of the jump within its step is chance. A contact that is missed, or a phase that is wrong,
-/// would stay, and leave both distances equal.
+/// With steps shorter by a factor of eight, a method without events converges to this motion. Its
+/// error falls with the square of the step where a force has a kink, and linearly where it jumps,
+/// with a random position of the jump within the step. A missed contact or a wrong phase would
+/// leave both distances equal.
 #[test]
 fn a_plain_method_without_events_converges_to_the_same_motion() {
     let compliant = (0..40).filter(|index| !drawn(22, *index).contains("rigid"));
