@@ -294,7 +294,11 @@ mod tests {
                 "1 N/m2",
                 "write a power with ^, as in m^2",
             ),
-            (Quantity::Pressure, "1 N/m^99", "powers must be from -12 to 12"),
+            (
+                Quantity::Pressure,
+                "1 N/m^99",
+                "powers must be from -12 to 12",
+            ),
             (
                 Quantity::Pressure,
                 "1 N/(m^2",

@@ -114,7 +114,10 @@ impl NumericKey {
     pub fn get(&self, spec: &Spec) -> Result<f64, Fault> {
         let found = locate(SPEC, spec, &segments(&self.path));
         found.map(|found| found.value).ok_or_else(|| {
-            Fault::without_place(&self.path, format!("{}: this spec has no such key", self.path))
+            Fault::without_place(
+                &self.path,
+                format!("{}: this spec has no such key", self.path),
+            )
         })
     }
 

@@ -200,7 +200,10 @@ fn walk(
     let walked = join(walked, name);
     match (row.info.kind, rest) {
         (Kind::Table, rest) => walk(&row.inner, below, rest, &walked),
-        (Kind::Things, []) => Err(format!("{walked} is a table of named elements; add the name of one and a key").into()),
+        (Kind::Things, []) => Err(format!(
+            "{walked} is a table of named elements; add the name of one and a key"
+        )
+        .into()),
         (Kind::Things, [thing, rest @ ..]) => {
             let Some(found) = below.and_then(|below| below.get(thing)) else {
                 let there = below.and_then(Node::entries).unwrap_or_default();

@@ -75,7 +75,9 @@ pub enum RecordingError {
     #[error(transparent)]
     Missing(#[from] NoChannel),
     /// The channel is constant.
-    #[error("channel {channel} is constant at {mean} {unit} and excites nothing; name another channel")]
+    #[error(
+        "channel {channel} is constant at {mean} {unit} and excites nothing; name another channel"
+    )]
     Still {
         /// The channel.
         channel: String,
@@ -341,8 +343,12 @@ fn survey(path: &Path, sample_rate_hz: Option<f64>) -> Result<RecordingSummary, 
 /// Converts the values of a channel from a unit that its file does not contain.
 fn in_unit(channel: &mut Channel, unit: &str, quantity: Quantity) -> Result<(), String> {
     let known = Unit::read(unit).filter(|known| known.quantity == quantity);
-    let known =
-        known.ok_or_else(|| format!("`unit` = {unit:?} does not convert to {}", quantity.si_unit()))?;
+    let known = known.ok_or_else(|| {
+        format!(
+            "`unit` = {unit:?} does not convert to {}",
+            quantity.si_unit()
+        )
+    })?;
     if channel.quantity == quantity {
         return Err(RecordingError::UnitTwice {
             channel: channel.name.clone(),

@@ -25,9 +25,7 @@ pub enum StructureError {
         known: String,
     },
     /// Beams or masses support each other in a loop.
-    #[error(
-        "the supports of \"{name}\" form a loop; put one of them on the ground"
-    )]
+    #[error("the supports of \"{name}\" form a loop; put one of them on the ground")]
     SupportCycle {
         /// Name of a part of the loop.
         name: String,

@@ -60,7 +60,9 @@ impl Range {
     /// Returns the rule that a value violates.
     pub(in crate::spec) fn broken(&self, value: f64, kind: Kind) -> String {
         if self.limits_hold(value) {
-            return format!("must be 0 or have a magnitude from {MIN_SIZE:e} to {MAX_SIZE:e} in SI units");
+            return format!(
+                "must be 0 or have a magnitude from {MIN_SIZE:e} to {MAX_SIZE:e} in SI units"
+            );
         }
         self.rule(kind)
     }

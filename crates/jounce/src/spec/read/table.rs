@@ -180,7 +180,9 @@ pub(in crate::spec) fn read_named(
 ) {
     let Some(entries) = node.entries() else {
         let hint = match kind {
-            Kind::Things => format!("expected named elements: write [{path}.NAME] with its keys below"),
+            Kind::Things => {
+                format!("expected named elements: write [{path}.NAME] with its keys below")
+            }
             _ => format!("expected a table: write [{path}] with NAME = VALUE below"),
         };
         return reading.fault(node.place, path, || {
@@ -202,11 +204,8 @@ pub(in crate::spec) fn read_named(
         if matches!(kind, Kind::Things) && entry.node.entries().is_none() {
             strays += 1;
             if strays == 1 {
-                let text = || {
-                    format!(
-                        "expected a name here: write [{path}.NAME] with its keys below"
-                    )
-                };
+                let text =
+                    || format!("expected a name here: write [{path}.NAME] with its keys below");
                 reading.fault(entry.place, &path_of, text);
             }
             continue;

@@ -157,8 +157,7 @@ fn duplicated(text: &str, offset: usize, span: &std::ops::Range<usize>) -> Synta
     let told = first
         .map(|first| format!(" (first on line {first})"))
         .unwrap_or_default();
-    let message =
-        format!("{path}: the key appears twice in this table{told}; remove one of them");
+    let message = format!("{path}: the key appears twice in this table{told}; remove one of them");
     SyntaxError {
         offset,
         key: path,

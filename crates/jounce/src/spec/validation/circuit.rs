@@ -46,10 +46,8 @@ pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
             }
         }
         if circuit.inductance_h.is_none() && circuit.inductor == Wiring::Series {
-            let text = || {
-                "has no effect without an inductor; give `inductance`, or omit it"
-                    .to_owned()
-            };
+            let text =
+                || "has no effect without an inductor; give `inductance`, or omit it".to_owned();
             broken.push(|| format!("circuit.{name}.inductor"), text);
         }
         if circuit.resistance_ohm.is_finite() && circuit.battery_v.is_some() {
@@ -66,7 +64,8 @@ pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
         }
         if circuit.wiring == Wiring::Series && circuit.connections().count() == 1 {
             let text = || {
-                "has no effect with a single patch; list several in `patches`, or omit it".to_owned()
+                "has no effect with a single patch; list several in `patches`, or omit it"
+                    .to_owned()
             };
             broken.push(|| format!("circuit.{name}.wiring"), text);
         }

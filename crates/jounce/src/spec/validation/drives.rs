@@ -143,7 +143,13 @@ fn check_signal(spec: &Spec, name: &str, drive: &Drive, broken: &mut ValidationF
             if low_hz >= high_hz {
                 broken.push(
                     || format!("drive.{name}.low"),
-                    || format!("is {}; it must be below high = {}", hertz(low_hz), hertz(high_hz)),
+                    || {
+                        format!(
+                            "is {}; it must be below high = {}",
+                            hertz(low_hz),
+                            hertz(high_hz)
+                        )
+                    },
                 );
             }
             let least_hz = 4.0 * high_hz;

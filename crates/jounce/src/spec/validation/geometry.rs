@@ -51,7 +51,8 @@ pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
         }
         if patch.d33_m_per_v.is_some() != patch.electrode_spacing_m.is_some() {
             let text = || {
-                "`d33` and `electrode_spacing` require each other; give both, or `d31` alone".to_owned()
+                "`d33` and `electrode_spacing` require each other; give both, or `d31` alone"
+                    .to_owned()
             };
             broken.push(|| format!("patch.{name}"), text);
         }
