@@ -41,13 +41,13 @@ pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
                 "0".to_owned()
             };
             let why = if most_m > 0.0 {
-                " deeper than its weight can press it"
+                " deeper than weight allows"
             } else {
                 ""
             };
             let text = || {
                 format!(
-                    "is {gap}: at rest the free mass \"{}\" would overlap the stop{why}; it must be at least {least}",
+                    "is {gap}: at rest the free mass \"{}\" would penetrate the stop{why}; give at least {least}",
                     clip(mass)
                 )
             };

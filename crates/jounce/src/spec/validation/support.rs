@@ -67,7 +67,7 @@ fn check_support<F: FnOnce() -> Vec<String>>(
                 .chain(places.iter().map(String::as_str))
         };
         broken.push(key, || {
-            unknown("possible supports", support, "what it can stand on", names)
+            unknown("mass or point", support, "possible supports", names)
         });
     }
 }
