@@ -1,6 +1,7 @@
 //! Quantities as text: `"315 mm"`, `"1000 N/m^1.5"`, `"-170 pC/N"`.
 //!
-//! A quantity is a decimal number and a unit expression. The expression is a product of powers of unit symbols,
+//! A quantity is a decimal number and a unit expression. The expression is a product of powers of
+//! unit symbols,
 //!
 //! ```text
 //! unit = prod_k symbol_k^p_k = factor * kg^a m^b s^c A^d rad^e

@@ -19,7 +19,8 @@ pub enum BlockPair {
         /// Imaginary part of the eigenvalue, rad/s.
         frequency: f64,
     },
-    /// A double real eigenvalue with one eigenvector: `u' = rate u + v`, `v' = rate v`. A free body has `rate = 0`.
+    /// A double real eigenvalue with one eigenvector: `u' = rate u + v`, `v' = rate v`. A free body
+    /// has `rate = 0`.
     Jordan {
         /// The eigenvalue, 1/s.
         rate: f64,

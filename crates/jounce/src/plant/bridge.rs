@@ -5,8 +5,9 @@
 //! battery) and `r` their resistance. Between changes of the conduction state the circuit is
 //! linear; an [`EventFunction`] detects each change.
 //!
-//! Sources: Y. C. Shu and I. C. Lien, Smart Mater. Struct. 15 (2006) 1499 (bridge); D. Guyomar, A. Badel, E. Lefeuvre and C. Richard,
-//! IEEE Trans. UFFC 52 (2005) 584 (synchronised switches); E. Lefeuvre et al., Sens. Actuators A 126 (2006) 405 (comparison).
+//! Sources: Y. C. Shu and I. C. Lien, Smart Mater. Struct. 15 (2006) 1499 (bridge); D. Guyomar, A.
+//! Badel, E. Lefeuvre and C. Richard, IEEE Trans. UFFC 52 (2005) 584 (synchronised switches); E.
+//! Lefeuvre et al., Sens. Actuators A 126 (2006) 405 (comparison).
 
 use super::system::Connection;
 use super::{Electrical, System};

@@ -16,7 +16,8 @@
 //! the equilibrium due to the charge. It is split off as an exact eigenvector of rate 0, and the
 //! remainder is solved orthogonally to it.
 //!
-//! Validation: `tests/plant` checks the residual of `A T = T J` and the eigenvalues against the secular equation.
+//! Validation: `tests/plant` checks the residual of `A T = T J` and the eigenvalues against the
+//! secular equation.
 
 use super::component::{
     ComponentBlock, CoupledMatrix, PieceBlock, components, coupled, single_mode,

@@ -28,7 +28,8 @@ pub struct Electrical {
     pub nodes: Vec<ElectricalNode>,
     /// Inductors.
     pub inductors: Vec<Inductor>,
-    /// Voltage of each patch (in the order of `modes.patch`) as a sum of node voltages: `(node, factor)`.
+    /// Voltage of each patch (in the order of `modes.patch`) as a sum of node voltages: `(node,
+    /// factor)`.
     pub patch: Vec<Vec<(usize, f64)>>,
     /// Location of the voltage across the resistor of each load (in the order of `loads`); `None`
     /// for a load without a patch.

@@ -1,8 +1,8 @@
 //! Energies of a run by exact integration.
 //!
-//! A power that is a sum of squares of outputs, `p(t) = sum_m weight_m (c_m . y + Re(S_m e^{i w t}))^2`, is integrated without
-//! quadrature. With `A^T P + P A = -sum_m weight_m c_m c_m^T` and, for each tone, `r = C (i w I + A)^-1`,
-//! `C = 2 sum_m weight_m S_m c_m`,
+//! A power that is a sum of squares of outputs, `p(t) = sum_m weight_m (c_m . y + Re(S_m e^{i w
+//! t}))^2`, is integrated without quadrature. With `A^T P + P A = -sum_m weight_m c_m c_m^T` and,
+//! for each tone, `r = C (i w I + A)^-1`, `C = 2 sum_m weight_m S_m c_m`,
 //!
 //! ```text
 //! B(t) = -y^T P y + Re(e^{i w t} r y) + (antiderivative of the steady part),

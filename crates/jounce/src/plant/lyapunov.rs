@@ -5,7 +5,8 @@
 //! columns   A P + P A^T = -Q        what inputs make of the state: covariances
 //! ```
 //!
-//! `A` has blocks of one or two states, so each pair of blocks is a dense system of at most four unknowns.
+//! `A` has blocks of one or two states, so each pair of blocks is a dense system of at most four
+//! unknowns.
 
 use super::BlockDiagonal;
 use faer::Mat;

@@ -92,7 +92,8 @@ impl Dashpot {
 pub struct Stop {
     /// Name of the stop.
     pub name: String,
-    /// Relative displacement of the striking point towards the stop, per unit modal coordinate, kg^-1/2.
+    /// Relative displacement of the striking point towards the stop, per unit modal coordinate,
+    /// kg^-1/2.
     pub shape: Vec<f64>,
     /// Gap, m; negative when the contact is preloaded.
     pub gap_m: f64,

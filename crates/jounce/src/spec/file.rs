@@ -244,7 +244,8 @@ impl SpecFile {
     /// Reads the range of a sweep, `"drive.shaker.frequency=4Hz:20Hz:0.1Hz"`; see [`KeyRange`].
     ///
     /// # Errors
-    /// As [`SpecFile::numeric_key`], and a range that is empty, reversed, too long or in wrong units.
+    /// As [`SpecFile::numeric_key`], and a range that is empty, reversed, too long or in wrong
+    /// units.
     pub fn range(&self, assignment: &str) -> Result<KeyRange, Faults> {
         let Some((key, range)) = assignment.split_once('=') else {
             let message = format!(

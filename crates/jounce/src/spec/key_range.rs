@@ -26,7 +26,8 @@ pub struct KeyRange {
 }
 
 impl KeyRange {
-    /// Reads `FROM:TO:STEP`, `FROM:TO:Nx`, `FROM:TO:Nlog`, `A,B,C` or one value, each with its unit.
+    /// Reads `FROM:TO:STEP`, `FROM:TO:Nx`, `FROM:TO:Nlog`, `A,B,C` or one value, each with its
+    /// unit.
     ///
     /// # Errors
     /// A range that is empty, reversed, longer than a million points, in wrong units or beyond the

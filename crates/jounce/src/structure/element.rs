@@ -1,7 +1,7 @@
 //! An Euler-Bernoulli element of any degree, in strain coordinates.
 //!
-//! On an element of length `l` (half length `h = l/2`, `x` from -1 to 1) the curvature is a sum of Legendre polynomials and the
-//! displacement its double integral:
+//! On an element of length `l` (half length `h = l/2`, `x` from -1 to 1) the curvature is a sum of
+//! Legendre polynomials and the displacement its double integral:
 //!
 //! ```text
 //! curvature(x)    = sum_j c_j P_j(x),                       j = 0 .. terms-1, 1/m
@@ -16,7 +16,8 @@
 //! all piecewise polynomials of degree `terms + 1` with continuous slope. No numerical quadrature
 //! is used: Legendre coefficients of the displacement give the kinetic energy as a sum of squares.
 //!
-//! Source: hierarchical beam functions as in Szabo & Babuska, Finite Element Analysis (1991), ch. 3, written for the curvature.
+//! Source: hierarchical beam functions as in Szabo & Babuska, Finite Element Analysis (1991), ch.
+//! 3, written for the curvature.
 
 use super::section::CrossSection;
 
@@ -26,7 +27,8 @@ pub(super) struct Element {
     pub start_m: f64,
     pub length_m: f64,
     pub section: CrossSection,
-    /// Number of Legendre polynomials of the curvature, at least 2; the displacement is of degree `terms + 1`.
+    /// Number of Legendre polynomials of the curvature, at least 2; the displacement is of degree
+    /// `terms + 1`.
     pub terms: usize,
 }
 

@@ -84,7 +84,8 @@ pub fn modes_holding(spec: &Spec, held: &[String]) -> Result<Modes, StructureErr
 /// frequencies.
 ///
 /// # Errors
-/// As [`modes_holding`]; `MeshTooFine`, and `TooManyModes` for a mesh with fewer unknowns than modes.
+/// As [`modes_holding`]; `MeshTooFine`, and `TooManyModes` for a mesh with fewer unknowns than
+/// modes.
 pub fn modes_on_cubic_mesh(
     spec: &Spec,
     held: &[String],

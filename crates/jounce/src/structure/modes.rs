@@ -25,7 +25,8 @@ pub struct Modes {
     pub frequency_rad_s: Vec<f64>,
     /// Damping ratio of each mode (1 = critical); meaningless for a rigid-body mode, where it is 0.
     pub damping_ratio: Vec<f64>,
-    /// Mass-normalised shape at each named point (`"beam.tip"`, `"table"`, `"harvester.tip"`), kg^-1/2, one value per mode.
+    /// Mass-normalised shape at each named point (`"beam.tip"`, `"table"`, `"harvester.tip"`),
+    /// kg^-1/2, one value per mode.
     pub shape: BTreeMap<String, Vec<f64>>,
     /// Each patch by its name (`"mfc"`, `"harvester.mfc"`).
     pub patch: BTreeMap<String, PatchModes>,
@@ -44,7 +45,8 @@ pub struct Modes {
 /// Coupling of a piezoelectric patch to the modes and to the circuit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PatchModes {
-    /// Modal coupling, N/V per unit modal coordinate (`gamma_p` times the modal slope difference of the patch ends), one per mode.
+    /// Modal coupling, N/V per unit modal coordinate (`gamma_p` times the modal slope difference of
+    /// the patch ends), one per mode.
     pub coupling_n_per_v: Vec<f64>,
     /// Clamped capacitance, F.
     pub capacitance_f: f64,

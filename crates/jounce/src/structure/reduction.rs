@@ -235,7 +235,8 @@ mod tests {
         )
     }
 
-    /// `S^T G^T G S = 1` and, without the rigid coordinate, `S^T S = diag(w^2)`; relative to `w_i w_j`, measured 2e-13.
+    /// `S^T G^T G S = 1` and, without the rigid coordinate, `S^T S = diag(w^2)`; relative to `w_i
+    /// w_j`, measured 2e-13.
     #[test]
     fn modes_are_orthogonal_in_mass_and_stiffness() {
         for stiffness_n_m in [None, Some(50.0)] {

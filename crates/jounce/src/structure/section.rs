@@ -1,7 +1,8 @@
 //! Cross-section of a beam, bare or with layers and patches: bending stiffness, mass per length and
 //! neutral axis.
 //!
-//! With layers `i` of modulus `E_i` (Pa), area `A_i = b_i t_i` (m^2), mid-height `z_i` (m, from the bottom of the beam):
+//! With layers `i` of modulus `E_i` (Pa), area `A_i = b_i t_i` (m^2), mid-height `z_i` (m, from the
+//! bottom of the beam):
 //!
 //! ```text
 //! zbar    = sum E_i A_i z_i / sum E_i A_i                            neutral axis, m
@@ -252,7 +253,8 @@ pub(super) mod tests {
         }
     }
 
-    /// Timoshenko (1925), with `m` and `n` the ratios of thickness and modulus, `strain` the difference of free strain.
+    /// Timoshenko (1925), with `m` and `n` the ratios of thickness and modulus, `strain` the
+    /// difference of free strain.
     #[test]
     fn free_strain_bends_a_laminate_as_a_bimetal() {
         for (patch_m, modulus_pa) in [
@@ -283,8 +285,9 @@ pub(super) mod tests {
         }
     }
 
-    /// Layers above and below make a bimorph: `YI = (2b/3) [Y_s h_s^3/8 + Y_p ((h_p + h_s/2)^3 - h_s^3/8)]`, no shift of the axis, and
-    /// opposite moments (Erturk and Inman, Smart Mater. Struct. 18 (2009) 025009).
+    /// Layers above and below make a bimorph: `YI = (2b/3) [Y_s h_s^3/8 + Y_p ((h_p + h_s/2)^3 -
+    /// h_s^3/8)]`, no shift of the axis, and opposite moments (Erturk and Inman, Smart Mater.
+    /// Struct. 18 (2009) 025009).
     #[test]
     fn two_faces_make_a_bimorph() {
         let beam = paper_beam();

@@ -38,7 +38,8 @@ impl<'a> Structures<'a> {
     /// Checks the spec and cuts its beams.
     ///
     /// # Errors
-    /// Every variant of [`StructureError`] that names a key of the spec, `CannotHold`, `CannotHoldGiven`, `NoModes`, `TooManyModes`.
+    /// Every variant of [`StructureError`] that names a key of the spec, `CannotHold`,
+    /// `CannotHoldGiven`, `NoModes`, `TooManyModes`.
     pub fn new(spec: &'a Spec, held: &[String]) -> Result<Self, StructureError> {
         let bodies = bodies(spec, held)?;
         let cut = |(name, beam): (&'a String, _)| Ok((name.as_str(), segments(spec, name, beam)?));

@@ -18,7 +18,8 @@ pub struct Beam {
     pub youngs_modulus_pa: f64,
     /// `density`
     pub density_kg_m3: f64,
-    /// `root`: `"ground"`, another base, the name of a mass, or a point of another beam, `"arm.end"`; default `"ground"`.
+    /// `root`: `"ground"`, another base, the name of a mass, or a point of another beam,
+    /// `"arm.end"`; default `"ground"`.
     pub root: String,
     /// `root_stiffness`: rotary stiffness of the clamp at the root, N m/rad. `None`: rigid.
     pub root_stiffness_n_m_rad: Option<f64>,

@@ -4,7 +4,8 @@
 /// spring it is fixed to its support.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mass {
-    /// `on`: `"ground"` (default), another base, a mass, a point of a beam, or `"nothing"` for a free mass.
+    /// `on`: `"ground"` (default), another base, a mass, a point of a beam, or `"nothing"` for a
+    /// free mass.
     pub on: String,
     /// `mass`
     pub mass_kg: f64,

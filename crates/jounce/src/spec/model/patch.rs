@@ -21,11 +21,13 @@ pub struct Patch {
     pub thickness_m: f64,
     /// `youngs_modulus`
     pub youngs_modulus_pa: f64,
-    /// `density`; required with `laminate`; not used by `thin-skin` (the paper neglects the mass of the patch), default 0 there.
+    /// `density`; required with `laminate`; not used by `thin-skin` (the paper neglects the mass of
+    /// the patch), default 0 there.
     pub density_kg_m3: f64,
     /// `d31`, m/V: strain along the beam per field through the thickness.
     pub d31_m_per_v: Option<f64>,
-    /// `d33`, m/V: strain along the beam per field along it, between electrodes `electrode_spacing` apart; excludes `d31`.
+    /// `d33`, m/V: strain along the beam per field along it, between electrodes `electrode_spacing`
+    /// apart; excludes `d31`.
     pub d33_m_per_v: Option<f64>,
     /// `electrode_spacing`, m; goes with `d33`.
     pub electrode_spacing_m: Option<f64>,

@@ -30,7 +30,8 @@ pub enum Side {
 /// The contact law of a stop. `delta` is the penetration, m; `delta'` its rate, m/s.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum StopLaw {
-    /// `law = "hertz"`: `F = stiffness * delta^exponent`; keys `stiffness` (N/m^exponent), `exponent` (default 1.5, at least 1).
+    /// `law = "hertz"`: `F = stiffness * delta^exponent`; keys `stiffness` (N/m^exponent),
+    /// `exponent` (default 1.5, at least 1).
     Hertz {
         /// N/m^exponent
         stiffness: f64,
@@ -42,14 +43,16 @@ pub enum StopLaw {
         /// N/m
         stiffness_n_m: f64,
     },
-    /// `law = "kelvin-voigt"`: `F = max(0, stiffness * delta + damping * delta')`; keys `stiffness` (N/m), `damping` (N s/m).
+    /// `law = "kelvin-voigt"`: `F = max(0, stiffness * delta + damping * delta')`; keys `stiffness`
+    /// (N/m), `damping` (N s/m).
     KelvinVoigt {
         /// N/m
         stiffness_n_m: f64,
         /// N s/m
         damping_n_s_m: f64,
     },
-    /// `law = "hunt-crossley"`: `F = stiffness * delta^exponent * max(0, 1 + damping * delta')`; keys `stiffness`, `exponent`, `damping` (s/m).
+    /// `law = "hunt-crossley"`: `F = stiffness * delta^exponent * max(0, 1 + damping * delta')`;
+    /// keys `stiffness`, `exponent`, `damping` (s/m).
     HuntCrossley {
         /// N/m^exponent
         stiffness: f64,
@@ -67,7 +70,8 @@ pub enum StopLaw {
         /// N/m^3
         cubic_stiffness_n_m3: f64,
     },
-    /// `law = "rigid"`: instantaneous rebound with a coefficient of restitution; key `restitution` (0 to 1).
+    /// `law = "rigid"`: instantaneous rebound with a coefficient of restitution; key `restitution`
+    /// (0 to 1).
     Rigid {
         /// dimensionless
         restitution: f64,
