@@ -43,7 +43,7 @@ pub enum ReadError {
     Unreadable {
         /// the path
         path: PathBuf,
-        /// what the system says
+        /// message of the system
         source: std::io::Error,
     },
 }

@@ -52,7 +52,7 @@ impl Kind {
                     quantity.units().join(", ")
                 )
             }
-            Self::Number => "expected a plain number without quotes and unit".to_owned(),
+            Self::Number => "expected a plain number without quotes or unit".to_owned(),
             Self::Count => "expected a whole number without quotes".to_owned(),
             Self::Numbers | Self::NamedNumbers => {
                 "expected a list of plain numbers such as [0.01, 0.02]".to_owned()

@@ -102,7 +102,7 @@ fn check_mass(spec: &Spec, name: &str, mass: &Mass, broken: &mut ValidationFault
             broken.push(|| format!("mass.{name}.on"), || "is \"nothing\", but the mass has a spring; remove the spring, or name its support".into())
         }
         (Some(_), None) => {
-            broken.push(|| format!("mass.{name}"), || "`damping_ratio` is missing; expected a plain number without quotes and unit".into())
+            broken.push(|| format!("mass.{name}"), || "`damping_ratio` is missing; expected a plain number without quotes or unit".into())
         }
         (None, Some(_)) => broken.push(
             || format!("mass.{name}.damping_ratio"),
