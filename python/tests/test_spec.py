@@ -100,7 +100,7 @@ def test_odd_names_survive_the_way_through_toml_and_wrong_ones_are_told():
     for name in ("my-table_2", "7", "true", "e5"):
         assert jounce.Spec({"mass": {name: keys}}).to_dict() == {"mass": {name: keys}}
     for name in ("my table", 'a"b', "a.b", "", "tischplättchen"):
-        with pytest.raises(jounce.SpecError, match="names are letters"):
+        with pytest.raises(jounce.SpecError, match="use the letters"):
             jounce.Spec({"mass": {name: keys}})
 
 

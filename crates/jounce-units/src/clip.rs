@@ -1,9 +1,9 @@
-//! Texts from the user in messages.
+//! User text in messages.
 
-/// Characters of a text that a message shows.
+/// Largest number of characters of a user text in a message.
 const MAX_QUOTED_CHARS: usize = 64;
 
-/// A text from the user, short enough for a message.
+/// Returns a user text, shortened for a message.
 pub fn clip(text: &str) -> String {
     let mut clipped = String::new();
     for (count, c) in text.chars().enumerate() {
@@ -12,7 +12,7 @@ pub fn clip(text: &str) -> String {
                 clipped.push_str("...");
                 break;
             }
-            // A control character would garble the terminal that shows the message.
+            // A control character would corrupt the terminal that shows the message.
             c if c.is_control() => clipped.extend(c.escape_debug()),
             c => clipped.push(c),
         }

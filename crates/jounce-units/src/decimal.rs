@@ -1,6 +1,6 @@
-//! Decimal numbers kept exact until the last moment.
+//! Decimal numbers that remain exact until conversion to `f64`.
 
-/// `digits * 10^exponent`, the digits as they were written.
+/// `digits * 10^exponent`, with the digits as written.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Decimal<'t> {
     negative: bool,
@@ -9,7 +9,8 @@ pub struct Decimal<'t> {
 }
 
 impl<'t> Decimal<'t> {
-    /// Splits a number off the front of a text: `"0.98 mm"` to 0.98 and `" mm"`. `None` where no number stands there.
+    /// Splits a number off the front of a text: `"0.98 mm"` to 0.98 and `" mm"`. `None` if the text
+    /// does not start with a number.
     pub fn split(text: &'t str) -> Option<(Self, &'t str)> {
         let (negative, unsigned) = match text.strip_prefix(['-', '\u{2212}']) {
             Some(rest) => (true, rest),
@@ -32,14 +33,14 @@ impl<'t> Decimal<'t> {
         ))
     }
 
-    /// The `f64` nearest to the number times `10^power`; infinite where it does not fit.
+    /// Returns the `f64` nearest to the number times `10^power`; infinite if it does not fit.
     pub fn scaled(self, power: i64) -> f64 {
         let text = format!("{}e{}", self.digits, self.exponent.saturating_add(power));
         let value = text.parse::<f64>().unwrap_or(f64::INFINITY);
         if self.negative { -value } else { value }
     }
 
-    /// The number times `10^power` as whole digits and a power of ten, where the digits fit.
+    /// Returns the number times `10^power` as integer digits and a power of ten, if the digits fit.
     pub fn whole(self, power: i64) -> Option<(i128, i64)> {
         let decimals = self
             .digits
@@ -66,7 +67,7 @@ fn digits_end(text: &str) -> Option<usize> {
         .then_some(end)
 }
 
-/// An exponent at the front of a text, if it is one: `e3` is, the `E` of `Em` is not.
+/// Returns an exponent at the front of a text: `e3` is one, the `E` of `Em` is not.
 fn exponent_of(text: &str) -> Option<(i64, &str)> {
     let after = text.strip_prefix(['e', 'E'])?;
     let (negative, unsigned) = match after.strip_prefix(['-', '\u{2212}']) {
@@ -80,7 +81,7 @@ fn exponent_of(text: &str) -> Option<(i64, &str)> {
     if digits.is_empty() {
         return None;
     }
-    // Beyond this every number is zero or infinite, and the sum of two exponents still fits.
+    // Exponent beyond which every number is zero or infinite; the sum of two exponents still fits.
     let value = digits.parse::<i64>().unwrap_or(i64::MAX).min(1_000_000_000);
     Some((if negative { -value } else { value }, rest))
 }

@@ -1,11 +1,11 @@
-//! The dimension of a unit: exponents of kg, m, s, A and rad.
+//! Dimension of a unit: exponents of kg, m, s, A and rad.
 
 use std::fmt;
 
 /// Names of the base units, in the order of the exponents.
 const BASE: [&str; 5] = ["kg", "m", "s", "A", "rad"];
 
-/// Exponents are equal when they differ by less than this; contact laws have fractional ones.
+/// Difference below which two exponents are equal; contact laws have fractional exponents.
 const SAME: f64 = 1e-9;
 
 /// Exponents of kg, m, s, A, rad.
@@ -13,16 +13,16 @@ const SAME: f64 = 1e-9;
 pub struct Dimension([f64; 5]);
 
 impl Dimension {
-    /// A plain number.
+    /// Dimension of a plain number.
     pub const NONE: Self = Self([0.0; 5]);
 
-    /// Exponents of kg, m, s, A, rad.
+    /// Returns the dimension with these exponents of kg, m, s, A, rad.
     pub const fn new(exponents: [i8; 5]) -> Self {
         let [kg, m, s, a, rad] = exponents;
         Self([kg as f64, m as f64, s as f64, a as f64, rad as f64])
     }
 
-    /// The dimension of `self * other^power`.
+    /// Returns the dimension of `self * other^power`.
     pub fn times(self, other: Self, power: f64) -> Self {
         let mut out = self;
         for (mine, theirs) in out.0.iter_mut().zip(other.0) {
@@ -31,7 +31,7 @@ impl Dimension {
         out
     }
 
-    /// True when both measure the same kind of quantity.
+    /// True if both dimensions are equal.
     pub fn is(self, other: Self) -> bool {
         self.0
             .iter()
@@ -39,7 +39,7 @@ impl Dimension {
             .all(|(a, b)| (a - b).abs() < SAME)
     }
 
-    /// The kind in words with its article, `"a length"`; base units where the kind has no name here.
+    /// Returns the kind with its article, `"a length"`; base units if the kind has no name here.
     pub fn kind(self) -> String {
         let named = KINDS
             .iter()
@@ -76,7 +76,7 @@ fn rounded(power: f64) -> f64 {
     (power * 1e9).round() / 1e9
 }
 
-/// What a reader may have written instead: kind in words, exponents of kg, m, s, A, rad.
+/// Kinds that a user may have written instead: name, exponents of kg, m, s, A, rad.
 const KINDS: &[(&str, [i8; 5])] = &[
     ("a plain number", [0, 0, 0, 0, 0]),
     ("a length", [0, 1, 0, 0, 0]),

@@ -1,60 +1,61 @@
-//! Why a text is not a quantity of the wanted kind.
+//! Error of a text that is not a quantity of the expected kind.
 
-/// Why a text is not a quantity of the wanted kind; every message says which units fit.
+/// Reason why a text is not a quantity of the expected kind; every message lists the units that
+/// fit.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum QuantityError {
-    /// No number at the front.
+    /// The text does not start with a number.
     #[error("{text:?} does not start with a number; {due}")]
     NotANumber {
-        /// what was read
+        /// text that was read
         text: String,
-        /// what is due instead
+        /// expected value
         due: String,
     },
-    /// A number alone.
+    /// The text is a number without a unit.
     #[error("{text} has no unit; {due}")]
     NoUnit {
-        /// what was read
+        /// text that was read
         text: String,
-        /// what is due instead
+        /// expected value
         due: String,
     },
-    /// A symbol that is no unit.
-    #[error("{text:?}: {unit:?} is no known unit; {due}")]
+    /// The symbol is not a unit.
+    #[error("{text:?}: {unit:?} is not a known unit; {due}")]
     UnknownUnit {
-        /// what was read
+        /// text that was read
         text: String,
-        /// the unknown symbol
+        /// unknown symbol
         unit: String,
-        /// what is due instead
+        /// expected value
         due: String,
     },
-    /// A unit that cannot be read.
+    /// The unit cannot be parsed.
     #[error("{text:?} cannot be read as a number and a unit ({why}); {due}")]
     Malformed {
-        /// what was read
+        /// text that was read
         text: String,
-        /// what is wrong with it
+        /// syntax error of the unit
         why: String,
-        /// what is due instead
+        /// expected value
         due: String,
     },
-    /// A quantity of another kind.
+    /// The quantity has another kind.
     #[error("{text:?} is {kind}; {due}")]
     WrongKind {
-        /// what was read
+        /// text that was read
         text: String,
-        /// what it measures
+        /// measured kind
         kind: String,
-        /// what is due instead
+        /// expected value
         due: String,
     },
-    /// A value beyond what a 64-bit float can hold.
+    /// The value is outside the range of a double.
     #[error("{text:?} is too large or too small for a number in {unit}")]
     NotRepresentable {
-        /// what was read
+        /// text that was read
         text: String,
-        /// the SI unit
+        /// SI unit
         unit: String,
     },
 }

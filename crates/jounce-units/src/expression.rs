@@ -6,12 +6,12 @@
 //! power  = ( "^" | "**" ) number | superscript digits
 //! ```
 //!
-//! A product after a quotient (`N/m s`) reads both ways and is refused; parentheses say which is meant.
+//! A product after a quotient (`N/m s`) is ambiguous and is refused; parentheses resolve it.
 
 use super::dimension::Dimension;
 use super::symbol::UnitSymbol;
 
-/// The largest power that a unit may carry.
+/// Largest power of a unit.
 const MAX_POWER: f64 = 12.0;
 
 const SUPERSCRIPTS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
@@ -25,12 +25,12 @@ pub(super) struct Unit {
     pub(super) dimension: Dimension,
 }
 
-/// Why an expression is no unit.
+/// Reason why an expression is not a unit.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum UnitFault {
-    /// No such symbol.
+    /// The symbol is unknown.
     Unknown(String),
-    /// Not an expression, and why.
+    /// The text is not an expression; contains the reason.
     Malformed(String),
 }
 
@@ -42,7 +42,7 @@ impl Unit {
         dimension: Dimension::NONE,
     };
 
-    /// Reads a whole expression.
+    /// Reads a complete expression.
     pub(super) fn parse(text: &str) -> Result<Self, UnitFault> {
         let mut parser = Parser { rest: text.trim() };
         let unit = parser.unit()?;
@@ -91,7 +91,7 @@ impl<'t> Parser<'t> {
                 !divides && !first && (self.eat("*") || self.eat("\u{b7}") || self.eat("\u{22c5}"));
             if !first && !divides && divided {
                 return Err(UnitFault::Malformed(
-                    "a product after a quotient reads both ways; use parentheses, as in N/(m s)"
+                    "a product after a quotient is ambiguous; use parentheses, as in N/(m s)"
                         .to_owned(),
                 ));
             }
@@ -121,7 +121,7 @@ impl<'t> Parser<'t> {
         let power = self.power()?;
         if !power.is_finite() || power.abs() > MAX_POWER {
             return Err(UnitFault::Malformed(format!(
-                "powers go from -{MAX_POWER} to {MAX_POWER}"
+                "powers must be from -{MAX_POWER} to {MAX_POWER}"
             )));
         }
         Ok(Unit::ONE.times(base, power))
@@ -137,7 +137,7 @@ impl<'t> Parser<'t> {
         };
         if self.rest.starts_with(|c: char| c.is_ascii_digit()) {
             return Err(UnitFault::Malformed(format!(
-                "a power is written with ^, as in {name}^2"
+                "write a power with ^, as in {name}^2"
             )));
         }
         Ok(Unit {
@@ -191,7 +191,7 @@ impl<'t> Parser<'t> {
         digits
             .parse::<f64>()
             .map(|value| sign * value)
-            .map_err(|_| UnitFault::Malformed("a power is a number, as in m^1.5".to_owned()))
+            .map_err(|_| UnitFault::Malformed("a power must be a number, as in m^1.5".to_owned()))
     }
 
     fn eat(&mut self, token: &str) -> bool {
@@ -209,8 +209,8 @@ impl<'t> Parser<'t> {
 
     fn unexpected(&self) -> UnitFault {
         UnitFault::Malformed(match self.rest.chars().next() {
-            Some(c) => format!("`{}` is not expected there", c.escape_debug()),
-            None => "the unit stops too early".to_owned(),
+            Some(c) => format!("unexpected `{}`", c.escape_debug()),
+            None => "the unit is incomplete".to_owned(),
         })
     }
 }

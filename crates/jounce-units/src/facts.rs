@@ -1,10 +1,10 @@
-//! What is known of each kind of quantity: its name, its units, its dimension.
+//! Properties of each kind of quantity: its name, its units, its dimension.
 
 use super::dimension::Dimension;
 use super::quantity::Quantity;
 
 impl Quantity {
-    /// The kind in words, with its article: `"a length"`.
+    /// Returns the kind with its article: `"a length"`.
     pub fn kind(self) -> &'static str {
         match self {
             Self::Length => "a length",
@@ -35,7 +35,7 @@ impl Quantity {
         }
     }
 
-    /// Units that fit, the most usual first.
+    /// Returns the units that fit, the most usual first.
     pub fn units(self) -> Vec<String> {
         let units: &[&str] = match self {
             Self::Length => &["mm", "um", "cm", "m"],
@@ -69,7 +69,7 @@ impl Quantity {
         units.iter().map(|unit| (*unit).to_owned()).collect()
     }
 
-    /// The SI unit of the value.
+    /// Returns the SI unit of the value.
     pub fn si_unit(self) -> String {
         match self {
             Self::Length => "m".to_owned(),
@@ -85,7 +85,7 @@ impl Quantity {
 
     pub(super) fn due(self) -> String {
         let units = self.units();
-        format!("{} is due, in {}", self.kind(), units.join(", "))
+        format!("expected {} in {}", self.kind(), units.join(", "))
     }
 
     pub(super) fn dimension(self) -> Dimension {
@@ -121,7 +121,7 @@ impl Quantity {
         })
     }
 
-    /// Units for printing with their powers of ten against SI, ascending.
+    /// Returns the units for printing with their powers of ten relative to SI, ascending.
     pub(super) fn scales(self) -> Vec<(String, i32)> {
         let scales: &[(&str, i32)] = match self {
             Self::Length => &[("nm", -9), ("um", -6), ("mm", -3), ("m", 0)],

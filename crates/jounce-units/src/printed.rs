@@ -1,9 +1,10 @@
-//! A quantity as short text.
+//! Printing of a quantity as short text.
 
 use super::Quantity;
 
 impl Quantity {
-    /// Prints a value in SI with the unit that keeps the number short; [`Quantity::read`] gives the same bits back.
+    /// Prints a value in SI with the unit that gives the shortest number; [`Quantity::read`]
+    /// returns the same bits.
     ///
     /// ```
     /// use jounce_units::Quantity;
@@ -27,7 +28,8 @@ impl Quantity {
     }
 }
 
-/// A mantissa `d.ddd` with its decimal point moved right by `exponent` places; far shifts keep an exponent.
+/// Returns a mantissa `d.ddd` with its decimal point moved right by `exponent` places; large shifts
+/// retain an exponent.
 fn shifted(mantissa: &str, exponent: i32) -> String {
     if exponent == 0 || !mantissa.contains(|c: char| c.is_ascii_digit()) {
         return mantissa.to_owned();

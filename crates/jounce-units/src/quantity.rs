@@ -1,4 +1,4 @@
-//! The kinds of quantity that a spec knows, their reading and their printing.
+//! Kinds of quantity in a spec, their reading and printing.
 
 use super::clip::clip;
 use super::decimal::Decimal;
@@ -6,7 +6,7 @@ use super::error::QuantityError;
 use super::expression::{Unit, UnitFault};
 use std::borrow::Cow;
 
-/// No quantity needs more characters than this.
+/// Largest number of characters of a quantity.
 const MAX_CHARS: usize = 200;
 
 /// A kind of quantity; its value is always in the SI unit named here.
@@ -26,7 +26,7 @@ pub enum Quantity {
     Pressure,
     /// kg/m^3
     Density,
-    /// m/V, the same as C/N
+    /// m/V, equal to C/N
     ChargePerForce,
     /// F
     Capacitance,
@@ -45,9 +45,9 @@ pub enum Quantity {
     InverseSpeed,
     /// m/s
     Speed,
-    /// m/s^2; `g` is 9.80665 of it
+    /// m/s^2; `g` is 9.80665 m/s^2
     Acceleration,
-    /// (m/s^2)^2/Hz, one-sided; `g^2/Hz` is 9.80665^2 of it
+    /// (m/s^2)^2/Hz, one-sided; `g^2/Hz` is 9.80665^2 (m/s^2)^2/Hz
     AccelerationPsd,
     /// N^2/Hz, one-sided
     ForcePsd,
@@ -71,10 +71,12 @@ impl Quantity {
     /// Reads `"NUMBER UNIT"` and returns the value in SI.
     ///
     /// # Errors
-    /// A text without number, without unit, with an unknown unit or with one of another kind.
+    /// A text without a number, without a unit, with an unknown unit or with a unit of another
+    /// kind.
     ///
     /// # Validation
-    /// `units::quantity::tests::values_are_the_nearest_floats`: bit for bit the literal wherever the factor is a power of ten.
+    /// `units::quantity::tests::values_are_the_nearest_floats`: bit for bit the literal wherever
+    /// the factor is a power of ten.
     ///
     /// ```
     /// use jounce_units::Quantity;
@@ -96,7 +98,7 @@ impl Quantity {
         Ok(value)
     }
 
-    /// A text as whole digits times a power of ten, where it is exactly that in SI.
+    /// Returns a text as integer digits times a power of ten, if it has exactly that value in SI.
     pub fn exact(self, text: &str) -> Option<(i128, i64)> {
         let (number, unit) = self.split(text).ok()?;
         let decimal = unit.up == 1.0 && unit.down == 1.0 && unit.power_of_ten.fract() == 0.0;
@@ -132,7 +134,7 @@ impl Quantity {
         if rest.starts_with(',') {
             return Err(QuantityError::Malformed {
                 text: shown,
-                why: "decimals take a point, not a comma".to_owned(),
+                why: "write decimals with a point, not a comma".to_owned(),
                 due: due(),
             });
         }
@@ -158,7 +160,7 @@ impl Quantity {
         Ok((number, unit))
     }
 
-    /// The unit with `g` as the acceleration of gravity where accelerations are due.
+    /// Returns the unit, with `g` as the acceleration of gravity if an acceleration is expected.
     fn spelled(self, unit: &str) -> Cow<'_, str> {
         if !matches!(self, Self::Acceleration | Self::AccelerationPsd) {
             return Cow::Borrowed(unit);
@@ -227,7 +229,7 @@ mod tests {
                 "{text}"
             );
         }
-        // 10^4.5 is no power of ten with a whole exponent: one rounding more.
+        // 10^4.5 is not a power of ten with an integer exponent: one rounding more.
         let value = contact.read("1 N/mm^1.5").unwrap();
         assert!(
             (value / 31_622.776_601_683_793 - 1.0).abs() < 4e-16,
@@ -241,42 +243,42 @@ mod tests {
             (
                 Quantity::Frequency,
                 "13 mm",
-                "\"13 mm\" is a length; a frequency is due, in Hz, kHz, 1/min",
+                "\"13 mm\" is a length; expected a frequency in Hz, kHz, 1/min",
             ),
             (
                 Quantity::Frequency,
                 "13 rad/s",
-                "\"13 rad/s\" is an angular frequency; a frequency is due, in Hz, kHz, 1/min",
+                "\"13 rad/s\" is an angular frequency; expected a frequency in Hz, kHz, 1/min",
             ),
             (
                 Quantity::Frequency,
                 "13",
-                "13 has no unit; a frequency is due, in Hz, kHz, 1/min",
+                "13 has no unit; expected a frequency in Hz, kHz, 1/min",
             ),
             (
                 Quantity::Force,
                 "fifty N",
-                "\"fifty N\" does not start with a number; a force is due, in N, mN, kN",
+                "\"fifty N\" does not start with a number; expected a force in N, mN, kN",
             ),
             (
                 Quantity::Force,
                 "nan N",
-                "\"nan N\" does not start with a number; a force is due, in N, mN, kN",
+                "\"nan N\" does not start with a number; expected a force in N, mN, kN",
             ),
             (
                 Quantity::Force,
                 "5 newtons",
-                "\"5 newtons\": \"newtons\" is no known unit; a force is due, in N, mN, kN",
+                "\"5 newtons\": \"newtons\" is not a known unit; expected a force in N, mN, kN",
             ),
             (
                 Quantity::Damping,
                 "5 N/m s",
-                "a product after a quotient reads both ways; use parentheses, as in N/(m s)",
+                "a product after a quotient is ambiguous; use parentheses, as in N/(m s)",
             ),
             (
                 Quantity::Length,
                 "1,5 mm",
-                "decimals take a point, not a comma",
+                "write decimals with a point, not a comma",
             ),
             (
                 Quantity::Length,
@@ -291,20 +293,24 @@ mod tests {
             (
                 Quantity::Pressure,
                 "1 N/m2",
-                "a power is written with ^, as in m^2",
+                "write a power with ^, as in m^2",
             ),
-            (Quantity::Pressure, "1 N/m^99", "powers go from -12 to 12"),
+            (
+                Quantity::Pressure,
+                "1 N/m^99",
+                "powers must be from -12 to 12",
+            ),
             (
                 Quantity::Pressure,
                 "1 N/(m^2",
                 "a parenthesis is not closed",
             ),
-            (Quantity::Pressure, "1 N//m^2", "`/` is not expected there"),
-            (Quantity::Pressure, "1 N/", "the unit stops too early"),
+            (Quantity::Pressure, "1 N//m^2", "unexpected `/`"),
+            (Quantity::Pressure, "1 N/", "the unit is incomplete"),
             (
                 Quantity::ContactStiffness { exponent: 2.0 },
                 "1 N/m^1.5",
-                "is a contact stiffness in N/m^1.5; a contact stiffness is due, in N/m^2, kN/m^2",
+                "is a contact stiffness in N/m^1.5; expected a contact stiffness in N/m^2, kN/m^2",
             ),
         ] {
             let refusal = quantity.read(text).unwrap_err().to_string();

@@ -11,7 +11,7 @@ pub(super) struct UnitSymbol {
     pub(super) dimension: Dimension,
 }
 
-/// Names, exponents of kg, m, s, A, rad, and the power of ten against SI; all take prefixes.
+/// Names, exponents of kg, m, s, A, rad, and the power of ten relative to SI; all take prefixes.
 const PREFIXED: &[(&[&str], [i8; 5], i32)] = &[
     (&["m"], [0, 1, 0, 0, 0], 0),
     (&["g"], [1, 0, 0, 0, 0], -3),
@@ -71,7 +71,7 @@ const PREFIXES: &[(&str, i32)] = &[
 ];
 
 impl UnitSymbol {
-    /// Looks a symbol up: as it stands first, then as prefix and symbol.
+    /// Finds a symbol: first as written, then as prefix and symbol.
     pub(super) fn find(name: &str) -> Option<Self> {
         Self::bare(name).or_else(|| {
             PREFIXES.iter().find_map(|(prefix, power)| {

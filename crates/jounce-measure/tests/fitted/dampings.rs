@@ -119,7 +119,7 @@ fn a_number_beyond_the_list_or_named_twice_is_told() {
         .expect_err("a fault")
         .to_string()
     };
-    let beyond = "free.damping.ratios.5: damping.ratios.5: damping.ratios holds 4 numbers; name one of them, from damping.ratios.1 to damping.ratios.4";
+    let beyond = "free.damping.ratios.5: damping.ratios.5: damping.ratios holds 4 numbers; write one of damping.ratios.1 to damping.ratios.4";
     assert_eq!(told(&[("damping.ratios.5", 0.3)]), beyond);
     let twice = told(&[("damping.ratios", 0.3), ("damping.ratios.2", 0.3)]);
     assert!(twice.contains("damping.ratios.2 is free twice"), "{twice}");

@@ -1,15 +1,16 @@
-//! What the motions of bases do to the gaps between them.
+//! Effect of base motions on the gaps between bases.
 //!
-//! Displacements are relative to the base that a body stands on. Where the two sides of a stop stand on two bases, the displacement
-//! towards the stop is
+//! Displacements are relative to the base under a body. If the two sides of a stop are on two
+//! bases, the displacement towards the stop is
 //!
 //! ```text
 //! shape . q + sum_b share_b X_b(t)
 //! ```
 //!
-//! with `X_b` the displacement of base `b` (m) and `share_b` 1 or -1. Of a sinusoidal acceleration `a` the displacement is `-a / w^2`, that
-//! which does not drift; of any other course it is the twofold integral, from rest at 0 before the course begins. The bases put in the
-//! work `integral f sum_b share_b X_b' dt` of the contact force `f`, beside that of the inertial forces.
+//! with `X_b` the displacement of base `b` (m) and `share_b` 1 or -1. For a sinusoidal acceleration
+//! `a` the displacement is `-a / w^2`, the solution without drift. For any other signal it is the
+//! double integral, from rest at 0 before the signal begins. The bases do the work `integral f
+//! sum_b share_b X_b' dt` of the contact force `f`, in addition to the work of the inertial forces.
 
 use super::{Plant, Stop};
 use crate::drive::{Travel, Wave};
@@ -29,7 +30,7 @@ impl Stop {
 }
 
 impl Plant {
-    /// Complex displacement towards a stop that the motions of the bases make under each tone, m.
+    /// Returns the complex displacement towards a stop due to the base motions under each tone, m.
     pub(super) fn approach_of_tones(&self, stop: &Stop) -> Vec<c64> {
         let mut sums = vec![c64::new(0.0, 0.0); self.tones.len()];
         for drive in &self.system.drives {
@@ -48,7 +49,7 @@ impl Plant {
         sums
     }
 
-    /// Displacement towards a stop per displacement of the base that each signal moves.
+    /// Returns the displacement towards a stop per displacement of the base that each signal moves.
     fn approach_of_signals(&self, stop: &Stop) -> Vec<f64> {
         self.system
             .signals
@@ -57,7 +58,8 @@ impl Plant {
             .collect()
     }
 
-    /// Tells every port what the signals do to its gap, and where they take the bases.
+    /// Stores in every port the effect of the signals on its gap, and computes the displacements of
+    /// the bases.
     pub(super) fn approach(&mut self) {
         let shares: Vec<Vec<f64>> = self
             .system
@@ -83,7 +85,7 @@ impl Plant {
             .for_each(|(port, own)| port.approach = own);
     }
 
-    /// Displacement towards a stop that the motions of the bases have made by a time, m.
+    /// Returns the displacement towards a stop due to the base motions at a time, m.
     pub fn approached_m(&self, stop: usize, time_s: f64) -> f64 {
         let Some(port) = self.ports.get(stop) else {
             return 0.0;
@@ -110,7 +112,7 @@ impl Plant {
         tones + travelled.sum::<f64>()
     }
 
-    /// The first stop between two bases, by name.
+    /// Returns the first stop between two bases, by name.
     pub fn stop_between_bases(&self) -> Option<&str> {
         self.system
             .stops

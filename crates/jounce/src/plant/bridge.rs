@@ -1,11 +1,13 @@
-//! Rectifiers: a bridge of diodes between patches and a storage, alone or with a switch.
+//! Rectifiers: a diode bridge between patches and a storage, alone or with a switch.
 //!
-//! A path of two diodes carries `i = (|V| - V_s - E) / r >= 0`, with `V` the voltage of the patches, `V_s` that of the storage, `E` the
-//! drop of both diodes (and the voltage of a battery) and `r` their resistance. While nothing changes between carrying and blocking the
-//! circuit is linear; it changes where a [`EventFunction`] is met.
+//! A path of two diodes carries `i = (|V| - V_s - E) / r >= 0`, with `V` the voltage of the
+//! patches, `V_s` the voltage of the storage, `E` the drop of both diodes (plus the voltage of a
+//! battery) and `r` their resistance. Between changes of the conduction state the circuit is
+//! linear; an [`EventFunction`] detects each change.
 //!
-//! Sources: Y. C. Shu and I. C. Lien, Smart Mater. Struct. 15 (2006) 1499 (bridge); D. Guyomar, A. Badel, E. Lefeuvre and C. Richard,
-//! IEEE Trans. UFFC 52 (2005) 584 (synchronised switches); E. Lefeuvre et al., Sens. Actuators A 126 (2006) 405 (comparison).
+//! Sources: Y. C. Shu and I. C. Lien, Smart Mater. Struct. 15 (2006) 1499 (bridge); D. Guyomar, A.
+//! Badel, E. Lefeuvre and C. Richard, IEEE Trans. UFFC 52 (2005) 584 (synchronised switches); E.
+//! Lefeuvre et al., Sens. Actuators A 126 (2006) 405 (comparison).
 
 use super::system::Connection;
 use super::{Electrical, System};
@@ -18,47 +20,49 @@ use crate::spec::Wiring;
 pub struct Bridge {
     /// Name of the circuit.
     pub name: String,
-    /// The patches and how they are connected.
+    /// Patches and their connection.
     pub connections: Vec<Connection>,
-    /// How several patches stand to each other.
+    /// Connection of several patches.
     pub wiring: Wiring,
-    /// What extracts the charge.
+    /// Extraction scheme.
     pub scheme: Scheme,
-    /// What takes it.
+    /// Storage.
     pub storage: Storage,
-    /// Drop of the two diodes of a path together, V.
+    /// Total drop of the two diodes of a path, V.
     pub drop_v: f64,
     /// Resistance of the path while it conducts, ohm.
     pub diode_ohm: f64,
-    /// Resistance across the storage through which it leaks, ohm.
+    /// Leakage resistance across the storage, ohm.
     pub leakage_ohm: Option<f64>,
-    /// What it does now.
+    /// Current state of the bridge.
     pub state: BridgeState,
 }
 
-/// How charge comes out of the patches.
+/// Extraction scheme of the charge of the patches.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Scheme {
-    /// Through the diodes alone.
+    /// Through the diodes only.
     Standard,
-    /// Through the diodes; at each extremum of the charge that the motion displaces a switch turns the voltage over, `V -> -q V`.
+    /// Through the diodes; at each extremum of the displaced charge a switch inverts the voltage,
+    /// `V -> -q V`.
     ParallelSshi {
         /// `q`, 0 to 1.
         inversion: f64,
     },
-    /// At each extremum a switch connects the patches to the bridge through an inductor: the voltage swings about that of the storage.
+    /// At each extremum a switch connects the patches to the bridge through an inductor: the
+    /// voltage oscillates about the voltage of the storage.
     SeriesSshi {
-        /// `q` of the swing.
+        /// `q` of the oscillation.
         inversion: f64,
     },
-    /// At each extremum all energy of the patches is taken out.
+    /// At each extremum all energy of the patches is extracted.
     Extraction {
-        /// Share of it that arrives.
+        /// Efficiency of the extraction.
         efficiency: f64,
     },
 }
 
-/// What takes the charge.
+/// Storage of the charge.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Storage {
     /// A capacitor with a load across it.
@@ -75,29 +79,29 @@ pub enum Storage {
     },
 }
 
-/// Which diodes conduct.
+/// Conducting diodes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Conduction {
-    /// None.
+    /// No diode conducts.
     #[default]
     Blocked,
-    /// Those of positive voltage.
+    /// Diodes of positive voltage.
     Positive,
-    /// Those of negative voltage.
+    /// Diodes of negative voltage.
     Negative,
 }
 
-/// What a bridge does at a time.
+/// State of a bridge at a time.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct BridgeState {
-    /// Which diodes conduct.
+    /// Conducting diodes.
     pub conduction: Conduction,
-    /// The next extremum of a switch is met from above: the displaced charge `theta . q` now grows.
+    /// The next extremum of a switch is a maximum: the displaced charge `theta . q` is increasing.
     pub rising: bool,
 }
 
 impl Conduction {
-    /// 1, -1 or 0.
+    /// Returns 1, -1 or 0.
     pub fn sign(self) -> f64 {
         match self {
             Self::Blocked => 0.0,
@@ -108,7 +112,8 @@ impl Conduction {
 }
 
 impl Bridge {
-    /// Voltage against which the path conducts beside that of a storage capacitor, V.
+    /// Returns the voltage above which the path conducts, in addition to that of a storage
+    /// capacitor, V.
     pub fn threshold_v(&self) -> f64 {
         match self.storage {
             Storage::Capacitor { .. } => self.drop_v,
@@ -116,12 +121,12 @@ impl Bridge {
         }
     }
 
-    /// True where a switch acts at extrema.
+    /// True if a switch acts at extrema.
     pub fn has_switch(&self) -> bool {
         !matches!(self.scheme, Scheme::Standard)
     }
 
-    /// Number of states, and the place of one among them.
+    /// Returns the number of states, and the index of the current one.
     pub fn states(&self) -> usize {
         if self.has_switch() { 6 } else { 3 }
     }
@@ -137,12 +142,13 @@ impl Bridge {
 }
 
 impl System {
-    /// Number of regimes: of all states of all bridges.
+    /// Returns the number of conduction states of all bridges together.
     pub fn regimes(&self) -> usize {
         self.bridges.iter().map(Bridge::states).product()
     }
 
-    /// Number of the regime in which the bridges have some states; 0 is that in which all are blocked.
+    /// Returns the index of the conduction state for given states of the bridges; 0 is the one with
+    /// all bridges blocked.
     pub fn regime(&self, states: &[BridgeState]) -> usize {
         self.bridges
             .iter()
@@ -152,7 +158,7 @@ impl System {
             })
     }
 
-    /// The states of the bridges in a regime.
+    /// Returns the states of the bridges in a conduction state.
     pub fn bridge_states(&self, regime: usize) -> Vec<BridgeState> {
         let mut rest = regime;
         let mut states: Vec<BridgeState> = (self.bridges.iter().rev())
@@ -176,8 +182,9 @@ impl System {
         states
     }
 
-    /// The system in a regime. While diodes conduct, the voltage of their patches is counted from where the threshold would hold it, which
-    /// pushes the structure as a constant force.
+    /// Returns the system in a conduction state. While diodes conduct, the voltage of their patches
+    /// is measured from its equilibrium value at the threshold, which acts on the structure as a
+    /// constant force.
     pub fn in_regime(&self, regime: usize) -> Self {
         let mut system = self.clone();
         system

@@ -1,6 +1,7 @@
-//! Components of the coupled system: what is coupled to each other, and its eigenvectors.
+//! Components of the coupled system: groups of coupled states and their eigenvectors.
 //!
-//! Everything here is in energy coordinates, `(w q, q', sqrt(C) V, sqrt(L) i)`, those of conducting paths turned ([`super::conduction_path`]); see
+//! All matrices here are in energy coordinates, `(w q, q', sqrt(C) V, sqrt(L) i)`; coordinates of
+//! conducting paths are rotated ([`super::conduction_path`]); see
 //! [`super::diagonal`](super::Diagonal).
 
 use super::conduction_path::ConductionPath;
@@ -8,7 +9,7 @@ use super::eigen_refinement::refined;
 use super::{BlockPair, Electrical, PlantError, System};
 use faer::{Mat, c64};
 
-/// One block with its columns of `T`, and whether it is known in closed form.
+/// One block with its columns of `T`, and a flag for a closed form.
 pub(super) struct ComponentBlock {
     pub block: PieceBlock,
     pub exact: bool,
@@ -20,16 +21,16 @@ pub(super) enum PieceBlock {
     Real(f64, Vec<f64>),
 }
 
-/// `A` in energy coordinates, those of conducting paths turned (see [`ConductionPath`]).
+/// `A` in energy coordinates; coordinates of conducting paths are rotated (see [`ConductionPath`]).
 pub(super) struct CoupledMatrix {
     pub matrix: Mat<f64>,
-    /// Factor of each physical state that makes its square an energy.
+    /// Factor of each physical state that makes the square of the state an energy.
     pub scale: Vec<f64>,
-    /// Diodes that conduct.
+    /// Conducting diodes.
     pub paths: Vec<ConductionPath>,
     /// Number of modes.
     pub modes: usize,
-    /// Nodes that keep their charge.
+    /// Nodes of constant charge.
     open: Vec<usize>,
 }
 
@@ -84,7 +85,8 @@ impl CoupledMatrix {
     }
 }
 
-/// Rows and columns of the modes alone, and what turns their coordinates into roots of energies.
+/// Writes the rows and columns of the modes, and the factors that convert their coordinates to
+/// roots of energies.
 fn mechanics(system: &System, matrix: &mut Mat<f64>, scale: &mut [f64]) {
     let (modes, n) = (&system.modes, system.modes.len());
     for i in 0..n {
@@ -101,7 +103,8 @@ fn mechanics(system: &System, matrix: &mut Mat<f64>, scale: &mut [f64]) {
     }
 }
 
-/// Groups of states that are coupled: each a list of modes (below `n`) and electrical states (from `2 n` on).
+/// Returns the groups of coupled states, each a list of modes (below `n`) and electrical states
+/// (from `2 n` on).
 pub(super) fn components(system: &System, electrical: &Electrical) -> Vec<Vec<usize>> {
     let n = system.modes.len();
     let mut groups: Vec<Vec<usize>> = (0..n).map(|mode| vec![mode]).collect();
@@ -150,7 +153,8 @@ pub(super) fn components(system: &System, electrical: &Electrical) -> Vec<Vec<us
     groups
 }
 
-/// Closed form of a mode that drives no patch, in energy coordinates `(w q, q')`; `(q, q')` of a free body.
+/// Closed form of a mode that drives no patch, in energy coordinates `(w q, q')`; in `(q, q')` for
+/// a free body.
 pub(super) fn single_mode(
     system: &System,
     mode: usize,
@@ -169,7 +173,7 @@ pub(super) fn single_mode(
         column
     };
     if w == 0.0 && friction_per_s > 0.0 {
-        // Where it is stays; its velocity decays, and with it the way that is left, q'/a.
+        // The position is constant; the velocity decays, and with it the remaining distance, q'/a.
         let length = 1.0_f64.hypot(friction_per_s);
         let slowing = column(1.0 / length, -friction_per_s / length);
         return vec![
@@ -200,7 +204,7 @@ pub(super) fn single_mode(
         )];
     }
     let fast = decay - w * ((zeta - 1.0) * (zeta + 1.0)).sqrt();
-    // The product of the two rates is w^2: no cancellation in the slow one.
+    // The product of the two rates is w^2, so the slow rate has no cancellation.
     [fast, w * w / fast]
         .into_iter()
         .map(|rate| {
@@ -215,7 +219,7 @@ pub(super) fn single_mode(
         .collect()
 }
 
-/// Eigenvectors of a component with patches, in energy coordinates.
+/// Returns the eigenvectors of a component with patches, in energy coordinates.
 pub(super) fn coupled(
     states: &[usize],
     assembly: &CoupledMatrix,
@@ -296,8 +300,9 @@ pub(super) fn coupled(
         .collect())
 }
 
-/// The states at rest that the charges of open nodes hold, `sqrt(C) V = 1` and `w q = theta V / w`, one per open node of a component;
-/// none where a rigid-body mode is coupled, whose rest they do not define.
+/// Returns the equilibria due to the charges of open nodes, `sqrt(C) V = 1` and `w q = theta V /
+/// w`, one per open node of a component. Empty if a rigid-body mode is coupled, because it has no
+/// unique equilibrium.
 fn conserved_charges(all: &[usize], local: &Mat<f64>, assembly: &CoupledMatrix) -> Vec<Vec<f64>> {
     let n = assembly.modes;
     let open = all
@@ -322,7 +327,8 @@ fn conserved_charges(all: &[usize], local: &Mat<f64>, assembly: &CoupledMatrix) 
         .unwrap_or_default()
 }
 
-/// Orthonormal columns that span what is orthogonal to some states; the identity where there are none.
+/// Returns orthonormal columns that span the complement of some states; the identity if there are
+/// no such states.
 fn complement(states: &[Vec<f64>], size: usize) -> Mat<f64> {
     if states.is_empty() {
         return Mat::identity(size, size);

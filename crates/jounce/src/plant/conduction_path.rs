@@ -1,18 +1,20 @@
-//! A conducting path in a coordinate of its own, so that however fast it is nothing slow is lost beside it.
+//! Separate coordinate for a conducting path, so a fast path causes no loss of accuracy in slow
+//! states.
 //!
-//! Between the patches and their storage, in the roots of energies `u = sqrt(C) V`, a path of conductance `g` takes out `-g d (d . u)` with
-//! `d = (1 / sqrt(C), -s / sqrt(C_s))`. Written at both nodes, `g / C_s` swallows what the load takes; along `d / |d|` it is one entry of
-//! the diagonal, `-g |d|^2`, and across it nothing.
+//! Between the patches and their storage, in the roots of energies `u = sqrt(C) V`, a path of
+//! conductance `g` contributes `-g d (d . u)` with `d = (1 / sqrt(C), -s / sqrt(C_s))`. In the
+//! coordinates of the two nodes, `g / C_s` swamps the current of the load. Along `d / |d|` the path
+//! is one diagonal entry, `-g |d|^2`, and across it zero.
 
 use super::Electrical;
 use faer::Mat;
 
-/// A turn of the coordinates of two nodes, and the rate along the first.
+/// A rotation of the coordinates of two nodes, and the rate along the first.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct ConductionPath {
-    /// State of the patches, which becomes that along the path.
+    /// State of the patches, which becomes the state along the path.
     first: usize,
-    /// State of the storage, which becomes that across it; none for a battery.
+    /// State of the storage, which becomes the state across the path; `None` for a battery.
     second: Option<usize>,
     cosine: f64,
     sine: f64,
@@ -21,7 +23,8 @@ pub(super) struct ConductionPath {
 }
 
 impl ConductionPath {
-    /// Of all diodes that conduct; `states` is the number of states before those of nodes.
+    /// Returns the paths of all conducting diodes; `states` is the number of states before the
+    /// nodes.
     pub fn of_all(electrical: &Electrical, states: usize) -> Vec<Self> {
         let of = |link: &super::electrical::Conductance| {
             let along = |node: usize, sign: f64| sign / electrical.nodes[node].capacitance_f.sqrt();
@@ -41,7 +44,7 @@ impl ConductionPath {
         electrical.links.iter().map(of).collect()
     }
 
-    /// A matrix without the path in the coordinates of the path, and with it.
+    /// Returns a matrix without the path in the coordinates of the path, and with it.
     pub fn enter(&self, matrix: &mut Mat<f64>) {
         if let Some(second) = self.second {
             for j in 0..matrix.ncols() {
@@ -53,7 +56,7 @@ impl ConductionPath {
         matrix[(self.first, self.first)] += self.rate_per_s;
     }
 
-    /// Rows that act on roots of energies as rows that act on the coordinates of the path.
+    /// Converts rows on roots of energies to rows on the coordinates of the path.
     fn enter_columns(&self, rows: &mut Mat<f64>) {
         let Some(second) = self.second else { return };
         for i in 0..rows.nrows() {
@@ -62,7 +65,7 @@ impl ConductionPath {
         }
     }
 
-    /// Columns in the coordinates of the path as roots of energies.
+    /// Converts columns in the coordinates of the path to roots of energies.
     pub fn leave(&self, columns: &mut Mat<f64>) {
         let Some(second) = self.second else { return };
         for j in 0..columns.ncols() {
@@ -71,7 +74,7 @@ impl ConductionPath {
         }
     }
 
-    /// Rows that act on the coordinates of the path as rows that act on roots of energies.
+    /// Converts rows on the coordinates of the path to rows on roots of energies.
     pub fn leave_columns(&self, rows: &mut Mat<f64>) {
         let Some(second) = self.second else { return };
         for i in 0..rows.nrows() {

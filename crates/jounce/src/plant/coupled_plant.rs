@@ -8,47 +8,47 @@ use crate::drive::Travel;
 use faer::{Mat, c64};
 use std::sync::Arc;
 
-/// A coupled electromechanical system ready to be solved.
+/// A diagonalised electromechanical system.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Plant {
-    /// What it was made from.
+    /// System from which the plant was made.
     pub system: System,
-    /// Its electrical states.
+    /// Electrical states of the system.
     pub electrical: Electrical,
-    /// The diagonal form; plants that differ in drives, signals or stops share it.
+    /// Diagonal form; plants that differ in drives, signals or stops share it.
     pub diagonal: Arc<Diagonal>,
     /// One per distinct drive frequency.
     pub tones: Vec<Tone>,
     /// One per signal, in the order of `system.signals`.
     pub forcings: Vec<Forcing>,
-    /// One per signal: where it takes its base, where a stop feels that.
+    /// One per signal: displacement of its base, if a stop depends on it.
     pub travels: Vec<Option<Arc<Travel>>>,
-    /// States whose answer to signals is local (see [`Forcing`]).
+    /// States with a local response to signals (see [`Forcing`]).
     pub local: Vec<bool>,
-    /// One per stop, in the order of `system.stops`, then one per guard.
+    /// One per stop, in the order of `system.stops`, then one per event function.
     pub ports: Vec<Port>,
-    /// What changes the bridges.
+    /// Event functions of the bridges.
     pub guards: Vec<EventFunction>,
 }
 
-/// Where one scalar nonlinearity acts: rows and column in block coordinates.
+/// Port of a scalar nonlinearity: rows and column in block coordinates.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Port {
     /// Row of the displacement towards the stop, m.
     pub displacement: Vec<f64>,
-    /// Row of its velocity, m/s.
+    /// Row of the velocity towards the stop, m/s.
     pub velocity: Vec<f64>,
     /// Column of a compressive unit force, per N.
     pub force: Vec<f64>,
-    /// Complex displacement of each tone, m, the motions of bases included.
+    /// Complex displacement of each tone, m, including the motions of bases.
     pub steady_m: Vec<c64>,
-    /// The share of the motions of bases in it, m.
+    /// Part of it due to the motions of bases, m.
     pub approach_m: Vec<c64>,
     /// Displacement per displacement of the base that each signal moves.
     pub approach: Vec<f64>,
     /// Velocity lost towards the stop per unit impulse, 1/kg.
     pub mobility_per_kg: f64,
-    /// What the displacement must pass, m.
+    /// Threshold of the displacement, m.
     pub gap_m: f64,
 }
 
@@ -87,7 +87,7 @@ impl Plant {
         Ok(plant)
     }
 
-    /// The same plant under other drives; the diagonal form is kept.
+    /// Returns this plant under other drives; the diagonal form is reused.
     ///
     /// # Errors
     /// [`PlantError::UndampedResonance`].
@@ -100,7 +100,7 @@ impl Plant {
         Ok(plant)
     }
 
-    /// The same plant under other signals.
+    /// Returns this plant under other signals.
     pub fn with_signals(&self, signals: Vec<Signal>) -> Self {
         let mut plant = self.clone();
         plant.local = self.local_states(&signals);
@@ -113,7 +113,8 @@ impl Plant {
         plant
     }
 
-    /// Size of the motion at the ports, m: the largest steady amplitude or magnitude of a gap of any; 0 without one.
+    /// Returns the magnitude of the motion at the ports, m: the largest steady amplitude or
+    /// absolute gap of all ports; 0 without ports.
     pub fn scale_m(&self) -> f64 {
         let size = |(port, stop): (&Port, &super::Stop)| {
             port.steady_m
@@ -127,7 +128,7 @@ impl Plant {
             .fold(0.0, f64::max)
     }
 
-    /// The same plant against other stops.
+    /// Returns this plant with other stops.
     pub fn with_stops(&self, stops: Vec<super::Stop>) -> Self {
         let mut plant = self.clone();
         plant.system.stops = stops;
@@ -136,33 +137,34 @@ impl Plant {
         plant
     }
 
-    /// Number of states.
+    /// Returns the number of states.
     pub fn len(&self) -> usize {
         self.diagonal.block.len()
     }
 
-    /// True without any state.
+    /// True without states.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
-    /// Row in block coordinates of `sum_i shape_i q_i`.
+    /// Returns the row of `sum_i shape_i q_i` in block coordinates.
     pub fn displacement_row(&self, shape: &[f64]) -> Vec<f64> {
         self.row(shape, 0)
     }
 
-    /// Row in block coordinates of `sum_i shape_i q_i'`.
+    /// Returns the row of `sum_i shape_i q_i'` in block coordinates.
     pub fn velocity_row(&self, shape: &[f64]) -> Vec<f64> {
         self.row(shape, self.system.modes.len())
     }
 
-    /// Row in block coordinates of `q_i'`.
+    /// Returns the row of `q_i'` in block coordinates.
     pub(super) fn modal_velocity_row(&self, mode: usize) -> Vec<f64> {
         let (matrix, state) = (&self.diagonal.to_physical, self.system.modes.len() + mode);
         (0..self.len()).map(|j| matrix[(state, j)]).collect()
     }
 
-    /// Row in block coordinates of the voltage of patch number `patch` (in the order of `system.modes.patch`).
+    /// Returns the row of the voltage of patch number `patch` (in the order of
+    /// `system.modes.patch`) in block coordinates.
     pub fn voltage_row(&self, patch: usize) -> Vec<f64> {
         let mut values = vec![0.0; self.electrical.nodes.len()];
         self.electrical.patch[patch]
@@ -171,7 +173,8 @@ impl Plant {
         self.row(&values, 2 * self.system.modes.len())
     }
 
-    /// Row in block coordinates of the voltage across the resistor of load number `load` (in the order of `system.loads`).
+    /// Returns the row of the voltage across the resistor of load number `load` (in the order of
+    /// `system.loads`) in block coordinates.
     pub fn load_voltage_row(&self, load: usize) -> Vec<f64> {
         let first = 2 * self.system.modes.len();
         match self.electrical.load[load] {
@@ -184,7 +187,7 @@ impl Plant {
         }
     }
 
-    /// Voltage of each patch in a physical state, V.
+    /// Returns the voltage of each patch in a physical state, V.
     pub fn patch_voltages_v(&self, x: &[f64]) -> Vec<f64> {
         let nodes = &x[2 * self.system.modes.len()..];
         self.electrical
@@ -199,7 +202,7 @@ impl Plant {
             .collect()
     }
 
-    /// Column in block coordinates of a modal force `shape`.
+    /// Returns the column of a modal force `shape` in block coordinates.
     pub fn force_column(&self, shape: &[f64]) -> Vec<f64> {
         let (n, inverse) = (self.system.modes.len(), &self.diagonal.from_physical);
         (0..self.len())
@@ -213,7 +216,7 @@ impl Plant {
             .collect()
     }
 
-    /// Column in block coordinates of a unit acceleration of the base, per m/s^2.
+    /// Returns the column of a unit acceleration of the base in block coordinates, per m/s^2.
     pub fn base_column(&self) -> Vec<f64> {
         let against: Vec<f64> = self
             .system
@@ -225,7 +228,8 @@ impl Plant {
         self.force_column(&against)
     }
 
-    /// Block coordinates of a physical state `(q, q', V, i)` at time `t`, the steady part taken away.
+    /// Returns the block coordinates of a physical state `(q, q', V, i)` at time `t`, without the
+    /// steady part.
     pub fn from_physical(&self, x: &[f64], time_s: f64) -> Vec<f64> {
         let steady = self.steady_at(time_s);
         let mut y = product(&self.diagonal.from_physical, &self.counted(x));
@@ -235,7 +239,7 @@ impl Plant {
         y
     }
 
-    /// Physical state `(q, q', V, i)` at time `t` of block coordinates `y`.
+    /// Returns the physical state `(q, q', V, i)` at time `t` for block coordinates `y`.
     pub fn to_physical(&self, y: &[f64], time_s: f64) -> Vec<f64> {
         let steady = self.steady_at(time_s);
         let full: Vec<f64> = y.iter().zip(&steady).map(|(y, s)| y + s).collect();
@@ -247,7 +251,8 @@ impl Plant {
         x
     }
 
-    /// One number of the physical state, integrated over a time, of integrated block coordinates.
+    /// Returns the time integral of one entry of the physical state, from integrated block
+    /// coordinates.
     pub fn integral_of(&self, y: &[f64], length_s: f64, place: usize) -> f64 {
         let matrix = &self.diagonal.to_physical;
         let zero_v = place
@@ -260,7 +265,7 @@ impl Plant {
             + zero_v.map_or(0.0, |zero_v| zero_v * length_s)
     }
 
-    /// Rate of the block coordinates of a physical state at a time, given the rate of that.
+    /// Returns the rate of the block coordinates for a physical state and its rate at a time.
     pub fn moving(&self, rate: &[f64], time_s: f64) -> Vec<f64> {
         let turning = |i: usize| -> f64 {
             let of = |tone: &Tone| {
@@ -278,7 +283,7 @@ impl Plant {
             .collect()
     }
 
-    /// A physical state with each voltage counted from the zero of its node.
+    /// Returns a physical state with each voltage measured from the zero of its node.
     fn counted(&self, x: &[f64]) -> Vec<f64> {
         let mut counted = x.to_vec();
         counted[2 * self.system.modes.len()..]
@@ -288,7 +293,7 @@ impl Plant {
         counted
     }
 
-    /// Largest `|eigenvalue|`, rad/s.
+    /// Returns the largest `|eigenvalue|`, rad/s.
     pub fn fastest_rad_s(&self) -> f64 {
         self.diagonal
             .block
@@ -340,7 +345,7 @@ impl Plant {
     }
 }
 
-/// Matrix times vector, column by column.
+/// Returns the product of a matrix and a vector, column by column.
 pub(crate) fn product(matrix: &Mat<f64>, vector: &[f64]) -> Vec<f64> {
     let mut sum = vec![0.0; matrix.nrows()];
     for (j, factor) in vector.iter().enumerate() {
@@ -351,7 +356,7 @@ pub(crate) fn product(matrix: &Mat<f64>, vector: &[f64]) -> Vec<f64> {
     sum
 }
 
-/// Real row times complex vector.
+/// Returns the product of a real row and a complex vector.
 pub(crate) fn dot(row: &[f64], vector: &[c64]) -> c64 {
     row.iter().zip(vector).map(|(r, v)| *v * *r).sum()
 }

@@ -1,20 +1,23 @@
-//! Diagonalisation of the coupled electromechanical system without drive and contact.
+//! Diagonalisation of the coupled electromechanical system without drives and contacts.
 //!
 //! ```text
 //! q_i'' + 2 zeta_i w_i q_i' + sum_jd c_d s_id s_jd q_j' + w_i^2 q_i = sum_k theta_ik V_k
 //! C_k V_k' + V_k / R_k + i_k + sum_i theta_ik q_i' = 0,     L i' = V - r i
 //! ```
 //!
-//! with the friction `c_d` (N s/m) of points of shape `s_d` (kg^-1/2). Modes, nodes and inductors that are coupled to each other form a
-//! component. A mode without a patch is its own component and is
-//! solved in closed form (free, critically damped and overdamped modes included); a component with patches is solved as a
-//! real eigenproblem in the coordinates `(w q, q', sqrt(C) V, sqrt(L) i)`, whose squares are energies, so that its matrix is
-//! skew-symmetric but for the losses and its eigenvectors are well conditioned.
+//! with the friction `c_d` (N s/m) of points of shape `s_d` (kg^-1/2). Coupled modes, nodes and
+//! inductors form a component. A mode without a patch is a component with a closed form (including
+//! free, critically damped and overdamped modes). A component with patches is solved as a real
+//! eigenproblem in the coordinates `(w q, q', sqrt(C) V, sqrt(L) i)`, whose squares are energies.
+//! Its matrix is therefore skew-symmetric except for the losses, and its eigenvectors are well
+//! conditioned.
 //!
-//! An open node keeps its charge, `C V + sum theta q`. In energy coordinates that row is also the state at rest that the charge holds,
-//! so it is taken out as an exact eigenvector of rate 0 and the rest is solved orthogonally to it.
+//! An open node has constant charge, `C V + sum theta q`. In energy coordinates that row is also
+//! the equilibrium due to the charge. It is split off as an exact eigenvector of rate 0, and the
+//! remainder is solved orthogonally to it.
 //!
-//! Validation: `tests/plant` checks the residual of `A T = T J` and the eigenvalues against the secular equation.
+//! Validation: `tests/plant` checks the residual of `A T = T J` and the eigenvalues against the
+//! secular equation.
 
 use super::component::{
     ComponentBlock, CoupledMatrix, PieceBlock, components, coupled, single_mode,
@@ -23,7 +26,7 @@ use super::{BlockDiagonal, BlockPair, Electrical, PlantError, System};
 use faer::Mat;
 use faer::linalg::solvers::DenseSolveCore;
 
-/// Largest condition number of the eigenvectors (in energy coordinates) that is accepted.
+/// Largest accepted condition number of the eigenvectors (in energy coordinates).
 const MAX_CONDITION: f64 = 1e7;
 
 /// `x = T y` with `x = (q, q', V, i)`, and the blocks of `A` in `y`.
@@ -55,7 +58,8 @@ impl Diagonal {
                 states => pieces.extend(coupled(states, &assembly)?),
             }
         }
-        // Pairs come before reals, each in order of its component, so that the layout depends on the system only.
+        // Pairs precede reals, each in the order of its component, so the layout depends only on
+        // the system.
         pieces.sort_by_key(|piece| matches!(piece.block, PieceBlock::Real(..)));
         Self::gather(pieces, &assembly)
     }
@@ -110,9 +114,10 @@ impl Diagonal {
     }
 }
 
-/// Replaces each computed eigenvalue by the diagonal of `T^-1 A T`: the Rayleigh correction, which holds low frequencies to
-/// their own relative roundoff where the eigenvalue solver only holds the largest. Closed forms stay: next to critical damping
-/// their difference would drown in the roundoff of the product.
+/// Replaces each computed eigenvalue by the diagonal of `T^-1 A T`, the Rayleigh correction. It
+/// gives low frequencies their own relative roundoff, while the eigenvalue solver does so only for
+/// the largest. Closed forms are retained: near critical damping the roundoff of the product would
+/// exceed the difference of their rates.
 fn polish(block: &mut BlockDiagonal, exact: &[bool], transformed: &Mat<f64>) {
     for (k, pair) in block
         .pairs

@@ -1,24 +1,29 @@
-//! Eigenvectors to the roundoff of each of their entries, where one state is far faster than all others.
+//! Refinement of eigenvectors to the roundoff of each entry, for a state far faster than all
+//! others.
 //!
-//! An eigenvalue solver leaves an error of its roundoff times the fastest rate in every entry. With `E = A V - V L` and `W = V^-1`,
+//! An eigenvalue solver leaves an error of its roundoff times the fastest rate in every entry. With
+//! `E = A V - V L` and `W = V^-1`,
 //!
 //! ```text
 //! L <- L + diag(W E),   V <- V + V X,   X_ij = (W E)_ij / (L_j - L_i)
 //! ```
 //!
-//! squares that error (Newton's method on `A v = l v` for all at once). The matrix must be graded: its fast rate in one entry of the
-//! diagonal, so that its slow ones are in it to their own roundoff.
+//! squares that error (Newton's method on `A v = l v` for all pairs at once). The matrix must be
+//! graded: its fast rate in one diagonal entry, so its slow rates are accurate to their own
+//! roundoff.
 
 use faer::linalg::solvers::DenseSolveCore;
 use faer::{Mat, c64};
 
-/// Two corrections: the first leaves the square of roundoff times the spread of the rates, which may be 1e-8.
+/// Two corrections: the first leaves the square of roundoff times the spread of the rates, which
+/// may reach 1e-8.
 const REFINEMENT_STEPS: usize = 2;
 
-/// Largest `X_ij` that is a correction. Beyond it the two eigenvalues are equal but for roundoff, and what their vectors span is right as it is.
+/// Largest `X_ij` that is applied as a correction. Above it the two eigenvalues are equal up to
+/// roundoff, and the span of their vectors is correct without correction.
 const MAX_CORRECTION: f64 = 1e-4;
 
-/// Eigenvalues and eigenvectors, corrected; real ones stay real.
+/// Returns corrected eigenvalues and eigenvectors; real ones remain real.
 pub(super) fn refined(
     matrix: &Mat<f64>,
     mut values: Vec<c64>,
@@ -61,8 +66,9 @@ pub(super) fn refined(
 mod tests {
     use super::*;
 
-    /// A fast state beside a slow one, `(l + f)(l + s) = a b`, twice over, the slow ones turned into each other: the slow root to 1e-15 of
-    /// itself, where the solver leaves 5e-8; and the vectors still span everything.
+    /// A fast state coupled to a slow one, `(l + f)(l + s) = a b`, twice, with the slow ones
+    /// rotated into each other. The slow root has an error of 1e-15 of itself, where the solver
+    /// leaves 5e-8. The vectors still span the complete space.
     #[test]
     fn slow_rates_beside_fast_ones_keep_their_digits() {
         let (fast, slow, a, b) = (1e9, 1.0, 3e3, -2e3);

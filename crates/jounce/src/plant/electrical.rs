@@ -1,51 +1,55 @@
-//! The electrical side as states: capacitive nodes and inductor currents.
+//! Electrical states: capacitive nodes and inductor currents.
 //!
 //! ```text
 //! C_n V_n' + V_n / R_n + sum_(inductors at n) i + sum_i theta_in q_i' = 0,      L i' = V_n - r i
 //! ```
 //!
-//! An open patch is a node. Patches in parallel share one: `C = sum C_p`, `theta = sum s_p theta_p` (`s_p` the sign of the connection).
-//! Patches in series carry one current; their voltages split into the terminal voltage `V = sum s_p V_p` with
+//! An open patch is a node. Patches in parallel share one: `C = sum C_p`, `theta = sum s_p theta_p`
+//! (`s_p` the sign of the connection). Patches in series carry one current; their voltages split
+//! into the terminal voltage `V = sum s_p V_p` with
 //!
 //! ```text
 //! 1 / C = sum 1 / C_p,      theta = C sum s_p theta_p / C_p,      V_p = s_p (C / C_p) V + ...
 //! ```
 //!
-//! and parts orthogonal to it in energy, which no current changes: each is an open node of its own. Where no motion drives such a part
-//! (the two equal layers of a bimorph) it is left out, unless a patch leaks ([`Leak`]).
+//! and parts that are energy-orthogonal to it, which no current changes; each is a separate open
+//! node. A part that no motion drives (the two equal layers of a bimorph) is omitted, unless a
+//! patch leaks ([`Leak`]).
 
 use super::leak::Leak;
 use super::system::{Connection, Load};
 use super::{Bridge, Storage, System};
 use crate::spec::Wiring;
 
-/// The electrical states of a system.
+/// Electrical states of a system.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Electrical {
     /// Capacitive nodes.
     pub nodes: Vec<ElectricalNode>,
     /// Inductors.
     pub inductors: Vec<Inductor>,
-    /// Voltage of each patch (in the order of `modes.patch`) as a sum of node voltages: `(node, factor)`.
+    /// Voltage of each patch (in the order of `modes.patch`) as a sum of node voltages: `(node,
+    /// factor)`.
     pub patch: Vec<Vec<(usize, f64)>>,
-    /// Where the voltage across the resistor of each load is read (in the order of `loads`); `None` for a load without a patch.
+    /// Location of the voltage across the resistor of each load (in the order of `loads`); `None`
+    /// for a load without a patch.
     pub load: Vec<Option<Across>>,
     /// Conducting diodes.
     pub links: Vec<Conductance>,
     /// Leaking patches, in the order of `modes.patch`.
     pub leaks: Vec<Leak>,
-    /// The nodes of each bridge, in the order of `bridges`.
+    /// Nodes of each bridge, in the order of `bridges`.
     pub bridges: Vec<BridgeNodes>,
-    /// Voltage from which each node is counted, V.
+    /// Zero of the voltage of each node, V.
     pub zero_v: Vec<f64>,
 }
 
-/// A conductance from one node to another, or to the zero of its own.
+/// A conductance from one node to another, or to its own zero.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Conductance {
-    /// Number of the bridge.
+    /// Index of the bridge.
     pub bridge: usize,
-    /// From here ...
+    /// From this node ...
     pub node: usize,
     /// ... to this node times this sign.
     pub to: Option<(usize, f64)>,
@@ -53,7 +57,7 @@ pub struct Conductance {
     pub conductance_per_ohm: f64,
 }
 
-/// The nodes of a bridge.
+/// Nodes of a bridge.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BridgeNodes {
     /// Patches.
@@ -69,14 +73,14 @@ pub struct ElectricalNode {
     pub capacitance_f: f64,
     /// Modal coupling, N/V per unit modal coordinate.
     pub coupling_n_per_v: Vec<f64>,
-    /// Resistance across it, ohm; `None` without.
+    /// Resistance across the node, ohm; `None` without.
     pub resistance_ohm: Option<f64>,
 }
 
-/// An inductor from a node back to it, with a resistor in series.
+/// An inductor across a node, with a resistor in series.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Inductor {
-    /// Number of the node.
+    /// Index of the node.
     pub node: usize,
     /// Inductance, H.
     pub inductance_h: f64,
@@ -84,17 +88,17 @@ pub struct Inductor {
     pub resistance_ohm: f64,
 }
 
-/// Where the voltage across a resistor is read.
+/// Location of the voltage across a resistor.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Across {
-    /// It is the voltage of a node.
+    /// The voltage of a node.
     Node(usize),
-    /// It is the current of an inductor times this resistance, ohm.
+    /// The current of an inductor times this resistance, ohm.
     Inductor(usize, f64),
 }
 
 impl Electrical {
-    /// The nodes and inductors of a system, in the order of its patches.
+    /// Returns the nodes and inductors of a system, in the order of its patches.
     pub fn of(system: &System) -> Self {
         let patches = &system.modes.patch;
         let mut electrical = Self {
@@ -138,7 +142,7 @@ impl Electrical {
         electrical.load = placed;
         electrical.leak(system);
         for (number, (bridge, terminal)) in system.bridges.iter().zip(terminals).enumerate() {
-            // System::assemble has seen that every bridge has a patch.
+            // System::assemble has checked that every bridge has a patch.
             electrical.rectify(number, bridge, terminal.unwrap_or(0), system.modes.len());
         }
         electrical.zero_v.resize(electrical.nodes.len(), 0.0);
@@ -152,7 +156,7 @@ impl Electrical {
         electrical
     }
 
-    /// Adds the storage of a bridge, and the path that conducts.
+    /// Adds the storage of a bridge, and the conducting path.
     fn rectify(&mut self, number: usize, bridge: &Bridge, terminal: usize, modes: usize) {
         let storage = match bridge.storage {
             Storage::Battery { .. } => None,
@@ -181,17 +185,17 @@ impl Electrical {
         }
     }
 
-    /// Number of states.
+    /// Returns the number of states.
     pub fn len(&self) -> usize {
         self.nodes.len() + self.inductors.len()
     }
 
-    /// True without any patch.
+    /// True without patches.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
-    /// True for a node that keeps its charge `C V + theta . q`.
+    /// True for a node of constant charge `C V + theta . q`.
     pub fn is_open(&self, node: usize) -> bool {
         self.nodes[node].resistance_ohm.is_none()
             && !self.leaks_at(node)
@@ -199,7 +203,8 @@ impl Electrical {
             && self.links.iter().all(|link| link.node != node)
     }
 
-    /// Factor of each electrical state whose square is twice its energy: `sqrt(C)`, `sqrt(L)`.
+    /// Returns the factor of each electrical state whose square is twice its energy: `sqrt(C)`,
+    /// `sqrt(L)`.
     pub fn energy_scale(&self) -> impl Iterator<Item = f64> {
         let nodes = self.nodes.iter().map(|node| node.capacitance_f.sqrt());
         nodes.chain(

@@ -1,17 +1,18 @@
-//! Energies of a run as exact integrals.
+//! Energies of a run by exact integration.
 //!
-//! A power that is a sum of squares of outputs, `p(t) = sum_m weight_m (c_m . y + Re(S_m e^{i w t}))^2`, is integrated without
-//! quadrature. With `A^T P + P A = -sum_m weight_m c_m c_m^T` and, for each tone, `r = C (i w I + A)^-1`,
-//! `C = 2 sum_m weight_m S_m c_m`,
+//! A power that is a sum of squares of outputs, `p(t) = sum_m weight_m (c_m . y + Re(S_m e^{i w
+//! t}))^2`, is integrated without quadrature. With `A^T P + P A = -sum_m weight_m c_m c_m^T` and,
+//! for each tone, `r = C (i w I + A)^-1`, `C = 2 sum_m weight_m S_m c_m`,
 //!
 //! ```text
 //! B(t) = -y^T P y + Re(e^{i w t} r y) + (antiderivative of the steady part),
 //! integral of p = [B] + 2 integral f (P b) . y dt - Re(r b integral f e^{i w t} dt)
 //! ```
 //!
-//! because `d(y^T P y)/dt = -sum weight (c y)^2 + 2 f y^T P b` and `d(e^{i w t} r y)/dt = e^{i w t} (C y + r b f)`. Only the
-//! contact force `f` needs care; between contacts nothing is evaluated at all. A power that is linear in `y` (the drive's) has
-//! `P = 0`. Drives that are linear in time between breakpoints add the terms of [`super::SignalMeter`].
+//! because `d(y^T P y)/dt = -sum weight (c y)^2 + 2 f y^T P b` and `d(e^{i w t} r y)/dt = e^{i w t}
+//! (C y + r b f)`. Only the contact force `f` needs integration; between contacts no evaluation is
+//! required. A power that is linear in `y` (the power of the drive) has `P = 0`. Drives that are
+//! linear in time between breakpoints add the terms of [`super::SignalMeter`].
 //!
 //! Validation: `tests/plant` compares with Gauss quadrature along exact flows.
 
@@ -20,10 +21,10 @@ use super::{Plant, PlantError, SignalMeter, Tone};
 use faer::c64;
 use std::sync::Arc;
 
-/// One exactly integrated power.
+/// A power that is integrated exactly.
 #[derive(Debug, Clone, PartialEq)]
 pub struct EnergyMeter {
-    /// What no drive changes; none for a power that is linear.
+    /// Part independent of the drives; `None` for a power that is linear.
     quadratic: Option<Arc<Quadratic>>,
     /// Per tone: angular frequency and `r`.
     cross: Vec<(f64, Vec<c64>)>,
@@ -33,15 +34,15 @@ pub struct EnergyMeter {
     /// Per port: `P b`, and `r b` per tone.
     port_rows: Vec<Vec<f64>>,
     port_cross: Vec<Vec<c64>>,
-    /// The share of the signals.
+    /// Contribution of the signals.
     signals: SignalMeter,
 }
 
 /// The three energies of every run.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Meters {
-    /// Energy delivered to each load, J, then to each of [`Plant::bridge_outputs`] and of [`Plant::leak_outputs`]; of the voltages counted
-    /// from their zeros.
+    /// Energy delivered to each load, J, then to each of [`Plant::bridge_outputs`] and of
+    /// [`Plant::leak_outputs`]; computed with the voltages measured from their zeros.
     pub loads: Vec<EnergyMeter>,
     /// Energy lost in modal damping and friction, J.
     pub damping: EnergyMeter,
@@ -50,15 +51,15 @@ pub struct Meters {
 }
 
 impl Meters {
-    /// Meters of a plant.
+    /// Returns the meters of a plant.
     ///
     /// # Errors
-    /// [`PlantError::Undamped`] where a mode that never decays carries power.
+    /// [`PlantError::Undamped`] if an undamped mode carries power.
     pub fn new(plant: &Plant) -> Result<Self, PlantError> {
         Ok(Self::under(&Quadratics::of(plant)?, plant))
     }
 
-    /// The same, by quadratic forms that are those of a plant under any drives.
+    /// Returns the meters from the quadratic forms of the plant, which do not depend on its drives.
     pub fn under(quadratics: &Quadratics, plant: &Plant) -> Self {
         let meter = |quadratic: &Arc<Quadratic>| EnergyMeter::squares(plant, quadratic);
         let loads = quadratics.loads.iter().map(meter).collect();
@@ -71,7 +72,7 @@ impl Meters {
 }
 
 impl EnergyMeter {
-    /// `B(t)`, J: differences of it are the energy but for the contact terms.
+    /// Returns `B(t)`, J; its differences are the energy except for the contact terms.
     pub fn boundary_j(&self, y: &[f64], time_s: f64) -> f64 {
         let mut sum = self.steady_power_w * time_s - self.quadratic_j(y);
         for (w, row) in &self.cross {
@@ -85,12 +86,13 @@ impl EnergyMeter {
             .sum::<f64>()
     }
 
-    /// `b^T P b`: the energy, J, that the meter counts after an impulse that sets the block coordinates to `b`, without drives.
+    /// Returns `b^T P b`: the energy, J, counted by the meter after an impulse that sets the block
+    /// coordinates to `b`, without drives.
     pub fn after_impulse_j(&self, b: &[f64]) -> f64 {
         self.quadratic_j(b)
     }
 
-    /// `y^T P y`, J.
+    /// Returns `y^T P y`, J.
     fn quadratic_j(&self, y: &[f64]) -> f64 {
         let Some(quadratic) = &self.quadratic else {
             return 0.0;
@@ -107,18 +109,18 @@ impl EnergyMeter {
         y.iter().enumerate().map(|(j, y)| y * column(j)).sum()
     }
 
-    /// The terms of the drives that are linear in time between breakpoints.
+    /// Returns the terms of the drives that are linear in time between breakpoints.
     pub fn signals(&self) -> &SignalMeter {
         &self.signals
     }
 
-    /// `P b` of a port: the row whose product with the force is integrated.
+    /// Returns `P b` of a port: the row whose product with the force is integrated.
     pub fn port_row(&self, port: usize) -> &[f64] {
         &self.port_rows[port]
     }
 
-    /// Energy, J, that the contact force of one port adds to `[B]`, from `integral f (P b) . y dt` (J) and, per tone,
-    /// `integral f e^{i w t} dt` (N s).
+    /// Returns the energy, J, that the contact force of one port adds to `[B]`, from `integral f (P
+    /// b) . y dt` (J) and, per tone, `integral f e^{i w t} dt` (N s).
     pub fn contact_j(&self, port: usize, work_j: f64, impulse_n_s: &[c64]) -> f64 {
         2.0 * work_j
             - self.port_cross[port]
@@ -152,7 +154,7 @@ impl EnergyMeter {
                 }
             }
         }
-        // A square holds a signal through the state only.
+        // A square contains a signal only through the state.
         let steady = vec![vec![c64::new(0.0, 0.0); plant.tones.len()]; plant.forcings.len()];
         let none = (vec![vec![0.0; plant.len()]; plant.forcings.len()], steady);
         Self::finish(
@@ -164,7 +166,8 @@ impl EnergyMeter {
         )
     }
 
-    /// `integral F(t) x_d'(t) dt`, summed over drives, and the work of bases through the contacts between them.
+    /// Meter of `integral F(t) x_d'(t) dt`, summed over drives, and of the work of bases through
+    /// the contacts between them.
     fn drive(plant: &Plant) -> Self {
         let n = plant.system.modes.len();
         let velocities = plant
@@ -205,7 +208,7 @@ impl EnergyMeter {
                 }
             }
         }
-        // A signal is a force on the state and on the steady motion.
+        // A signal acts as a force on the state and on the steady motion.
         let speeds: Vec<Vec<f64>> = plant
             .system
             .signals
@@ -214,7 +217,7 @@ impl EnergyMeter {
             .collect();
         let steady = speeds.iter().map(|row| plant.steady_output(row)).collect();
         let mut meter = Self::finish(plant, None, forcings, (mean, terms), (speeds, steady));
-        // Bases work through the contacts between them, too: f Re(i w X e^{i w t}).
+        // Bases also do work through the contacts between them: f Re(i w X e^{i w t}).
         for (cross, port) in meter.port_cross.iter_mut().zip(&plant.ports) {
             for ((rb, x), tone) in cross.iter_mut().zip(&port.approach_m).zip(&plant.tones) {
                 *rb -= c64::new(0.0, tone.angular_frequency_rad_s) * x;

@@ -1,22 +1,22 @@
-//! What can be wrong with a system before anything is computed.
+//! Errors of a system that are found before any computation.
 
-/// A system that has no usable linear plant. Each carries its numbers.
+/// Reason why a system has no usable linear plant, with the numbers.
 #[derive(Debug, Clone, PartialEq, thiserror::Error, serde::Serialize)]
 #[serde(untagged)]
 pub enum PlantError {
-    /// A name in the spec leads nowhere.
-    #[error("{what} refers to `{name}`, which is not there; there are: {known}")]
+    /// A name in the spec does not exist.
+    #[error("{what} refers to `{name}`, which does not exist; available: {known}")]
     UnknownName {
-        /// The thing that refers.
+        /// Element that refers.
         what: String,
-        /// The name it uses.
+        /// Name that it uses.
         name: String,
-        /// The names that exist.
+        /// Existing names.
         known: String,
     },
-    /// Two circuits on one patch.
+    /// A patch has two circuits.
     #[error(
-        "patch `{patch}` carries two circuits, `{first}` and `{second}`; give each patch one circuit"
+        "patch `{patch}` has two circuits, `{first}` and `{second}`; give each patch one circuit"
     )]
     TwoCircuits {
         /// The patch.
@@ -36,9 +36,9 @@ pub enum PlantError {
         /// Largest condition number allowed.
         allowed: f64,
     },
-    /// A circuit that switches has no frequency response.
+    /// A circuit with a switch has no frequency response.
     #[error(
-        "circuit.{circuit}.interface is not linear, so that there is no frequency response; give interface = \"resistor\", or ask for the open circuit"
+        "circuit.{circuit}.interface is not linear, so it has no frequency response; set interface = \"resistor\", or request the open circuit"
     )]
     Switches {
         /// The circuit.
@@ -50,33 +50,33 @@ pub enum PlantError {
         /// Number of states.
         states: usize,
     },
-    /// A circuit that settles or swings too far beyond the modes.
+    /// The rate of a circuit is too far above those of the modes.
     #[error(
-        "circuit.{circuit}.{key}: with {value:e} {unit} across {capacitance_f:e} F this circuit follows its voltage within {time_s:.1e} s, beyond {most:.0e} times faster than the fastest mode kept, {mode_hz:.4} Hz, where the eigenvalues drown in roundoff; give at least {least:.1e} {unit}, or a larger capacitance"
+        "circuit.{circuit}.{key} is {value:e} {unit}; with {capacitance_f:e} F its time constant is {time_s:.1e} s, more than {most:.0e} times faster than the fastest retained mode, {mode_hz:.4} Hz, so roundoff would swamp the eigenvalues; give at least {least:.1e} {unit}, or a larger capacitance"
     )]
     TooFast {
         /// The circuit.
         circuit: String,
-        /// Its key.
+        /// Key of the circuit.
         key: &'static str,
-        /// What the key says.
+        /// Value of the key.
         value: f64,
-        /// Its unit.
+        /// Unit of the key.
         unit: &'static str,
-        /// Capacitance that it acts on, F.
+        /// Capacitance across the circuit, F.
         capacitance_f: f64,
         /// Time constant, s.
         time_s: f64,
-        /// Largest ratio to the fastest mode that can be computed.
+        /// Largest allowed ratio to the rate of the fastest mode.
         most: f64,
-        /// Frequency of the fastest mode kept, Hz.
+        /// Frequency of the fastest retained mode, Hz.
         mode_hz: f64,
-        /// Least value of the key that can be computed.
+        /// Smallest allowed value of the key.
         least: f64,
     },
-    /// The drive hits an undamped eigenvalue, so there is no steady state.
+    /// The drive is in resonance with an undamped eigenvalue, so there is no steady state.
     #[error(
-        "the drive at {frequency_hz} Hz is in resonance with an undamped mode at {mode_hz} Hz, so no steady state exists; give the mode some damping or move the drive"
+        "the drive at {frequency_hz} Hz is in resonance with an undamped mode at {mode_hz} Hz, so no steady state exists; give the mode damping, or change the drive frequency"
     )]
     UndampedResonance {
         /// Drive frequency, Hz.
@@ -84,19 +84,19 @@ pub enum PlantError {
         /// Frequency of the mode, Hz.
         mode_hz: f64,
     },
-    /// A mean power is asked of a mode that never decays.
+    /// A mean power is requested of an undamped mode.
     #[error(
-        "{what} cannot be integrated: the mode at {mode_hz} Hz has no damping at all; give it a damping ratio"
+        "{what} cannot be integrated: the mode at {mode_hz} Hz has no damping; give it a damping ratio"
     )]
     Undamped {
-        /// The energy meter.
+        /// Energy meter.
         what: String,
         /// Frequency of the mode, Hz.
         mode_hz: f64,
     },
-    /// A stop whose port has no mobility.
+    /// The port of a stop has no mobility.
     #[error(
-        "stop `{stop}`: the striking point and the stop move together in every mode, so they can never meet"
+        "stop `{stop}`: the striking point and the stop move together in every mode, so they never touch; choose another `at` or `frame`"
     )]
     ImmobilePort {
         /// The stop.

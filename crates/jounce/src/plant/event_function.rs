@@ -1,59 +1,59 @@
-//! What is watched and metered of a bridge: outputs of the plant.
+//! Events and metered outputs of a bridge, as outputs of the plant.
 
 use super::{Bridge, Conduction, Leak, Plant, Port, Scheme, Storage, System};
 
-/// What changes a bridge.
+/// Event that changes a bridge.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum BridgeChange {
-    /// Diodes begin to conduct.
+    /// Diodes start to conduct.
     Conducts(Conduction),
-    /// They end.
+    /// Diodes stop conducting.
     Blocks,
     /// The switch closes for an instant.
     Switches,
 }
 
-/// An output of the plant whose way up through zero changes a bridge.
+/// An output of the plant whose upward zero crossing changes a bridge.
 #[derive(Debug, Clone, PartialEq)]
 pub struct EventFunction {
-    /// Number of the bridge.
+    /// Index of the bridge.
     pub bridge: usize,
-    /// What it changes.
+    /// Change of the bridge.
     pub change: BridgeChange,
 }
 
-/// Where a bridge gives energy to.
+/// Destination of the energy of a bridge.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum EnergyOutlet {
     /// The load across the storage capacitor.
     Load,
-    /// The leakage across it.
+    /// The leakage resistance across it.
     Leakage,
     /// The resistance of the diodes.
     Diodes,
-    /// The leakage across a patch.
+    /// The leakage resistance across a patch.
     Patch,
 }
 
 /// A voltage whose square times a conductance is a power.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PowerOutput {
-    /// Number of the bridge that it belongs to; none is that large where it belongs to none.
+    /// Index of the bridge; out of range if the output belongs to no bridge.
     pub bridge: usize,
-    /// What takes it.
+    /// Destination of the energy.
     pub outlet: EnergyOutlet,
     /// Conductance, 1/ohm.
     pub conductance_per_ohm: f64,
     /// Row of the voltage less `standing_v`, block coordinates.
     pub row: Vec<f64>,
-    /// The same as a sum of node voltages: `(node, factor)`.
+    /// This voltage as a sum of node voltages: `(node, factor)`.
     pub parts: Vec<(usize, f64)>,
-    /// The voltage where every node is at the zero of its own, V.
+    /// Voltage when every node is at its own zero, V.
     pub standing_v: f64,
 }
 
 impl Bridge {
-    /// What may change it next.
+    /// Returns the possible next changes of the bridge.
     pub fn changes(&self) -> Vec<BridgeChange> {
         let diodes = matches!(self.scheme, Scheme::Standard | Scheme::ParallelSshi { .. });
         let mut changes = match self.state.conduction {
@@ -74,7 +74,7 @@ impl Bridge {
 }
 
 impl System {
-    /// What may change its bridges next.
+    /// Returns the event functions of the possible next changes of its bridges.
     pub(super) fn guards(&self) -> Vec<EventFunction> {
         let of = |(bridge, own): (usize, &Bridge)| {
             own.changes()
@@ -87,7 +87,8 @@ impl System {
 }
 
 impl Plant {
-    /// A port that no force acts on; its displacement is what the guard watches, in V or kg^1/2 m/s times N/V.
+    /// Returns a port without force; its displacement is the value of the event function, in V or
+    /// kg^1/2 m/s times N/V.
     pub(super) fn guard_port(&self, guard: &EventFunction) -> Port {
         let (bridge, nodes) = (
             &self.system.bridges[guard.bridge],
@@ -100,7 +101,7 @@ impl Plant {
             if let Some(storage) = nodes.storage {
                 physical[first + storage] = -factor;
             }
-            // Voltages are counted from where the threshold of conducting diodes would hold them.
+            // Voltages are measured from their equilibrium at the threshold of conducting diodes.
             let zero_v = &self.electrical.zero_v;
             factor * bridge.threshold_v() - factor * sign * zero_v[nodes.terminal]
                 + nodes
@@ -133,7 +134,7 @@ impl Plant {
         }
     }
 
-    /// Outputs of the bridges whose squares are powers.
+    /// Returns the outputs of the bridges whose squares are powers.
     pub fn bridge_outputs(&self) -> Vec<PowerOutput> {
         let mut outputs = Vec::new();
         for (k, (bridge, nodes)) in self
@@ -173,7 +174,8 @@ impl Plant {
         outputs
     }
 
-    /// Outputs whose squares are the powers that leaking patches lose, in the order of `electrical.leaks`.
+    /// Returns the outputs whose squares are the leakage powers of patches, in the order of
+    /// `electrical.leaks`.
     pub fn leak_outputs(&self) -> Vec<PowerOutput> {
         let bridge_of = |node: usize| {
             (0..self.system.bridges.len())

@@ -1,39 +1,41 @@
-//! The exact answer of the plant to a drive that is linear in time.
+//! Exact response of the plant to a drive that is linear in time.
 //!
-//! With `y' = A y + b (u + s t)`, two kinds of block are told apart:
+//! With `y' = A y + b (u + s t)`, there are two kinds of block:
 //!
 //! ```text
 //! following   P(t) = rest (u + s t) + lag s,                           rest = -A^-1 b,   lag = A^-1 rest
 //! local       P(t) = sum_j A^(j-1) b (u t^j / j! + s t^(j+1) / (j+1)!),  j = 1, 2, ...
 //! ```
 //!
-//! so that `y - P` moves on as if there were no drive. Where the slope changes by `ds` and the size jumps by `du`, the state goes on
-//! and `y - P` jumps by `-rest du - lag ds`. Blocks that are slow beside the samples of a drive (free bodies are the slowest) are
-//! local: their `lag` would be far larger than their motion, and its roundoff with it. Their `P` begins anew with each step.
+//! so `y - P` evolves as without a drive. If the slope changes by `ds` and the value jumps by `du`,
+//! the state is continuous and `y - P` jumps by `-rest du - lag ds`. Blocks that are slow relative
+//! to the samples of a drive (free bodies are the slowest) are local: their `lag` and its roundoff
+//! would be far larger than their motion. Their `P` is reset at each step.
 
 use super::{Plant, Signal};
 use crate::drive::Wave;
 
-/// Answer to a signal of unit size, in block coordinates.
+/// Response to a signal of unit value, in block coordinates.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Forcing {
     /// `b`.
     pub column: Vec<f64>,
-    /// Answer of following blocks to a size; 0 in local ones.
+    /// Response of following blocks to a value; 0 in local blocks.
     pub rest: Vec<f64>,
-    /// Answer of following blocks to a slope, s; 0 in local ones.
+    /// Response of following blocks to a slope, s; 0 in local blocks.
     pub lag: Vec<f64>,
-    /// `b` in local blocks; 0 in following ones.
+    /// `b` in local blocks; 0 in following blocks.
     pub local: Vec<f64>,
 }
 
-/// Size and slope of a signal.
+/// Value and slope of a signal.
 pub type SignalSample = [f64; 2];
 
 /// `|eigenvalue|` times the sampling step below which a block is local.
 const LOCAL_BLOCK_RATE: f64 = 0.5;
 
-/// Terms of the series of local blocks: with `|eigenvalue| t` up to 0.5 (`LOCAL_BLOCK_RATE`) the first left out is below 1e-17 of their sum.
+/// Terms of the series of local blocks: with `|eigenvalue| t` up to 0.5 (`LOCAL_BLOCK_RATE`) the
+/// first omitted term is below 1e-17 of their sum.
 pub const LOCAL_TERMS: usize = 16;
 
 impl Forcing {
@@ -60,7 +62,8 @@ impl Forcing {
 }
 
 impl Plant {
-    /// States of local blocks under signals: those that nothing brings back, and those that are slow beside the finest samples.
+    /// States of local blocks under signals: states without a restoring effect, and states that are
+    /// slow relative to the finest samples.
     pub(super) fn local_states(&self, signals: &[Signal]) -> Vec<bool> {
         let steps = signals.iter().filter_map(|signal| {
             if let Wave::Sampled { step_s, .. } = signal.wave {
@@ -81,7 +84,7 @@ impl Plant {
             .collect()
     }
 
-    /// Longest step that the series of local blocks allows, s.
+    /// Returns the longest step that the series of local blocks allows, s.
     pub fn local_limit_s(&self) -> f64 {
         let speeds = self
             .diagonal
@@ -100,7 +103,8 @@ impl Plant {
         }
     }
 
-    /// `P`, the part of the state that signals force, a time after local blocks began anew.
+    /// Returns `P`, the forced part of the state under signals, a time after the reset of local
+    /// blocks.
     pub fn forced(&self, sizes: &[SignalSample], after_s: f64) -> Vec<f64> {
         let mut state = vec![0.0; self.len()];
         for (forcing, [size, slope]) in self.forcings.iter().zip(sizes) {
@@ -124,7 +128,7 @@ impl Plant {
         state
     }
 
-    /// The integral of [`Self::forced`] from when local blocks began anew.
+    /// Returns the integral of [`Self::forced`] since the reset of local blocks.
     pub fn forced_integral(&self, sizes: &[SignalSample], until_s: f64) -> Vec<f64> {
         let mut state = vec![0.0; self.len()];
         for (forcing, [size, slope]) in self.forcings.iter().zip(sizes) {
@@ -149,7 +153,8 @@ impl Plant {
         state
     }
 
-    /// Where constant drives alone hold the plant at rest, in block coordinates; 0 in states that nothing brings back.
+    /// Returns the equilibrium under constant drives alone, in block coordinates; 0 in states
+    /// without a restoring effect.
     pub fn resting(&self) -> Vec<f64> {
         let block = &self.diagonal.block;
         let mut state = vec![0.0; self.len()];
@@ -165,7 +170,7 @@ impl Plant {
         state
     }
 
-    /// The same as a physical state `(q, q', V, i)`.
+    /// Returns the equilibrium as a physical state `(q, q', V, i)`.
     pub fn resting_physical(&self) -> Vec<f64> {
         let steady = self.steady_at(0.0);
         self.to_physical(

@@ -1,29 +1,31 @@
-//! Leakage of patches: a resistance across the capacitance of each.
+//! Leakage of patches: a resistance across each capacitance.
 //!
-//! The voltage of a patch is a sum of node voltages, `V_p = sum_n f_pn V_n`, so that its leakage takes the current `sum_m G_nm V_m` out of
-//! node `n`, with `G_nm = f_pn f_pm / R_p`. With all conductances of a bridge the nodes obey
+//! The voltage of a patch is a sum of node voltages, `V_p = sum_n f_pn V_n`. Its leakage therefore
+//! draws the current `sum_m G_nm V_m` from node `n`, with `G_nm = f_pn f_pm / R_p`. With all
+//! conductances of a bridge the nodes obey
 //!
 //! ```text
 //! C V' + K V + theta q' = k,       K z = k
 //! ```
 //!
-//! where `k` comes from the threshold of its diodes. Voltages are counted from `z`, so that nothing but the structure is pushed; and what
-//! flows within a time follows from what the nodes have gained: `integral (V - z) dt = -K^-1 [C V + theta q]`.
+//! where `k` comes from the threshold of its diodes. Voltages are measured from `z`, so only the
+//! structure is forced. The integral over a time follows from the charge that the nodes have
+//! gained: `integral (V - z) dt = -K^-1 [C V + theta q]`.
 
 use super::{Electrical, System};
 use faer::Mat;
 
-/// A resistance across a patch.
+/// Leakage resistance across a patch.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Leak {
-    /// Number of the patch, in the order of `modes.patch`.
+    /// Index of the patch, in the order of `modes.patch`.
     pub patch: usize,
     /// Conductance, 1/ohm.
     pub conductance_per_ohm: f64,
 }
 
 impl Electrical {
-    /// Adds the leakage of every patch that has one.
+    /// Adds the leakage of every leaking patch.
     pub(super) fn leak(&mut self, system: &System) {
         let patches = system.modes.patch.values().enumerate();
         self.leaks = patches
@@ -36,7 +38,7 @@ impl Electrical {
             .collect();
     }
 
-    /// True where a patch whose voltage a node takes part in leaks.
+    /// True if a leaking patch depends on the voltage of a node.
     pub fn leaks_at(&self, node: usize) -> bool {
         self.leaks.iter().any(|leak| {
             self.patch[leak.patch]
@@ -45,7 +47,7 @@ impl Electrical {
         })
     }
 
-    /// Pairs of nodes that a leakage joins.
+    /// Returns the pairs of nodes that a leakage couples.
     pub(super) fn leaking_pairs(&self) -> impl Iterator<Item = (usize, usize)> {
         self.leaks.iter().flat_map(|leak| {
             self.patch[leak.patch]
@@ -54,7 +56,7 @@ impl Electrical {
         })
     }
 
-    /// The nodes of a bridge: its patches, what is between them, its storage.
+    /// Returns the nodes of a bridge: its patches, the parts between them, its storage.
     pub fn nodes_of(&self, bridge: usize) -> Vec<usize> {
         let own = self.bridges[bridge];
         let mut nodes = vec![own.terminal];
@@ -71,7 +73,7 @@ impl Electrical {
         nodes
     }
 
-    /// `K` of some nodes, 1/ohm.
+    /// Returns `K` of some nodes, 1/ohm.
     fn conductances(&self, nodes: &[usize]) -> Mat<f64> {
         let mut matrix = Mat::zeros(nodes.len(), nodes.len());
         let mut across = |parts: &[(usize, f64)], conductance: f64| {
@@ -104,9 +106,9 @@ impl Electrical {
         matrix
     }
 
-    /// `K^-1` times a current into each of some nodes, V.
+    /// Returns `K^-1` times a current into each of some nodes, V.
     fn voltages(&self, nodes: &[usize], current_a: &[f64]) -> Vec<f64> {
-        // A charge that nothing lets go makes K singular, and no current reaches it.
+        // An isolated charge makes K singular, and no current reaches it.
         let Ok(svd) = self.conductances(nodes).svd() else {
             return vec![f64::NAN; nodes.len()];
         };
@@ -122,7 +124,8 @@ impl Electrical {
             .collect()
     }
 
-    /// Voltages at which the nodes of a bridge whose diodes conduct against a threshold would stay, were there no motion: `(node, V)`.
+    /// Returns the equilibrium voltages of the nodes of a bridge whose diodes conduct against a
+    /// threshold, without motion: `(node, V)`.
     pub(super) fn standing_v(&self, bridge: usize, threshold_v: f64) -> Vec<(usize, f64)> {
         let Some(link) = self.links.iter().find(|link| link.bridge == bridge) else {
             return Vec::new();
@@ -145,7 +148,8 @@ impl Electrical {
             .collect()
     }
 
-    /// `integral (V - z) dt` of some nodes, V s, from the charge `[C V + theta q]` that each has gained, C.
+    /// Returns `integral (V - z) dt` of some nodes, V s, from the charge `[C V + theta q]` gained
+    /// by each, C.
     pub fn flux_v_s(&self, nodes: &[usize], gained_c: &[f64]) -> Vec<f64> {
         let into: Vec<f64> = gained_c.iter().map(|charge| -charge).collect();
         self.voltages(nodes, &into)

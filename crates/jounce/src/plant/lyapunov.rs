@@ -1,21 +1,22 @@
-//! The Lyapunov equation of a plant, block by block.
+//! Lyapunov equation of a plant, solved block by block.
 //!
 //! ```text
 //! rows      A^T P + P A = -Q        what outputs make of a state: energies
 //! columns   A P + P A^T = -Q        what inputs make of the state: covariances
 //! ```
 //!
-//! `A` has blocks of one or two states, so each pair of blocks is a dense system of at most four unknowns.
+//! `A` has blocks of one or two states, so each pair of blocks is a dense system of at most four
+//! unknowns.
 
 use super::BlockDiagonal;
 use faer::Mat;
 use faer::linalg::solvers::Solve;
 use std::f64::consts::TAU;
 
-/// Decay of a block, relative to its speed, below which it is none.
+/// Decay of a block, relative to its rate, below which it counts as undamped.
 const UNDAMPED_RATIO: f64 = 1e-14;
 
-/// Which of the two equations is solved.
+/// Choice of the equation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LyapunovSide {
     /// `A^T P + P A = -Q`.
@@ -24,10 +25,10 @@ pub enum LyapunovSide {
     Columns,
 }
 
-/// `P` for the symmetric `Q` whose entries `source` gives.
+/// Returns `P` for the symmetric `Q` whose entries `source` gives.
 ///
 /// # Errors
-/// The frequency, Hz, of a block that `Q` reaches and nothing damps.
+/// Returns the frequency, Hz, of an undamped block on which `Q` acts.
 pub fn lyapunov(
     block: &BlockDiagonal,
     side: LyapunovSide,
@@ -60,7 +61,7 @@ pub fn lyapunov(
     Ok(solution)
 }
 
-/// One block: where it stands and its matrix, transposed for columns.
+/// One block: its position and its matrix, transposed for columns.
 struct BlockSpan {
     start: usize,
     size: usize,

@@ -1,14 +1,17 @@
-//! The coupled electromechanical system between its ports: linear, in real block-diagonal form, with its outputs as rows.
+//! The coupled electromechanical system between its ports: linear, in real block-diagonal form,
+//! with rows as outputs.
 //!
-//! Nothing from here on knows about beams: a [`System`] is modes, loads, stops and drives; a [`Plant`] is
+//! This level does not depend on beams: a [`System`] is modes, loads, stops and drives; a [`Plant`]
+//! is
 //!
 //! ```text
 //! y' = A y + sum_ports b_p f_p(t),   x(t) = T y(t) + Re(X e^{i w t}),   x = (q, q', V, i)
 //! ```
 //!
-//! with `A` made of 2 x 2 and 1 x 1 blocks, `y` the part of the state that the sinusoidal drive does not force, and `X` the
-//! steady state under the drive without contact. Between contacts the flow of `y` is therefore known exactly. Drives that are
-//! not sinusoidal are [`Signal`]s, linear in time between breakpoints, whose answer is known exactly too ([`Forcing`]).
+//! with `A` made of 2 x 2 and 1 x 1 blocks, `y` the part of the state that the sinusoidal drives do
+//! not force, and `X` the steady state under these drives without contact. Between contacts the
+//! flow of `y` is therefore known exactly. Other drives are [`Signal`]s, linear in time between
+//! breakpoints, whose response is also exact ([`Forcing`]).
 
 mod base_motion;
 mod block_diagonal;

@@ -1,4 +1,4 @@
-//! Powers that are sums of squares, in block coordinates: what no drive changes of them.
+//! Powers that are sums of squares, in block coordinates: the part independent of the drives.
 
 use super::lyapunov::{LyapunovSide, lyapunov};
 use super::{Plant, PlantError};
@@ -10,16 +10,17 @@ use std::sync::Arc;
 pub struct Quadratic {
     /// `Q`.
     pub power: Mat<f64>,
-    /// `P` of `A^T P + P A = -Q`: `y^T P y` is the energy, J, that the power takes from `y` on.
+    /// `P` of `A^T P + P A = -Q`: `y^T P y` is the energy, J, of the power in free decay from `y`.
     pub gramian: Mat<f64>,
 }
 
-/// Those of all [`super::Meters`].
+/// Quadratic forms of all [`super::Meters`].
 #[derive(Debug)]
 pub struct Quadratics {
-    /// Of each load, then of each of [`Plant::bridge_outputs`] and of [`Plant::leak_outputs`].
+    /// Energy of each load, then of each of [`Plant::bridge_outputs`] and of
+    /// [`Plant::leak_outputs`].
     pub loads: Vec<Arc<Quadratic>>,
-    /// Of modal damping and friction.
+    /// Energy of modal damping and friction.
     pub damping: Arc<Quadratic>,
 }
 
@@ -27,10 +28,10 @@ pub struct Quadratics {
 type Square = (f64, Vec<f64>);
 
 impl Quadratics {
-    /// Of a plant.
+    /// Returns the quadratic forms of a plant.
     ///
     /// # Errors
-    /// [`PlantError::Undamped`] where a mode that never decays carries power.
+    /// [`PlantError::Undamped`] if an undamped mode carries power.
     pub fn of(plant: &Plant) -> Result<Self, PlantError> {
         let modes = &plant.system.modes;
         let loads = plant.system.loads.iter().enumerate().map(|(k, load)| {
@@ -95,7 +96,7 @@ impl Quadratic {
         Ok(Arc::new(Self { power, gramian }))
     }
 
-    /// `2 Q s`: how the power changes with the state.
+    /// Returns `2 Q s`: the gradient of the power.
     pub fn slope(&self, state: &[c64]) -> Vec<c64> {
         let mut sum = vec![c64::new(0.0, 0.0); state.len()];
         for (j, s) in state.iter().enumerate() {

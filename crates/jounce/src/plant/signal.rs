@@ -2,16 +2,17 @@
 
 use crate::drive::Wave;
 
-/// A drive of any course in time: the modal force is `shape` times the size of its wave.
+/// A drive of any waveform: the modal force is `shape` times the value of its wave.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Signal {
     /// Name of the drive.
     pub name: String,
-    /// Modal force per unit size. For a force, in N: displacement of the driven point per unit modal coordinate, kg^-1/2. For an
-    /// acceleration of the ground, in m/s^2: the participation of each mode with its sign, kg^1/2.
+    /// Modal force per unit value. For a force, in N: displacement of the driven point per unit
+    /// modal coordinate, kg^-1/2. For an acceleration of the ground, in m/s^2: the participation of
+    /// each mode with its sign, kg^1/2.
     pub shape: Vec<f64>,
-    /// Its course in time.
+    /// Waveform in time.
     pub wave: Wave,
-    /// The base that it accelerates.
+    /// Accelerated base.
     pub base: Option<String>,
 }

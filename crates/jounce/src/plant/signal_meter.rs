@@ -1,18 +1,19 @@
-//! What signals (drives that are linear in time between breakpoints) add to an energy meter.
+//! Contribution of signals (drives that are linear in time between breakpoints) to an energy meter.
 //!
-//! Under signals `u_s` with columns `b_s` the state obeys `y' = A y + b f + sum_s b_s u_s`, so that the boundary terms of the meter
-//! (see [`super::EnergyMeter`]) change by
+//! Under signals `u_s` with columns `b_s` the state obeys `y' = A y + b f + sum_s b_s u_s`. The
+//! boundary terms of the meter (see [`super::EnergyMeter`]) therefore change by
 //!
 //! ```text
 //! d(-y^T P y) = power - 2 y^T P b_s u_s dt - ..,     d(e^{i w t} r y) = .. + e^{i w t} r b_s u_s dt
 //! ```
 //!
-//! and all that is needed of a signal is `integral u_s y dt` and `integral u_s e^{i w t} dt`, the same for all meters.
+//! and a signal contributes only `integral u_s y dt` and `integral u_s e^{i w t} dt`, which are
+//! common to all meters.
 
 use super::{Plant, dot};
 use faer::c64;
 
-/// Integrals of all signals since the start of a march.
+/// Integrals of all signals since the start of a run.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct SignalIntegrals {
     /// Per signal: `integral u y dt`, block coordinates.
@@ -31,8 +32,8 @@ pub struct SignalMeter {
 }
 
 impl SignalMeter {
-    /// `rows` and `tones` are what the power itself holds of a signal; `product` is that with the `P` of the meter, `tone_rows` are its
-    /// `r`.
+    /// `rows` and `tones` are the terms of the power itself that contain a signal; `product` is the
+    /// product of the signal with the `P` of the meter, `tone_rows` are its `r`.
     pub(super) fn new(
         plant: &Plant,
         (rows, tones): (Vec<Vec<f64>>, Vec<Vec<c64>>),
@@ -57,7 +58,8 @@ impl SignalMeter {
         }
     }
 
-    /// Energy, J, that the signals add to the boundary terms and contact terms of the meter.
+    /// Returns the energy, J, that the signals add to the boundary terms and contact terms of the
+    /// meter.
     pub fn energy_j(&self, integrals: &SignalIntegrals) -> f64 {
         let states = self
             .rows

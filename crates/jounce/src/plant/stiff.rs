@@ -1,21 +1,23 @@
-//! Circuits that are too fast to be computed beside the modes.
+//! Circuits that are too fast to be computed together with the modes.
 //!
-//! Eigenvectors come with a relative error of the roundoff times the spread of the eigenvalues. A circuit `MAX_RATE_RATIO` times faster than the
-//! fastest mode leaves about eight digits, and long before that it does what it would do at any higher speed.
+//! Eigenvectors have a relative error of the roundoff times the spread of the eigenvalues. A
+//! circuit `MAX_RATE_RATIO` times faster than the fastest mode leaves about eight digits. Far below
+//! that ratio its behaviour is already that of an infinitely fast circuit.
 
 use super::{Across, Electrical, PlantError, System};
 
-/// Most that a circuit may be faster than the fastest mode.
+/// Largest ratio of the rate of a circuit to the fastest mode.
 const MAX_RATE_RATIO: f64 = 1e8;
 
-/// A key of a circuit that makes it fast where it is small.
+/// A key of a circuit that makes it fast if its value is small.
 struct StiffKey<'a> {
     circuit: &'a str,
     key: &'static str,
     value: f64,
     unit: &'static str,
     capacitance_f: f64,
-    /// The rate is one over the product of value and capacitance, or the root of that.
+    /// The rate is the inverse of the product of value and capacitance, or the root of that
+    /// inverse.
     swings: bool,
 }
 
@@ -41,7 +43,7 @@ impl StiffKey<'_> {
     }
 }
 
-/// Compares each circuit with the fastest mode that is kept.
+/// Compares each circuit with the fastest retained mode.
 ///
 /// # Errors
 /// [`PlantError::TooFast`].

@@ -1,4 +1,4 @@
-//! What the solvers work with: modes, loads, stops and drives, names resolved.
+//! Input of the solvers: modes, loads, stops and drives with resolved names.
 
 use super::{Bridge, BridgeState, PlantError, Scheme, Signal, Storage};
 use crate::contact::Law;
@@ -13,7 +13,7 @@ use std::sync::Arc;
 pub struct System {
     /// Modes of the structure; copies of a system share them.
     pub modes: Arc<Modes>,
-    /// Electrical loads. A patch without one is left open.
+    /// Electrical loads. A patch without a load is open.
     pub loads: Vec<Load>,
     /// Rectified circuits.
     pub bridges: Vec<Bridge>,
@@ -23,22 +23,22 @@ pub struct System {
     pub stops: Vec<Stop>,
     /// Sinusoidal drives.
     pub drives: Vec<Drive>,
-    /// Drives of any other course in time.
+    /// Drives of any other waveform.
     pub signals: Vec<Signal>,
 }
 
-/// A linear load across one patch or several: a resistor, perhaps with an inductor.
+/// A linear load across one patch or several: a resistor, optionally with an inductor.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Load {
     /// Name of the circuit.
     pub name: String,
-    /// The patches and how they are connected.
+    /// Patches and their connection.
     pub connections: Vec<Connection>,
-    /// How several patches stand to each other.
+    /// Connection of several patches.
     pub wiring: Wiring,
     /// Resistance, ohm.
     pub resistance_ohm: f64,
-    /// Inductance, H, and how the inductor stands to the resistor.
+    /// Inductance, H, and the connection of the inductor relative to the resistor.
     pub inductor: Option<(f64, Wiring)>,
 }
 
@@ -47,12 +47,12 @@ pub struct Load {
 pub struct Connection {
     /// Name of the patch.
     pub patch: String,
-    /// `-1` where it is connected the other way round, else `1`.
+    /// `-1` for reversed polarity, else `1`.
     pub sign: f64,
 }
 
 impl Load {
-    /// A resistor across one patch.
+    /// Returns a resistor across one patch.
     pub fn resistor(name: &str, patch: &str, resistance_ohm: f64) -> Self {
         let connections = vec![Connection {
             patch: patch.to_owned(),
@@ -68,10 +68,10 @@ impl Load {
     }
 }
 
-/// Viscous friction of a point on the ground: the force `-n_s_m` times its velocity.
+/// Viscous friction of a point on the ground: the force is `-n_s_m` times its velocity.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Dashpot {
-    /// Name of what it brakes.
+    /// Name of the braked body.
     pub name: String,
     /// Displacement of the point per unit modal coordinate, kg^-1/2.
     pub shape: Vec<f64>,
@@ -80,29 +80,32 @@ pub struct Dashpot {
 }
 
 impl Dashpot {
-    /// What it adds to the damping of two modes, `c s_i s_j`, 1/s.
+    /// Returns its contribution to the damping of two modes, `c s_i s_j`, 1/s.
     pub fn damping_per_s(&self, i: usize, j: usize) -> f64 {
         self.n_s_m * self.shape[i] * self.shape[j]
     }
 }
 
-/// A stop: penetration is `shape . q - gap`, and what the motions of two bases make of the gap between them.
+/// A stop: penetration is `shape . q - gap`, plus the effect of the motions of two bases on the
+/// gap.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Stop {
     /// Name of the stop.
     pub name: String,
-    /// Relative displacement of the striking point towards the stop, per unit modal coordinate, kg^-1/2.
+    /// Relative displacement of the striking point towards the stop, per unit modal coordinate,
+    /// kg^-1/2.
     pub shape: Vec<f64>,
     /// Gap, m; negative when the contact is preloaded.
     pub gap_m: f64,
     /// Contact law.
     pub law: Law,
-    /// Where its two sides stand on two bases: displacement towards the stop per displacement of each of the two, 1 or -1.
+    /// For a stop between two bases: displacement towards the stop per displacement of each base, 1
+    /// or -1.
     pub bases: Vec<(String, f64)>,
 }
 
-/// A force `amplitude sin(2 pi frequency t + phase)`. A base acceleration of 1 m/s^2 acts like a force of 1 N whose `shape` is the
-/// participation of the modes over 1 kg, with the other sign.
+/// A force `amplitude sin(2 pi frequency t + phase)`. A base acceleration of 1 m/s^2 acts like a
+/// force of 1 N whose `shape` is minus the participation of the modes over 1 kg.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Drive {
     /// Name of the drive.
@@ -115,7 +118,7 @@ pub struct Drive {
     pub frequency_hz: f64,
     /// Angle at `t = 0`, rad.
     pub phase_rad: f64,
-    /// The base that it accelerates.
+    /// Accelerated base.
     pub base: Option<String>,
 }
 
@@ -128,7 +131,8 @@ impl System {
         Self::assemble_unless(spec, modes, &|| false)
     }
 
-    /// The same, without the samples of noise where `is_stopped` says that nobody will march it.
+    /// As [`System::assemble`], without the samples of noise if `is_stopped` reports that the run
+    /// is cancelled.
     ///
     /// # Errors
     /// As [`System::assemble`].
@@ -154,8 +158,8 @@ impl System {
         })
     }
 
-    /// The drives of a spec that are not sinusoidal, and its gravity. Noise is made for `run.duration`, unless `is_stopped` says
-    /// that nobody will march it.
+    /// Returns the drives of a spec that are not sinusoidal, and its gravity. Noise is generated
+    /// for `run.duration`, unless `is_stopped` reports that the run is cancelled.
     ///
     /// # Errors
     /// [`PlantError::UnknownName`].
@@ -199,7 +203,7 @@ impl System {
         Ok(signals)
     }
 
-    /// The first drive that does not repeat itself, by name.
+    /// Returns the first drive that is not periodic, by name.
     pub fn aperiodic(&self) -> Option<&str> {
         self.signals
             .iter()
@@ -259,7 +263,8 @@ fn circuits(spec: &Spec, modes: &Modes) -> Result<(Vec<Load>, Vec<Bridge>), Plan
     Ok((loads, bridges))
 }
 
-/// `None` for a circuit without diodes. The voltage that an inductor turns over keeps `q = exp(-pi / (2 Q))` of itself.
+/// `None` for a circuit without diodes. An inversion by an inductor retains `q = exp(-pi / (2 Q))`
+/// of the voltage.
 fn scheme(circuit: &Circuit) -> Option<Scheme> {
     let inversion = circuit.quality_factor.map_or(0.0, |quality| {
         (-std::f64::consts::PI / (2.0 * quality)).exp()
@@ -380,7 +385,7 @@ fn drives(spec: &Spec, modes: &Modes) -> Result<Vec<Drive>, PlantError> {
     Ok(drives)
 }
 
-/// Modal force of a drive of size 1 N or 1 m/s^2.
+/// Returns the modal force of a drive of 1 N or 1 m/s^2.
 pub(crate) fn driven(
     modes: &Modes,
     name: &str,

@@ -1,16 +1,16 @@
-//! Sinusoidal drives: what each frequency does to the plant without contact.
+//! Sinusoidal drives: response of the plant to each frequency without contact.
 
 use super::block_diagonal::grown;
 use super::{Plant, PlantError, Port, dot};
 use faer::c64;
 
-/// Most cycles of the slowest drive that a common period may take.
+/// Largest number of cycles of the slowest drive in a common period.
 const MAX_COMMON_CYCLES: usize = 100;
 
-/// Part of a number of cycles by which it may miss a whole one.
+/// Largest deviation of a number of cycles from an integer.
 const WHOLE_CYCLE_ERROR: f64 = 1e-9;
 
-/// A sinusoid that all drives of one frequency make together.
+/// Sum of the sinusoids of all drives of one frequency.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Tone {
     /// Angular frequency, rad/s.
@@ -22,8 +22,8 @@ pub struct Tone {
 }
 
 impl Plant {
-    /// Period of all drives together, s: a whole number of cycles of each; `None` where they do not repeat themselves, or not within
-    /// 100 cycles of the slowest.
+    /// Returns the common period of all drives, s: an integer number of cycles of each; `None` if
+    /// the sum is not periodic within 100 cycles of the slowest.
     pub fn period_s(&self) -> Option<f64> {
         let slowest = self
             .tones
@@ -35,7 +35,7 @@ impl Plant {
         }
         let mut cycles = 1;
         for tone in &self.tones {
-            // The least multiple of the cycles so far that is whole for this tone too.
+            // Least multiple of the cycles so far that is an integer for this tone too.
             let ratio = tone.angular_frequency_rad_s / slowest;
             let is_whole = |count: usize| {
                 (ratio * count as f64 - (ratio * count as f64).round()).abs()
@@ -48,7 +48,7 @@ impl Plant {
         Some(cycles as f64 * std::f64::consts::TAU / slowest)
     }
 
-    /// Complex amplitude of an output row under each tone.
+    /// Returns the complex amplitude of an output row under each tone.
     pub fn steady_output(&self, row: &[f64]) -> Vec<c64> {
         self.tones
             .iter()
@@ -56,7 +56,7 @@ impl Plant {
             .collect()
     }
 
-    /// The steady state in block coordinates at a time.
+    /// Returns the steady state in block coordinates at a time.
     pub fn steady_at(&self, time_s: f64) -> Vec<f64> {
         let mut steady = vec![0.0; self.len()];
         for tone in &self.tones {
@@ -69,7 +69,7 @@ impl Plant {
         steady
     }
 
-    /// Integral of the steady state from a time over a length of time.
+    /// Returns the integral of the steady state from a time over a length of time.
     pub fn steady_integral(&self, from_s: f64, length_s: f64) -> Vec<f64> {
         let mut sum = vec![0.0; self.len()];
         for tone in &self.tones {
@@ -82,7 +82,7 @@ impl Plant {
         sum
     }
 
-    /// Displacement (m) and velocity (m/s) of a port in the steady state at a time.
+    /// Returns displacement (m) and velocity (m/s) of a port in the steady state at a time.
     pub fn driven(&self, port: &Port, time_s: f64) -> [f64; 2] {
         self.tones
             .iter()
@@ -125,10 +125,10 @@ impl Plant {
         Ok(tones)
     }
 
-    /// `(i w I - A)^-1` of a complex modal force, in block coordinates.
+    /// Returns `(i w I - A)^-1` of a complex modal force, in block coordinates.
     ///
     /// # Errors
-    /// [`PlantError::UndampedResonance`] where an eigenvalue lies at `i w` to roundoff.
+    /// [`PlantError::UndampedResonance`] if an eigenvalue equals `i w` to roundoff.
     pub fn steady_state(
         &self,
         angular_frequency_rad_s: f64,

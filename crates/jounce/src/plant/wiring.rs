@@ -1,14 +1,14 @@
-//! Patches on one circuit: the nodes that they make in parallel and in series (see [`Electrical`]).
+//! Nodes of patches that share a circuit, in parallel and in series (see [`Electrical`]).
 
 use super::system::Connection;
 use super::{Electrical, System};
 use crate::spec::Wiring;
 
-/// A part that no motion drives by more than this, relative to what its patches are driven by, is left out.
+/// Largest relative coupling of a part, to that of its patches, below which the part is omitted.
 const MIN_DRIVEN_SHARE: f64 = 1e-12;
 
 impl Electrical {
-    /// Adds the nodes of patches; the first is that of their terminals.
+    /// Adds the nodes of patches; the first is the node of their terminals.
     pub(super) fn connect(
         &mut self,
         system: &System,
@@ -16,7 +16,7 @@ impl Electrical {
         wiring: Wiring,
     ) -> usize {
         let names: Vec<&String> = system.modes.patch.keys().collect();
-        // System::assemble has seen that every name is there.
+        // System::assemble has checked that every name exists.
         let members: Vec<(usize, f64)> = (connections.iter())
             .filter_map(|connection| {
                 Some((
@@ -100,7 +100,8 @@ impl Electrical {
     }
 }
 
-/// Voltages of patches in series that sum to nothing at the terminals, orthogonal to each other in energy (Gram and Schmidt).
+/// Returns voltages of patches in series that sum to zero at the terminals, orthogonal to each
+/// other in energy (Gram-Schmidt).
 fn internal_parts(signs: &[f64], capacitances_f: &[f64]) -> Vec<Vec<f64>> {
     let dot = |a: &[f64], b: &[f64]| {
         a.iter()

@@ -1,27 +1,27 @@
-//! What is wrong with a spec, and where.
+//! Faults of a spec and their places.
 
 use std::fmt;
 
 use serde::Serialize;
 
-/// One thing that is wrong, with its place.
+/// A single fault of a spec with its place.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 pub struct Fault {
-    /// Line in the file, from 1; 0 where the fault is not in the file but in an override.
+    /// Line in the file, from 1; 0 if the fault is in an override.
     pub line: usize,
-    /// Column in characters, from 1; 0 where `line` is 0.
+    /// Column in characters, from 1; 0 if `line` is 0.
     pub column: usize,
-    /// Dotted path of the key, `"stop.tip.gap"`; empty where the fault concerns no key.
+    /// Dotted path of the key, `"stop.tip.gap"`; empty if the fault concerns no key.
     pub key: String,
-    /// One sentence: the key, its value, what is allowed.
+    /// One sentence with the key, its value and the allowed values.
     pub message: String,
-    /// The override at fault, `"--set stop.tip.gap=-1"`.
+    /// Override that causes the fault, `"--set stop.tip.gap=-1"`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub set: Option<String>,
 }
 
 impl Fault {
-    /// A fault without a place in a file.
+    /// Returns a fault without a place in a file.
     pub(super) fn without_place(key: &str, message: impl Into<String>) -> Self {
         Self {
             line: 0,
@@ -45,13 +45,13 @@ impl fmt::Display for Fault {
 
 impl std::error::Error for Fault {}
 
-/// All faults of a spec, sorted by place; never empty. A file with very many faults reports the first 100.
+/// All faults of a spec, sorted by place; never empty. At most the first 100 are reported.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 #[serde(transparent)]
 pub struct Faults(Vec<Fault>);
 
 impl Faults {
-    /// No more faults than this are reported.
+    /// Largest number of reported faults.
     pub(super) const MAX_REPORTED: usize = 100;
 
     pub(super) fn new(mut faults: Vec<Fault>) -> Self {
@@ -61,7 +61,7 @@ impl Faults {
         Self(faults)
     }
 
-    /// The faults in the order of their places.
+    /// Returns the faults in the order of their places.
     pub fn as_slice(&self) -> &[Fault] {
         &self.0
     }

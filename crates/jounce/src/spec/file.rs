@@ -1,4 +1,4 @@
-//! A spec file: its text, the overrides on it, and the spec that both give.
+//! A spec file: its text, its overrides, and the resulting spec.
 
 use std::path::{Path, PathBuf};
 
@@ -16,7 +16,7 @@ use super::source::{Lines, Source, SourcePlace, parse};
 use super::{DriveSignal, KeyRange, Quantity, Recording, Spec, validation};
 use std::sync::Arc;
 
-/// A spec as text, with overrides.
+/// Text of a spec with overrides.
 ///
 /// ```
 /// use jounce::spec::SpecFile;
@@ -29,15 +29,15 @@ pub struct SpecFile {
     text: String,
     source: Source,
     overrides: Vec<Override>,
-    /// Where the paths in it begin.
+    /// Folder to which the paths in the spec are relative.
     folder: PathBuf,
 }
 
 impl SpecFile {
-    /// Reads a file; what is wrong inside is told by [`SpecFile::spec`].
+    /// Reads a file. [`SpecFile::spec`] reports the faults of its contents.
     ///
     /// # Errors
-    /// A path that is missing, a directory, not readable, larger than 16 MiB or no UTF-8 text.
+    /// A path that is missing, a directory, not readable, larger than 16 MiB or not UTF-8 text.
     pub fn read(path: impl AsRef<Path>) -> Result<Self, ReadError> {
         let path = path.as_ref();
         let file = super::read_error::read_text(path).map(Self::from_text)?;
@@ -47,7 +47,8 @@ impl SpecFile {
         })
     }
 
-    /// Takes the text of a spec; what is wrong inside is told by [`SpecFile::spec`]. Paths in it begin at the present folder.
+    /// Takes the text of a spec. [`SpecFile::spec`] reports its faults. Paths in it are relative to
+    /// the current folder.
     pub fn from_text(text: impl Into<String>) -> Self {
         let text = text.into();
         let source = parse(if text.len() > MAX_SPEC_BYTES {
@@ -63,7 +64,7 @@ impl SpecFile {
         }
     }
 
-    /// The same, paths in it beginning at a folder.
+    /// Returns this file with its paths relative to another folder.
     #[must_use]
     pub fn in_folder(self, folder: &Path) -> Self {
         Self {
@@ -72,12 +73,14 @@ impl SpecFile {
         }
     }
 
-    /// Overrides one key; the value is as on a command line: `0.5 mm`, `"0.5 mm"`, `13`, `[0.1, 0.2]`, `table`.
+    /// Overrides one key. The value is written as on a command line: `0.5 mm`, `"0.5 mm"`, `13`,
+    /// `[0.1, 0.2]`, `table`.
     ///
-    /// The thing must exist in the file; an optional key of it may be new. Of two keys that exclude each other the one set wins.
+    /// The element must exist in the file; an optional key of it may be new. Setting a key removes
+    /// the keys that it excludes.
     ///
     /// # Errors
-    /// A key that is not known, with the nearest one of this file. A wrong value is told by [`SpecFile::spec`].
+    /// An unknown key, with the nearest key of this file. [`SpecFile::spec`] reports a wrong value.
     pub fn set(&mut self, key: &str, value: &str) -> Result<(), Fault> {
         let row = resolve(&self.source.root, key).map_err(|message| Fault {
             set: Some(Override::shown(key, value)),
@@ -89,10 +92,10 @@ impl SpecFile {
         Ok(())
     }
 
-    /// The spec, with the overrides.
+    /// Returns the spec with the overrides applied.
     ///
     /// # Errors
-    /// Everything that is wrong, sorted by place; faults of overrides first.
+    /// All faults, sorted by place; faults of overrides come first.
     pub fn spec(&self) -> Result<Spec, Faults> {
         if self.text.len() > MAX_SPEC_BYTES {
             return Err(Fault {
@@ -104,7 +107,7 @@ impl SpecFile {
         }
         if self.source.errors.is_empty() && self.source.root.entries().is_some_and(<[_]>::is_empty)
         {
-            let message = "the spec is empty; it needs a structure at least: [beam.NAME], [mass.NAME] or [modal.NAME]";
+            let message = "the spec is empty; add at least one structure: [beam.NAME], [mass.NAME] or [modal.NAME]";
             return Err(Fault {
                 line: 1,
                 column: 1,
@@ -126,7 +129,7 @@ impl SpecFile {
         }
     }
 
-    /// Reads the recordings that the drives name; what is wrong with them, by key.
+    /// Reads the recordings that the drives name; returns their faults by key.
     fn read_recordings(&self, spec: &mut Spec) -> Vec<(String, String)> {
         let mut broken = Vec::new();
         for (name, drive) in &mut spec.drive {
@@ -183,7 +186,7 @@ impl SpecFile {
         Faults::new(syntax.chain(read).collect())
     }
 
-    /// The text with the overrides written into it; comments and layout stay.
+    /// Returns the text with the overrides written into it; comments and layout are retained.
     pub fn text(&self) -> String {
         let Ok(mut document) = self.text.parse::<toml_edit::DocumentMut>() else {
             return self.text.clone();
@@ -194,15 +197,16 @@ impl SpecFile {
         document.to_string()
     }
 
-    /// A key with one number, ready to be set many times.
+    /// Returns a key with one number that can be set many times.
     ///
     /// # Errors
-    /// A spec with faults, or a key that is not known or holds no number.
+    /// A spec with faults, an unknown key, or a key without a number.
     pub fn numeric_key(&self, key: &str) -> Result<NumericKey, Faults> {
         resolve(&self.source.root, key)
             .map_err(|message| Fault::without_place(&clip(key), message))?;
         let found = NumericKey::find(&self.spec()?, key)?;
-        // A mass whose spring was given by its frequency keeps that, as it would if the file were edited.
+        // A mass whose spring is given by its frequency retains the frequency, as if the file were
+        // edited.
         let ["mass", name, "mass"] = key.split('.').collect::<Vec<_>>()[..] else {
             return Ok(found);
         };
@@ -220,8 +224,8 @@ impl SpecFile {
         })
     }
 
-    /// A key with one number as [`SpecFile::numeric_key`], or every number of a list: `damping.ratios` stands for `damping.ratios.1`,
-    /// `damping.ratios.2` and so on.
+    /// Returns a key with one number as [`SpecFile::numeric_key`], or every number of a list:
+    /// `damping.ratios` stands for `damping.ratios.1`, `damping.ratios.2` and so on.
     ///
     /// # Errors
     /// As [`SpecFile::numeric_key`].
@@ -240,11 +244,12 @@ impl SpecFile {
     /// Reads the range of a sweep, `"drive.shaker.frequency=4Hz:20Hz:0.1Hz"`; see [`KeyRange`].
     ///
     /// # Errors
-    /// As [`SpecFile::numeric_key`], and a range that is empty, reversed, too long or in wrong units.
+    /// As [`SpecFile::numeric_key`], and a range that is empty, reversed, too long or in wrong
+    /// units.
     pub fn range(&self, assignment: &str) -> Result<KeyRange, Faults> {
         let Some((key, range)) = assignment.split_once('=') else {
             let message = format!(
-                "{}: a range is KEY=FROM:TO:STEP, as in drive.shaker.frequency=4Hz:20Hz:0.1Hz",
+                "{}: expected KEY=FROM:TO:STEP, such as drive.shaker.frequency=4Hz:20Hz:0.1Hz",
                 clip(assignment)
             );
             return Err(Fault::without_place("", message).into());
@@ -257,14 +262,14 @@ impl Spec {
     /// Reads a spec from TOML.
     ///
     /// # Errors
-    /// Everything that is wrong, sorted by place.
+    /// All faults, sorted by place.
     pub fn from_toml(text: &str) -> Result<Self, Faults> {
         SpecFile::from_text(text).spec()
     }
 }
 
 impl Spec {
-    /// What was noticed of the recordings of its drives, by the name of the drive.
+    /// Returns the data-quality issues of the recordings of the drives, with the name of the drive.
     pub fn findings(&self) -> impl Iterator<Item = (&str, &Issue)> {
         self.drive.iter().flat_map(|(name, drive)| {
             let findings = match &drive.signal {

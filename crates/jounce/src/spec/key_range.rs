@@ -1,4 +1,4 @@
-//! The values of a sweep.
+//! Values of a sweep.
 //!
 //! ```text
 //! FROM:TO:STEP   x_i = FROM + i STEP, up to and with TO         4Hz:20Hz:0.1Hz
@@ -7,7 +7,7 @@
 //! A,B,C          these
 //! ```
 //!
-//! Steps are added as decimals, so that 4 Hz + 3 * 0.1 Hz is the very float that `"4.3 Hz"` is.
+//! Steps are added as decimals, so 4 Hz + 3 * 0.1 Hz equals the double of `"4.3 Hz"` exactly.
 
 use super::fault::Fault;
 use super::key::{Kind, Range};
@@ -15,10 +15,10 @@ use super::nearest::clip;
 use super::numeric_key::NumericKey;
 use jounce_units::Decimal;
 
-/// The longest sweep.
+/// Largest number of points of a sweep.
 const MAX_POINTS: usize = 1_000_000;
 
-/// A key and the values that it takes, in ascending order or as listed.
+/// A key and its values, in ascending order or as listed.
 #[derive(Debug, Clone)]
 pub struct KeyRange {
     key: NumericKey,
@@ -26,10 +26,12 @@ pub struct KeyRange {
 }
 
 impl KeyRange {
-    /// Reads `FROM:TO:STEP`, `FROM:TO:Nx`, `FROM:TO:Nlog`, `A,B,C` or one value, each with its unit.
+    /// Reads `FROM:TO:STEP`, `FROM:TO:Nx`, `FROM:TO:Nlog`, `A,B,C` or one value, each with its
+    /// unit.
     ///
     /// # Errors
-    /// A range that is empty, reversed, longer than a million points, in wrong units or beyond the limits of the key.
+    /// A range that is empty, reversed, longer than a million points, in wrong units or beyond the
+    /// limits of the key.
     pub fn parse(key: NumericKey, text: &str) -> Result<Self, Fault> {
         let values = points(&key, text).map_err(|why| fault(&key, &why))?;
         for value in &values {
@@ -38,12 +40,12 @@ impl KeyRange {
         Ok(Self { key, values })
     }
 
-    /// The key.
+    /// Returns the key.
     pub fn key(&self) -> &NumericKey {
         &self.key
     }
 
-    /// The values, SI.
+    /// Returns the values, SI.
     pub fn values(&self) -> &[f64] {
         &self.values
     }
@@ -58,7 +60,7 @@ fn points(key: &NumericKey, text: &str) -> Result<Vec<f64>, String> {
     let [from, to, spacing] = parts[..] else {
         if parts.len() != 1 {
             return Err(format!(
-                "\"{}\" is no range; write FROM:TO:STEP, FROM:TO:Nx, FROM:TO:Nlog or A,B,C",
+                "\"{}\" is not a range; write FROM:TO:STEP, FROM:TO:Nx, FROM:TO:Nlog or A,B,C",
                 clip(text)
             ));
         }
@@ -73,7 +75,7 @@ fn points(key: &NumericKey, text: &str) -> Result<Vec<f64>, String> {
     );
     if from.value > to.value {
         return Err(format!(
-            "the range {} is reversed; write the smaller value first (a sweep can run down all the same)",
+            "the range {} is reversed; write the smaller value first (a sweep can still run downwards)",
             clip(text)
         ));
     }
@@ -93,7 +95,7 @@ fn points(key: &NumericKey, text: &str) -> Result<Vec<f64>, String> {
     stepped(&from, &to, &step)
 }
 
-/// A number as float and, where it is one, as whole digits times a power of ten.
+/// A number as a double and, if it is a decimal, as integer digits times a power of ten.
 struct DecimalNumber {
     value: f64,
     exact: Option<(i128, i64)>,
@@ -115,14 +117,14 @@ impl DecimalNumber {
                 exact: number.whole(0),
             }),
             _ => Err(format!(
-                "\"{}\" is no plain number; {}",
+                "\"{}\" is not a plain number; {}",
                 clip(text),
                 key.kind().due()
             )),
         }
     }
 
-    /// The digits at an exponent not above the own one.
+    /// Returns the digits for an exponent that is at most the stored exponent.
     fn digits_at(&self, exponent: i64) -> Option<i128> {
         let (digits, own) = self.exact?;
         let shift = u32::try_from(own - exponent)
@@ -188,7 +190,7 @@ fn linear(from: f64, to: f64, count: usize) -> Vec<f64> {
 
 fn logarithmic(from: f64, to: f64, count: usize) -> Result<Vec<f64>, String> {
     if from <= 0.0 {
-        return Err("a logarithmic range starts above 0".to_owned());
+        return Err("a logarithmic range must start above 0".to_owned());
     }
     let ratio = (to / from).ln();
     let exponents = linear(0.0, 1.0, count);
@@ -211,7 +213,7 @@ fn count_of(text: &str) -> Result<usize, String> {
         .filter(|count| (2..=MAX_POINTS).contains(count));
     count.ok_or_else(|| {
         format!(
-            "\"{}\" is no number of points; give 2 to {MAX_POINTS}",
+            "\"{}\" is not a number of points; give 2 to {MAX_POINTS}",
             clip(text)
         )
     })

@@ -1,15 +1,15 @@
-//! The key reference of the book, from the table of keys.
+//! Key reference of the book, generated from the table of keys.
 
 use super::Spec;
 use super::key::{Kind, Need, Range, Row, rows};
 use super::keys::SPEC;
 
-/// Every key of a spec as Markdown: one section and one table for each kind of thing.
+/// Returns every key of a spec as Markdown: one section with one table for each kind of element.
 pub fn reference_markdown() -> String {
     let mut out = String::from(
-        "# Keys of a spec\n\nQuantities are texts with a unit, as in `\"0.98 mm\"`; the units here are examples.\n",
+        "# Keys of a spec\n\nA quantity is text with a unit, such as `\"0.98 mm\"`; the units listed here are examples.\n",
     );
-    out.push_str("A number of a list is a key too, counted from 1: `damping.ratios.2` can be set, swept, followed and fitted.\n");
+    out.push_str("An element of a list is a key too, counted from 1: `damping.ratios.2` can be set, swept, continued and fitted.\n");
     for row in rows(SPEC, Spec::default) {
         section(&row, "", &mut out);
     }

@@ -1,7 +1,8 @@
-//! What the user says: one TOML file, every fault reported at once with its place.
+//! The spec of a harvester: one TOML file; all faults are reported at once with their places.
 //!
-//! [`SpecFile`] holds the text and its overrides, [`Spec`] what both say, in SI units. One table of keys (`keys/`) drives reading, range
-//! checks, suggestions, overrides, sweeps, printing, the JSON Schema ([`schema`]) and the key reference ([`reference_markdown`]).
+//! [`SpecFile`] holds the text and its overrides, [`Spec`] the resulting values in SI units. One
+//! table of keys (`keys/`) drives reading, range checks, suggestions, overrides, sweeps, printing,
+//! the JSON Schema ([`schema`]) and the key reference ([`reference_markdown`]).
 
 mod fault;
 mod file;

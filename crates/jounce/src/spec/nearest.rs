@@ -1,17 +1,18 @@
-//! The known word nearest to one that is not known.
+//! Search for the known word nearest to an unknown word.
 
 pub(super) use jounce_units::clip;
 
-/// Longer words are no misspelling of anything, and the distance of two long words takes long.
+/// Longest word that is compared; the distance of two long words is slow to compute.
 const MAX_WORD_LENGTH: usize = 64;
 
-/// No more candidates than this are compared, so that a huge file with many wrong names is refused in bounded time.
+/// Largest number of candidates that are compared, so a huge file with many wrong names is refused
+/// in bounded time.
 const MAX_CANDIDATES: usize = 2000;
 
-/// How many known words a message lists.
+/// Largest number of known words in a message.
 const MAX_LISTED_WORDS: usize = 12;
 
-/// The candidate nearest to `word`, if it is near enough to be meant: at most one edit in three characters, one at least.
+/// Returns the nearest candidate within one edit per three characters, and at least one edit.
 pub(crate) fn nearest<'c>(
     word: &str,
     candidates: impl IntoIterator<Item = &'c str>,
@@ -30,7 +31,7 @@ pub(crate) fn nearest<'c>(
     (distance <= (length / 3).max(1)).then_some(best)
 }
 
-/// ` (did you mean X?)`, or nothing.
+/// Returns ` (did you mean X?)`, or an empty text.
 pub(super) fn did_you_mean<'c>(
     word: &str,
     candidates: impl IntoIterator<Item = &'c str>,
@@ -40,7 +41,7 @@ pub(super) fn did_you_mean<'c>(
         .unwrap_or_default()
 }
 
-/// A list for a message: `a, b, c and 5 more`.
+/// Returns a list for a message: `a, b, c and 5 more`.
 pub(super) fn join_words<'c>(words: impl IntoIterator<Item = &'c str>) -> String {
     let mut words: Vec<&str> = words.into_iter().collect();
     words.dedup();
@@ -57,7 +58,7 @@ pub(super) fn join_words<'c>(words: impl IntoIterator<Item = &'c str>) -> String
     }
 }
 
-/// `KEY is ...` or `KEY: ...`, whichever reads on.
+/// Returns `KEY is ...` if the text starts with a verb, otherwise `KEY: ...`.
 pub(super) fn sentence(key: &str, text: &str) -> String {
     let reads_on = ["is ", "has ", "does "]
         .iter()

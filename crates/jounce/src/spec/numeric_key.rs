@@ -6,7 +6,7 @@ use super::keys::SPEC;
 use super::nearest::clip;
 use super::{Spec, validation};
 
-/// One number of a spec that can be set over and over.
+/// A number of a spec that can be set repeatedly.
 ///
 /// ```
 /// use jounce::spec::{NumericKey, Spec};
@@ -20,11 +20,12 @@ pub struct NumericKey {
     path: String,
     kind: Kind,
     info: KeyInfo,
-    /// A key and its value that must outlive the change: the frequency of a mass whose spring was given by it.
+    /// A key and its value that are retained when this key changes: the frequency of a mass whose
+    /// spring it defines.
     held: Option<(String, f64)>,
 }
 
-/// What is known of the number at a path.
+/// Properties of the number at a path.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Numeric {
     info: KeyInfo,
@@ -33,10 +34,12 @@ pub(super) struct Numeric {
 }
 
 impl NumericKey {
-    /// Finds the key by its dotted path, `"drive.shaker.frequency"`; numbers of a list are counted from 1, `"damping.ratios.2"`.
+    /// Finds the key by its dotted path, `"drive.shaker.frequency"`; numbers of a list are counted
+    /// from 1, `"damping.ratios.2"`.
     ///
     /// # Errors
-    /// A path that leads to no number, or to a whole list. The exponent of a contact law is refused: the unit of its stiffness hangs on it.
+    /// A path without a number, or of a complete list. The exponent of a contact law is refused,
+    /// because the unit of its stiffness depends on it.
     pub fn find(spec: &Spec, path: &str) -> Result<Self, Fault> {
         let Some(found) = locate(SPEC, spec, &segments(path)) else {
             return Err(Fault::without_place(
@@ -56,25 +59,25 @@ impl NumericKey {
         })
     }
 
-    /// Every number of the list at a path, empty where there is no list.
+    /// Returns every number of the list at a path; empty if there is no list.
     pub(super) fn all_in(spec: &Spec, path: &str) -> Result<Vec<Self>, Fault> {
         (1..=listed(spec, path))
             .map(|number| Self::find(spec, &format!("{path}.{number}")))
             .collect()
     }
 
-    /// Keeps another number of the spec at a value whenever this one is set.
+    /// Holds another number of the spec at a value whenever this key is set.
     pub(super) fn holding(mut self, path: String, value: f64) -> Self {
         self.held = Some((path, value));
         self
     }
 
-    /// The dotted path.
+    /// Returns the dotted path.
     pub fn path(&self) -> &str {
         &self.path
     }
 
-    /// The SI unit of the number; empty for a plain number.
+    /// Returns the SI unit of the number; empty for a plain number.
     pub fn unit(&self) -> String {
         if let Kind::Quantity(quantity) | Kind::NamedQuantities(quantity) = self.kind {
             quantity.si_unit()
@@ -83,17 +86,18 @@ impl NumericKey {
         }
     }
 
-    /// Smallest and largest value that the key alone allows, SI; infinite where there is no limit.
+    /// Returns the smallest and largest value that the key itself allows, SI; infinite if there is
+    /// no limit.
     pub fn limits(&self) -> (f64, f64) {
         (self.info.range.low, self.info.range.high)
     }
 
-    /// A value in words as the spec has it, `"0.5 mm"`.
+    /// Returns a value as written in a spec, `"0.5 mm"`.
     pub fn show(&self, value_si: f64) -> String {
         self.kind.show(value_si)
     }
 
-    /// What the key says, one sentence.
+    /// Returns the help text of the key.
     pub fn about(&self) -> &'static str {
         self.info.doc
     }
@@ -103,21 +107,25 @@ impl NumericKey {
         self.info.kind == Kind::Count
     }
 
-    /// The value in a spec, SI.
+    /// Returns the value in a spec, SI.
     ///
     /// # Errors
-    /// A spec that does not have this key.
+    /// A spec without this key.
     pub fn get(&self, spec: &Spec) -> Result<f64, Fault> {
         let found = locate(SPEC, spec, &segments(&self.path));
         found.map(|found| found.value).ok_or_else(|| {
-            Fault::without_place(&self.path, format!("{}: not in this spec", self.path))
+            Fault::without_place(
+                &self.path,
+                format!("{}: this spec has no such key", self.path),
+            )
         })
     }
 
-    /// Sets the value, SI. On an error the spec is as it was.
+    /// Sets the value, SI. On an error the spec is unchanged.
     ///
     /// # Errors
-    /// A value outside the limits of the key, or one that breaks a rule between keys (a patch beyond its beam).
+    /// A value outside the limits of the key, or a value that violates a rule between keys (a patch
+    /// beyond its beam).
     pub fn set(&self, spec: &mut Spec, value_si: f64) -> Result<(), Fault> {
         self.check(value_si)?;
         let before = self.get(spec)?;
@@ -133,7 +141,7 @@ impl NumericKey {
         Ok(())
     }
 
-    /// Checks a value against the limits of the key alone.
+    /// Checks a value against the limits of the key itself.
     pub(super) fn check(&self, value_si: f64) -> Result<(), Fault> {
         let whole = self.info.kind != Kind::Count || value_si.fract() == 0.0;
         if self.info.range.holds(value_si) && whole {
@@ -163,9 +171,9 @@ impl NumericKey {
 }
 
 impl Spec {
-    /// Sets one number by its dotted path; SI. Where the spring of a mass was given by its frequency, setting `mass` keeps its
-    /// stiffness here; the key of [`SpecFile::numeric_key`](super::SpecFile::numeric_key) keeps its frequency. On an error the spec is
-    /// as it was.
+    /// Sets one number by its dotted path, SI. For a mass on a spring, setting `mass` retains the
+    /// stiffness; the key of [`SpecFile::numeric_key`](super::SpecFile::numeric_key) retains a
+    /// given frequency. On an error the spec is unchanged.
     ///
     /// # Errors
     /// As [`NumericKey::find`] and [`NumericKey::set`].
@@ -178,7 +186,7 @@ fn segments(path: &str) -> Vec<&str> {
     path.split('.').collect()
 }
 
-/// How many numbers the list at a path holds, 0 where there is no list.
+/// Returns the length of the list at a path; 0 if there is no list.
 fn listed(spec: &Spec, path: &str) -> usize {
     let is_listed = |number: &usize| {
         let found = locate(SPEC, spec, &segments(&format!("{path}.{number}")));
@@ -187,20 +195,20 @@ fn listed(spec: &Spec, path: &str) -> usize {
     (1..).take_while(is_listed).count()
 }
 
-/// Why there is no number at a path.
+/// Returns why there is no number at a path.
 fn no_number(spec: &Spec, path: &str) -> String {
     let above = path
         .rsplit_once('.')
         .map(|(list, _)| (list, listed(spec, list)))
         .filter(|(_, count)| *count > 0);
     match (listed(spec, path), above) {
-        (0, None) => "this is no key with a number in this spec".to_owned(),
+        (0, None) => "this spec has no key with a number here".to_owned(),
         (0, Some((list, count))) => beyond(list, count),
         (count, _) => format!("this is a list; {}", one_of(path, count)),
     }
 }
 
-/// What is told of a number that a list does not hold.
+/// Returns the message for a number that is not in a list.
 pub(super) fn beyond(list: &str, count: usize) -> String {
     format!(
         "{list} holds {}; {}",
@@ -215,18 +223,18 @@ pub(super) fn beyond(list: &str, count: usize) -> String {
 
 fn one_of(list: &str, count: usize) -> String {
     if count == 1 {
-        format!("name it as {list}.1")
+        format!("write {list}.1")
     } else {
-        format!("name one of them, from {list}.1 to {list}.{count}")
+        format!("write one of {list}.1 to {list}.{count}")
     }
 }
 
-/// The place of a number in its list; numbers are counted from 1.
+/// Returns the index of a number in its list; numbers are counted from 1.
 pub(super) fn place_in_list(number: &str) -> Option<usize> {
     number.parse::<usize>().ok()?.checked_sub(1)
 }
 
-/// The number at a path below a thing.
+/// Returns the number at a path below an element.
 pub(super) fn locate<T>(keys: &[Key<T>], thing: &T, path: &[&str]) -> Option<Numeric> {
     let (name, rest) = path.split_first()?;
     let key = keys
@@ -264,7 +272,7 @@ fn one_of_list(info: KeyInfo, value: f64) -> Numeric {
     }
 }
 
-/// Stores a number at a path below a thing; false where there is none.
+/// Stores a number at a path below an element; false if there is none.
 pub(super) fn store<T>(keys: &[Key<T>], thing: &mut T, path: &[&str], value: f64) -> bool {
     let Some((name, rest)) = path.split_first() else {
         return false;

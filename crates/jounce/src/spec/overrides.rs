@@ -11,20 +11,20 @@ use super::numeric_key::{beyond, place_in_list};
 use super::source::{Node, SourcePlace, Value, value_of};
 use super::{Spec, read::join};
 
-/// The nearest key is looked for among no more keys than this.
+/// Largest number of keys in which the nearest key is searched.
 const MAX_COMPARED_PATHS: usize = 5000;
 
-/// One override.
+/// An override of one key.
 pub(super) struct Override {
     path: Vec<String>,
     value: String,
     node: Node,
-    /// Keys of the same table that this one excludes.
+    /// Keys of the same table that this key excludes.
     excludes: &'static [&'static str],
 }
 
 impl Override {
-    /// An override of a key that is known.
+    /// Returns an override of a known key.
     pub(super) fn new(key: &str, value: &str, info: &KeyInfo, index: usize) -> Self {
         let mut node = read_value(value);
         let wants_text = matches!(
@@ -48,12 +48,12 @@ impl Override {
         }
     }
 
-    /// How it was written.
+    /// Returns the override as it was written.
     pub(super) fn shown(key: &str, value: &str) -> String {
         format!("--set {}={}", clip(key), clip(value))
     }
 
-    /// Puts it into a tree.
+    /// Applies the override to a tree.
     pub(super) fn apply(&self, root: &mut Node) {
         let path: Vec<&str> = self.path.iter().map(String::as_str).collect();
         if let Some((name, parents)) = path.split_last() {
@@ -64,7 +64,7 @@ impl Override {
         root.put(&path, self.node.clone());
     }
 
-    /// Writes it into a document, in the layout of what stood there.
+    /// Writes the override into a document, in the layout of the previous value.
     pub(super) fn write_into(&self, document: &mut DocumentMut) {
         let Some((name, parents)) = self.path.split_last() else {
             return;
@@ -111,7 +111,7 @@ impl fmt::Display for Override {
     }
 }
 
-/// A value of a command line: TOML where it is TOML, text otherwise.
+/// Parses a value of a command line: as TOML if valid, otherwise as text.
 fn read_value(value: &str) -> Node {
     let line = format!("v = {}", value.trim());
     let parsed = toml_edit::Document::parse(line.as_str())
@@ -138,7 +138,7 @@ fn move_to(node: &mut Node, place: SourcePlace) {
     }
 }
 
-/// The key at a path, where the things on the way exist in the file; a message otherwise.
+/// Returns the key at a path if the elements on the path exist in the file.
 pub(super) fn resolve(root: &Node, key: &str) -> Result<KeyInfo, String> {
     let top = rows(SPEC, Spec::default);
     let segments: Vec<&str> = key.split('.').collect();
@@ -155,11 +155,11 @@ pub(super) fn resolve(root: &Node, key: &str) -> Result<KeyInfo, String> {
     })
 }
 
-/// Why a path leads nowhere.
+/// Reason why a path has no key.
 enum PathError {
-    /// No key is there; the nearest may be meant.
+    /// No key has this name; the nearest one may be meant.
     Key(String),
-    /// A list does not hold the number.
+    /// The list has no such number.
     InList(String),
 }
 
@@ -200,7 +200,10 @@ fn walk(
     let walked = join(walked, name);
     match (row.info.kind, rest) {
         (Kind::Table, rest) => walk(&row.inner, below, rest, &walked),
-        (Kind::Things, []) => Err(format!("{walked} is a table of things by name").into()),
+        (Kind::Things, []) => Err(format!(
+            "{walked} is a table of named elements; add the name of one and a key"
+        )
+        .into()),
         (Kind::Things, [thing, rest @ ..]) => {
             let Some(found) = below.and_then(|below| below.get(thing)) else {
                 let there = below.and_then(Node::entries).unwrap_or_default();
@@ -227,14 +230,14 @@ fn walk(
             in_list(row.info, list, number, &join(&walked, name))
         }
         (Kind::NamedQuantities(_) | Kind::NamedNumbers, _) => {
-            Err(format!("{walked} is a table of values by name").into())
+            Err(format!("{walked} is a table of named values; add the name of one").into())
         }
         (_, []) => Ok(row.info),
-        (_, _) => Err(format!("{walked} is one value and has no keys").into()),
+        (_, _) => Err(format!("{walked} is a single value and has no keys").into()),
     }
 }
 
-/// One number of a list that the file has.
+/// Returns one number of a list of the file.
 fn in_list(
     info: KeyInfo,
     list: Option<&Node>,
@@ -255,15 +258,15 @@ fn in_list(
             }
         }
         Some(_) => Err(PathError::InList(format!(
-            "{walked} is no list of numbers in this file"
+            "{walked} is not a list of numbers in this file"
         ))),
         None => Err(PathError::InList(format!(
-            "this file has no {walked}; give the whole list first"
+            "this file has no {walked}; set the complete list first"
         ))),
     }
 }
 
-/// Every key that the things of a file have or may have.
+/// Collects every key that the elements of a file have or may have.
 fn paths(rows: &[Row], node: Option<&Node>, prefix: &str, out: &mut Vec<String>) {
     for row in rows {
         if out.len() > MAX_COMPARED_PATHS {

@@ -1,4 +1,4 @@
-//! Files that cannot be read at all.
+//! Errors of files that cannot be read.
 
 use std::io::Read as _;
 use std::path::{Path, PathBuf};
@@ -6,31 +6,31 @@ use std::path::{Path, PathBuf};
 use super::fault::Fault;
 use super::source::Lines;
 
-/// The largest spec, bytes.
+/// Largest size of a spec, bytes.
 pub(super) const MAX_SPEC_BYTES: usize = 16 << 20;
 
-/// Why a file cannot be read as a spec.
+/// Reason why a file cannot be read as a spec.
 #[derive(Debug, thiserror::Error)]
 pub enum ReadError {
-    /// Nothing there.
+    /// The file does not exist.
     #[error("{} does not exist", path.display())]
     Missing {
         /// the path
         path: PathBuf,
     },
-    /// A directory instead of a file.
+    /// The path is a directory.
     #[error("{} is a directory; name the spec file in it", path.display())]
     Directory {
         /// the path
         path: PathBuf,
     },
-    /// Not a spec at this size.
-    #[error("{} is larger than 16 MiB, which no spec is", path.display())]
+    /// The file exceeds the size limit.
+    #[error("{} is larger than 16 MiB, the largest size of a spec", path.display())]
     TooLarge {
         /// the path
         path: PathBuf,
     },
-    /// Bytes that are not UTF-8.
+    /// The file is not UTF-8.
     #[error("{} is not a text file: {fault}", path.display())]
     NotText {
         /// the path
@@ -38,17 +38,17 @@ pub enum ReadError {
         /// the first wrong byte and its place
         fault: Fault,
     },
-    /// The system refuses.
+    /// The operating system refuses to read the file.
     #[error("{} cannot be read: {source}", path.display())]
     Unreadable {
         /// the path
         path: PathBuf,
-        /// what the system says
+        /// message of the system
         source: std::io::Error,
     },
 }
 
-/// The text of a file.
+/// Reads the text of a file.
 pub(super) fn read_text(path: &Path) -> Result<String, ReadError> {
     let owned = || path.to_path_buf();
     let unreadable = |source: std::io::Error| match source.kind() {
@@ -63,7 +63,7 @@ pub(super) fn read_text(path: &Path) -> Result<String, ReadError> {
         return Err(ReadError::Directory { path: owned() });
     }
     let mut bytes = Vec::new();
-    // One byte more than allowed, so that a device without end is not read for ever.
+    // One byte more than allowed, so reading an endless device terminates.
     let limited = std::fs::File::open(path)
         .map_err(unreadable)?
         .take(MAX_SPEC_BYTES as u64 + 1);

@@ -1,4 +1,4 @@
-//! The recording of a drive: one channel of a file of an instrument, at even times, in the SI unit of the drive.
+//! Recording of a drive: one evenly sampled channel of a file, in the SI unit of the drive.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -11,70 +11,73 @@ use jounce_data::recording::{
 
 use super::{Drive, DriveKind, DriveSignal};
 
-/// How far the rate of a file may lie from the rate that the spec names, relative.
+/// Largest relative difference between the sampling rate of a file and that of the spec.
 const MAX_RATE_ERROR: f64 = 1e-3;
 
-/// What a constant channel keeps of its mean by roundoff, over the mean.
+/// Largest residual of a constant channel due to roundoff, relative to its mean.
 const CONSTANT_ROUNDOFF: f64 = 1e-12;
 
-/// Samples at even times.
+/// Evenly sampled signal.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Recording {
     /// Time between samples, s.
     pub step_s: f64,
-    /// The values in SI, at least two; those of a channel in a unit of another quantity, or in none, in the unit that the drive names.
+    /// Values in SI, at least two. If the channel has no unit or a unit of another quantity, the
+    /// drive defines their unit.
     pub values: Arc<[f64]>,
-    /// The mean of the channel, in the same unit, whether it was kept or taken away.
+    /// Mean of the channel in the same unit, retained or removed.
     pub mean: f64,
-    /// What was noticed of the recording and this channel, and what was done to them.
+    /// Data-quality issues of the recording and this channel, and the corrections applied to them.
     pub findings: Vec<Issue>,
 }
 
-/// A channel that moves no base and no point.
+/// Reason why a channel cannot drive a base or a point.
 #[derive(Debug, Clone, PartialEq, thiserror::Error, serde::Serialize)]
 #[serde(untagged)]
 pub enum RecordingError {
-    /// Another quantity.
+    /// The channel measures another quantity.
     #[error(
-        "channel {channel} is in {unit}, which is no unit of {wanted}; name another channel, or say by `unit` what the value 1 stands for"
+        "channel {channel} is in {unit}, which does not convert to {wanted}; name another channel, or set `unit` to the unit of its values"
     )]
     Unit {
         /// The channel.
         channel: String,
         /// Its unit.
         unit: String,
-        /// SI unit of the quantity that is wanted.
+        /// SI unit of the required quantity.
         wanted: &'static str,
     },
-    /// A unit that the file gives already.
+    /// The file already contains the unit.
     #[error(
-        "the file gives channel {channel} in a unit of its own, in SI {unit}: leave `unit` out, or correct it in notes beside the file"
+        "the file gives channel {channel} a unit already (in SI {unit}); omit `unit`, or correct it in the notes next to the file"
     )]
     UnitTwice {
         /// The channel.
         channel: String,
-        /// The SI unit of the file's.
+        /// SI unit of the channel in the file.
         unit: String,
     },
-    /// No channel is named and several would do.
-    #[error("several channels would do ({}): name one by `channel`", channels.join(", "))]
+    /// No channel is named and several fit.
+    #[error("several channels fit ({}); name one with `channel`", channels.join(", "))]
     Several {
-        /// Those that would do.
+        /// Channels that fit.
         channels: Vec<String>,
     },
-    /// No channel would do.
-    #[error("no channel that moves is in a unit of {wanted} or in none; the channels are {}", channels.join(", "))]
+    /// No channel fits.
+    #[error("no varying channel is without a unit or has one that converts to {wanted}; the channels are {}", channels.join(", "))]
     None {
         /// All channels.
         channels: Vec<String>,
-        /// SI unit of the quantity that is wanted.
+        /// SI unit of the required quantity.
         wanted: &'static str,
     },
-    /// A channel that is not there.
+    /// The channel does not exist.
     #[error(transparent)]
     Missing(#[from] NoChannel),
-    /// A channel that does not move.
-    #[error("channel {channel} is {mean} {unit} throughout, which moves nothing; name another one")]
+    /// The channel is constant.
+    #[error(
+        "channel {channel} is constant at {mean} {unit} and excites nothing; name another channel"
+    )]
     Still {
         /// The channel.
         channel: String,
@@ -83,20 +86,20 @@ pub enum RecordingError {
         /// SI unit of the mean.
         unit: &'static str,
     },
-    /// No even times.
-    #[error("{recording} has no even times: resample it first")]
+    /// The samples are not evenly spaced in time.
+    #[error("{recording} is not evenly sampled in time; resample it first")]
     NotEven {
         /// The recording.
         recording: String,
     },
     /// Fewer than two samples.
-    #[error("{recording} holds fewer than two samples")]
+    #[error("{recording} has fewer than two samples")]
     Few {
         /// The recording.
         recording: String,
     },
-    /// Samples that are no numbers.
-    #[error("channel {channel} holds a sample that is no number; fill its gaps first")]
+    /// A sample is not finite.
+    #[error("channel {channel} has a sample that is not a finite number; fill its gaps first")]
     NotANumber {
         /// The channel.
         channel: String,
@@ -104,7 +107,7 @@ pub enum RecordingError {
 }
 
 impl DriveKind {
-    /// What a channel must measure to be its signal.
+    /// Returns the quantity that a channel must measure to be the signal of the drive.
     pub fn measured(self) -> Quantity {
         match self {
             Self::Force => Quantity::Force,
@@ -113,17 +116,18 @@ impl DriveKind {
         }
     }
 
-    /// True where the mean of a recording is part of the drive: the mean of an accelerometer is gravity and offset, that of a force a load.
+    /// True if the mean of a recording is part of the drive. The mean of an accelerometer is
+    /// gravity and offset; the mean of a force is a load.
     pub fn keeps_mean(self) -> bool {
         self == Self::Force
     }
 }
 
-/// The number of the channel that is to drive: the one of that name or number, or the only one that moves and measures the quantity, or the only one
-/// that moves and tells no unit.
+/// Returns the number of the driving channel: the channel with the given name or number. Without a
+/// name it is the only varying channel of the quantity, or the only varying channel without a unit.
 ///
 /// # Errors
-/// No such channel, none that would do, or several.
+/// The named channel does not exist, or no channel fits, or several do.
 pub fn driving_channel(
     (recording, heads, findings): (&str, &[ChannelHead<'_>], &[Issue]),
     wanted: Option<&str>,
@@ -173,7 +177,8 @@ pub fn driving_channel(
 }
 
 impl Recording {
-    /// A channel of a recording at even times as the signal of a drive that multiplies it by `scale`; its mean is taken away where it is not kept.
+    /// Returns an evenly sampled channel as the signal of a drive that multiplies it by `scale`;
+    /// the mean is removed unless `keep_mean`.
     ///
     /// # Errors
     /// [`RecordingError`].
@@ -228,7 +233,7 @@ impl Recording {
         let mut findings: Vec<Issue> = measured.findings.iter().filter(is_own).cloned().collect();
         if offset.abs() > CONSTANT_ROUNDOFF * largest {
             let about = format!(
-                "its mean of {:.5} {} is taken away",
+                "its mean of {:.5} {} is removed",
                 scale * mean,
                 quantity.si_unit()
             );
@@ -247,7 +252,7 @@ impl Recording {
     /// Reads the file of a drive.
     ///
     /// # Errors
-    /// The key at fault, and one sentence with the file and what to do.
+    /// The faulty key, and one sentence with the file and a remedy.
     pub(super) fn read(path: &Path, drive: &Drive) -> Result<Self, (&'static str, String)> {
         let DriveSignal::Recording {
             channel,
@@ -311,13 +316,14 @@ impl Recording {
         Self::of(&measured, &name, drive.kind, (*scale, keep_mean)).map_err(|error| of_file(&error))
     }
 
-    /// Time from the first sample to the last, s.
+    /// Returns the time from the first sample to the last, s.
     pub fn duration_s(&self) -> f64 {
         self.step_s * (self.values.len() - 1) as f64
     }
 }
 
-/// The first recording over time of a file, at a rate where neither the file nor its notes tell usable times.
+/// Reads the first time-domain recording of a file, at the given rate if neither the file nor its
+/// notes contain usable times.
 fn survey(path: &Path, sample_rate_hz: Option<f64>) -> Result<RecordingSummary, ReadError> {
     match (read::survey_record(path), sample_rate_hz) {
         (
@@ -334,11 +340,15 @@ fn survey(path: &Path, sample_rate_hz: Option<f64>) -> Result<RecordingSummary, 
     }
 }
 
-/// Values of a channel in a unit that its file does not give.
+/// Converts the values of a channel from a unit that its file does not contain.
 fn in_unit(channel: &mut Channel, unit: &str, quantity: Quantity) -> Result<(), String> {
     let known = Unit::read(unit).filter(|known| known.quantity == quantity);
-    let known =
-        known.ok_or_else(|| format!("`unit` = {unit:?} is no unit of {}", quantity.si_unit()))?;
+    let known = known.ok_or_else(|| {
+        format!(
+            "`unit` = {unit:?} does not convert to {}",
+            quantity.si_unit()
+        )
+    })?;
     if channel.quantity == quantity {
         return Err(RecordingError::UnitTwice {
             channel: channel.name.clone(),

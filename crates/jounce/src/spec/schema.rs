@@ -1,4 +1,4 @@
-//! The JSON Schema of a spec, draft-07, from the table of keys.
+//! JSON Schema (draft-07) of a spec, generated from the table of keys.
 
 use serde_json::{Map, Value, json};
 
@@ -6,13 +6,13 @@ use super::Spec;
 use super::key::{Kind, Need, Row, rows};
 use super::keys::SPEC;
 
-/// A name that the user may choose.
+/// Pattern of a name chosen by the user.
 const NAME: &str = "^[A-Za-z0-9_-]+$";
 
-/// The draft-07 JSON Schema of a spec, for editors that complete and check TOML.
+/// Returns the draft-07 JSON Schema of a spec, for editors that complete and check TOML.
 ///
-/// It knows every key, kind, limit and choice. It cannot know references, units of the wrong kind and rules between things:
-/// [`Spec::from_toml`] checks those.
+/// The schema contains every key, kind, limit and choice. It cannot check references, units of the
+/// wrong kind and rules between elements; [`Spec::from_toml`] checks those.
 pub fn schema() -> Value {
     let top = rows(SPEC, Spec::default);
     let mut schema = table(&top);
@@ -31,7 +31,8 @@ fn table(rows: &[Row]) -> Value {
         let mut property = property(row);
         if let Some(other) = properties.get(row.info.name) {
             property["description"] = json!(format!("{}; {}", text(other), text(&property)));
-            // The limits that hold in every case; the case itself is told apart below. A name has none.
+            // Limits that hold in every case; the rules below distinguish the cases. A name has no
+            // limits.
             if other.get("pattern").is_some() {
                 property["pattern"] = json!(if is_signed(other) || is_signed(&property) {
                     pattern(true)
@@ -127,7 +128,7 @@ fn numbers(row: &Row) -> Value {
     json!({ "type": "array", "items": number(row, "number"), "minItems": least })
 }
 
-/// A number, then something for the unit.
+/// Returns the pattern of a number followed by a unit.
 fn pattern(signed: bool) -> String {
     let sign = if signed { "[+-]?" } else { "\\+?" };
     format!(
@@ -135,7 +136,7 @@ fn pattern(signed: bool) -> String {
     )
 }
 
-/// Which keys go with which word of a choice, and which exclude each other.
+/// Returns the rules for keys that depend on a choice or exclude each other.
 fn rules(rows: &[Row]) -> Vec<Value> {
     let mut rules = Vec::new();
     for choice in rows {
@@ -156,7 +157,7 @@ fn rules(rows: &[Row]) -> Vec<Value> {
     }
     for row in rows {
         let names = row.info.need.alternatives();
-        // Alternatives that go with a choice stand with its words.
+        // Alternatives that depend on a choice are part of the rules of its words.
         if names.first() == Some(&row.info.name) && row.info.when.is_none() {
             let alternatives = alternatives(names);
             rules.push(match (row.info.need, row.info.unless) {

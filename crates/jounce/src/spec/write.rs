@@ -1,4 +1,5 @@
-//! A spec as canonical TOML: every key that applies, in the order of the table of keys, in short units.
+//! A spec as canonical TOML: every applicable key, in the order of the table of keys, in short
+//! units.
 
 use std::fmt::Write as _;
 
@@ -9,12 +10,13 @@ use super::keys::SPEC;
 use super::{DriveSignal, Spec};
 
 impl Spec {
-    /// Prints the spec as TOML. [`Spec::from_toml`] reads the very same spec back, bit for bit.
+    /// Prints the spec as TOML. [`Spec::from_toml`] reads an identical spec back, bit for bit.
     ///
     /// Defaults are printed too; the spring of a mass is printed as its stiffness.
     ///
     /// # Validation
-    /// `tests/spec_round_trip.rs`: random specs with all laws, sides and structures come back equal.
+    /// `tests/spec_round_trip.rs`: random specs with all laws, sides and structures come back
+    /// equal.
     pub fn to_toml(&self) -> String {
         let mut out = String::new();
         for key in SPEC {
@@ -25,11 +27,11 @@ impl Spec {
         out.trim_start().to_owned()
     }
 
-    /// SHA-256 of [`Spec::to_toml`] as 64 hexadecimal digits: the same for two files that say the same, whatever their comments, order,
-    /// units or written defaults.
+    /// Returns the SHA-256 of [`Spec::to_toml`] as 64 hexadecimal digits. Comments, order, units
+    /// and written defaults do not change it.
     pub fn hash_hex(&self) -> String {
         let mut hasher = Sha256::new_with_prefix(self.to_toml().as_bytes());
-        // Recordings by what they hold: the file may change under its name.
+        // Recordings enter by their samples, because a file may change under its name.
         for drive in self.drive.values() {
             if let DriveSignal::Recording {
                 record: Some(record),
@@ -52,7 +54,7 @@ impl Spec {
     }
 }
 
-/// Prints one thing under its header; `always` prints the header of an empty one too.
+/// Prints one element under its header; `always` prints the header of an empty element too.
 pub(super) fn write_keys<T>(
     keys: &[Key<T>],
     thing: &T,
@@ -133,7 +135,7 @@ fn quoted(text: &str) -> String {
     toml_edit::Value::from(text).to_string()
 }
 
-/// The shortest digits that read back as the same bits.
+/// Returns the shortest digits that read back as the same bits.
 fn float(value: f64) -> String {
     format!("{value:?}")
 }

@@ -1,4 +1,4 @@
-//! Mode shapes along the beams, for pictures.
+//! Mode shapes along the beams, for figures.
 
 use super::solution::StructureSolution;
 use std::collections::BTreeMap;
@@ -13,7 +13,7 @@ pub struct BeamShape {
 }
 
 impl BeamShape {
-    /// One mode at every place; `None` where there is no such mode.
+    /// Returns one mode at every place; `None` if there is no such mode.
     pub fn mode(&self, mode: usize) -> Option<Vec<f64>> {
         self.shape
             .iter()
@@ -22,7 +22,7 @@ impl BeamShape {
     }
 }
 
-/// The kept modes of each beam at `samples` equidistant places (at least 2).
+/// Returns the retained modes of each beam at `samples` equidistant places (at least 2).
 pub(super) fn beam_shapes(
     solution: &StructureSolution,
     samples: usize,

@@ -1,4 +1,5 @@
-//! A solution as [`Modes`]: shapes at the named points and masses, couplings of the patches, damping ratios.
+//! Conversion of a solution to [`Modes`]: shapes at the named points and masses, couplings of the
+//! patches, damping ratios.
 
 use super::assembly::{Assembly, Row};
 use super::damping::{MassMode, damping_ratios};
@@ -9,10 +10,10 @@ use super::section::{outer_lever_m, patch_moment_n_m_per_v};
 use super::solution::StructureSolution;
 use crate::spec::{GROUND, Patch, Spec};
 
-/// Into how many pieces each stretch of a patch is divided to find its largest strain.
+/// Number of pieces into which each segment of a patch is divided to find its largest strain.
 const STRAIN_POINTS: usize = 16;
 
-/// The kept modes of all assembled structures of a spec.
+/// Returns the retained modes of all assembled structures of a spec.
 ///
 /// # Errors
 /// `MissingDamping`, `NotRepresentable`.
@@ -75,7 +76,8 @@ fn add(sum: &mut [f64], part: &[f64]) {
         .for_each(|(sum, part)| *sum += part);
 }
 
-/// The displacement of every name of a body: `"table"`, `"beam.root"`, `"beam.end"`, `"beam.tip"`.
+/// Returns the displacement of every name of a body: `"table"`, `"beam.root"`, `"beam.end"`,
+/// `"beam.tip"`.
 fn point_rows(assembly: &Assembly) -> Vec<(String, Row)> {
     let mut rows: Vec<(String, Row)> = assembly
         .body
@@ -98,7 +100,7 @@ fn point_rows(assembly: &Assembly) -> Vec<(String, Row)> {
     rows
 }
 
-/// A patch of a body, with its rows over the strain coordinates.
+/// A patch of a body, with its rows on the strain coordinates.
 struct PatchRows<'a> {
     name: &'a str,
     patch: &'a Patch,
@@ -108,17 +110,18 @@ struct PatchRows<'a> {
     strain: Vec<Row>,
 }
 
-/// The patches of a body. The moment of a patch changes where the section under it does: one pair of moments for each such stretch.
+/// Returns the patches of a body. The moment of a patch changes where the section under it changes:
+/// one pair of moments for each such segment.
 ///
 /// # Errors
-/// Those of [`stretches`].
+/// Errors of [`stretches`].
 fn patch_rows<'a>(
     spec: &'a Spec,
     assembly: &Assembly,
 ) -> Result<Vec<PatchRows<'a>>, StructureError> {
     let mut found: Vec<PatchRows> = Vec::new();
     for (part, beam_name, beam) in assembly.body.beams() {
-        // Stretches that differ by a named point only are one.
+        // Merges segments that only a named point separates.
         let mut runs: Vec<PatchedSegment<'a>> = Vec::new();
         for stretch in stretches(spec, beam_name, beam)? {
             match runs
@@ -143,7 +146,7 @@ fn patch_rows<'a>(
                     .zip(&start)
                     .map(|(end, start)| moment_n_m_per_v * (end - start));
                 let strain = (0..=STRAIN_POINTS).map(|k| {
-                    // The end itself belongs to the next element, which may have another section.
+                    // The end belongs to the next element, which may have another section.
                     let part_of = k as f64 / STRAIN_POINTS as f64 * (1.0 - 1e-9);
                     let place_m = run.start_m + (run.end_m - run.start_m) * part_of;
                     assembly
@@ -173,8 +176,8 @@ fn patch_rows<'a>(
     Ok(found)
 }
 
-/// The kept modes in which the sprung masses have their greatest shares of the kinetic energy, a mode for each: the mass with the
-/// greatest share of all chooses first.
+/// Assigns a retained mode to each sprung mass: the mode in which it has the greatest share of the
+/// kinetic energy. The mass with the greatest share of all is assigned first.
 fn mass_modes(solution: &StructureSolution) -> Vec<MassMode> {
     let mut of_masses = Vec::new();
     for (part, (assembly, reduced)) in solution.parts.iter().enumerate() {
@@ -213,8 +216,8 @@ mod tests {
     use crate::structure::section::tests::{paper_beam, paper_patch};
     use crate::structure::solution::Structures;
 
-    /// One volt bends each stretch by its own moment: `row . row = sum gamma_i^2 l_i / EI_i`, also where a second patch covers part of
-    /// the other face. Measured 2e-15.
+    /// One volt bends each segment by its own moment: `row . row = sum gamma_i^2 l_i / EI_i`, also
+    /// if a second patch covers part of the other face. Measured 2e-15.
     #[test]
     fn the_moment_follows_the_section_under_the_patch() {
         let top = paper_patch(Section::Laminate);

@@ -1,7 +1,8 @@
-//! A connected structure in coordinates of strain: stiffness is the identity, mass is `G^T G`.
+//! A connected structure in strain coordinates: stiffness is the identity, mass is `G^T G`.
 //!
-//! Every structure of a spec is a tree (beams and masses, each on one other), so the map from its degrees of freedom to its strains
-//! is square and is inverted by integrating from the support outwards, with no solve:
+//! Every structure of a spec is a tree: each beam and mass has one support. The map from its
+//! degrees of freedom to its strains is therefore square. Integration from the support outwards
+//! inverts it without a solve:
 //!
 //! ```text
 //! s        = (sqrt(k) (u - w), sqrt(EI l / (2j+1)) c_j of every element)     coordinates, J^(1/2)
@@ -11,9 +12,11 @@
 //! x(point) = row(point) s                                                    displacement, m
 //! ```
 //!
-//! with `u` the displacement of a mass, `w` that of what its spring stands on, `w'` the slope of a root and `v` that of what carries it. A row holds the flexibility of its point: `row . row` is
-//! its static displacement per unit force, exact on any mesh that has a node there. A free mass is its own coordinate 0 (`s_0 = u`)
-//! without strain energy. A mass fixed to a beam adds `sqrt(m) w` and `sqrt(J) w'` to the kinetic energy's sum of squares.
+//! with `u` the displacement of a mass, `w` the displacement of the support of its spring, `w'` the
+//! slope of a root and `v` the slope of the support of the root. A row holds the flexibility of its
+//! point: `row . row` is its static displacement per unit force, exact on any mesh with a node
+//! there. A free mass is its own coordinate 0 (`s_0 = u`) without strain energy. A mass fixed to a
+//! beam adds `sqrt(m) w` and `sqrt(J) w'` to the sum of squares of the kinetic energy.
 
 use super::body::{Body, PartKind, Support};
 use super::element::Element;
@@ -37,7 +40,8 @@ pub(super) struct Assembly<'a> {
 }
 
 impl<'a> Assembly<'a> {
-    /// Places every part on its support, `elements` being those of each beam by its place among the parts.
+    /// Places every part on its support; `elements` are those of each beam, by its index among the
+    /// parts.
     pub fn new(body: Body<'a>, elements: Vec<Vec<Element>>) -> Self {
         let has_coordinate = |thing: &PartKind, on: &Support| match thing {
             PartKind::Mass(mass) => {
@@ -83,7 +87,7 @@ impl<'a> Assembly<'a> {
         assembly
     }
 
-    /// Displacement of the mass or of the clamped root that is part `part`.
+    /// Returns the displacement of the mass or of the clamped root that is part `part`.
     pub fn root_displacement(&self, part: usize) -> Row {
         match &self.placed[part] {
             BodyPart::Mass { motion, .. } => motion.displacement.clone(),
@@ -94,7 +98,7 @@ impl<'a> Assembly<'a> {
         }
     }
 
-    /// Displacement of the beam that is part `part` at `place_m` from the root.
+    /// Returns the displacement of the beam that is part `part` at `place_m` from the root.
     pub fn displacement(&self, part: usize, place_m: f64) -> Row {
         let Some(placed) = self.element_at(part, place_m) else {
             return self.root_displacement(part);
@@ -111,7 +115,8 @@ impl<'a> Assembly<'a> {
         row
     }
 
-    /// Slope of the beam that is part `part` at `place_m` from the root; of a mass, that of what it is fixed to.
+    /// Returns the slope of the beam that is part `part` at `place_m` from the root; for a mass,
+    /// the slope of its support.
     pub fn slope(&self, part: usize, place_m: f64) -> Row {
         let Some(placed) = self.element_at(part, place_m) else {
             return if let BodyPart::Mass { motion, .. } = &self.placed[part] {
@@ -128,7 +133,8 @@ impl<'a> Assembly<'a> {
         row
     }
 
-    /// Curvature of the beam that is part `part` at `place_m` from the root, 1/m per coordinate.
+    /// Returns the curvature of the beam that is part `part` at `place_m` from the root, 1/m per
+    /// coordinate.
     pub fn curvature(&self, part: usize, place_m: f64) -> Row {
         let mut row = vec![0.0; self.columns];
         if let Some(placed) = self.element_at(part, place_m) {
@@ -140,7 +146,8 @@ impl<'a> Assembly<'a> {
         row
     }
 
-    /// Displacement of the end of each beam, in the order of their names; of each mass where there is no beam.
+    /// Returns the displacement of the end of each beam, in the order of their names; of each mass
+    /// if there is no beam.
     pub fn free_ends(&self) -> Vec<Row> {
         let beams = self.body.beams();
         let ends: Vec<Row> = beams
@@ -157,10 +164,10 @@ impl<'a> Assembly<'a> {
         }
     }
 
-    /// The mass factor `G`.
+    /// Returns the mass factor `G`.
     ///
     /// # Errors
-    /// `NotRepresentable` where an entry is not finite.
+    /// `NotRepresentable` if an entry is not finite.
     pub fn mass_factor(&self) -> Result<Mat<f64>, StructureError> {
         let rows = self.placed.iter().map(BodyPart::mass_rows).sum::<usize>();
         let mut factor = Mat::zeros(rows, self.columns);
@@ -181,8 +188,9 @@ impl<'a> Assembly<'a> {
         }
     }
 
-    /// Mass that moves with each strain coordinate under a unit translation of everything: `G^T g`, with `g` the translation in the rows
-    /// of `G`. Its product with a mass-normalised mode is the participation of the mode in a uniform acceleration of the base.
+    /// Returns the mass that moves with each strain coordinate under a unit translation of the
+    /// structure: `G^T g`, with `g` the translation in the rows of `G`. Its product with a
+    /// mass-normalised mode is the participation of the mode in a uniform acceleration of the base.
     ///
     /// # Errors
     /// As [`Assembly::mass_factor`].
@@ -305,7 +313,8 @@ mod tests {
         }
     }
 
-    /// A second beam on the end of the first turns with it: a force at its end bends the first by its moment too. Measured 4e-16.
+    /// A second beam on the end of the first rotates with it: a force at its end also bends the
+    /// first by its moment. Measured 4e-16.
     #[test]
     fn a_beam_on_a_beam_adds_its_flexibility() {
         let mut spec = on_table(table("ground", Some(400.0)));
@@ -340,7 +349,7 @@ mod tests {
         assert!((square(&assembly.slope(2, 0.3)) / (0.6 / 0.2) - 1.0).abs() < 1e-14);
     }
 
-    /// Rigid motion of a free mass: column 0 of `G` weighs all that moves.
+    /// Rigid motion of a free mass: column 0 of `G` has the weight of the total moving mass.
     #[test]
     fn rigid_column_has_the_total_mass() {
         let spec = on_table(table("nothing", None));

@@ -1,23 +1,24 @@
-//! What hangs together: a tree of beams and masses on the ground or another base, on a sprung mass, or free.
+//! Connected structures: a tree of beams and masses on the ground or another base, on a sprung
+//! mass, or free.
 //!
-//! Every part stands on one other, so that a body is statically determinate: its strains and the displacements of its free masses
-//! are coordinates, with no constraint between them.
+//! Every part has one support, so a body is statically determinate. Its strains and the
+//! displacements of its free masses are coordinates without constraints between them.
 
 use super::error::StructureError;
 use crate::spec::{Beam, GROUND, Mass, Spec};
 use std::collections::BTreeSet;
 
-/// The word of a support that is not there.
+/// Word for a missing support.
 const NO_SUPPORT: &str = "nothing";
 
-/// A connected structure; its modes are independent of those of every other.
+/// A connected structure; its modes are independent of those of every other structure.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Body<'a> {
-    /// Beams and masses, each after the one that it stands on.
+    /// Beams and masses, each after its support.
     pub parts: Vec<Part<'a>>,
 }
 
-/// A beam or a mass and what it stands on.
+/// A beam or a mass and its support.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Part<'a> {
     pub name: &'a str,
@@ -25,33 +26,33 @@ pub(super) struct Part<'a> {
     pub on: Support,
 }
 
-/// What a part is.
+/// Kind of a part.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum PartKind<'a> {
     Beam(&'a Beam),
     Mass(&'a Mass),
 }
 
-/// What a part stands on.
+/// Support of a part.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Support {
-    /// The ground or another base, or a mass that is held.
+    /// The ground or another base, or a held mass.
     Ground,
-    /// Nothing: a free mass.
+    /// No support: a free mass.
     Nothing,
-    /// A mass, by its place among the parts.
+    /// A mass, by its index among the parts.
     Mass(usize),
-    /// A point of a beam, by its place among the parts, at this distance from its root, m.
+    /// A point of a beam, by its index among the parts, at this distance from its root, m.
     Point(usize, f64),
 }
 
 impl<'a> Body<'a> {
-    /// The name of the part that carries the others.
+    /// Returns the name of the part that carries the others.
     pub fn name(&self) -> &'a str {
         self.parts.first().map_or("", |part| part.name)
     }
 
-    /// What carries it: a base, a held mass, or nothing.
+    /// Returns the support of the body: a base, a held mass, or no support.
     pub fn support(&self) -> &'a str {
         match self.parts.first().map(|part| part.thing) {
             Some(PartKind::Beam(beam)) => &beam.root,
@@ -60,7 +61,7 @@ impl<'a> Body<'a> {
         }
     }
 
-    /// The beams with their places among the parts, in the order of their names.
+    /// Returns the beams with their indices among the parts, in the order of their names.
     pub fn beams(&self) -> Vec<(usize, &'a str, &'a Beam)> {
         let mut beams: Vec<_> = (self.parts.iter().enumerate())
             .filter_map(|(part, it)| {
@@ -75,7 +76,7 @@ impl<'a> Body<'a> {
         beams
     }
 
-    /// The masses with their places among the parts.
+    /// Returns the masses with their indices among the parts.
     pub fn masses(&self) -> impl Iterator<Item = (usize, &'a str, &'a Mass)> {
         self.parts.iter().enumerate().filter_map(|(part, it)| {
             if let PartKind::Mass(mass) = it.thing {
@@ -86,7 +87,8 @@ impl<'a> Body<'a> {
         })
     }
 
-    /// Adds a part, then all that stand on it: masses first, then beams, each in the order of their names.
+    /// Adds a part, then all parts that it supports: masses first, then beams, each in the order of
+    /// their names.
     fn grow(&mut self, spec: &'a Spec, name: &'a str, thing: PartKind<'a>, on: Support) {
         let place = self.parts.len();
         self.parts.push(Part { name, thing, on });
@@ -116,7 +118,7 @@ impl<'a> Body<'a> {
     }
 }
 
-/// The connected structures of a spec with the masses `held` fixed.
+/// Returns the connected structures of a spec with the masses `held` fixed.
 ///
 /// # Errors
 /// `UnknownSupport`, `UnknownBeam`, `SupportCycle`, `CannotHold`, `CannotHoldGiven`, `OutOfRange`.
@@ -164,7 +166,7 @@ pub(super) fn bodies<'a>(spec: &'a Spec, held: &[String]) -> Result<Vec<Body<'a>
     }
 }
 
-/// Distance of a point from the root of its beam, m.
+/// Returns the distance of a point from the root of its beam, m.
 fn place_m(beam: &Beam, point: &str) -> Option<f64> {
     match point {
         "root" => Some(0.0),
@@ -256,7 +258,8 @@ fn check_mass(spec: &Spec, name: &str, mass: &Mass) -> Result<(), StructureError
     }
 }
 
-/// A mass on the ground or free can be held; one on a beam or on another mass would leave the structure statically indeterminate.
+/// A mass on the ground or free can be held; holding a mass on a beam or on another mass would make
+/// the structure statically indeterminate.
 fn check_held(spec: &Spec, name: &str) -> Result<(), StructureError> {
     let given = name
         .split('.')

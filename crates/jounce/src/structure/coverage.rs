@@ -1,10 +1,10 @@
-//! What lies on the faces of a beam: passive layers, and patches on them or beside them.
+//! Cover of the faces of a beam: passive layers, and patches on them or next to them.
 
 use super::error::StructureError;
 use super::layout::MIN_CUT_DISTANCE;
 use crate::spec::{Beam, Face, Layer, Patch, Section, Spec};
 
-/// A layer or a patch with its place.
+/// A layer or a patch with its position.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Covering<'a> {
     name: &'a str,
@@ -30,7 +30,7 @@ impl<'a> Covering<'a> {
         }
     }
 
-    /// The layer, if it is one.
+    /// Returns the layer, if the cover is one.
     pub fn layer(&self) -> Option<&'a Layer> {
         if let CoveringKind::Layer(layer) = self.thing {
             Some(layer)
@@ -39,7 +39,7 @@ impl<'a> Covering<'a> {
         }
     }
 
-    /// Name and patch, if it is one.
+    /// Returns name and patch, if the cover is a patch.
     pub fn patch(&self) -> Option<(&'a str, &'a Patch)> {
         if let CoveringKind::Patch(patch) = self.thing {
             Some((self.name, patch))
@@ -49,8 +49,9 @@ impl<'a> Covering<'a> {
     }
 }
 
-/// What covers the beam `name`: layers, then patches, each in the order of their names. Those of one kind on one face do not overlap, and
-/// a patch that meets a layer of its face lies on it as a whole.
+/// Returns the layers and then the patches on the beam `name`, each in the order of their names.
+/// Layers on one face do not overlap, nor do patches. A patch that overlaps a layer of its face
+/// lies completely on it.
 ///
 /// # Errors
 /// Every variant that names a layer or a patch.

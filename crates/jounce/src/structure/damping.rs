@@ -1,19 +1,21 @@
 //! Damping ratios of the modes of assembled structures.
 //!
-//! The ratio of a mass goes to the mode in which it has the greatest share of the kinetic energy, `m shape(mass)^2` of a
-//! mass-normalised mode, among all modes of its structure, kept or not. The other modes take `damping.ratios` in ascending order, then
-//! `damping.beyond`. A rigid-body mode has ratio 0 and uses none.
+//! The ratio of a mass belongs to the mode in which the mass has the greatest share of the kinetic
+//! energy, `m shape(mass)^2` of a mass-normalised mode, among all modes of its structure, retained
+//! or not. The other modes take `damping.ratios` in ascending order, then `damping.beyond`. A
+//! rigid-body mode has ratio 0 and uses no entry.
 
 use super::error::StructureError;
 use crate::spec::Damping;
 
-/// The mode (its place among the kept ones) that belongs to a mass, and the mass's damping ratio.
+/// The mode (index among the retained modes) that belongs to a mass, and the damping ratio of the
+/// mass.
 pub(super) type MassMode = (usize, f64);
 
-/// The damping ratio of each mode.
+/// Returns the damping ratio of each mode.
 ///
 /// # Errors
-/// `MissingDamping` where the list is too short and there is no `beyond`.
+/// `MissingDamping` if the list is too short and `beyond` is not set.
 pub(super) fn damping_ratios(
     frequency_rad_s: &[f64],
     of_masses: &[MassMode],

@@ -1,7 +1,7 @@
-//! One Euler-Bernoulli element of any degree, in coordinates of strain.
+//! An Euler-Bernoulli element of any degree, in strain coordinates.
 //!
-//! On an element of length `l` (half length `h = l/2`, `x` from -1 to 1) the curvature is a sum of Legendre polynomials and the
-//! displacement its double integral:
+//! On an element of length `l` (half length `h = l/2`, `x` from -1 to 1) the curvature is a sum of
+//! Legendre polynomials and the displacement its double integral:
 //!
 //! ```text
 //! curvature(x)    = sum_j c_j P_j(x),                       j = 0 .. terms-1, 1/m
@@ -10,22 +10,25 @@
 //! s_j             = sqrt(EI l / (2j + 1)) c_j               so that the strain energy is sum_j s_j^2 / 2
 //! ```
 //!
-//! `I` integrates from the start of the element: `I[P_0] = P_0 + P_1`, `I[P_j] = (P_(j+1) - P_(j-1)) / (2j + 1)`. Only `c_0` and
-//! `c_1` move the far end: two terms are the cubic Hermite element, every further one is a hierarchical internal function, so
-//! `terms` gives the space of all piecewise polynomials of degree `terms + 1` with continuous slope. Nothing is integrated
-//! numerically: Legendre coefficients of the displacement give the kinetic energy as a sum of squares.
+//! `I` integrates from the start of the element: `I[P_0] = P_0 + P_1`, `I[P_j] = (P_(j+1) -
+//! P_(j-1)) / (2j + 1)`. Only `c_0` and `c_1` move the far end: two terms give the cubic Hermite
+//! element, every further term is a hierarchical internal function. Thus `terms` gives the space of
+//! all piecewise polynomials of degree `terms + 1` with continuous slope. No numerical quadrature
+//! is used: Legendre coefficients of the displacement give the kinetic energy as a sum of squares.
 //!
-//! Source: hierarchical beam functions as in Szabo & Babuska, Finite Element Analysis (1991), ch. 3, written for the curvature.
+//! Source: hierarchical beam functions as in Szabo & Babuska, Finite Element Analysis (1991), ch.
+//! 3, written for the curvature.
 
 use super::section::CrossSection;
 
-/// A stretch of beam with one polynomial.
+/// A segment of a beam with one polynomial.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Element {
     pub start_m: f64,
     pub length_m: f64,
     pub section: CrossSection,
-    /// Number of Legendre polynomials of the curvature, at least 2; the displacement is of degree `terms + 1`.
+    /// Number of Legendre polynomials of the curvature, at least 2; the displacement is of degree
+    /// `terms + 1`.
     pub terms: usize,
 }
 
@@ -39,12 +42,14 @@ impl Element {
         (order_weight(j) / (self.section.bending_stiffness_n_m2 * self.length_m)).sqrt()
     }
 
-    /// Change of slope from start to end per strain coordinate 0; no other coordinate changes it.
+    /// Change of slope from start to end per strain coordinate 0; no other coordinate changes the
+    /// slope.
     pub fn end_slope(&self) -> f64 {
         self.length_m * self.curvature_per_strain(0)
     }
 
-    /// Displacement of the end per strain coordinates 0 and 1, the start being held; no other coordinate moves it.
+    /// Displacement of the end per strain coordinates 0 and 1 with the start held; no other
+    /// coordinate moves the end.
     pub fn end_displacement(&self) -> [f64; 2] {
         let square_m2 = self.half_m() * self.half_m();
         [
@@ -53,13 +58,15 @@ impl Element {
         ]
     }
 
-    /// Legendre coefficients `(order, coefficient)` of the displacement per strain coordinate `j`, the start being held.
+    /// Returns the Legendre coefficients `(order, coefficient)` of the displacement per strain
+    /// coordinate `j` with the start held.
     pub fn displacement_orders(&self, j: usize) -> [(usize, f64); 3] {
         let scale = self.half_m() * self.half_m() * self.curvature_per_strain(j);
         twice_integrated(j).map(|(order, weight)| (order, weight * scale))
     }
 
-    /// Displacement at `offset_m` from the start per strain coordinate, the start being held.
+    /// Returns the displacement at `offset_m` from the start per strain coordinate with the start
+    /// held.
     pub fn displacement(&self, offset_m: f64) -> Vec<f64> {
         let legendre = legendre(offset_m / self.half_m() - 1.0, self.terms + 2);
         let at = |j| {
@@ -71,7 +78,7 @@ impl Element {
         (0..self.terms).map(at).collect()
     }
 
-    /// Slope at `offset_m` from the start per strain coordinate, the start being held.
+    /// Returns the slope at `offset_m` from the start per strain coordinate with the start held.
     pub fn slope(&self, offset_m: f64) -> Vec<f64> {
         let legendre = legendre(offset_m / self.half_m() - 1.0, self.terms + 1);
         let integral = |j: usize| {
@@ -85,7 +92,7 @@ impl Element {
             .collect()
     }
 
-    /// Curvature at `offset_m` from the start per strain coordinate, 1/m.
+    /// Returns the curvature at `offset_m` from the start per strain coordinate, 1/m.
     pub fn curvature(&self, offset_m: f64) -> Vec<f64> {
         let legendre = legendre(offset_m / self.half_m() - 1.0, self.terms);
         (0..self.terms)
@@ -93,7 +100,8 @@ impl Element {
             .collect()
     }
 
-    /// Factor that turns Legendre coefficient `order` of a displacement into the root of twice its kinetic energy at 1 rad/s.
+    /// Returns the factor that converts Legendre coefficient `order` of a displacement to the root
+    /// of twice its kinetic energy at 1 rad/s.
     pub fn mass_weight(&self, order: usize) -> f64 {
         (self.section.mass_per_length_kg_m * self.length_m / order_weight(order)).sqrt()
     }
@@ -104,7 +112,7 @@ fn order_weight(j: usize) -> f64 {
     (2 * j + 1) as f64
 }
 
-/// `I[P_j]` as a sum of Legendre polynomials.
+/// Returns `I[P_j]` as a sum of Legendre polynomials.
 fn once_integrated(j: usize) -> [(usize, f64); 2] {
     match j {
         0 => [(0, 1.0), (1, 1.0)],
@@ -115,7 +123,7 @@ fn once_integrated(j: usize) -> [(usize, f64); 2] {
     }
 }
 
-/// `II[P_j]` as a sum of Legendre polynomials.
+/// Returns `II[P_j]` as a sum of Legendre polynomials.
 fn twice_integrated(j: usize) -> [(usize, f64); 3] {
     let n = 2.0 * j as f64;
     let (middle, above) = (
@@ -133,7 +141,7 @@ fn twice_integrated(j: usize) -> [(usize, f64); 3] {
     }
 }
 
-/// `P_0(x) .. P_(count-1)(x)` by the three-term recurrence.
+/// Returns `P_0(x) .. P_(count-1)(x)` by the three-term recurrence.
 fn legendre(x: f64, count: usize) -> Vec<f64> {
     let mut values = vec![1.0, x];
     for j in 1..count.saturating_sub(1) {
@@ -162,7 +170,8 @@ mod tests {
         }
     }
 
-    /// Curvature from third-order differences would lose digits: check the integrals by composite Simpson instead.
+    /// Curvature from third-order differences would lose digits; composite Simpson checks the
+    /// integrals instead.
     #[test]
     fn slope_and_displacement_integrate_the_curvature() {
         let element = element(9);

@@ -1,66 +1,64 @@
-//! What can go wrong between a spec and its modes; each error names the place, the value and what is allowed.
+//! Errors between a spec and its modes; each names the place, the value and the allowed values.
 
-/// Why a spec has no modes.
+/// Reason why a spec has no modes.
 #[derive(Debug, Clone, PartialEq, thiserror::Error, serde::Serialize)]
 #[serde(untagged)]
 pub enum StructureError {
-    /// A quantity is not what it must be.
-    #[error("{place} is {value}: it must be {allowed}")]
+    /// A quantity has a value that is not allowed.
+    #[error("{place} is {value}; it must be {allowed}")]
     OutOfRange {
         /// Key path, `"beam.beam.length"`.
         place: String,
         /// The value, SI.
         value: f64,
-        /// What is allowed.
+        /// Allowed values.
         allowed: &'static str,
     },
-    /// A beam or a mass stands on something that is not there.
-    #[error("{place} is \"{found}\": it must be the point of a beam or one of ({known})")]
+    /// The support of a beam or a mass does not exist.
+    #[error("{place} is \"{found}\"; it must be the point of a beam or one of ({known})")]
     UnknownSupport {
         /// Key path, `"beam.arm.root"`.
         place: String,
-        /// What it says.
+        /// Support in the spec.
         found: String,
-        /// Masses and words that are known.
+        /// Known masses and words.
         known: String,
     },
-    /// Beams or masses that stand on each other and on nothing else.
-    #[error(
-        "nothing holds \"{name}\" up: follow what it stands on and let one of them stand on the ground"
-    )]
+    /// Beams or masses support each other in a loop.
+    #[error("the supports of \"{name}\" form a loop; put one of them on the ground")]
     SupportCycle {
-        /// One of them.
+        /// Name of a part of the loop.
         name: String,
     },
-    /// A mass on the ground that nothing lets move.
+    /// A mass on the ground has no degree of freedom.
     #[error(
-        "mass.{mass} stands on the ground without a spring: give it a stiffness, or on = \"nothing\" for a free mass"
+        "mass.{mass} is on the ground without a spring; give it a stiffness, or on = \"nothing\" for a free mass"
     )]
     MissingSpring {
         /// Name of the mass.
         mass: String,
     },
-    /// A free mass with a spring.
+    /// A free mass has a spring.
     #[error(
-        "mass.{mass} stands on nothing and has a spring: leave out its stiffness, or name what the spring is fixed to"
+        "mass.{mass} has a spring but no support; omit its stiffness, or name the support of the spring"
     )]
     SpringToNothing {
         /// Name of the mass.
         mass: String,
     },
-    /// A patch sits on a beam that is not there.
-    #[error("{place}.on is \"{beam}\": it must be the name of a beam ({beams})")]
+    /// The beam of a patch does not exist.
+    #[error("{place}.on is \"{beam}\"; it must be the name of a beam ({beams})")]
     UnknownBeam {
         /// Key path of the patch or layer.
         place: String,
-        /// What it sits on.
+        /// Beam in the spec.
         beam: String,
-        /// The beams there are.
+        /// Existing beams.
         beams: String,
     },
     /// A patch does not lie within its beam.
     #[error(
-        "{patch} covers {start_m} m to {end_m} m of a beam that is {length_m} m long: it must lie within the beam"
+        "{patch} covers {start_m} m to {end_m} m of a beam that is {length_m} m long; it must lie within the beam"
     )]
     PatchOutside {
         /// Key path of the patch or layer.
@@ -72,44 +70,44 @@ pub enum StructureError {
         /// Length of the beam, m.
         length_m: f64,
     },
-    /// Two patches cover the same place.
+    /// Two patches overlap.
     #[error(
-        "{first} ends at {end_m} m and {second} starts at {start_m} m of the same face: patches must not overlap, nor layers"
+        "{first} ends at {end_m} m and {second} starts at {start_m} m of the same face; patches must not overlap, nor must layers"
     )]
     PatchesOverlap {
         /// Key path of the patch or layer nearer the root.
         first: String,
-        /// Where it ends, m.
+        /// End of the first, m.
         end_m: f64,
-        /// Key path of the other.
+        /// Key path of the other patch or layer.
         second: String,
-        /// Where that one starts, m.
+        /// Start of the other, m.
         start_m: f64,
     },
-    /// Two patches on the two faces of one stretch with different rules of section.
-    #[error("{first} and {second} cover the same stretch: give both the same section")]
+    /// Two patches at the same position on the two faces have different section models.
+    #[error("{first} and {second} cover the same part of the beam; give both the same section")]
     SectionsDiffer {
-        /// Key path of one.
+        /// Key path of the first.
         first: String,
-        /// Key path of the other.
+        /// Key path of the second.
         second: String,
     },
-    /// A layer that lies under part of a patch.
+    /// A layer lies under only a part of a patch.
     #[error(
-        "{layer} covers {start_m} m to {end_m} m, under a part of {patch}: let it reach under the whole patch or end beside it"
+        "{layer} covers {start_m} m to {end_m} m, under a part of {patch}; extend it under the complete patch, or end it next to the patch"
     )]
     LayerUnderPart {
         /// Key path of the layer.
         layer: String,
-        /// Its start, from the root, m.
+        /// Start of the layer, from the root, m.
         start_m: f64,
-        /// Its end, m.
+        /// End of the layer, m.
         end_m: f64,
         /// Key path of the patch.
         patch: String,
     },
     /// A named point does not lie on its beam.
-    #[error("beam.{beam}.point.{point} is {place_m} m: it must lie between 0 and {length_m} m")]
+    #[error("beam.{beam}.point.{point} is {place_m} m; it must be from 0 to {length_m} m")]
     PointOutside {
         /// Name of the beam.
         beam: String,
@@ -120,25 +118,25 @@ pub enum StructureError {
         /// Length of the beam, m.
         length_m: f64,
     },
-    /// Only masses on the ground, or free, can be held fixed.
-    #[error("cannot hold \"{name}\" fixed: only a mass can be held ({masses})")]
+    /// Only masses on the ground and free masses can be held fixed.
+    #[error("cannot hold \"{name}\" fixed; only a mass can be held ({masses})")]
     CannotHold {
-        /// What was to be held.
+        /// Name of the part to hold.
         name: String,
-        /// The masses there are.
+        /// Existing masses.
         masses: String,
     },
-    /// A structure given by its modes cannot be held at a point.
+    /// A structure defined by its modes cannot be held at a point.
     #[error(
-        "cannot hold \"{name}\" fixed: it belongs to a structure given by its modes; give the modes with that point held"
+        "cannot hold \"{name}\" fixed, because its structure is defined by its modes; give the modes with that point held"
     )]
     CannotHoldGiven {
-        /// What was to be held.
+        /// Name of the part to hold.
         name: String,
     },
-    /// The reduction asks for no mode at all.
+    /// No mode would remain.
     #[error(
-        "reduction.modes is {wanted} and {held} bodies are held: at least one mode must remain"
+        "reduction.modes is {wanted} and {held} bodies are held; at least one mode must remain"
     )]
     NoModes {
         /// `reduction.modes`
@@ -146,65 +144,65 @@ pub enum StructureError {
         /// Number of bodies held fixed.
         held: usize,
     },
-    /// The reduction asks for more modes than there are.
+    /// More modes are requested than the structure has.
     #[error(
-        "{wanted} modes are asked for and the structure has {available}: set reduction.modes to at most {available}"
+        "{wanted} modes are requested, but the structure has {available}; set reduction.modes to at most {available}"
     )]
     TooManyModes {
-        /// Number of modes asked for.
+        /// Requested number of modes.
         wanted: usize,
-        /// Number of modes there are, or that this solver takes.
+        /// Available number of modes, or the limit of this solver.
         available: usize,
     },
-    /// Refinement ended before the frequencies had converged.
+    /// Mesh refinement ended before the frequencies converged.
     #[error(
-        "the frequencies still change by {change:e} (relative) with {unknowns} unknowns: reduction.mesh_tolerance = {tolerance:e} \
-         is below what double precision gives for this structure; try {suggestion:e}"
+        "the frequencies still change by {change:e} (relative) with {unknowns} unknowns; reduction.mesh_tolerance = {tolerance:e} \
+         is below the accuracy of double precision for this structure; try {suggestion:e}"
     )]
     NotConverged {
-        /// Largest relative change of a kept frequency in the last refinement.
+        /// Largest relative change of a retained frequency in the last refinement.
         change: f64,
         /// Number of unknowns of the last refinement.
         unknowns: usize,
         /// `reduction.mesh_tolerance`
         tolerance: f64,
-        /// A tolerance that would have been met.
+        /// A tolerance that is attainable.
         suggestion: f64,
     },
-    /// A mesh with more unknowns than this solver takes.
+    /// The mesh has more unknowns than this solver allows.
     #[error(
-        "elements of at most {longest_m} m make {unknowns} unknowns: at most {allowed} are taken; use longer elements"
+        "elements of at most {longest_m} m give {unknowns} unknowns; at most {allowed} are allowed; use longer elements"
     )]
     MeshTooFine {
-        /// Longest element asked for, m.
+        /// Requested longest element, m.
         longest_m: f64,
-        /// Number of unknowns this makes.
+        /// Resulting number of unknowns.
         unknowns: usize,
-        /// Largest number taken.
+        /// Largest allowed number.
         allowed: usize,
     },
-    /// Numbers so large or so small that the eigenproblem cannot be written in double precision.
+    /// The eigenproblem is outside the range of double precision.
     #[error(
-        "the stiffness and mass of \"{body}\" are outside the range of double precision: check the units of its quantities"
+        "the stiffness and mass of \"{body}\" are outside the range of double precision; check the units of its quantities"
     )]
     NotRepresentable {
         /// A beam or mass of the structure.
         body: String,
     },
     /// There are more flexible modes than damping ratios.
-    #[error("{flexible} flexible modes need a damping ratio and damping.ratios gives {given}: add {} or set damping.beyond", flexible - given)]
+    #[error("{flexible} flexible modes need a damping ratio, but damping.ratios gives {given}; add {} or set damping.beyond", flexible - given)]
     MissingDamping {
-        /// Number of kept modes that belong to no mass.
+        /// Number of retained modes that belong to no mass.
         flexible: usize,
         /// Length of `damping.ratios`.
         given: usize,
     },
-    /// A list of a structure given by its modes has the wrong length.
-    #[error("{place} has {found} values: it must have {expected}, one per entry of frequency_hz")]
+    /// A list of a structure defined by its modes has the wrong length.
+    #[error("{place} has {found} values; it must have {expected}, one per entry of frequency_hz")]
     WrongLength {
         /// Key path, `"modal.harvester.point.tip"`.
         place: String,
-        /// Number of values found.
+        /// Found number of values.
         found: usize,
         /// Number of modes.
         expected: usize,
@@ -227,7 +225,7 @@ impl StructureError {
         Self::require(true, place, value, "finite")
     }
 
-    /// Refuses a tolerance that is looser than useful or tighter than double precision.
+    /// Refuses a tolerance that is looser than useful or below the accuracy of double precision.
     pub(super) fn tolerance(place: String, value: f64) -> Result<(), Self> {
         Self::require(
             (1e-13..=0.1).contains(&value),

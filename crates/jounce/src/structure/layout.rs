@@ -1,14 +1,15 @@
-//! A beam cut where something changes or is looked at: at its ends, at the ends of its layers and patches and at its named points.
+//! Division of a beam into segments: at its ends, at the ends of its layers and patches and at its
+//! named points.
 
 use super::coverage::{Covering, covers};
 use super::error::StructureError;
 use super::section::CrossSection;
 use crate::spec::{Beam, Layer, Patch, Section, Spec};
 
-/// Two cuts nearer than this part of the beam's length are one.
+/// Distance, relative to the length of the beam, below which two cuts are merged.
 pub(super) const MIN_CUT_DISTANCE: f64 = 1e-9;
 
-/// A stretch of beam with one cross-section.
+/// A segment of a beam with one cross-section.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct BeamSegment {
     pub start_m: f64,
@@ -17,13 +18,14 @@ pub(super) struct BeamSegment {
 }
 
 impl BeamSegment {
-    /// Phase of a bending wave of 1 rad/s over the segment, s^(1/2); it grows with the root of the frequency.
+    /// Phase of a bending wave of 1 rad/s over the segment, s^(1/2); it is proportional to the root
+    /// of the frequency.
     pub fn phase_per_root_frequency(&self) -> f64 {
         self.length_m * self.section.wave_number_per_root_frequency()
     }
 }
 
-/// A stretch of beam with the patches that cover it, at most one on each face.
+/// A segment of a beam with the patches that cover it, at most one on each face.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct PatchedSegment<'a> {
     pub start_m: f64,
@@ -35,7 +37,7 @@ pub(super) struct PatchedSegment<'a> {
 }
 
 impl PatchedSegment<'_> {
-    /// Its cross-section.
+    /// Returns the cross-section of the segment.
     pub fn section(&self, beam: &Beam) -> CrossSection {
         CrossSection::laminated(
             beam,
@@ -45,7 +47,7 @@ impl PatchedSegment<'_> {
     }
 }
 
-/// The segments of the beam `name`, from root to end.
+/// Returns the segments of the beam `name`, from root to end.
 pub(super) fn segments(
     spec: &Spec,
     name: &str,
@@ -62,7 +64,8 @@ pub(super) fn segments(
         .collect())
 }
 
-/// The beam `name` cut at its named points and at the ends of its layers and patches, from root to end.
+/// Returns the beam `name` cut at its named points and at the ends of its layers and patches, from
+/// root to end.
 ///
 /// # Errors
 /// Every variant that names a beam or a patch.

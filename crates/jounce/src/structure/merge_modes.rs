@@ -1,13 +1,14 @@
-//! Modes of independent structures, merged in ascending frequency: a structure is at rest in the modes of the others.
+//! Modes of independent structures, merged in ascending frequency; a structure is at rest in the
+//! modes of the others.
 
 use super::modes::{Modes, PatchModes};
 
-/// Which part each merged mode comes from: `(part, mode of the part)`.
+/// Origin of each merged mode: `(part, mode of the part)`.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct ModeOrder(Vec<(usize, usize)>);
 
 impl ModeOrder {
-    /// Ascending in frequency; of equal frequencies the earlier part comes first.
+    /// Merges in ascending frequency; at equal frequencies the earlier part comes first.
     pub fn ascending(frequencies: &[&[f64]]) -> Self {
         let of_part = |(part, list): (usize, &&[f64])| {
             (0..list.len())
@@ -21,7 +22,7 @@ impl ModeOrder {
         Self(order)
     }
 
-    /// The first `modes` of them.
+    /// Returns the first `modes` merged modes.
     pub fn first(mut self, modes: usize) -> Self {
         self.0.truncate(modes);
         self
@@ -32,17 +33,18 @@ impl ModeOrder {
         self.0.len()
     }
 
-    /// How many modes of `part` are needed.
+    /// Returns the required number of modes of `part`.
     pub fn needed(&self, part: usize) -> usize {
         self.0.iter().filter(|(of, _)| *of == part).count()
     }
 
-    /// Place of a mode of a part among the merged modes.
+    /// Returns the index of a mode of a part among the merged modes.
     pub fn place(&self, part: usize, mode: usize) -> Option<usize> {
         self.0.iter().position(|entry| *entry == (part, mode))
     }
 
-    /// One value per mode of `part`, spread over the merged modes; zero in those of other parts.
+    /// Distributes one value per mode of `part` over the merged modes; zero in the modes of other
+    /// parts.
     pub fn spread(&self, part: usize, values: &[f64]) -> Vec<f64> {
         self.0
             .iter()
@@ -50,7 +52,7 @@ impl ModeOrder {
             .collect()
     }
 
-    /// The value of each merged mode, from one list per part.
+    /// Returns the value of each merged mode, from one list per part.
     pub fn gather(&self, values: &[&[f64]]) -> Vec<f64> {
         self.0
             .iter()
@@ -59,7 +61,7 @@ impl ModeOrder {
     }
 }
 
-/// All modes of several structures, and their order.
+/// Returns all modes of several structures, and their order.
 pub(super) fn merged(parts: &[Modes]) -> (ModeOrder, Modes) {
     let lists = |list: fn(&Modes) -> &[f64]| parts.iter().map(list).collect::<Vec<_>>();
     let frequencies = lists(|part| &part.frequency_rad_s);

@@ -1,36 +1,39 @@
-//! How finely a beam is divided: polynomials as high as the wanted modes need, or plain cubic elements of a given length.
+//! Mesh of a beam: polynomials of the degree that the required modes need, or plain cubic elements
+//! of a given length.
 //!
-//! A mode of angular frequency `w` turns through the phase `w^(1/2) l (m/EI)^(1/4)` on a segment of length `l`, and `N` modes of a
-//! set of beams turn through about `pi N` on all of them together (Weyl's count). On a segment of phase `2a` the Legendre
-//! coefficients of `cos`, `sin`, `cosh`, `sinh` fall like `a^j / (2j + 1)!!`: the number of terms is the first at which this
-//! bound, times `2j + 1`, has passed the tolerance. Segments that would need more than `MAX_CURVATURE_TERMS` are divided equally.
+//! A mode of angular frequency `w` has the phase `w^(1/2) l (m/EI)^(1/4)` on a segment of length
+//! `l`. Mode `N` of a set of beams has a phase of about `pi N` on all of them together (Weyl's
+//! count). On a segment of phase `2a` the Legendre coefficients of `cos`, `sin`, `cosh`, `sinh`
+//! decrease like `a^j / (2j + 1)!!`. The number of terms is the first at which this bound, times
+//! `2j + 1`, is below the tolerance. Segments that would need more than `MAX_CURVATURE_TERMS` are
+//! divided equally.
 
 use super::element::Element;
 use super::layout::BeamSegment;
 use std::f64::consts::PI;
 
-/// Highest number of curvature terms of an element (degree 23 of the displacement).
+/// Largest number of curvature terms of an element (degree 23 of the displacement).
 const MAX_CURVATURE_TERMS: usize = 22;
 
-/// A rule that divides segments into elements.
+/// Rule that divides segments into elements.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Mesh {
     /// As many terms as the modes need.
     Spectral {
-        /// Wave phase to be resolved per unit of `BeamSegment::phase_per_root_frequency`.
+        /// Wave phase to resolve per unit of `BeamSegment::phase_per_root_frequency`.
         root_frequency: f64,
-        /// Wanted relative error of the mode shapes.
+        /// Required relative error of the mode shapes.
         tolerance: f64,
     },
     /// Cubic elements, equal within a segment.
     Cubic {
-        /// Greatest length of an element, m.
+        /// Largest length of an element, m.
         longest_m: f64,
     },
 }
 
 impl Mesh {
-    /// The mesh for the first `modes` modes of beams made of these segments.
+    /// Returns the mesh for the first `modes` modes of beams with these segments.
     pub fn spectral<'a>(
         modes: usize,
         tolerance: f64,
@@ -43,7 +46,7 @@ impl Mesh {
         }
     }
 
-    /// The elements of a segment, from its start on.
+    /// Returns the elements of a segment, from its start.
     pub fn elements(&self, segment: &BeamSegment) -> Vec<Element> {
         let (pieces, terms) = self.division(segment);
         let length_m = segment.length_m / pieces as f64;
@@ -56,7 +59,7 @@ impl Mesh {
         (0..pieces).map(element).collect()
     }
 
-    /// Number of pieces of a segment and of terms of each.
+    /// Returns the number of pieces of a segment and of terms of each.
     fn division(&self, segment: &BeamSegment) -> (usize, usize) {
         match *self {
             Self::Cubic { longest_m } => (
@@ -79,7 +82,7 @@ impl Mesh {
     }
 }
 
-/// Number of Legendre terms that bring waves of half phase `a` below `tolerance`.
+/// Returns the number of Legendre terms that resolve waves of half phase `a` to `tolerance`.
 fn terms_needed(a: f64, tolerance: f64) -> usize {
     let mut terms = 0;
     let mut coefficient = 1.0;

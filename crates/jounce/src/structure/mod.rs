@@ -1,9 +1,10 @@
-//! Beams, masses and supports to mass-normalised modes.
+//! Mass-normalised modes of beams, masses and supports.
 //!
-//! The files, in the order of the work: [`section`] (layers to `EI`, mass and neutral axis), `layout` (a beam cut into segments),
-//! `mesh` and `element` (segments divided into polynomials), `body`, `placed` and `assembly` (what hangs together, in coordinates of strain),
-//! `reduction` (the eigenproblem), `solution` and `refinement` (all bodies, until converged), then `damping`, `assembled`, `given` and
-//! `order` (one list of [`Modes`]) and `along` (pictures).
+//! The files, in the order of the computation: [`section`] (layers to `EI`, mass and neutral axis),
+//! `layout` (a beam cut into segments), `mesh` and `element` (segments divided into polynomials),
+//! `body`, `placement` and `assembly` (connected structures in strain coordinates), `reduction`
+//! (the eigenproblem), `solution` and `refinement` (all bodies, until converged), then `damping`,
+//! `assembled`, `user_modes` and `merge_modes` (one list of [`Modes`]) and `along` (figures).
 //!
 //! ```text
 //! (EI w'')'' + m w_tt = 0    on each segment of constant EI (N m^2) and m (kg/m); w the displacement, m
@@ -11,9 +12,10 @@
 //! M u_tt + k (u - w) = force of the beams on a mass whose spring stands on a place of displacement w
 //! ```
 //!
-//! Validation (`tests/structure.rs`): the harvester of the paper against the transfer matrix of its segments in 40-digit arithmetic,
-//! 4e-15 relative in every frequency; uniform cantilever against its closed form, 40 modes; Table 2 to every printed digit; plain
-//! cubic meshes of up to 512 elements with no roundoff above 1e-13.
+//! Validation (`tests/structure.rs`): the harvester of the paper against the transfer matrix of its
+//! segments in 40-digit arithmetic, 4e-15 relative in every frequency; uniform cantilever against
+//! its closed form, 40 modes; Table 2 to every printed digit; plain cubic meshes of up to 512
+//! elements without roundoff above 1e-13.
 //!
 //! Source: impact-harvester paper (2019), sections 2 and 3; Euler-Bernoulli theory.
 
@@ -46,26 +48,30 @@ use refinement::{refined, relative_change};
 use solution::Structures;
 use std::collections::BTreeMap;
 
-/// The modes of a harvester: `reduction.modes` of its assembled structures, and all of those given by their modes.
+/// Returns the modes of a harvester: `reduction.modes` of its assembled structures, and all modes
+/// defined in the spec.
 ///
-/// Every mode is mass-normalised and has its sign by one rule: the free end of the beam (of the first beam, by name, that moves at
-/// least half as far as the furthest) moves in the positive direction. The mesh is refined until every kept frequency has converged to
-/// `reduction.mesh_tolerance`; [`Modes::discretisation_error`] holds the estimates.
+/// Every mode is mass-normalised. The sign is positive at the free end of the first beam, by name,
+/// that moves at least half as far as the furthest end. The mesh is refined until every retained
+/// frequency has converged to `reduction.mesh_tolerance`; [`Modes::discretisation_error`] holds the
+/// estimates.
 ///
 /// # Errors
 /// [`StructureError`], with the place and the value in the spec.
 ///
 /// # Limits
-/// Slender beams (no shear, no rotary inertia but that of fixed masses), small deflections, at most 200 modes.
+/// Slender beams (no shear, no rotary inertia except that of fixed masses), small deflections, at
+/// most 200 modes.
 pub fn modes(spec: &Spec) -> Result<Modes, StructureError> {
     modes_holding(spec, &[])
 }
 
-/// The modes with some masses held fixed, `["table"]` for the clamped beam of Table 2; a held mass has shape 0 and no mode of its own,
-/// so that one mode less than `reduction.modes` is kept for each.
+/// Returns the modes with some masses held fixed, `["table"]` for the clamped beam of Table 2. A
+/// held mass has shape 0 and no mode, so each reduces the number of retained modes by one.
 ///
 /// # Errors
-/// As [`modes`]; `CannotHold` for what is not a mass, `CannotHoldGiven` for a structure given by its modes.
+/// As [`modes`]; `CannotHold` for a name that is not a mass, `CannotHoldGiven` for a structure
+/// defined by its modes.
 pub fn modes_holding(spec: &Spec, held: &[String]) -> Result<Modes, StructureError> {
     let structures = Structures::new(spec, held)?;
     let (solution, error) = refined(&structures, spec.reduction.mesh_tolerance)?;
@@ -73,11 +79,13 @@ pub fn modes_holding(spec: &Spec, held: &[String]) -> Result<Modes, StructureErr
     with_given(spec, assembled).map(|(_, modes)| modes)
 }
 
-/// The modes on a plain mesh of cubic elements of at most `longest_element_m`, as most finite-element programs would give them;
-/// [`Modes::discretisation_error`] is measured against the converged frequencies.
+/// Returns the modes on a plain mesh of cubic elements of at most `longest_element_m`, as most
+/// finite-element programs do; [`Modes::discretisation_error`] is relative to the converged
+/// frequencies.
 ///
 /// # Errors
-/// As [`modes_holding`]; `MeshTooFine`, and `TooManyModes` for a mesh with fewer unknowns than modes.
+/// As [`modes_holding`]; `MeshTooFine`, and `TooManyModes` for a mesh with fewer unknowns than
+/// modes.
 pub fn modes_on_cubic_mesh(
     spec: &Spec,
     held: &[String],
@@ -91,7 +99,8 @@ pub fn modes_on_cubic_mesh(
     with_given(spec, assembled).map(|(_, modes)| modes)
 }
 
-/// The mode shapes along every beam at `samples` equidistant places, with the modes in the order of [`modes_holding`].
+/// Returns the mode shapes along every beam at `samples` equidistant places, with the modes in the
+/// order of [`modes_holding`].
 ///
 /// # Errors
 /// As [`modes_holding`].
@@ -115,7 +124,7 @@ pub fn shapes_along_beams(
     Ok(shapes)
 }
 
-/// The assembled modes (part 0) merged with those of every `[modal.NAME]`.
+/// Merges the assembled modes (part 0) with the modes of every `[modal.NAME]`.
 fn with_given(
     spec: &Spec,
     assembled: Modes,

@@ -1,4 +1,4 @@
-//! A structure given by its modes: the only thing that the rest of jounce knows about beams.
+//! A structure as its modes: the only description of beams that the rest of jounce uses.
 //!
 //! Per mode `i`, with mass-normalised shapes (SI units):
 //!
@@ -8,10 +8,12 @@
 //! C V' + (current into the circuit) + sum_i coupling_i q_i' = 0
 //! ```
 //!
-//! Under an acceleration `a` of the base the right side gains `-participation_i a`, with `participation_i = integral of shape_i dm`,
-//! and displacements are relative to the base (Erturk and Inman, J. Vib. Acoust. 130 (2008) 041002).
+//! Under an acceleration `a` of the base the right side gains `-participation_i a`, with
+//! `participation_i = integral of shape_i dm`. Displacements are then relative to the base (Erturk
+//! and Inman, J. Vib. Acoust. 130 (2008) 041002).
 //!
-//! Source: impact-harvester paper (2019), eqs. (5) and (6), projected on undamped short-circuit modes.
+//! Source: impact-harvester paper (2019), eqs. (5) and (6), projected onto undamped short-circuit
+//! modes.
 
 use crate::spec::GROUND;
 use std::collections::BTreeMap;
@@ -21,33 +23,37 @@ use std::collections::BTreeMap;
 pub struct Modes {
     /// Undamped short-circuit angular frequencies, rad/s, ascending; 0 for a rigid-body mode.
     pub frequency_rad_s: Vec<f64>,
-    /// Damping ratio of each mode (1 = critical); for a rigid-body mode it has no meaning and is 0.
+    /// Damping ratio of each mode (1 = critical); meaningless for a rigid-body mode, where it is 0.
     pub damping_ratio: Vec<f64>,
-    /// Mass-normalised shape at each named point (`"beam.tip"`, `"table"`, `"harvester.tip"`), kg^-1/2, one value per mode.
+    /// Mass-normalised shape at each named point (`"beam.tip"`, `"table"`, `"harvester.tip"`),
+    /// kg^-1/2, one value per mode.
     pub shape: BTreeMap<String, Vec<f64>>,
     /// Each patch by its name (`"mfc"`, `"harvester.mfc"`).
     pub patch: BTreeMap<String, PatchModes>,
-    /// Participation of each mode in a uniform acceleration of the base, kg^1/2: mass times shape, summed over everything that moves
-    /// relative to the base. With `a` the acceleration of the base (m/s^2), the modal force is `-participation a` and `q` is relative to
-    /// the base. The sum of squares over all modes is the moving mass. Zero where the modes were given without it.
+    /// Participation of each mode in a uniform acceleration of the base, kg^1/2: mass times shape,
+    /// summed over all parts that move relative to the base. With `a` the acceleration of the base
+    /// (m/s^2), the modal force is `-participation a` and `q` is relative to the base. The sum of
+    /// squares over all modes is the moving mass. Zero if the modes were given without it.
     pub participation_sqrt_kg: Vec<f64>,
-    /// The share in it of what stands on each base beside the ground, by the name of the base: their participation where that base moves.
+    /// Part of the participation due to the elements on each base other than the ground, by the
+    /// name of the base.
     pub base_sqrt_kg: BTreeMap<String, Vec<f64>>,
-    /// Estimated relative error of each frequency from the discretisation (0 where the modes were given).
+    /// Estimated relative discretisation error of each frequency (0 for modes defined in the spec).
     pub discretisation_error: Vec<f64>,
 }
 
-/// What a piezoelectric patch is to the modes and to the circuit.
+/// Coupling of a piezoelectric patch to the modes and to the circuit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PatchModes {
-    /// Modal coupling, N/V per unit modal coordinate (`gamma_p` times the modal slope difference of the patch ends), one per mode.
+    /// Modal coupling, N/V per unit modal coordinate (`gamma_p` times the modal slope difference of
+    /// the patch ends), one per mode.
     pub coupling_n_per_v: Vec<f64>,
     /// Clamped capacitance, F.
     pub capacitance_f: f64,
-    /// Resistance across it through which it leaks, ohm; `None` without.
+    /// Leakage resistance across the capacitance, ohm; `None` without leakage.
     pub leakage_ohm: Option<f64>,
-    /// Strain of the outer face along the beam at several places of the patch, per unit modal coordinate (kg^-1/2): one list of modes per
-    /// place. Empty where the modes were given.
+    /// Strain of the outer face along the beam at several places of the patch, per unit modal
+    /// coordinate (kg^-1/2): one list of modes per place. Empty for modes defined in the spec.
     pub strain: Vec<Vec<f64>>,
 }
 
@@ -57,7 +63,8 @@ impl Modes {
         self.frequency_rad_s.len()
     }
 
-    /// Participation of each mode in an acceleration of one base, kg^1/2: what stands on no other follows the ground.
+    /// Returns the participation of each mode in an acceleration of one base, kg^1/2; elements on
+    /// no other base follow the ground.
     pub fn participation_in_sqrt_kg(&self, base: &str) -> Vec<f64> {
         if base != GROUND {
             return self
@@ -74,7 +81,7 @@ impl Modes {
             .collect()
     }
 
-    /// True when there is no mode at all.
+    /// True if there are no modes.
     pub fn is_empty(&self) -> bool {
         self.frequency_rad_s.is_empty()
     }

@@ -1,4 +1,5 @@
-//! Parts of a body in their places: how the start of each element moves, and its rows of the mass factor.
+//! Placement of the parts of a body: motion of the start of each element, and its rows of the mass
+//! factor.
 
 use super::assembly::Row;
 use super::body::Support;
@@ -17,14 +18,14 @@ pub(super) enum BodyPart {
     Beam(Vec<PlacedElement>),
 }
 
-/// How a place moves.
+/// Motion of a place.
 #[derive(Debug, Clone)]
 pub(super) struct PlaceMotion {
     pub displacement: Row,
     pub slope: Row,
 }
 
-/// An element, its coordinates, and how its start moves.
+/// An element, its coordinates, and the motion of its start.
 #[derive(Debug, Clone)]
 pub(super) struct PlacedElement {
     pub element: Element,
@@ -44,7 +45,7 @@ impl BodyPart {
         }
     }
 
-    /// Writes the rows of `G`, from `row` on.
+    /// Writes the rows of `G`, starting at `row`.
     pub fn add_mass(&self, factor: &mut Mat<f64>, row: usize) {
         match self {
             Self::Mass {
@@ -74,7 +75,7 @@ impl BodyPart {
         }
     }
 
-    /// A unit translation in the rows of `G`.
+    /// Returns a unit translation in the rows of `G`.
     pub fn translation(&self) -> Vec<f64> {
         match self {
             Self::Mass { mass_kg, .. } => std::iter::once(mass_kg.sqrt())
@@ -91,7 +92,8 @@ impl BodyPart {
     }
 }
 
-/// A mass on its support: on a spring it moves by a coordinate of its own and does not turn; free, by that coordinate alone.
+/// A mass on its support. On a spring it has its own coordinate and does not rotate; free, it has
+/// only that coordinate.
 pub(super) fn placed_mass(
     mass: &Mass,
     on: Support,
@@ -115,7 +117,8 @@ pub(super) fn placed_mass(
     }
 }
 
-/// How the root of a beam moves on its support: a clamp that is not rigid turns by a coordinate of its own.
+/// Returns the motion of the root of a beam on its support: a flexible clamp rotates by its own
+/// coordinate.
 pub(super) fn clamped(beam: &Beam, support: PlaceMotion, next_column: &mut usize) -> PlaceMotion {
     let mut motion = support;
     if let Some(stiffness_n_m_rad) = beam.root_stiffness_n_m_rad {
@@ -125,7 +128,7 @@ pub(super) fn clamped(beam: &Beam, support: PlaceMotion, next_column: &mut usize
     motion
 }
 
-/// Places a chain of elements one after the other from a root that moves as `root`.
+/// Places a chain of elements one after the other from a root with the motion `root`.
 pub(super) fn chained(
     elements: Vec<Element>,
     root: PlaceMotion,
@@ -163,14 +166,15 @@ impl PlacedElement {
         self.element.terms + 2
     }
 
-    /// Adds the own part of an element to a row.
+    /// Adds the contribution of an element to a row.
     pub fn add(&self, row: &mut Row, own: &[f64]) {
         for (entry, value) in row[self.first_column..].iter_mut().zip(own) {
             *entry += value;
         }
     }
 
-    /// Writes the weighted Legendre coefficients of the displacement into `factor`, from `row` on.
+    /// Writes the weighted Legendre coefficients of the displacement into `factor`, starting at
+    /// `row`.
     fn add_mass(&self, factor: &mut Mat<f64>, row: usize) {
         let weight: Vec<f64> = (0..self.mass_rows())
             .map(|order| self.element.mass_weight(order))

@@ -1,8 +1,8 @@
-//! One material of a cross-section: a rectangle at a height.
+//! A ply of a cross-section: a rectangle of one material at a height.
 
 use crate::spec::{Beam, Face, Layer, Patch};
 
-/// Modulus, density and place of a rectangle.
+/// Modulus, density and position of a rectangle.
 pub(super) struct Ply {
     pub youngs_modulus_pa: f64,
     pub density_kg_m3: f64,
@@ -33,7 +33,7 @@ impl Ply {
         }
     }
 
-    /// The active layer, on a layer of the thickness `coat_m`.
+    /// Returns the active layer, on a layer of the thickness `coat_m`.
     pub fn of_patch(beam: &Beam, patch: &Patch, coat_m: f64) -> Self {
         Self {
             youngs_modulus_pa: patch.youngs_modulus_pa,
@@ -49,7 +49,7 @@ impl Ply {
         }
     }
 
-    /// The foils below and above the active layer; none where it has none.
+    /// Returns the foils below and above the active layer; empty without foils.
     pub fn of_foils(beam: &Beam, patch: &Patch, coat_m: f64) -> impl Iterator<Item = Self> {
         let each_m = patch.foils.each_m();
         let under_m = [coat_m, coat_m + each_m + patch.thickness_m]
@@ -74,7 +74,8 @@ impl Ply {
     }
 }
 
-/// Height above the bottom of the beam of what lies `coat_m` and `more_m` off a face.
+/// Returns the height above the bottom of the beam at the distance `coat_m` plus `more_m` from a
+/// face.
 pub(super) fn above_m(beam: &Beam, face: Face, coat_m: f64, more_m: f64) -> f64 {
     if face == Face::Top {
         beam.thickness_m + coat_m + more_m

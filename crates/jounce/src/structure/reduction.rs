@@ -1,14 +1,17 @@
-//! The eigenproblem, solved as the inverse problem in factored form.
+//! The eigenproblem, solved as an inverse problem in factored form.
 //!
-//! With `K = I` and `M = G^T G` in coordinates of strain, `K s = w^2 M s` is the singular value problem of `G`:
+//! With `K = I` and `M = G^T G` in strain coordinates, `K s = w^2 M s` is the singular value
+//! problem of `G`:
 //!
 //! ```text
 //! G = U diag(1/w) V^T,      mass-normalised mode k:  s_k = w_k v_k,      x(point) of mode k = row(point) . s_k
 //! ```
 //!
-//! Low modes are the greatest singular values, so roundoff is about 1e-16 `w_k / w_1` relative, whatever the mesh. A plain solve with
-//! `K` and `M` loses them: its roundoff is 1e-16 times the square of the highest frequency of the mesh over the wanted one.
-//! With a rigid-body coordinate (column `g` of `G`, no strain energy) the others are first made orthogonal to it in mass.
+//! Low modes have the greatest singular values, so roundoff is about 1e-16 `w_k / w_1` relative,
+//! for any mesh. A plain solve with `K` and `M` is less accurate: its roundoff is 1e-16 times the
+//! square of the highest frequency of the mesh over the required one. With a rigid-body coordinate
+//! (column `g` of `G`, no strain energy) the other coordinates are first made mass-orthogonal to
+//! it.
 
 use super::assembly::{Assembly, Row};
 use super::error::StructureError;
@@ -17,7 +20,7 @@ use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::svd::{ComputeSvdVectors, svd, svd_scratch};
 use faer::{Mat, MatRef, Par};
 
-/// The modes of one assembly, all of them, in ascending frequency.
+/// All modes of one assembly, in ascending frequency.
 #[derive(Debug, Clone)]
 pub(super) struct AssemblyModes {
     pub frequency_rad_s: Vec<f64>,
@@ -29,7 +32,7 @@ impl AssemblyModes {
     /// Solves the eigenproblem of an assembly.
     ///
     /// # Errors
-    /// `NotRepresentable` where the numbers leave the range of double precision.
+    /// `NotRepresentable` if the numbers exceed the range of double precision.
     pub fn new(assembly: &Assembly) -> Result<Self, StructureError> {
         let factor = assembly.mass_factor()?;
         let reduced = if assembly.rigid {
@@ -42,7 +45,7 @@ impl AssemblyModes {
         })
     }
 
-    /// `row . s_k` for the first `modes` modes.
+    /// Returns `row . s_k` for the first `modes` modes.
     pub fn modal(&self, row: &Row, modes: usize) -> Vec<f64> {
         let dot = |mode| {
             self.coordinates
@@ -55,8 +58,9 @@ impl AssemblyModes {
         (0..modes).map(dot).collect()
     }
 
-    /// Gives each mode its sign: the first free end (beams in the order of their names) that moves at least half as far as the
-    /// furthest moves in the positive direction. For a single beam: its free end is positive in every mode.
+    /// Sets the sign of each mode: the first free end (beams in the order of their names) that
+    /// moves at least half as far as the furthest end moves in the positive direction. For a single
+    /// beam, its free end is positive in every mode.
     pub fn orient(&mut self, free_ends: &[Row]) {
         let count = self.frequency_rad_s.len();
         let ends: Vec<Vec<f64>> = free_ends.iter().map(|row| self.modal(row, count)).collect();
@@ -146,7 +150,8 @@ impl AssemblyModes {
     }
 }
 
-/// Singular values, descending, and right singular vectors; on one thread, so that the bits are the same everywhere.
+/// Returns singular values, descending, and right singular vectors; uses one thread for bitwise
+/// reproducible results.
 fn right_singular(factor: MatRef<f64>) -> Option<(Vec<f64>, Mat<f64>)> {
     let (rows, columns) = factor.shape();
     let (mut values, mut vectors) = (Diag::zeros(columns), Mat::zeros(columns, columns));
@@ -230,7 +235,8 @@ mod tests {
         )
     }
 
-    /// `S^T G^T G S = 1` and, without the rigid coordinate, `S^T S = diag(w^2)`; relative to `w_i w_j`, measured 2e-13.
+    /// `S^T G^T G S = 1` and, without the rigid coordinate, `S^T S = diag(w^2)`; relative to `w_i
+    /// w_j`, measured 2e-13.
     #[test]
     fn modes_are_orthogonal_in_mass_and_stiffness() {
         for stiffness_n_m in [None, Some(50.0)] {

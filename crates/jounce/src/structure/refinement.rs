@@ -1,21 +1,25 @@
-//! The mesh is refined until the kept frequencies stand still.
+//! Mesh refinement until the retained frequencies converge.
 //!
-//! Mesh `n` is made for shapes of relative error `tolerance^(0.6 + 0.4 n)`. A frequency has the square of the error of its shape, so
-//! mesh 0 should already hold the tolerance, and mesh 1 holds it for the shapes and couplings too. Estimated error of each frequency:
-//! its relative change in the last refinement, at least the roundoff of a double; that of the mesh which is kept is far smaller.
+//! Mesh `n` is made for shapes of relative error `tolerance^(0.6 + 0.4 n)`. The error of a
+//! frequency is the square of the error of its shape. Mesh 0 should therefore meet the tolerance,
+//! and mesh 1 meets it for the shapes and couplings too. The estimated error of each frequency is
+//! its relative change in the last refinement, at least the roundoff of a double; the true error on
+//! the final mesh is far smaller.
 
 use super::error::StructureError;
 use super::solution::{StructureSolution, Structures};
 
-/// Most refinements tried.
+/// Largest number of refinements.
 const MAX_REFINEMENTS: i32 = 4;
-/// Shapes are resolved to this even where the frequencies may be coarser: their error enters the response directly.
+/// Shapes are resolved to this error even if the frequencies may be coarser, because it enters the
+/// response directly.
 const MAX_SHAPE_ERROR: f64 = 1e-6;
 
-/// The solution on the first mesh that holds `tolerance`, and the estimated relative error of each kept frequency.
+/// Returns the solution on the first mesh that meets `tolerance`, and the estimated relative error
+/// of each retained frequency.
 ///
 /// # Errors
-/// `NotConverged`; those of [`Structures::solve`].
+/// `NotConverged`; errors of [`Structures::solve`].
 pub(super) fn refined<'a>(
     structures: &Structures<'a>,
     tolerance: f64,
@@ -45,7 +49,7 @@ pub(super) fn refined<'a>(
     })
 }
 
-/// `|fine - coarse| / fine`, at least the roundoff of a double; of a rigid-body mode, 0.
+/// Returns `|fine - coarse| / fine`, at least the roundoff of a double; 0 for a rigid-body mode.
 pub(super) fn relative_change(coarse: &[f64], fine: &[f64]) -> Vec<f64> {
     let change = |(coarse, fine): (&f64, &f64)| {
         if *fine > 0.0 {
@@ -87,7 +91,8 @@ mod tests {
         }
     }
 
-    /// The work of a solve grows with the cube of the number of unknowns: a change here must be meant.
+    /// The cost of a solve grows with the cube of the number of unknowns, so a change here must be
+    /// intended.
     #[test]
     fn unknowns_are_few() {
         for (modes, unknowns) in [(1, 18), (8, 54), (40, 238)] {

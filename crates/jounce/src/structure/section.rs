@@ -1,6 +1,8 @@
-//! Cross-section of a beam, bare or with layers and patches: layers to bending stiffness, mass per length and neutral axis.
+//! Cross-section of a beam, bare or with layers and patches: bending stiffness, mass per length and
+//! neutral axis.
 //!
-//! With layers `i` of modulus `E_i` (Pa), area `A_i = b_i t_i` (m^2), mid-height `z_i` (m, from the bottom of the beam):
+//! With layers `i` of modulus `E_i` (Pa), area `A_i = b_i t_i` (m^2), mid-height `z_i` (m, from the
+//! bottom of the beam):
 //!
 //! ```text
 //! zbar    = sum E_i A_i z_i / sum E_i A_i                            neutral axis, m
@@ -9,17 +11,20 @@
 //! gamma_p = E_p b_p h_p e_V (z_p - zbar)                             moment per volt of the patch, N m/V
 //! ```
 //!
-//! `e_V` is the free strain per volt: `d31 / h_p` for a field through the thickness (so that `gamma_p = E_p d31 b_p (z_p - zbar)`),
-//! `d33 / s` for a field along the beam between electrodes `s` apart. A patch on the lower face has `z_p = -h_p / 2`; a passive layer
-//! under a patch lifts it by its own thickness, as a foil of a Macro Fiber Composite lifts its active layer; foils are layers too.
+//! `e_V` is the free strain per volt: `d31 / h_p` for a field through the thickness (so that
+//! `gamma_p = E_p d31 b_p (z_p - zbar)`), `d33 / s` for a field along the beam between electrodes
+//! `s` apart. A patch on the lower face has `z_p = -h_p / 2`. A passive layer under a patch raises
+//! it by the thickness of the layer, as a foil of a Macro Fiber Composite raises its active layer;
+//! foils are layers too.
 //!
-//! The thin skin is the section that reproduces Table 2 of the impact-harvester paper (2019): the stiffness of a skin at the
-//! surface of the beam, no shift of the axis, no mass. Its `gamma_p` (eq. 2) still uses the shifted axis `zbar`.
+//! The thin skin is the section that reproduces Table 2 of the impact-harvester paper (2019): the
+//! stiffness of a skin at the surface of the beam, no shift of the axis, no mass. Its `gamma_p`
+//! (eq. 2) uses the shifted axis `zbar`.
 
 use super::ply::{Ply, above_m};
 use crate::spec::{Beam, Face, Layer, Patch, Section};
 
-/// What bending knows about a cross-section.
+/// Bending properties of a cross-section.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CrossSection {
     /// `EI`, N m^2.
@@ -33,17 +38,19 @@ pub struct CrossSection {
 }
 
 impl CrossSection {
-    /// The beam alone.
+    /// Returns the section of the bare beam.
     pub fn bare(beam: &Beam) -> Self {
         Self::of_plies(&[Ply::of_beam(beam)])
     }
 
-    /// The beam where these patches cover it, at most one on each face, all of the same rule of section.
+    /// Returns the section of the beam under these patches, at most one on each face, all with the
+    /// same section model.
     pub fn covered<'a>(beam: &Beam, patches: impl Iterator<Item = &'a Patch> + Clone) -> Self {
         Self::laminated(beam, std::iter::empty(), patches)
     }
 
-    /// The beam where these layers and, on top of them, these patches cover it, at most one of each on each face.
+    /// Returns the section of the beam under these layers with these patches on top, at most one of
+    /// each on each face.
     pub fn laminated<'a, 'l>(
         beam: &Beam,
         layers: impl Iterator<Item = &'l Layer> + Clone,
@@ -94,14 +101,15 @@ impl CrossSection {
         }
     }
 
-    /// Phase of a bending wave of 1 rad/s per length of beam, `(m / EI)^(1/4)`, s^(1/2)/m.
+    /// Returns the phase of a bending wave of 1 rad/s per length of beam, `(m / EI)^(1/4)`,
+    /// s^(1/2)/m.
     pub(super) fn wave_number_per_root_frequency(&self) -> f64 {
         (self.mass_per_length_kg_m / self.bending_stiffness_n_m2)
             .sqrt()
             .sqrt()
     }
 
-    /// Thickness of the layer under a patch of a face, m.
+    /// Returns the thickness of the layer under a patch of a face, m.
     fn coat_m(&self, face: Face) -> f64 {
         self.coated_m[usize::from(face == Face::Top)]
     }
@@ -128,9 +136,11 @@ impl CrossSection {
     }
 }
 
-/// `gamma_p`: the pair of end moments that one volt across the patch exerts on a beam of this section, N m/V.
+/// Returns `gamma_p`: the pair of end moments of one volt across the patch on a beam of this
+/// section, N m/V.
 ///
-/// Validation: -8.6639e-5 N m/V for the paper's harvester; the curvature `gamma_p / EI` is Timoshenko's bimetal formula to 1e-14.
+/// Validation: -8.6639e-5 N m/V for the harvester of the paper; the curvature `gamma_p / EI` agrees
+/// with Timoshenko's bimetal formula to 1e-14.
 pub fn patch_moment_n_m_per_v(beam: &Beam, section: &CrossSection, patch: &Patch) -> f64 {
     let ply = Ply::of_patch(beam, patch, section.coat_m(patch.face));
     let lever_m = ply.middle_m - section.neutral_axis_m;
@@ -143,7 +153,8 @@ pub fn patch_moment_n_m_per_v(beam: &Beam, section: &CrossSection, patch: &Patch
     }
 }
 
-/// Height of the outer face of the active layer above the neutral axis of a section, m: its strain is minus this times the curvature.
+/// Returns the height of the outer face of the active layer above the neutral axis of a section, m;
+/// its strain is minus this height times the curvature.
 pub fn outer_lever_m(beam: &Beam, section: &CrossSection, patch: &Patch) -> f64 {
     above_m(
         beam,
@@ -242,7 +253,8 @@ pub(super) mod tests {
         }
     }
 
-    /// Timoshenko (1925), with `m` and `n` the ratios of thickness and modulus, `strain` the difference of free strain.
+    /// Timoshenko (1925), with `m` and `n` the ratios of thickness and modulus, `strain` the
+    /// difference of free strain.
     #[test]
     fn free_strain_bends_a_laminate_as_a_bimetal() {
         for (patch_m, modulus_pa) in [
@@ -273,8 +285,9 @@ pub(super) mod tests {
         }
     }
 
-    /// Layers above and below make a bimorph: `YI = (2b/3) [Y_s h_s^3/8 + Y_p ((h_p + h_s/2)^3 - h_s^3/8)]`, no shift of the axis, and
-    /// opposite moments (Erturk and Inman, Smart Mater. Struct. 18 (2009) 025009).
+    /// Layers above and below make a bimorph: `YI = (2b/3) [Y_s h_s^3/8 + Y_p ((h_p + h_s/2)^3 -
+    /// h_s^3/8)]`, no shift of the axis, and opposite moments (Erturk and Inman, Smart Mater.
+    /// Struct. 18 (2009) 025009).
     #[test]
     fn two_faces_make_a_bimorph() {
         let beam = paper_beam();

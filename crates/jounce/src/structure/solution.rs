@@ -1,4 +1,4 @@
-//! Every connected structure of a spec, divided by one mesh rule and solved.
+//! Solution of every connected structure of a spec on meshes of one rule.
 
 use super::assembly::Assembly;
 use super::body::{Body, Part, PartKind, bodies};
@@ -11,25 +11,26 @@ use super::reduction::AssemblyModes;
 use crate::spec::{Mass, Reduction, Spec};
 use std::collections::BTreeMap;
 
-/// Most modes kept: beyond them a mode is far outside the reach of beam theory, and the dense solve is slow.
+/// Largest number of retained modes: higher modes are far outside the validity of beam theory, and
+/// the dense solve is slow.
 const MAX_MODES: usize = 200;
-/// Most unknowns of a mesh; a dense solve with 2000 takes some seconds.
+/// Largest number of unknowns of a mesh; a dense solve with 2000 takes some seconds.
 const MAX_UNKNOWNS: usize = 3000;
 
-/// The bodies of a spec, their beams cut into segments, and how many modes are kept.
+/// Bodies of a spec with their beams cut into segments, and the number of retained modes.
 #[derive(Debug, Clone)]
 pub(super) struct Structures<'a> {
     bodies: Vec<Body<'a>>,
     segments: BTreeMap<&'a str, Vec<BeamSegment>>,
-    /// Number of modes kept: `reduction.modes`, less one for each body held fixed.
+    /// Number of retained modes: `reduction.modes`, less one for each body held fixed.
     modes: usize,
 }
 
-/// The modes of every body on one mesh.
+/// Modes of every body on one mesh.
 #[derive(Debug, Clone)]
 pub(super) struct StructureSolution<'a> {
     pub parts: Vec<(Assembly<'a>, AssemblyModes)>,
-    /// The kept modes.
+    /// Retained modes.
     pub order: ModeOrder,
 }
 
@@ -37,7 +38,8 @@ impl<'a> Structures<'a> {
     /// Checks the spec and cuts its beams.
     ///
     /// # Errors
-    /// Every variant of [`StructureError`] that names a key of the spec, `CannotHold`, `CannotHoldGiven`, `NoModes`, `TooManyModes`.
+    /// Every variant of [`StructureError`] that names a key of the spec, `CannotHold`,
+    /// `CannotHoldGiven`, `NoModes`, `TooManyModes`.
     pub fn new(spec: &'a Spec, held: &[String]) -> Result<Self, StructureError> {
         let bodies = bodies(spec, held)?;
         let cut = |(name, beam): (&'a String, _)| Ok((name.as_str(), segments(spec, name, beam)?));
@@ -56,7 +58,7 @@ impl<'a> Structures<'a> {
                 .sum(),
             false => MAX_MODES,
         };
-        // The default asks for no more than there are.
+        // The default number never exceeds the available number.
         let is_default = spec.reduction.modes == Reduction::default().modes;
         let modes = match spec.reduction.modes.saturating_sub(held) {
             _ if bodies.is_empty() => 0,
@@ -86,7 +88,7 @@ impl<'a> Structures<'a> {
         })
     }
 
-    /// The mesh for mode shapes of relative error `tolerance`.
+    /// Returns the mesh for mode shapes of relative error `tolerance`.
     pub fn spectral_mesh(&self, tolerance: f64) -> Mesh {
         Mesh::spectral(self.modes, tolerance, self.segments.values().flatten())
     }
@@ -94,7 +96,7 @@ impl<'a> Structures<'a> {
     /// Solves every body on a mesh.
     ///
     /// # Errors
-    /// `NotRepresentable`, `TooManyModes` where the mesh has fewer unknowns than modes are kept.
+    /// `NotRepresentable`; `TooManyModes` if the mesh has fewer unknowns than retained modes.
     pub fn solve(&self, mesh: &Mesh) -> Result<StructureSolution<'a>, StructureError> {
         let parts = self
             .bodies
@@ -115,7 +117,7 @@ impl<'a> Structures<'a> {
         }
     }
 
-    /// The rule of cubic elements of at most `longest_m`.
+    /// Returns the rule of cubic elements of at most `longest_m`.
     ///
     /// # Errors
     /// `OutOfRange`, `MeshTooFine`.
@@ -152,7 +154,7 @@ impl<'a> Structures<'a> {
 }
 
 impl StructureSolution<'_> {
-    /// Angular frequencies of the kept modes, rad/s.
+    /// Returns the angular frequencies of the retained modes, rad/s.
     pub fn frequency_rad_s(&self) -> Vec<f64> {
         let lists: Vec<&[f64]> = self
             .parts
@@ -171,7 +173,7 @@ impl StructureSolution<'_> {
     }
 }
 
-/// Solves one body and gives every mode its sign.
+/// Solves one body and sets the sign of every mode.
 fn solved(assembly: Assembly) -> Result<(Assembly, AssemblyModes), StructureError> {
     let mut reduced = AssemblyModes::new(&assembly)?;
     reduced.orient(&assembly.free_ends());

@@ -1,11 +1,12 @@
-//! A structure given by its modes: `[modal.NAME]` to [`Modes`], every name with `NAME.` before it.
+//! A structure defined by its modes: converts `[modal.NAME]` to [`Modes`], with the prefix `NAME.`
+//! on every name.
 
 use super::error::StructureError;
 use super::modes::{Modes, PatchModes};
 use crate::spec::Modal;
 use std::f64::consts::TAU;
 
-/// The modes of `[modal.NAME]`, all of them.
+/// Returns all modes of `[modal.NAME]`.
 ///
 /// # Errors
 /// `WrongLength`; `OutOfRange` for a frequency or a damping ratio that is negative or not finite.

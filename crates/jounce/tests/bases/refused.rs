@@ -19,19 +19,19 @@ fn every_fault_of_a_base_is_told() {
     let cases = [
         (
             format!("at = \"free\"\n{sine}"),
-            ["drive.x.at", "a mass, which a force moves"],
+            ["drive.x.at", "a mass, which only a force moves"],
         ),
         (
             format!("at = \"head.end\"\n{sine}"),
-            ["drive.x.at", "no name of a base"],
+            ["drive.x.at", "not the name of a base"],
         ),
         (
             format!("at = \"haed\"\n{sine}"),
-            ["drive.x.at", "a base that carries nothing"],
+            ["drive.x.at", "a base that supports nothing"],
         ),
         (
             format!("at = \"head\"\n{chirp}phase = \"90 deg\"\n"),
-            ["drive.x.phase", "leave `phase` out"],
+            ["drive.x.phase", "omit `phase`"],
         ),
         (
             "at = \"head\"\nsignal = \"noise\"\npsd = \"1 N^2/Hz\"\nhigh = \"9 Hz\"\n".to_owned(),

@@ -26,16 +26,16 @@ fn each_fault_is_told_once() {
     for (text, message) in [
         (
             BALL.to_owned(),
-            "mass.ball.on is \"nothing\", so the mass would drift for ever: give [gravity] or a [stop.NAME] that it strikes",
+            "mass.ball.on is \"nothing\", so the mass would drift without bound; add [gravity] or a [stop.NAME] that it strikes",
         ),
         (
             format!("{BALL}{}", contact("-1 um", "")),
-            "stop.contact.gap is -1 um: at rest the free mass \"ball\" would lie inside what it strikes; give at least 0",
+            "stop.contact.gap is -1 um: at rest the free mass \"ball\" would penetrate the stop; give at least 0",
         ),
         (
             BALL.replace("\"nothing\"", "\"plate.end\"")
                 .replace("[damping]", "root = \"ball\"\n[damping]"),
-            "nothing holds these up: plate on ball on plate; let one of them stand on the ground",
+            "these support each other in a loop: plate on ball on plate; put one of them on the ground",
         ),
         (
             format!(

@@ -144,7 +144,7 @@ fn what_does_not_go_together_is_told() {
         (
             "circuit.rectifier.efficiency",
             "0.5",
-            "does not go with interface = \"bridge\", only with sece",
+            "does not apply with interface = \"bridge\", only with sece",
         ),
         (
             "circuit.rectifier.interface",
@@ -154,7 +154,7 @@ fn what_does_not_go_together_is_told() {
         (
             "circuit.rectifier.battery",
             "1 V",
-            "circuit.rectifier.resistance has no effect: a battery takes the charge",
+            "circuit.rectifier.resistance has no effect with a battery, which takes the charge",
         ),
         ("circuit.rectifier.diode_drop", "-1 V", "must be at least 0"),
     ] {

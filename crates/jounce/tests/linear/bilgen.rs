@@ -141,7 +141,7 @@ fn foils_that_do_not_fit_are_told() {
         (
             "patch.mfc.foil_thickness",
             "60 um",
-            "are those of the composite with its foils; give those of the active layer",
+            "library constants include the foils; give the constants of the active layer",
         ),
         ("patch.mfc.foil_thickness", "0 um", "must be"),
     ] {

@@ -139,15 +139,15 @@ fn friction_that_does_not_fit_is_told() {
     for (text, told) in [
         (
             sprung.to_owned(),
-            "mass.m.friction does not go with a mass on a spring: what it loses is told by its `damping_ratio`",
+            "mass.m.friction does not apply to a mass on a spring, whose loss is set by `damping_ratio`",
         ),
         (
             carrying,
-            "mass.missile.friction does not go with a mass that carries what moves by itself, here mass.rider",
+            "mass.missile.friction does not apply to a mass that carries a moving element, here mass.rider",
         ),
         (
             fixed,
-            "mass.rider.friction is for a free mass that moves in a channel; give on = \"nothing\"",
+            "mass.rider.friction is for a free mass that moves in a channel; set on = \"nothing\"",
         ),
         (
             format!("{}{GRAVITY}", MISSILE.replace("0.02", "-1")),

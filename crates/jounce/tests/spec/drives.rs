@@ -16,19 +16,19 @@ fn each_fault_of_a_drive_is_told_once() {
     for (text, message) in [
         (
             "[drive.d]\namplitude = \"1 N\"\nfrequency = \"7 Hz\"",
-            "`at` is missing; the name of a point or mass is due",
+            "`at` is missing; expected the name of a point or mass",
         ),
         (
             "[drive.d]\nkind = \"base-acceleration\"\namplitude = \"1 N\"\nfrequency = \"7 Hz\"",
-            "\"1 N\" is a force; an acceleration is due, in m/s^2, g",
+            "\"1 N\" is a force; expected an acceleration in m/s^2, g",
         ),
         (
             "[drive.d]\nkind = \"base-acceleration\"\nat = \"m\"\namplitude = \"1 g\"\nfrequency = \"7 Hz\"",
-            "is \"m\", a mass, which a force moves",
+            "is \"m\", a mass, which only a force moves",
         ),
         (
             "[drive.d]\nkind = \"base-displacement\"\nsignal = \"velocity-step\"\nvelocity = \"1 m/s\"",
-            "a velocity step is no course of displacement",
+            "a velocity step is not a displacement signal",
         ),
         (
             "[drive.d]\nkind = \"base-displacement\"\nsignal = \"noise\"\npsd = \"1 m^2/Hz\"\nhigh = \"7 Hz\"",
@@ -36,7 +36,7 @@ fn each_fault_of_a_drive_is_told_once() {
         ),
         (
             "[drive.d]\nkind = \"base-displacement\"\nsignal = \"chirp\"\namplitude = \"1 mm\"\nfrom = \"7 Hz\"\nto = \"9 Hz\"\nduration = \"1 s\"\nphase = \"1 rad\"",
-            "leave `phase` out",
+            "omit `phase`",
         ),
         (
             "[drive.d]\nat = \"m\"\nsignal = \"velocity-step\"\nvelocity = \"1 m/s\"",
@@ -48,7 +48,7 @@ fn each_fault_of_a_drive_is_told_once() {
         ),
         (
             "[drive.d]\nat = \"m\"\nsignal = \"noise\"\npsd = \"1 N^2/Hz\"\nlow = \"9 Hz\"\nhigh = \"7 Hz\"",
-            "is 9 Hz, not below high = 7 Hz",
+            "is 9 Hz; it must be below high = 7 Hz",
         ),
         (
             "[drive.d]\nat = \"m\"\nsignal = \"noise\"\npsd = \"1 N^2/Hz\"\nhigh = \"7 Hz\"\nsample_rate = \"20 Hz\"",
@@ -56,7 +56,7 @@ fn each_fault_of_a_drive_is_told_once() {
         ),
         (
             "[drive.d]\nat = \"m\"\nsignal = \"noise\"\npsd = \"1 N^2/Hz\"\nhigh = \"1 MHz\"",
-            "would take 2.0e8 samples",
+            "has 2.0e8 samples",
         ),
         (
             "[drive.d]\nat = \"m\"\nsignal = \"recording\"\nfile = \"not-there.csv\"",
@@ -68,11 +68,11 @@ fn each_fault_of_a_drive_is_told_once() {
         ),
         (
             "[mass.ball]\nmass = \"1 g\"\non = \"nothing\"",
-            "the mass would drift for ever",
+            "the mass would drift without bound",
         ),
         (
             "[modal.x]\nfrequency_hz = [1]\ndamping_ratio = [0.1]\n[gravity]\nacceleration = \"9.81 m/s^2\"",
-            "gravity acts on the mass of each mode: give modal.x.participation_sqrt_kg",
+            "gravity acts on the mass of each mode; give modal.x.participation_sqrt_kg",
         ),
     ] {
         let found = faults(text);

@@ -28,7 +28,7 @@ fn bodies_that_fall_together_do_not_overlap() {
             stop("s", ["a", "b", "positive", "-1 mm"], law)
         );
         let fault = Spec::from_toml(&pair).unwrap_err().to_string();
-        let message = "stop.s.gap is -1 mm: at rest the free mass \"a\" would lie inside what it strikes; give at least 0";
+        let message = "stop.s.gap is -1 mm: at rest the free mass \"a\" would penetrate the stop; give at least 0";
         assert!(
             fault.contains(message) && fault.lines().count() == 1,
             "{fault}"
@@ -78,7 +78,7 @@ fn a_preload_under_gravity_goes_no_deeper_than_weight_presses() {
         .unwrap_err()
         .to_string();
     assert!(
-        fault.contains("deeper than weight can press it; give at least -4.64 um"),
+        fault.contains("deeper than weight allows; give at least -4.64 um"),
         "{fault}"
     );
     // A ceiling: the weight pulls the ball away from it.

@@ -80,7 +80,7 @@ fn a_number_of_a_list_is_a_key_counted_from_1() {
         0.2
     );
     let told = with(&[("damping.ratios.8", "0.05")]).unwrap_err();
-    let wanted = "damping.ratios.8: damping.ratios holds 7 numbers; name one of them, from damping.ratios.1 to damping.ratios.7";
+    let wanted = "damping.ratios.8: damping.ratios holds 7 numbers; write one of damping.ratios.1 to damping.ratios.7";
     assert!(told.ends_with(wanted), "{told}");
     assert!(
         with(&[("damping.ratios.0", "0.05")])
@@ -203,12 +203,12 @@ fn faults_name_the_override_as_their_place() {
         (
             "stop.tip.gap",
             "1 Hz",
-            "--set stop.tip.gap=1 Hz: stop.tip.gap: \"1 Hz\" is a frequency; a length is due, in mm, um, cm, m",
+            "--set stop.tip.gap=1 Hz: stop.tip.gap: \"1 Hz\" is a frequency; expected a length in mm, um, cm, m",
         ),
         (
             "stop.tip.gap",
             "1",
-            "--set stop.tip.gap=1: stop.tip.gap: 1 has no unit; a length is due",
+            "--set stop.tip.gap=1: stop.tip.gap: 1 has no unit; expected a length",
         ),
         (
             "circuit.load.resistance",
@@ -223,7 +223,7 @@ fn faults_name_the_override_as_their_place() {
         (
             "patch.mfc.length",
             "400 mm",
-            "--set patch.mfc.length=400 mm: patch.mfc.length: the patch ends 409 mm from the root, but its beam ends at 315 mm",
+            "--set patch.mfc.length=400 mm: patch.mfc.length: the patch ends 409 mm from the root; it must not exceed the beam length 315 mm",
         ),
         (
             "stop.tip.frame",
@@ -233,7 +233,7 @@ fn faults_name_the_override_as_their_place() {
         (
             "run.average_over",
             "30 s",
-            "--set run.average_over=30 s: run.average_over is 30 s, longer than run.duration = 20 s",
+            "--set run.average_over=30 s: run.average_over is 30 s; it must be at most run.duration = 20 s",
         ),
     ] {
         let fault = with(&[(key, value)]).unwrap_err();

@@ -91,15 +91,15 @@ fn what_does_not_go_with_pores_is_told() {
     for (keys, message) in [
         (
             "material = \"PZT-5H\"\nporosity = 0.2",
-            "patch.p.porosity is given, but needs all constants of the dense material, which the library has for \"PZT-5A\"",
+            "patch.p.porosity is given, but it requires all constants of the dense material; the library has them for \"PZT-5A\"",
         ),
         (
             "material = \"PZT-5A\"\nporosity = 0.2\nd31 = \"-100 pC/N\"",
-            "patch.p.d31 does not go with `porosity`",
+            "patch.p.d31 does not apply with `porosity`",
         ),
         (
             "material = \"PZT-5A\"\nporosity = 0.2\ncapacitance = \"1 nF\"",
-            "patch.p.capacitance does not go with `porosity`",
+            "patch.p.capacitance does not apply with `porosity`",
         ),
         (
             "material = \"PZT-5A\"\npore_shape = \"cylinders\"",
@@ -111,7 +111,7 @@ fn what_does_not_go_with_pores_is_told() {
         ),
         (
             "material = \"PZT-5A\"\nporosity = 0.2\npore_aspect_ratio = 2",
-            "does not go with pore_shape = \"spheres\"",
+            "does not apply with pore_shape = \"spheres\"",
         ),
         (
             "material = \"PZT-5A\"\nporosity = 1.5",
@@ -119,7 +119,7 @@ fn what_does_not_go_with_pores_is_told() {
         ),
         (
             "material = \"PZT-5A\"\nporosity = 0.8\nporosity_scheme = \"self-consistent\"",
-            "finds no stiffness left",
+            "predicts no stiffness",
         ),
     ] {
         let fault = Spec::from_toml(&text(keys)).unwrap_err().to_string();

@@ -55,7 +55,7 @@ fn the_unit_and_the_channel_come_from_the_file() {
     assert!(
         findings(&found)
             .iter()
-            .any(|told| told == "road: floor: its mean of -9.80665 m/s^2 is taken away"),
+            .any(|told| told == "road: floor: its mean of -9.80665 m/s^2 is removed"),
         "{:?}",
         findings(&found)
     );
@@ -74,25 +74,25 @@ fn the_unit_and_the_channel_come_from_the_file() {
         ),
         (
             "channel = \"out\"\n",
-            "channel out is in V, which is no unit of m/s^2",
+            "channel out is in V, which does not convert to m/s^2",
         ),
         (
             "channel = \"dead\"\n",
-            "channel dead is 0 m/s^2 throughout, which moves nothing",
+            "channel dead is constant at 0 m/s^2 and excites nothing",
         ),
         (
             "unit = \"m/s^2\"\n",
-            "the file gives channel floor in a unit of its own, in SI m/s^2: leave `unit` out",
+            "the file gives channel floor a unit already (in SI m/s^2); omit `unit`",
         ),
         (
             "channel = \"out\"\nunit = \"mm\"\n",
-            "drive.road.unit: `unit` = \"mm\" is no unit of m/s^2",
+            "drive.road.unit: `unit` = \"mm\" does not convert to m/s^2",
         ),
         (
             "sample_rate = \"100 Hz\"\n",
             "is sampled at 2.000000 Hz, not at `sample_rate` = 100 Hz",
         ),
-        ("scale = \"1 g\"\n", "a plain number is due"),
+        ("scale = \"1 g\"\n", "expected a plain number"),
     ] {
         let fault = read(file, keys).unwrap_err();
         assert!(fault.contains(message), "{keys}: {fault}");
@@ -131,7 +131,7 @@ fn what_the_file_does_not_tell_is_said_by_a_key() {
     let two = ("two.csv", "time (s),left,right\n0,1,2\n0.5,-1,0\n1,1,2\n");
     let fault = read(two, "").unwrap_err();
     assert!(
-        fault.contains("several channels would do (left, right): name one by `channel`"),
+        fault.contains("several channels fit (left, right); name one with `channel`"),
         "{fault}"
     );
 }

@@ -63,11 +63,11 @@ fn wrong_ranges_are_refused() {
     for (assignment, told) in [
         (
             "drive.shaker.frequency=4Hz:20Hz:0.1mm",
-            "\"0.1mm\" is a length; a frequency is due",
+            "\"0.1mm\" is a length; expected a frequency",
         ),
         (
             "drive.shaker.frequency=4:20:0.1",
-            "4 has no unit; a frequency is due, in Hz, kHz, 1/min",
+            "4 has no unit; expected a frequency in Hz, kHz, 1/min",
         ),
         ("drive.shaker.frequency=20Hz:4Hz:0.1Hz", "is reversed"),
         (
@@ -88,21 +88,21 @@ fn wrong_ranges_are_refused() {
         ),
         (
             "drive.shaker.frequency=4Hz:20Hz:1x",
-            "is no number of points; give 2 to 1000000",
+            "is not a number of points; give 2 to 1000000",
         ),
         (
             "drive.shaker.frequency=4Hz:20Hz",
-            "is no range; write FROM:TO:STEP",
+            "is not a range; write FROM:TO:STEP",
         ),
         ("drive.shaker.frequency=", "does not start with a number"),
-        ("drive.shaker.frequency", "a range is KEY=FROM:TO:STEP"),
+        ("drive.shaker.frequency", "expected KEY=FROM:TO:STEP"),
         (
             "drive.shaker.frequency=0Hz:20Hz:1Hz",
             "is 0; it must be from 1 uHz to 1 MHz",
         ),
         (
             "stop.tip.gap=-1mm:1mm:5log",
-            "a logarithmic range starts above 0",
+            "a logarithmic range must start above 0",
         ),
         (
             "reduction.modes=1:3:0.5",
@@ -114,20 +114,20 @@ fn wrong_ranges_are_refused() {
         ),
         (
             "stop.tip.law=1Hz",
-            "this is no key with a number in this spec",
+            "this spec has no key with a number here",
         ),
         ("stop.tip.exponent=1:2:0.1", "cannot be varied alone"),
         (
             "damping.ratios=0.1:0.3:0.1",
-            "this is a list; name one of them, from damping.ratios.1 to damping.ratios.7",
+            "this is a list; write one of damping.ratios.1 to damping.ratios.7",
         ),
         (
             "damping.ratios.9=0.1:0.3:0.1",
-            "damping.ratios holds 7 numbers; name one of them, from damping.ratios.1 to damping.ratios.7",
+            "damping.ratios holds 7 numbers; write one of damping.ratios.1 to damping.ratios.7",
         ),
         (
             "damping.ratios.2=0.1:0.3:abc",
-            "\"abc\" is no plain number; a plain number is due",
+            "\"abc\" is not a plain number; expected a plain number",
         ),
     ] {
         let refusal = values(assignment).unwrap_err();
@@ -185,18 +185,18 @@ fn a_refused_number_leaves_the_spec_alone() {
         (
             "reduction.modes",
             9.0,
-            "damping.ratios has 7 numbers, but 9 modes are kept, 1 of them damped by [mass] or [modal], so that 8 are needed",
+            "damping.ratios has 7 numbers, but 9 modes are retained (1 of them damped by [mass] or [modal]), so 8 are required",
         ),
         ("reduction.modes", 1e300, "it must be from 1 to 200"),
         (
             "stop.tip.gap",
             1e300,
-            "it must be 0 or of a size from 1e-30 to 1e30 in SI units",
+            "it must be 0 or have a magnitude from 1e-30 to 1e30 in SI units",
         ),
         (
             "circuit.load.resistance",
             1e-300,
-            "it must be 0 or of a size from 1e-30 to 1e30 in SI units",
+            "it must be 0 or have a magnitude from 1e-30 to 1e30 in SI units",
         ),
         ("stop.tip.damping", 1.0, "no key with a number"),
         ("damping.ratios.8", 1.0, "damping.ratios holds 7 numbers"),

@@ -20,17 +20,17 @@ fn a_velocity_that_makes_no_sense_is_refused() {
             format!(
                 "{beam}{damping}[mass.m]\non = \"b.end\"\nmass = \"1 g\"\nvelocity = \"1 m/s\"\n"
             ),
-            "mass.m.velocity does not go with a mass that is fixed to what it stands on",
+            "mass.m.velocity does not apply to a mass that is fixed to its support",
         ),
         (
             format!("{beam}root = \"ball\"\n{damping}{BALL}"),
-            "mass.ball.velocity is that of the mass alone, which would tear the root of beam \"b\" off the rest of it",
+            "mass.ball.velocity is that of the mass alone, but the root of beam \"b\" is clamped to the mass",
         ),
         (
             format!("{BALL}[run]\nstart = \"state.json\"\n"),
-            "mass.ball.velocity has no effect: the file of run.start has the velocities",
+            "mass.ball.velocity has no effect: the state file of run.start contains the velocities",
         ),
-        (BALL.replace("-2 m/s", "-2 m"), "a speed is due"),
+        (BALL.replace("-2 m/s", "-2 m"), "expected a speed"),
     ] {
         let fault = Spec::from_toml(&text).unwrap_err().to_string();
         assert!(

@@ -67,7 +67,7 @@ fn faults_are_errors_with_numbers() {
         spec.reduction.modes = 7;
     });
     assert!(
-        masses_only.contains("7 modes are asked for and the structure has 1"),
+        masses_only.contains("7 modes are requested, but the structure has 1"),
         "{masses_only}"
     );
     let held = modes_holding(&paper(Section::ThinSkin), &["beam.tip".into()])

@@ -209,7 +209,7 @@ fn layers_that_do_not_fit_are_refused() {
     );
     let twice = told(&[("a", coat.clone()), ("b", part)]);
     assert!(
-        twice.contains("layer.a") && twice.contains("layer.b") && twice.contains("nor layers"),
+        twice.contains("layer.a") && twice.contains("layer.b") && twice.contains("nor must layers"),
         "{twice}"
     );
     let skin = told(&[(
@@ -220,7 +220,7 @@ fn layers_that_do_not_fit_are_refused() {
         },
     )]);
     assert!(
-        skin.contains("layer.a and patch.mfc cover the same stretch"),
+        skin.contains("layer.a and patch.mfc cover the same part of the beam"),
         "{skin}"
     );
     let long = told(&[(

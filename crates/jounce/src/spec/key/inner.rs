@@ -1,4 +1,4 @@
-//! Tables within tables: things by name (`[beam.NAME]`) and single tables (`[run]`).
+//! Nested tables: elements by name (`[beam.NAME]`) and single tables (`[run]`).
 
 use std::collections::BTreeMap;
 
@@ -9,25 +9,25 @@ use crate::spec::read::{ReadState, read_keys, read_named};
 use crate::spec::source::Node;
 use crate::spec::write::write_keys;
 
-/// A table within a `P`, whatever type it is read into.
+/// A table within a `P`, independent of the type that it is read into.
 pub(in crate::spec) trait Inner<P>: Sync {
-    /// Reads it into the parent.
+    /// Reads the table into the parent.
     fn read(&self, parent: &mut P, path: &str, node: &Node, reading: &mut ReadState);
-    /// Prints it as TOML under its header.
+    /// Prints the table as TOML under its header.
     fn write(&self, parent: &P, path: &str, out: &mut String);
-    /// Its keys.
+    /// Returns the keys of the table.
     fn rows(&self) -> Vec<Row>;
-    /// The number at a path below it.
+    /// Returns the number at a path below the table.
     fn locate(&self, parent: &P, path: &[&str]) -> Option<Numeric>;
-    /// Stores a number at a path below it; false where there is none.
+    /// Stores a number at a path below the table; false if there is none.
     fn store(&self, parent: &mut P, path: &[&str], value: f64) -> bool;
 }
 
-/// Things by the user's own names.
+/// Elements by names that the user chooses.
 pub(in crate::spec) struct Named<P: 'static, T: 'static> {
     pub(in crate::spec) get: fn(&P) -> &BTreeMap<String, T>,
     pub(in crate::spec) open: fn(&mut P) -> &mut BTreeMap<String, T>,
-    /// Defaults where there are any; numbers that must be given are NaN, texts and lists empty.
+    /// Blank element: defaults where they exist; required numbers are NaN, texts and lists empty.
     pub(in crate::spec) blank: fn() -> T,
     pub(in crate::spec) keys: &'static [Key<T>],
 }
@@ -78,7 +78,7 @@ impl<P, T> Inner<P> for Named<P, T> {
     }
 }
 
-/// A table that stands once.
+/// A table that occurs once.
 pub(in crate::spec) struct Single<P: 'static, T: 'static> {
     pub(in crate::spec) get: fn(&P) -> &T,
     pub(in crate::spec) open: fn(&mut P) -> &mut T,

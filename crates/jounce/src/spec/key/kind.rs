@@ -1,8 +1,8 @@
-//! What a key holds.
+//! Kind of the value of a key.
 
 use crate::spec::Quantity;
 
-/// What a key holds.
+/// Kind of the value of a key.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::spec) enum Kind {
     /// `"NUMBER UNIT"`.
@@ -21,58 +21,58 @@ pub(in crate::spec) enum Kind {
     Path,
     /// Any text.
     Text,
-    /// The name of another thing; `what` names it in the docs.
+    /// The name of another element; `what` names it in the docs.
     Reference {
-        /// what kind of thing, `"a beam"`
+        /// kind of the element, `"a beam"`
         what: &'static str,
     },
-    /// The names of other things.
+    /// The names of other elements.
     References {
-        /// what kind of things, `"patches"`
+        /// kind of the elements, `"patches"`
         what: &'static str,
     },
-    /// A table of quantities under the user's own names.
+    /// A table of quantities under names chosen by the user.
     NamedQuantities(Quantity),
-    /// A table of lists of numbers under the user's own names.
+    /// A table of lists of numbers under names chosen by the user.
     NamedNumbers,
-    /// A table of things under the user's own names.
+    /// A table of elements under names chosen by the user.
     Things,
     /// A table of keys.
     Table,
 }
 
 impl Kind {
-    /// What is due, for a message: `"a plain number"`.
+    /// Returns the expected value for a message: `"expected a plain number"`.
     pub(in crate::spec) fn due(self) -> String {
         match self {
             Self::Quantity(quantity) | Self::NamedQuantities(quantity) => {
                 format!(
-                    "{} is due as text with a unit, in {}",
+                    "expected {} in quotes with a unit: {}",
                     quantity.kind(),
                     quantity.units().join(", ")
                 )
             }
-            Self::Number => "a plain number is due, without quotes and without unit".to_owned(),
-            Self::Count => "a whole number is due, without quotes".to_owned(),
+            Self::Number => "expected a plain number without quotes or unit".to_owned(),
+            Self::Count => "expected a whole number without quotes".to_owned(),
             Self::Numbers | Self::NamedNumbers => {
-                "a list of plain numbers is due, as in [0.01, 0.02]".to_owned()
+                "expected a list of plain numbers such as [0.01, 0.02]".to_owned()
             }
-            Self::Choice(words) => format!("one of {} is due", quoted(words)),
+            Self::Choice(words) => format!("expected one of {}", quoted(words)),
             Self::ChoiceOrPath(words) => format!(
-                "one of {} is due, or the path of a file, as in \"./NAME\"",
+                "expected one of {}, or the path of a file such as \"./NAME\"",
                 quoted(words)
             ),
-            Self::Path => "the path of a file is due, in quotes".to_owned(),
-            Self::Text => "a text is due, in quotes".to_owned(),
-            Self::Reference { what } => format!("the name of {what} is due, in quotes"),
+            Self::Path => "expected the path of a file, in quotes".to_owned(),
+            Self::Text => "expected a text in quotes".to_owned(),
+            Self::Reference { what } => format!("expected the name of {what}, in quotes"),
             Self::References { what } => {
-                format!("a list of names of {what} is due, as in [\"one\", \"-other\"]")
+                format!("expected a list of names of {what} such as [\"one\", \"-other\"]")
             }
-            Self::Things | Self::Table => "a table is due".to_owned(),
+            Self::Things | Self::Table => "expected a table".to_owned(),
         }
     }
 
-    /// A number of this kind with its unit.
+    /// Returns a number of this kind with its unit.
     pub(in crate::spec) fn show(self, value: f64) -> String {
         match self {
             _ if value == 0.0 => "0".to_owned(),

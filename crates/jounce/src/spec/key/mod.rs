@@ -1,6 +1,8 @@
-//! The one table of keys: what each key is called, what it holds, what it may hold, and where its value lives.
+//! Table of keys: the name of each key, its kind, its allowed values, and where its value is
+//! stored.
 //!
-//! Reading, range checks, suggestions, overrides, sweeps, printing, the JSON Schema and the key reference all walk this table.
+//! Reading, range checks, suggestions, overrides, sweeps, printing, the JSON Schema and the key
+//! reference all use this table.
 
 mod inner;
 mod kind;
@@ -20,47 +22,48 @@ use super::Quantity;
 pub(super) struct Key<T: 'static> {
     pub(super) info: KeyInfo,
     pub(super) slot: Slot<T>,
-    /// The kind of quantity where it depends on other keys of the same thing.
+    /// Kind of quantity if it depends on other keys of the same element.
     pub(super) quantity: Option<DependentQuantity<T>>,
 }
 
-/// A kind of quantity that depends on another key of the same thing.
+/// Kind of quantity that depends on another key of the same element.
 pub(super) struct DependentQuantity<T> {
-    /// The other key; it stands before this one in the table.
+    /// The other key, which precedes this one in the table.
     pub(super) by: &'static str,
-    /// None where a fault of other keys leaves it open; then the key is not read, so that only that fault is told.
+    /// `None` if a fault of other keys leaves it undefined. Then the key is not read, so only that
+    /// fault is reported.
     pub(super) quantity: fn(&T) -> Option<Quantity>,
 }
 
-/// What is known of a key without knowing the type that it is read into.
+/// Properties of a key that do not depend on the type that it is read into.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct KeyInfo {
     pub(super) name: &'static str,
     pub(super) kind: Kind,
     pub(super) need: Need,
     pub(super) when: Option<When>,
-    /// A key of the same table that gives this one a value where it does not stand.
+    /// A key of the same table that gives this key a value if it is omitted.
     pub(super) unless: Option<&'static str>,
     pub(super) range: Range,
-    /// One line for the key reference and for editors.
+    /// One line of help for the key reference and for editors.
     pub(super) doc: &'static str,
 }
 
-/// Whether a key must stand.
+/// Requirement of a key.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Need {
-    /// It must.
+    /// Required.
     Required,
-    /// It need not; the blank thing holds its default.
+    /// Optional; the blank element holds its default.
     Default,
-    /// Exactly one of these must.
+    /// Exactly one of these keys is required.
     OneOf(&'static [&'static str]),
-    /// One of these may, not two.
+    /// At most one of these keys is allowed.
     AtMostOne(&'static [&'static str]),
 }
 
 impl Need {
-    /// The keys that exclude each other.
+    /// Returns the keys that exclude each other.
     pub(super) fn alternatives(self) -> &'static [&'static str] {
         match self {
             Self::OneOf(names) | Self::AtMostOne(names) => names,
@@ -69,7 +72,7 @@ impl Need {
     }
 }
 
-/// A key that goes only with some words of an earlier choice.
+/// Condition of a key that applies only with some words of an earlier choice.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct When {
     pub(super) key: &'static str,
@@ -94,7 +97,7 @@ impl<T> Key<T> {
         }
     }
 
-    /// A quantity, required and of any value unless said otherwise.
+    /// Returns the key of a quantity: required and of any value unless specified otherwise.
     pub(super) const fn quantity(
         name: &'static str,
         quantity: Quantity,
@@ -110,7 +113,7 @@ impl<T> Key<T> {
         )
     }
 
-    /// A plain number.
+    /// Returns the key of a plain number.
     pub(super) const fn number(
         name: &'static str,
         doc: &'static str,
@@ -120,7 +123,7 @@ impl<T> Key<T> {
         Self::new(name, Kind::Number, doc, Slot::Number { get, set })
     }
 
-    /// Text of a given kind.
+    /// Returns the key of text of a given kind.
     pub(super) const fn text(
         name: &'static str,
         kind: Kind,
@@ -131,7 +134,7 @@ impl<T> Key<T> {
         Self::new(name, kind, doc, Slot::Text { get, set })
     }
 
-    /// A key with a slot of its own kind.
+    /// Returns a key with its own kind of slot.
     pub(super) const fn with_slot(
         name: &'static str,
         kind: Kind,
@@ -147,37 +150,37 @@ impl<T> Key<T> {
         self
     }
 
-    /// The key need not stand.
+    /// Makes the key optional.
     pub(super) const fn optional(mut self) -> Self {
         self.info.need = Need::Default;
         self
     }
 
-    /// Exactly one of these keys must stand.
+    /// Requires exactly one of these keys.
     pub(super) const fn one_of(mut self, names: &'static [&'static str]) -> Self {
         self.info.need = Need::OneOf(names);
         self
     }
 
-    /// One of these keys may stand, not two.
+    /// Allows at most one of these keys.
     pub(super) const fn at_most_one_of(mut self, names: &'static [&'static str]) -> Self {
         self.info.need = Need::AtMostOne(names);
         self
     }
 
-    /// Another key gives it a value where it does not stand; that key stands before it in the table.
+    /// Names a key that gives this one a value if it is omitted; that key precedes it in the table.
     pub(super) const fn unless(mut self, key: &'static str) -> Self {
         self.info.unless = Some(key);
         self
     }
 
-    /// The key goes only with some words of a choice that stands before it in the table.
+    /// Restricts the key to some words of a choice that precedes it in the table.
     pub(super) const fn when(mut self, key: &'static str, is: &'static [&'static str]) -> Self {
         self.info.when = Some(When { key, is });
         self
     }
 
-    /// The kind of quantity depends on another key.
+    /// Makes the kind of quantity depend on another key.
     pub(super) const fn measured_by(
         mut self,
         by: &'static str,
@@ -187,7 +190,7 @@ impl<T> Key<T> {
         self
     }
 
-    /// What the key holds in this thing.
+    /// Returns the kind of the key in this element.
     pub(super) fn kind_in(&self, thing: &T) -> Kind {
         self.quantity
             .as_ref()
@@ -196,7 +199,7 @@ impl<T> Key<T> {
     }
 }
 
-/// The word that a choice has in a thing.
+/// Returns the word of a choice in an element.
 pub(super) fn chosen<T>(keys: &[Key<T>], thing: &T, choice: &str) -> Option<String> {
     keys.iter()
         .find(|key| key.info.name == choice)
@@ -206,7 +209,7 @@ pub(super) fn chosen<T>(keys: &[Key<T>], thing: &T, choice: &str) -> Option<Stri
         })
 }
 
-/// True when the key goes with what the thing has chosen.
+/// True if the key applies to the choices of the element.
 pub(super) fn applies<T>(keys: &[Key<T>], thing: &T, info: &KeyInfo) -> bool {
     info.when.is_none_or(|when| {
         chosen(keys, thing, when.key).is_some_and(|word| when.is.contains(&word.as_str()))

@@ -1,17 +1,18 @@
-//! The table of keys without the types behind it, for what only looks at names, kinds and docs.
+//! Table of keys without the underlying types, for uses that need only names, kinds and docs.
 
 use super::{Key, KeyInfo, Kind, Need, Slot};
 
-/// One key and what lies below it.
+/// A key and its nested keys.
 pub(in crate::spec) struct Row {
     pub(in crate::spec) info: KeyInfo,
-    /// The default as it would be written; `None` where there is none.
+    /// Default as it would be written; `None` if there is none.
     pub(in crate::spec) default: Option<String>,
-    /// Keys of the table within, if it is one.
+    /// Keys of the nested table, if the key is a table.
     pub(in crate::spec) inner: Vec<Row>,
 }
 
-/// The rows of a table of keys; defaults are what the blank thing holds, after the choice without which a key does not go.
+/// Returns the rows of a table of keys. Defaults are those of the blank element, after the choice
+/// that the key depends on.
 pub(in crate::spec) fn rows<T>(keys: &[Key<T>], blank: impl Fn() -> T) -> Vec<Row> {
     let chosen = |key: &Key<T>| {
         let mut thing = blank();

@@ -1,4 +1,4 @@
-//! The values that a number may take.
+//! Allowed values of a number.
 
 use super::Kind;
 
@@ -43,7 +43,7 @@ impl Range {
         }
     }
 
-    /// True when the value is within the limits and of a size that can be computed with.
+    /// True if the value is within the limits and its magnitude is computable.
     pub(in crate::spec) fn holds(&self, value: f64) -> bool {
         self.limits_hold(value) && is_of_this_world(value)
     }
@@ -57,15 +57,17 @@ impl Range {
         value.is_finite() && above && value <= self.high
     }
 
-    /// The rule that a value breaks, in words.
+    /// Returns the rule that a value violates.
     pub(in crate::spec) fn broken(&self, value: f64, kind: Kind) -> String {
         if self.limits_hold(value) {
-            return format!("must be 0 or of a size from {MIN_SIZE:e} to {MAX_SIZE:e} in SI units");
+            return format!(
+                "must be 0 or have a magnitude from {MIN_SIZE:e} to {MAX_SIZE:e} in SI units"
+            );
         }
         self.rule(kind)
     }
 
-    /// The limits in words, `"must be from 1 uHz to 1 MHz"`, in units of the kind.
+    /// Returns the limits as text, `"must be from 1 uHz to 1 MHz"`, in units of the kind.
     pub(in crate::spec) fn rule(&self, kind: Kind) -> String {
         let low = match (self.low.is_finite(), self.open) {
             (false, _) => None,
@@ -89,9 +91,10 @@ impl Range {
     }
 }
 
-/// Largest and smallest size of a number of a spec that is not zero, SI: their products and squares stay far from overflow.
+/// Largest magnitude of a nonzero number of a spec, SI; products and squares stay far from
+/// overflow.
 const MAX_SIZE: f64 = 1e30;
-/// The smallest one.
+/// Smallest magnitude of a nonzero number of a spec, SI.
 const MIN_SIZE: f64 = 1e-30;
 
 fn is_of_this_world(value: f64) -> bool {

@@ -1,4 +1,4 @@
-//! Where the value of a key lives in a typed thing.
+//! Location of the value of a key in a typed element.
 
 use std::collections::BTreeMap;
 
@@ -43,7 +43,7 @@ pub(in crate::spec) enum Slot<T: 'static> {
     },
     /// A list of texts.
     Texts {
-        /// reads it
+        /// returns it for writing
         get: fn(&T) -> &Vec<String>,
         /// opens it
         open: fn(&mut T) -> &mut Vec<String>,
@@ -52,23 +52,23 @@ pub(in crate::spec) enum Slot<T: 'static> {
     Numbers {
         /// reads it
         get: fn(&T) -> &Vec<f64>,
-        /// opens it
+        /// returns it for writing
         open: fn(&mut T) -> &mut Vec<f64>,
     },
     /// Quantities by name.
     NamedQuantities {
         /// reads them
         get: fn(&T) -> &BTreeMap<String, f64>,
-        /// opens them
+        /// returns them for writing
         open: fn(&mut T) -> &mut BTreeMap<String, f64>,
     },
     /// Lists of numbers by name.
     NamedNumbers {
         /// reads them
         get: fn(&T) -> &BTreeMap<String, Vec<f64>>,
-        /// opens them
+        /// returns them for writing
         open: fn(&mut T) -> &mut BTreeMap<String, Vec<f64>>,
     },
-    /// A table within.
+    /// A nested table.
     Inner(&'static dyn Inner<T>),
 }

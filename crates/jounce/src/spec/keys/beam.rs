@@ -24,7 +24,7 @@ pub(super) static KEYS: &[Key<Beam>] = &[
     Key::text(
         "material",
         Kind::Choice(material::STRUCTURAL),
-        "a material of the library (`jounce materials`): modulus and density where they are not given",
+        "library material (see `jounce materials`): default modulus and density",
         |b: &Beam| b.material.clone(),
         |b, x| {
             x.clone_into(&mut b.material);
@@ -34,7 +34,7 @@ pub(super) static KEYS: &[Key<Beam>] = &[
         },
     )
     .optional(),
-    Key::quantity("length", Quantity::Length, "from the clamped root to the free end", |b: &Beam| b.length_m, |b, x| b.length_m = x)
+    Key::quantity("length", Quantity::Length, "distance from the clamped root to the free end", |b: &Beam| b.length_m, |b, x| b.length_m = x)
         .within(Range::POSITIVE),
     Key::quantity("width", Quantity::Length, "width of the rectangular section", |b: &Beam| b.width_m, |b, x| b.width_m = x)
         .within(Range::POSITIVE),
@@ -43,13 +43,13 @@ pub(super) static KEYS: &[Key<Beam>] = &[
     Key::quantity("youngs_modulus", Quantity::Pressure, "Young's modulus", |b: &Beam| b.youngs_modulus_pa, |b, x| b.youngs_modulus_pa = x)
         .within(Range::POSITIVE)
         .unless("material"),
-    Key::quantity("density", Quantity::Density, "mass per volume", |b: &Beam| b.density_kg_m3, |b, x| b.density_kg_m3 = x)
+    Key::quantity("density", Quantity::Density, "density", |b: &Beam| b.density_kg_m3, |b, x| b.density_kg_m3 = x)
         .within(Range::POSITIVE)
         .unless("material"),
     Key::text(
         "root",
         Kind::Reference { what: "a mass or a point of another beam, or \"ground\" or another base" },
-        "what the root is clamped to: `\"ground\"` or another base, a mass, or a point of another beam, as in `\"arm.end\"`",
+        "support of the clamped root: `\"ground\"` or another base, a mass, or a point of another beam such as `\"arm.end\"`",
         |b: &Beam| b.root.clone(),
         |b, x| x.clone_into(&mut b.root),
     )
@@ -57,7 +57,7 @@ pub(super) static KEYS: &[Key<Beam>] = &[
     Key::with_slot(
         "root_stiffness",
         Kind::Quantity(Quantity::RotaryStiffness),
-        "rotary stiffness of the clamp at the root; without it the clamp is rigid",
+        "rotary stiffness of the clamp at the root; if omitted, the clamp is rigid",
         Slot::Optional { get: |b: &Beam| b.root_stiffness_n_m_rad, set: |b, x| b.root_stiffness_n_m_rad = Some(x) },
     )
     .within(Range::POSITIVE)
@@ -65,7 +65,7 @@ pub(super) static KEYS: &[Key<Beam>] = &[
     Key::with_slot(
         "point",
         Kind::NamedQuantities(Quantity::Length),
-        "named places along the beam, measured from the root; `NAME.root` and `NAME.end` always exist",
+        "distance of a named point from the root; `NAME.root` and `NAME.end` always exist",
         Slot::NamedQuantities { get: |b: &Beam| &b.point, open: |b| &mut b.point },
     )
     .within(Range::NOT_NEGATIVE)

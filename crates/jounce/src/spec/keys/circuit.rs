@@ -17,7 +17,7 @@ pub(super) static KEYS: &[Key<Circuit>] = &[
     Key::text(
         "patch",
         Kind::Reference { what: "a patch" },
-        "the patch that it loads: `\"mfc\"`, or `\"harvester.mfc\"` of a modal structure",
+        "patch that the circuit loads: `\"mfc\"`, or `\"harvester.mfc\"` in a modal structure",
         |c: &Circuit| c.patch.clone(),
         |c, x| x.clone_into(&mut c.patch),
     )
@@ -25,14 +25,14 @@ pub(super) static KEYS: &[Key<Circuit>] = &[
     Key::with_slot(
         "patches",
         Kind::References { what: "patches" },
-        "several patches that share it; `\"-NAME\"` connects a patch the other way round, as the second face of a bimorph needs",
+        "patches that share the circuit; `\"-NAME\"` reverses the polarity of a patch, as for the second face of a bimorph",
         Slot::Texts { get: |c: &Circuit| &c.patches, open: |c| &mut c.patches },
     )
     .one_of(PATCHES),
     Key::text(
         "wiring",
         Kind::Choice(WIRING),
-        "how several patches are connected to each other",
+        "connection of several patches",
         |c: &Circuit| word(c.wiring),
         |c, x| c.wiring = wiring(x),
     )
@@ -40,7 +40,7 @@ pub(super) static KEYS: &[Key<Circuit>] = &[
     Key::text(
         "interface",
         Kind::Choice(INTERFACES),
-        "what stands between the patches and what takes their energy",
+        "circuit between the patches and the load, or the load itself",
         |c: &Circuit| INTERFACES[c.interface as usize].to_owned(),
         |c, x| c.interface = interface(x),
     )
@@ -48,7 +48,7 @@ pub(super) static KEYS: &[Key<Circuit>] = &[
     Key::with_slot(
         "storage",
         Kind::Quantity(Quantity::Capacitance),
-        "smoothing capacitor behind the diodes, with the load across it",
+        "smoothing capacitor after the diodes, with the load across it",
         Slot::Optional { get: |c: &Circuit| c.storage_f, set: |c, x| c.storage_f = Some(x) },
     )
     .within(Range::POSITIVE)
@@ -57,7 +57,7 @@ pub(super) static KEYS: &[Key<Circuit>] = &[
     Key::with_slot(
         "battery",
         Kind::Quantity(Quantity::Voltage),
-        "voltage of a battery that takes the charge instead of a capacitor with a load",
+        "voltage of a battery that replaces the capacitor and its load",
         Slot::Optional { get: |c: &Circuit| c.battery_v, set: |c, x| c.battery_v = Some(x) },
     )
     .within(Range::POSITIVE)
@@ -66,7 +66,7 @@ pub(super) static KEYS: &[Key<Circuit>] = &[
     Key::quantity(
         "diode_drop",
         Quantity::Voltage,
-        "forward drop of each of the two diodes of a path",
+        "forward voltage drop of each of the two diodes that conduct",
         |c: &Circuit| c.diode_drop_v,
         |c, x| c.diode_drop_v = x,
     )
@@ -76,7 +76,7 @@ pub(super) static KEYS: &[Key<Circuit>] = &[
     Key::quantity(
         "diode_resistance",
         Quantity::Resistance,
-        "resistance of each of these diodes while it conducts",
+        "on-resistance of each diode",
         |c: &Circuit| c.diode_resistance_ohm,
         |c, x| c.diode_resistance_ohm = x,
     )
@@ -86,7 +86,7 @@ pub(super) static KEYS: &[Key<Circuit>] = &[
     Key::with_slot(
         "leakage_resistance",
         Kind::Quantity(Quantity::Resistance),
-        "resistance across the storage capacitor through which it leaks",
+        "leakage resistance across the storage capacitor",
         Slot::Optional { get: |c: &Circuit| c.leakage_ohm, set: |c, x| c.leakage_ohm = Some(x) },
     )
     .within(Range::POSITIVE)
@@ -95,19 +95,19 @@ pub(super) static KEYS: &[Key<Circuit>] = &[
     Key::with_slot(
         "quality_factor",
         Kind::Number,
-        "quality factor Q of the inductor with its switch: the voltage turns over to -exp(-pi / (2 Q)) of itself",
+        "quality factor Q of the inductor with its switch: an inversion multiplies the voltage by -exp(-pi / (2 Q))",
         Slot::Optional { get: |c: &Circuit| c.quality_factor, set: |c, x| c.quality_factor = Some(x) },
     )
     .within(Range::POSITIVE)
     .when("interface", &["parallel-sshi", "series-sshi"]),
-    Key::number("efficiency", "share of the extracted energy that arrives", |c: &Circuit| c.efficiency, |c, x| c.efficiency = x)
+    Key::number("efficiency", "efficiency: the part of the extracted energy that reaches the load", |c: &Circuit| c.efficiency, |c, x| c.efficiency = x)
         .within(Range { low: 0.0, open: true, high: 1.0 })
         .when("interface", &["sece"])
         .optional(),
     Key::quantity(
         "resistance",
         Quantity::Resistance,
-        "resistance of the load",
+        "load resistance",
         |c: &Circuit| c.resistance_ohm,
         |c, x| c.resistance_ohm = x,
     )
@@ -116,7 +116,7 @@ pub(super) static KEYS: &[Key<Circuit>] = &[
     Key::with_slot(
         "inductance",
         Kind::Quantity(Quantity::Inductance),
-        "inductance of an inductor beside the resistor",
+        "inductance of an inductor in addition to the resistor",
         Slot::Optional { get: |c: &Circuit| c.inductance_h, set: |c, x| c.inductance_h = Some(x) },
     )
     .within(Range::POSITIVE)
@@ -125,7 +125,7 @@ pub(super) static KEYS: &[Key<Circuit>] = &[
     Key::text(
         "inductor",
         Kind::Choice(WIRING),
-        "how the inductor stands to the resistor",
+        "connection of the inductor relative to the resistor",
         |c: &Circuit| word(c.inductor),
         |c, x| c.inductor = wiring(x),
     )

@@ -23,7 +23,7 @@ const SIGNALS: &[&str] = &[
 const AMPLITUDES: &[&str] = &["sine", "chirp", "half-sine"];
 const FREQUENCIES: Range = Range::from(FREQUENCY_LIMITS_HZ.0, FREQUENCY_LIMITS_HZ.1);
 
-/// The largest seed: whole numbers up to here are exact wherever they pass.
+/// Largest seed: a double represents every integer up to this value exactly.
 const MAX_SEED: f64 = 9_007_199_254_740_991.0;
 
 pub(super) fn blank() -> Drive {
@@ -35,22 +35,22 @@ pub(super) fn blank() -> Drive {
 }
 
 pub(super) static KEYS: &[Key<Drive>] = &[
-    Key::text("kind", Kind::Choice(KINDS), "what it prescribes", |d: &Drive| kind_word(d.kind).to_owned(), |d, x| d.kind = kind(x))
+    Key::text("kind", Kind::Choice(KINDS), "prescribed quantity", |d: &Drive| kind_word(d.kind).to_owned(), |d, x| d.kind = kind(x))
         .optional(),
     Key::text(
         "signal",
         Kind::Choice(SIGNALS),
-        "its course in time",
+        "waveform",
         |d: &Drive| signal_word(&d.signal).to_owned(),
         |d, x| d.signal = blank_signal(x),
     )
     .optional(),
-    Key::text("at", Kind::Reference { what: "a point or mass" }, "where it acts", |d: &Drive| d.at.clone(), |d, x| x.clone_into(&mut d.at))
+    Key::text("at", Kind::Reference { what: "a point or mass" }, "point or mass on which the force acts", |d: &Drive| d.at.clone(), |d, x| x.clone_into(&mut d.at))
         .when("kind", &["force"]),
     Key::text(
         "at",
-        Kind::Reference { what: "a base of its own, or \"ground\"" },
-        "the base that moves: `\"ground\"`, or a name that roots, masses and frames of stops stand on",
+        Kind::Reference { what: "a base or \"ground\"" },
+        "base that moves: `\"ground\"`, or a name used as the support of roots, masses and stop frames",
         |d: &Drive| d.base().unwrap_or(GROUND).to_owned(),
         |d, x| if x == GROUND { d.at.clear() } else { x.clone_into(&mut d.at) },
     )
@@ -59,7 +59,7 @@ pub(super) static KEYS: &[Key<Drive>] = &[
     Key::quantity(
         "amplitude",
         Quantity::Force,
-        "amplitude, zero to peak; an acceleration (m/s^2, g) with `base-acceleration`, a length with `base-displacement`",
+        "zero-to-peak amplitude: a force, an acceleration (m/s^2, g) with `base-acceleration`, a length with `base-displacement`",
         |d: &Drive| amplitude(&d.signal),
         |d, x| set_amplitude(&mut d.signal, x),
     )
@@ -82,46 +82,46 @@ pub(super) static KEYS: &[Key<Drive>] = &[
     Key::quantity(
         "from",
         Quantity::Frequency,
-        "frequency at the start",
+        "start frequency",
         |d: &Drive| ends(&d.signal)[0],
         |d, x| set_end(&mut d.signal, 0, x),
     )
     .within(FREQUENCIES)
     .when("signal", &["chirp"]),
-    Key::quantity("to", Quantity::Frequency, "frequency at the end", |d: &Drive| ends(&d.signal)[1], |d, x| set_end(&mut d.signal, 1, x))
+    Key::quantity("to", Quantity::Frequency, "end frequency", |d: &Drive| ends(&d.signal)[1], |d, x| set_end(&mut d.signal, 1, x))
         .within(FREQUENCIES)
         .when("signal", &["chirp"]),
     Key::text(
         "sweep",
         Kind::Choice(&["linear", "logarithmic"]),
-        "how the frequency goes",
+        "variation of the frequency with time",
         |d: &Drive| sweep_word(&d.signal).to_owned(),
         |d, x| set_sweep(&mut d.signal, x),
     )
     .when("signal", &["chirp"])
     .optional(),
-    Key::quantity("phase", Quantity::Angle, "phase at its start", |d: &Drive| phase(&d.signal), |d, x| set_phase(&mut d.signal, x))
+    Key::quantity("phase", Quantity::Angle, "phase at the start of the signal", |d: &Drive| phase(&d.signal), |d, x| set_phase(&mut d.signal, x))
         .when("signal", &["sine", "chirp"])
         .optional(),
     Key::quantity(
         "velocity",
         Quantity::Speed,
-        "change of the velocity of the base",
+        "change of the base velocity",
         |d: &Drive| velocity(&d.signal),
         |d, x| set_velocity(&mut d.signal, x),
     )
     .when("signal", &["velocity-step"]),
-    Key::quantity("start", Quantity::Time, "time at which it starts", |d: &Drive| start(&d.signal), |d, x| set_start(&mut d.signal, x))
+    Key::quantity("start", Quantity::Time, "start time of the signal", |d: &Drive| start(&d.signal), |d, x| set_start(&mut d.signal, x))
         .within(Range::NOT_NEGATIVE)
         .when("signal", &["chirp", "half-sine", "velocity-step", "recording"])
         .optional(),
-    Key::quantity("duration", Quantity::Time, "how long it lasts", |d: &Drive| duration(&d.signal), |d, x| set_duration(&mut d.signal, x))
+    Key::quantity("duration", Quantity::Time, "duration of the signal", |d: &Drive| duration(&d.signal), |d, x| set_duration(&mut d.signal, x))
         .within(Range::POSITIVE)
         .when("signal", &["chirp", "half-sine"]),
     Key::quantity(
         "psd",
         Quantity::ForcePsd,
-        "one-sided power spectral density; in (m/s^2)^2/Hz or g^2/Hz with `base-acceleration`",
+        "one-sided power spectral density; with `base-acceleration` in (m/s^2)^2/Hz or g^2/Hz",
         |d: &Drive| if let DriveSignal::Noise { density, .. } = d.signal { density } else { f64::NAN },
         |d, x| {
             if let DriveSignal::Noise { density, .. } = &mut d.signal {
@@ -135,7 +135,7 @@ pub(super) static KEYS: &[Key<Drive>] = &[
     Key::quantity(
         "low",
         Quantity::Frequency,
-        "lower end of its band",
+        "lower band limit",
         |d: &Drive| band(&d.signal)[0],
         |d, x| set_band(&mut d.signal, 0, x),
     )
@@ -145,7 +145,7 @@ pub(super) static KEYS: &[Key<Drive>] = &[
     Key::quantity(
         "high",
         Quantity::Frequency,
-        "upper end of its band",
+        "upper band limit",
         |d: &Drive| band(&d.signal)[1],
         |d, x| set_band(&mut d.signal, 1, x),
     )
@@ -154,7 +154,7 @@ pub(super) static KEYS: &[Key<Drive>] = &[
     Key::with_slot(
         "seed",
         Kind::Count,
-        "chooses the realisation",
+        "seed of the random realisation",
         Slot::Count {
             get: |d: &Drive| if let DriveSignal::Noise { seed, .. } = d.signal { seed as usize } else { 0 },
             set: |d, x| {
@@ -170,7 +170,7 @@ pub(super) static KEYS: &[Key<Drive>] = &[
     Key::text(
         "file",
         Kind::Path,
-        "recording of an instrument, in any format that `jounce read` takes; relative to the spec",
+        "recording in any format that `jounce read` accepts; path relative to the spec",
         |d: &Drive| if let DriveSignal::Recording { file, .. } = &d.signal { file.clone() } else { String::new() },
         |d, x| {
             if let DriveSignal::Recording { file, .. } = &mut d.signal {
@@ -182,7 +182,7 @@ pub(super) static KEYS: &[Key<Drive>] = &[
     Key::text(
         "channel",
         Kind::Text,
-        "name of its channel, or number from 1; the only one that moves and has a fitting unit where it is not given",
+        "name of the channel or its number from 1; if omitted, the only varying channel with a fitting unit",
         |d: &Drive| recorded(d).and_then(|[channel, _]| channel.clone()).unwrap_or_default(),
         |d, x| {
             if let DriveSignal::Recording { channel, .. } = &mut d.signal {
@@ -195,7 +195,7 @@ pub(super) static KEYS: &[Key<Drive>] = &[
     Key::text(
         "unit",
         Kind::Text,
-        "unit of the channel where the file gives none, as in `\"g\"`",
+        "unit of the channel if the file gives no unit, such as `\"g\"`",
         |d: &Drive| recorded(d).and_then(|[_, unit]| unit.clone()).unwrap_or_default(),
         |d, x| {
             if let DriveSignal::Recording { unit, .. } = &mut d.signal {
@@ -207,7 +207,7 @@ pub(super) static KEYS: &[Key<Drive>] = &[
     .optional(),
     Key::number(
         "scale",
-        "factor of the values of the recording",
+        "factor on the values of the recording",
         |d: &Drive| if let DriveSignal::Recording { scale, .. } = d.signal { scale } else { f64::NAN },
         |d, x| {
             if let DriveSignal::Recording { scale, .. } = &mut d.signal {
@@ -220,7 +220,7 @@ pub(super) static KEYS: &[Key<Drive>] = &[
     Key::text(
         "mean",
         Kind::Choice(&["kept", "removed"]),
-        "whether the mean of the channel is part of the drive: by default that of a force is, that of an acceleration (gravity and offset) is not",
+        "keep or remove the mean of the channel: `kept` by default for a force, `removed` for an acceleration (gravity and offset)",
         |d: &Drive| match d.signal {
             DriveSignal::Recording { keep_mean: Some(kept), .. } => if kept { "kept" } else { "removed" }.to_owned(),
             _ => String::new(),
@@ -236,7 +236,7 @@ pub(super) static KEYS: &[Key<Drive>] = &[
     Key::with_slot(
         "sample_rate",
         Kind::Quantity(Quantity::Frequency),
-        "samples of noise per second (10 times `high` where it is not given), or those of a recording, where its file does not tell its times",
+        "samples per second: of the noise (default 10 times `high`), or of a recording whose file contains no times",
         Slot::Optional {
             get: |d: &Drive| match d.signal {
                 DriveSignal::Noise { sample_rate_hz, .. } | DriveSignal::Recording { sample_rate_hz, .. } => sample_rate_hz,
@@ -263,7 +263,7 @@ fn recorded(drive: &Drive) -> Option<[&Option<String>; 2]> {
     }
 }
 
-/// None for a displacement by samples: there is no such drive.
+/// `None` for a displacement given by samples: no such drive exists.
 fn size(drive: &Drive) -> Option<Quantity> {
     match drive.kind {
         DriveKind::Force => Some(Quantity::Force),
@@ -272,7 +272,7 @@ fn size(drive: &Drive) -> Option<Quantity> {
     }
 }
 
-/// Courses that are known between their samples too, and so as displacements.
+/// Signals with an analytic form, which can also prescribe a displacement.
 fn has_smooth_pieces(signal: &DriveSignal) -> bool {
     matches!(
         signal,

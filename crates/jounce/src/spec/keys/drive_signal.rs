@@ -1,4 +1,4 @@
-//! The numbers of a drive's signal, one by one: what is not in it reads as NaN and is not set.
+//! Numbers of the signal of a drive. A number that the signal lacks reads as NaN and is not set.
 
 use crate::spec::{DriveSignal, FrequencySweep};
 

@@ -3,7 +3,8 @@
 use crate::spec::Electrodes;
 
 pub(super) const WORDS: &[&str] = &["circuit", "open"];
-pub(super) const DOC: &str = "where its charge goes: into the circuit that names it, or nowhere";
+pub(super) const DOC: &str =
+    "connection of the electrodes: to the circuit that names the patch, or open circuit";
 
 pub(super) fn word(electrodes: Electrodes) -> &'static str {
     match electrodes {

@@ -6,7 +6,7 @@ use crate::spec::{Gravity, Quantity};
 pub(super) static KEYS: &[Key<Gravity>] = &[Key::with_slot(
     "acceleration",
     Kind::Quantity(Quantity::Acceleration),
-    "acceleration of gravity in the positive direction of motion; negative where it pulls the other way",
+    "acceleration of gravity along the positive direction of motion; negative if it acts in the opposite direction",
     Slot::Optional {
         get: |g: &Gravity| g.acceleration_m_s2,
         set: |g, x| g.acceleration_m_s2 = Some(x),

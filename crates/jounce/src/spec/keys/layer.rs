@@ -24,14 +24,14 @@ pub(super) static KEYS: &[Key<Layer>] = &[
     Key::text(
         "on",
         Kind::Reference { what: "a beam" },
-        "the beam that carries it",
+        "beam that carries the layer",
         |l: &Layer| l.on.clone(),
         |l, x| x.clone_into(&mut l.on),
     ),
     Key::text(
         "face",
         Kind::Choice(&["top", "bottom"]),
-        "the face of the beam that carries it; a patch on the same face lies on top of it and must be within it",
+        "face of the beam; a patch on the same face lies on top of the layer and must be within its length",
         |l: &Layer| if l.face == Face::Top { "top" } else { "bottom" }.to_owned(),
         |l, x| l.face = if x == "top" { Face::Top } else { Face::Bottom },
     )
@@ -39,7 +39,7 @@ pub(super) static KEYS: &[Key<Layer>] = &[
     Key::text(
         "material",
         Kind::Choice(material::STRUCTURAL),
-        "a material of the library (`jounce materials`): modulus and density where they are not given",
+        "library material (see `jounce materials`): default modulus and density",
         |l: &Layer| l.material.clone(),
         |l, x| {
             x.clone_into(&mut l.material);
@@ -52,12 +52,12 @@ pub(super) static KEYS: &[Key<Layer>] = &[
     Key::text(
         "section",
         Kind::Choice(&["laminate", "thin-skin"]),
-        "how it changes the section, as that of a patch; all that covers one stretch has the same",
+        "section model, as for a patch; patches and layers that overlap must have the same model",
         |l: &Layer| section_word(l.section).to_owned(),
         |l, x| l.section = if x == "thin-skin" { Section::ThinSkin } else { Section::Laminate },
     )
     .optional(),
-    Key::quantity("start", Quantity::Length, "from the root of the beam to the layer", |l: &Layer| l.start_m, |l, x| l.start_m = x)
+    Key::quantity("start", Quantity::Length, "distance from the root of the beam to the layer", |l: &Layer| l.start_m, |l, x| l.start_m = x)
         .within(Range::NOT_NEGATIVE)
         .optional(),
     Key::quantity("length", Quantity::Length, "length along the beam", |l: &Layer| l.length_m, |l, x| l.length_m = x)
@@ -67,11 +67,11 @@ pub(super) static KEYS: &[Key<Layer>] = &[
     Key::quantity("youngs_modulus", Quantity::Pressure, "Young's modulus", |l: &Layer| l.youngs_modulus_pa, |l, x| l.youngs_modulus_pa = x)
         .within(Range::POSITIVE)
         .unless("material"),
-    Key::quantity("density", Quantity::Density, "mass per volume", |l: &Layer| l.density_kg_m3, |l, x| l.density_kg_m3 = x)
+    Key::quantity("density", Quantity::Density, "density", |l: &Layer| l.density_kg_m3, |l, x| l.density_kg_m3 = x)
         .within(Range::POSITIVE)
         .when("section", &["laminate"])
         .unless("material"),
-    Key::quantity("density", Quantity::Density, "not used by this section", |l: &Layer| l.density_kg_m3, |l, x| l.density_kg_m3 = x)
+    Key::quantity("density", Quantity::Density, "not used by `thin-skin`", |l: &Layer| l.density_kg_m3, |l, x| l.density_kg_m3 = x)
         .within(Range::NOT_NEGATIVE)
         .when("section", &["thin-skin"])
         .optional(),

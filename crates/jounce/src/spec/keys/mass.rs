@@ -1,6 +1,6 @@
 //! `[mass.NAME]`
 //!
-//! The spring is kept as its stiffness: `k = m (2 pi f)^2`, m in kg, f in Hz, k in N/m.
+//! The spring is stored as its stiffness: `k = m (2 pi f)^2`, m in kg, f in Hz, k in N/m.
 
 use std::f64::consts::TAU;
 
@@ -28,17 +28,17 @@ pub(super) static KEYS: &[Key<Mass>] = &[
     Key::text(
         "on",
         Kind::Reference { what: "a mass or a point of a beam, or \"ground\", another base or \"nothing\"" },
-        "what it stands on: `\"ground\"` or another base, a mass, a point of a beam, or `\"nothing\"` for a free mass",
+        "support: `\"ground\"` or another base, a mass, a point of a beam, or `\"nothing\"` for a free mass",
         |m: &Mass| m.on.clone(),
         |m, x| x.clone_into(&mut m.on),
     )
     .optional(),
-    Key::quantity("mass", Quantity::Mass, "its mass, without what it carries", |m: &Mass| m.mass_kg, |m, x| m.mass_kg = x)
+    Key::quantity("mass", Quantity::Mass, "mass, without the parts that it carries", |m: &Mass| m.mass_kg, |m, x| m.mass_kg = x)
         .within(Range::POSITIVE),
     Key::quantity(
         "rotary_inertia",
         Quantity::RotaryInertia,
-        "moment of inertia about the point that it is fixed to; for a mass without spring on a beam",
+        "moment of inertia about the point of attachment; for a mass without a spring on a beam",
         |m: &Mass| m.rotary_inertia_kg_m2,
         |m, x| m.rotary_inertia_kg_m2 = x,
     )
@@ -47,7 +47,7 @@ pub(super) static KEYS: &[Key<Mass>] = &[
     Key::with_slot(
         "frequency",
         Kind::Quantity(Quantity::Frequency),
-        "natural frequency of the mass alone on its spring; without a spring the mass is fixed to what it stands on",
+        "natural frequency of the mass alone on its spring; without a spring the mass is fixed to its support",
         Slot::Derived {
             get: |m: &Mass| (m.stiffness_n_m.unwrap_or(f64::NAN) / m.mass_kg).sqrt() / TAU,
             set: |m, frequency_hz| m.stiffness_n_m = Some(m.mass_kg * (TAU * frequency_hz).powi(2)),
@@ -58,7 +58,7 @@ pub(super) static KEYS: &[Key<Mass>] = &[
     Key::with_slot(
         "stiffness",
         Kind::Quantity(Quantity::Stiffness),
-        "stiffness of its spring; without a spring the mass is fixed to what it stands on",
+        "stiffness of the spring; without a spring the mass is fixed to its support",
         Slot::Optional { get: |m: &Mass| m.stiffness_n_m, set: |m, x| m.stiffness_n_m = Some(x) },
     )
     .within(Range::POSITIVE)
@@ -66,7 +66,7 @@ pub(super) static KEYS: &[Key<Mass>] = &[
     Key::with_slot(
         "damping_ratio",
         Kind::Number,
-        "damping ratio of the coupled mode in which this mass moves most; needed with a spring",
+        "damping ratio of the coupled mode in which this mass moves most; required with a spring",
         Slot::Optional { get: |m: &Mass| m.damping_ratio, set: |m, x| m.damping_ratio = Some(x) },
     )
     .within(Range { low: 0.0, open: false, high: 10.0 })
@@ -74,14 +74,14 @@ pub(super) static KEYS: &[Key<Mass>] = &[
     Key::with_slot(
         "velocity",
         Kind::Quantity(Quantity::Speed),
-        "velocity at the start of a run, beside what `run.start` gives it; for a free mass or one on a spring",
+        "velocity at the start of a run, added to that of `run.start`; for a free mass or a mass on a spring",
         Slot::Optional { get: |m: &Mass| m.velocity_m_s, set: |m, x| m.velocity_m_s = Some(x) },
     )
     .optional(),
     Key::with_slot(
         "friction",
         Kind::Quantity(Quantity::Damping),
-        "viscous friction of a free mass on the channel that it moves in, which moves with the ground: force over velocity",
+        "viscous friction of a free mass on its channel, which moves with the ground: force over velocity",
         Slot::Optional { get: |m: &Mass| m.friction_n_s_m, set: |m, x| m.friction_n_s_m = Some(x) },
     )
     .within(Range::NOT_NEGATIVE)

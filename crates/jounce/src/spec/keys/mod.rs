@@ -1,4 +1,4 @@
-//! The keys of every table of a spec, one file per kind of thing.
+//! Keys of every table of a spec, one file per kind of element.
 
 mod beam;
 mod circuit;
@@ -17,10 +17,10 @@ mod stop;
 use super::Spec;
 use super::key::{Key, Kind, Named, Single, Slot};
 
-/// The frequencies that jounce deals with, Hz.
+/// Frequency limits of jounce, Hz.
 pub(super) const FREQUENCY_LIMITS_HZ: (f64, f64) = (1e-6, 1e6);
 
-/// The tables of a spec.
+/// Tables of a spec.
 pub(super) static SPEC: &[Key<Spec>] = &[
     things(
         "beam",
@@ -34,7 +34,7 @@ pub(super) static SPEC: &[Key<Spec>] = &[
     ),
     things(
         "patch",
-        "piezoelectric patches bonded on beams",
+        "piezoelectric patches bonded to beams",
         &Named {
             get: |s: &Spec| &s.patch,
             open: |s| &mut s.patch,
@@ -64,7 +64,7 @@ pub(super) static SPEC: &[Key<Spec>] = &[
     ),
     things(
         "modal",
-        "structures given by their modes",
+        "structures defined by their modes",
         &Named {
             get: |s: &Spec| &s.modal,
             open: |s| &mut s.modal,
@@ -74,7 +74,7 @@ pub(super) static SPEC: &[Key<Spec>] = &[
     ),
     things(
         "stop",
-        "what a point strikes; without any, the harvester is linear",
+        "one-sided contacts; without stops the harvester is linear",
         &Named {
             get: |s: &Spec| &s.stop,
             open: |s| &mut s.stop,
@@ -84,7 +84,7 @@ pub(super) static SPEC: &[Key<Spec>] = &[
     ),
     things(
         "circuit",
-        "linear loads, each across one patch or several; every patch has one, or says `electrodes = \"open\"`",
+        "circuits, each across one patch or several; every patch has one or sets `electrodes = \"open\"`",
         &Named {
             get: |s: &Spec| &s.circuit,
             open: |s| &mut s.circuit,
@@ -94,7 +94,7 @@ pub(super) static SPEC: &[Key<Spec>] = &[
     ),
     things(
         "drive",
-        "what shakes it: forces, and motions of the ground or of other bases",
+        "excitation: forces, and motions of the ground or of other bases",
         &Named {
             get: |s: &Spec| &s.drive,
             open: |s| &mut s.drive,
@@ -104,7 +104,7 @@ pub(super) static SPEC: &[Key<Spec>] = &[
     ),
     table(
         "gravity",
-        "gravity on everything that moves; displacements are measured from where nothing is bent",
+        "gravity on all moving parts; displacements are measured from the undeformed shape",
         &Single {
             get: |s: &Spec| &s.gravity,
             open: |s| &mut s.gravity,
@@ -113,7 +113,7 @@ pub(super) static SPEC: &[Key<Spec>] = &[
     ),
     table(
         "damping",
-        "damping ratios of the modes of beams, in ascending order of frequency, those of masses left out",
+        "damping ratios of the modes of beams, ascending in frequency, without the modes of masses",
         &Single {
             get: |s: &Spec| &s.damping,
             open: |s| &mut s.damping,
@@ -122,7 +122,7 @@ pub(super) static SPEC: &[Key<Spec>] = &[
     ),
     table(
         "reduction",
-        "how many modes are kept, and how well the mesh must resolve them",
+        "number of retained modes and required accuracy of the mesh",
         &Single {
             get: |s: &Spec| &s.reduction,
             open: |s| &mut s.reduction,
@@ -131,7 +131,7 @@ pub(super) static SPEC: &[Key<Spec>] = &[
     ),
     table(
         "run",
-        "marching in time",
+        "integration in time",
         &Single {
             get: |s: &Spec| &s.run,
             open: |s| &mut s.run,

@@ -44,7 +44,7 @@ pub(super) static KEYS: &[Key<Modal>] = &[
     Key::with_slot(
         "participation_sqrt_kg",
         Kind::Numbers,
-        "mass times mass-normalised shape, summed over the structure, in kg^1/2, one per mode; needed where the base accelerates",
+        "base participation: mass times mass-normalised shape, summed over the structure, in kg^1/2, one per mode; required if the base accelerates",
         Slot::Numbers { get: |m: &Modal| &m.participation_sqrt_kg, open: |m| &mut m.participation_sqrt_kg },
     )
     .optional(),
@@ -93,7 +93,7 @@ static PATCH_KEYS: &[Key<ModalPatch>] = &[
     Key::with_slot(
         "leakage_resistance",
         Kind::Quantity(Quantity::Resistance),
-        "resistance across the capacitance through which the charge of the patch leaks",
+        "leakage resistance across the clamped capacitance",
         Slot::Optional {
             get: |p: &ModalPatch| p.leakage_ohm,
             set: |p, x| p.leakage_ohm = Some(x),

@@ -34,7 +34,7 @@ pub(super) fn blank() -> Patch {
     }
 }
 
-/// Takes from the library what it knows.
+/// Takes the missing values from the library.
 fn fill(patch: &mut Patch, name: &str) {
     name.clone_into(&mut patch.material);
     let Some(known) = material::named(name) else {
@@ -65,14 +65,14 @@ pub(super) static KEYS: &[Key<Patch>] = &[
     Key::text(
         "on",
         Kind::Reference { what: "a beam" },
-        "the beam that carries it",
+        "beam that carries the patch",
         |p: &Patch| p.on.clone(),
         |p, x| x.clone_into(&mut p.on),
     ),
     Key::text(
         "face",
         Kind::Choice(&["top", "bottom"]),
-        "the face of the beam that carries it; two patches on the two faces of one stretch make a bimorph",
+        "face of the beam; two patches at the same position on the two faces form a bimorph",
         |p: &Patch| if p.face == Face::Top { "top" } else { "bottom" }.to_owned(),
         |p, x| p.face = if x == "top" { Face::Top } else { Face::Bottom },
     )
@@ -80,7 +80,7 @@ pub(super) static KEYS: &[Key<Patch>] = &[
     Key::text(
         "material",
         Kind::Choice(material::PIEZOELECTRIC),
-        "a material of the library (`jounce materials`): modulus, density, coefficient, permittivity and limit where they are not given",
+        "library material (see `jounce materials`): default modulus, density, coefficient, permittivity and strain limit",
         |p: &Patch| p.material.clone(),
         fill,
     )
@@ -88,7 +88,7 @@ pub(super) static KEYS: &[Key<Patch>] = &[
     Key::text(
         "pore_shape",
         Kind::Choice(pores::SHAPES),
-        "shape of the pores, which lie along the pole; with `porosity`",
+        "shape of the pores, which are aligned with the poling direction; with `porosity`",
         |p: &Patch| pores::shape_word(p.pores.shape).to_owned(),
         |p, x| pores::set(p, |p| p.pores.shape = pores::shape_of(x)),
     )
@@ -96,7 +96,7 @@ pub(super) static KEYS: &[Key<Patch>] = &[
     Key::with_slot(
         "pore_aspect_ratio",
         Kind::Number,
-        "length of the pores along the pole over their width",
+        "aspect ratio of the pores: length along the poling direction over width",
         Slot::Optional { get: |p: &Patch| p.pores.aspect_ratio, set: |p, x| pores::set(p, |p| p.pores.aspect_ratio = Some(x)) },
     )
     .within(Range { low: 1e-3, open: false, high: 1e3 })
@@ -104,7 +104,7 @@ pub(super) static KEYS: &[Key<Patch>] = &[
     Key::text(
         "porosity_scheme",
         Kind::Choice(pores::SCHEMES),
-        "how pores act on each other: each in the mean field of the matrix, or each in the composite",
+        "homogenisation scheme: each pore in the mean field of the matrix, or each in the effective composite",
         |p: &Patch| pores::scheme_word(p.pores.scheme).to_owned(),
         |p, x| pores::set(p, |p| p.pores.scheme = pores::scheme_of(x)),
     )
@@ -112,7 +112,7 @@ pub(super) static KEYS: &[Key<Patch>] = &[
     Key::with_slot(
         "porosity",
         Kind::Number,
-        "part of the volume of the material that is pores: modulus, density, coefficient and permittivity follow from it",
+        "volume fraction of pores: modulus, density, coefficient and permittivity follow from it",
         Slot::Optional { get: |p: &Patch| p.pores.porosity, set: |p, x| pores::set(p, |p| p.pores.porosity = Some(x)) },
     )
     .within(Range { low: 0.0, open: false, high: 0.95 })
@@ -120,12 +120,12 @@ pub(super) static KEYS: &[Key<Patch>] = &[
     Key::text(
         "section",
         Kind::Choice(&["laminate", "thin-skin"]),
-        "how it changes the section: full section about the shifted neutral axis with its mass, or a massless thin skin",
+        "section model: full section about the shifted neutral axis with the mass of the patch, or a massless thin skin",
         |p: &Patch| section_word(p.section).to_owned(),
         |p, x| p.section = if x == "thin-skin" { Section::ThinSkin } else { Section::Laminate },
     )
     .optional(),
-    Key::quantity("start", Quantity::Length, "from the root of the beam to the patch", |p: &Patch| p.start_m, |p, x| p.start_m = x)
+    Key::quantity("start", Quantity::Length, "distance from the root of the beam to the patch", |p: &Patch| p.start_m, |p, x| p.start_m = x)
         .within(Range::NOT_NEGATIVE),
     Key::quantity("length", Quantity::Length, "length along the beam", |p: &Patch| p.length_m, |p, x| p.length_m = x)
         .within(Range::POSITIVE),
@@ -133,7 +133,7 @@ pub(super) static KEYS: &[Key<Patch>] = &[
     Key::quantity(
         "thickness",
         Quantity::Length,
-        "thickness; of the active layer alone with `foil_thickness`",
+        "thickness; with `foil_thickness` that of the active layer alone",
         |p: &Patch| p.thickness_m,
         |p, x| p.thickness_m = x,
     )
@@ -141,7 +141,7 @@ pub(super) static KEYS: &[Key<Patch>] = &[
     Key::with_slot(
         "foil_thickness",
         Kind::Quantity(Quantity::Length),
-        "thickness of each of the two foils between which the active layer of a Macro Fiber Composite lies",
+        "thickness of each of the two foils that enclose the active layer of a Macro Fiber Composite",
         Slot::Optional { get: |p: &Patch| p.foils.thickness_m, set: |p, x| p.foils.thickness_m = Some(x) },
     )
     .within(Range::POSITIVE)
@@ -149,7 +149,7 @@ pub(super) static KEYS: &[Key<Patch>] = &[
     Key::with_slot(
         "foil_youngs_modulus",
         Kind::Quantity(Quantity::Pressure),
-        "Young's modulus of the foils, electrodes included; 2.5 GPa (Kapton) without it",
+        "Young's modulus of the foils with their electrodes; 2.5 GPa (Kapton) if omitted",
         Slot::Optional { get: |p: &Patch| p.foils.youngs_modulus_pa, set: |p, x| p.foils.youngs_modulus_pa = Some(x) },
     )
     .within(Range::POSITIVE)
@@ -157,7 +157,7 @@ pub(super) static KEYS: &[Key<Patch>] = &[
     Key::with_slot(
         "foil_density",
         Kind::Quantity(Quantity::Density),
-        "mass per volume of the foils; 1420 kg/m^3 (Kapton) without it",
+        "density of the foils; 1420 kg/m^3 (Kapton) if omitted",
         Slot::Optional { get: |p: &Patch| p.foils.density_kg_m3, set: |p, x| p.foils.density_kg_m3 = Some(x) },
     )
     .within(Range::POSITIVE)
@@ -171,11 +171,11 @@ pub(super) static KEYS: &[Key<Patch>] = &[
     )
     .within(Range::POSITIVE)
     .unless("material"),
-    Key::quantity("density", Quantity::Density, "mass per volume", |p: &Patch| p.density_kg_m3, |p, x| p.density_kg_m3 = x)
+    Key::quantity("density", Quantity::Density, "density", |p: &Patch| p.density_kg_m3, |p, x| p.density_kg_m3 = x)
         .within(Range::POSITIVE)
         .when("section", &["laminate"])
         .unless("material"),
-    Key::quantity("density", Quantity::Density, "not used by this section", |p: &Patch| p.density_kg_m3, |p, x| p.density_kg_m3 = x)
+    Key::quantity("density", Quantity::Density, "not used by `thin-skin`", |p: &Patch| p.density_kg_m3, |p, x| p.density_kg_m3 = x)
         .within(Range::NOT_NEGATIVE)
         .when("section", &["thin-skin"])
         .optional(),
@@ -235,7 +235,7 @@ pub(super) static KEYS: &[Key<Patch>] = &[
     Key::with_slot(
         "leakage_resistance",
         Kind::Quantity(Quantity::Resistance),
-        "resistance across the capacitance through which the charge of the patch leaks",
+        "leakage resistance across the clamped capacitance",
         Slot::Optional { get: |p: &Patch| p.leakage_ohm, set: |p, x| p.leakage_ohm = Some(x) },
     )
     .within(Range::POSITIVE)
@@ -243,7 +243,7 @@ pub(super) static KEYS: &[Key<Patch>] = &[
     Key::with_slot(
         "strain_limit",
         Kind::Number,
-        "largest strain along the beam that it bears; marches and orbits warn beyond it",
+        "strain limit along the beam; runs and orbits warn if the strain exceeds it",
         Slot::Optional { get: |p: &Patch| p.strain_limit, set: |p, x| p.strain_limit = Some(x) },
     )
     .within(Range::POSITIVE)

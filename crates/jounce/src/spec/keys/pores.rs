@@ -1,11 +1,11 @@
-//! `[patch.NAME]`: what the keys of its pores do.
+//! `[patch.NAME]`: getters and setters of the pores.
 
 use crate::spec::{Patch, PoreShape, PorosityScheme};
 
 pub(super) const SHAPES: &[&str] = &["spheres", "spheroids", "cylinders"];
 pub(super) const SCHEMES: &[&str] = &["mori-tanaka", "self-consistent"];
 
-/// Changes the pores, and with them what follows for the patch.
+/// Changes the pores, and with them the effective properties of the patch.
 pub(super) fn set(patch: &mut Patch, change: impl FnOnce(&mut Patch)) {
     change(patch);
     if patch.pores.porosity.is_none() {

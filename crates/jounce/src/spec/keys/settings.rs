@@ -3,7 +3,7 @@
 use crate::spec::key::{Key, Kind, Range, Slot};
 use crate::spec::{Damping, Quantity, Reduction, Run, Start};
 
-/// More modes than any beam here resolves to a useful accuracy.
+/// More modes than any beam here resolves with useful accuracy.
 const MAX_MODES: f64 = 200.0;
 
 pub(super) static DAMPING: &[Key<Damping>] = &[
@@ -21,7 +21,7 @@ pub(super) static DAMPING: &[Key<Damping>] = &[
     Key::with_slot(
         "beyond",
         Kind::Number,
-        "damping ratio of every mode after the list",
+        "damping ratio of every mode after those of the list",
         Slot::Optional {
             get: |d: &Damping| d.beyond,
             set: |d, x| d.beyond = Some(x),
@@ -35,7 +35,7 @@ pub(super) static REDUCTION: &[Key<Reduction>] = &[
     Key::with_slot(
         "modes",
         Kind::Count,
-        "how many modes are kept",
+        "number of retained modes",
         Slot::Count {
             get: |r: &Reduction| r.modes,
             set: |r, x| r.modes = x,
@@ -45,7 +45,7 @@ pub(super) static REDUCTION: &[Key<Reduction>] = &[
     .optional(),
     Key::number(
         "mesh_tolerance",
-        "wanted relative error of every kept frequency",
+        "required relative error of every retained frequency",
         |r: &Reduction| r.mesh_tolerance,
         |r, x| r.mesh_tolerance = x,
     )
@@ -57,7 +57,7 @@ pub(super) static RUN: &[Key<Run>] = &[
     Key::text(
         "start",
         Kind::ChoiceOrPath(&["rest", "linear"]),
-        "`\"rest\"`, `\"linear\"` (the steady state without the stops), or the path of a state file, relative to the spec",
+        "`\"rest\"`, `\"linear\"` (the steady state without the stops), or the path of a state file relative to the spec",
         |r: &Run| match &r.start {
             Start::Rest => "rest".to_owned(),
             Start::Linear => "linear".to_owned(),
@@ -72,7 +72,7 @@ pub(super) static RUN: &[Key<Run>] = &[
         },
     )
     .optional(),
-    Key::quantity("duration", Quantity::Time, "length of the run", |r: &Run| r.duration_s, |r, x| r.duration_s = x)
+    Key::quantity("duration", Quantity::Time, "duration of the run", |r: &Run| r.duration_s, |r, x| r.duration_s = x)
         .within(Range::POSITIVE)
         .optional(),
     Key::quantity(
@@ -84,7 +84,7 @@ pub(super) static RUN: &[Key<Run>] = &[
     )
     .within(Range::POSITIVE)
     .optional(),
-    Key::number("tolerance", "wanted relative error of the response", |r: &Run| r.tolerance, |r, x| r.tolerance = x)
+    Key::number("tolerance", "required relative error of the response", |r: &Run| r.tolerance, |r, x| r.tolerance = x)
         .within(Range::from(1e-13, 0.1))
         .optional(),
 ];

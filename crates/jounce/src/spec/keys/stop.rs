@@ -14,7 +14,7 @@ const LAWS: &[&str] = &[
 const POWER_LAWS: &[&str] = &["hertz", "hunt-crossley"];
 const LINEAR_LAWS: &[&str] = &["spring", "kelvin-voigt"];
 
-/// The exponent of Hertz's law for two smooth bodies.
+/// Exponent of Hertz's law for two smooth bodies.
 const HERTZ_EXPONENT: f64 = 1.5;
 
 pub(super) fn blank() -> Stop {
@@ -34,14 +34,14 @@ pub(super) static KEYS: &[Key<Stop>] = &[
     Key::text(
         "at",
         Kind::Reference { what: "a point or mass" },
-        "the point that strikes",
+        "point that strikes the stop",
         |s: &Stop| s.at.clone(),
         |s, x| x.clone_into(&mut s.at),
     ),
     Key::text(
         "frame",
         Kind::Reference { what: "a point or mass, or \"ground\" or another base" },
-        "what carries the stop, and takes the reaction: `\"ground\"` or another base, a mass or a point",
+        "support of the stop, which takes the reaction: `\"ground\"` or another base, a mass or a point",
         |s: &Stop| s.frame.clone(),
         |s, x| x.clone_into(&mut s.frame),
     )
@@ -49,7 +49,7 @@ pub(super) static KEYS: &[Key<Stop>] = &[
     Key::text(
         "side",
         Kind::Choice(&["positive", "negative"]),
-        "the direction in which the point moves to strike",
+        "direction in which the point moves to strike",
         |s: &Stop| if s.side == Side::Positive { "positive" } else { "negative" }.to_owned(),
         |s, x| s.side = if x == "positive" { Side::Positive } else { Side::Negative },
     )
@@ -57,11 +57,11 @@ pub(super) static KEYS: &[Key<Stop>] = &[
     Key::quantity(
         "gap",
         Quantity::Length,
-        "distance to the stop at rest; negative for a preloaded contact; for `cubic`, where its spring is relaxed",
+        "distance to the stop at rest; negative for a preloaded contact; for `cubic` the position at which the spring is relaxed",
         |s: &Stop| s.gap_m,
         |s, x| s.gap_m = x,
     ),
-    Key::text("law", Kind::Choice(LAWS), "the contact law", |s: &Stop| law_word(&s.law).to_owned(), |s, x| s.law = blank_law(x)),
+    Key::text("law", Kind::Choice(LAWS), "contact law", |s: &Stop| law_word(&s.law).to_owned(), |s, x| s.law = blank_law(x)),
     Key::number("exponent", "exponent of the penetration", |s: &Stop| exponent(&s.law), |s, x| set_exponent(&mut s.law, x))
         .within(Range::from(1.0, 10.0))
         .when("law", POWER_LAWS)
@@ -69,7 +69,7 @@ pub(super) static KEYS: &[Key<Stop>] = &[
     Key::quantity(
         "stiffness",
         Quantity::ContactStiffness { exponent: HERTZ_EXPONENT },
-        "force per penetration to the power of `exponent`",
+        "contact stiffness: force over penetration to the power of `exponent`",
         |s: &Stop| stiffness(&s.law),
         |s, x| set_stiffness(&mut s.law, x),
     )
@@ -79,7 +79,7 @@ pub(super) static KEYS: &[Key<Stop>] = &[
     Key::quantity(
         "stiffness",
         Quantity::Stiffness,
-        "force per penetration",
+        "contact stiffness: force over penetration",
         |s: &Stop| stiffness(&s.law),
         |s, x| set_stiffness(&mut s.law, x),
     )
@@ -88,8 +88,8 @@ pub(super) static KEYS: &[Key<Stop>] = &[
     Key::quantity(
         "stiffness",
         Quantity::Stiffness,
-        "force per displacement, on both sides; negative for a spring that pushes away",
-        // A blank stop has another law: what it says here is the default.
+        "linear stiffness on both sides; negative for a spring that pushes away from its relaxed position",
+        // A blank stop has another law, so this value is the default.
         |s: &Stop| if let StopLaw::Cubic { stiffness_n_m, .. } = s.law { stiffness_n_m } else { 0.0 },
         |s, x| set_stiffness(&mut s.law, x),
     )
@@ -98,7 +98,7 @@ pub(super) static KEYS: &[Key<Stop>] = &[
     Key::quantity(
         "cubic_stiffness",
         Quantity::ContactStiffness { exponent: 3.0 },
-        "force per displacement to the third power, on both sides; negative for a spring that softens",
+        "cubic stiffness on both sides: force over displacement cubed; negative for a softening spring",
         |s: &Stop| if let StopLaw::Cubic { cubic_stiffness_n_m3, .. } = s.law { cubic_stiffness_n_m3 } else { f64::NAN },
         |s, x| set_cubic_stiffness(&mut s.law, x),
     )
@@ -106,7 +106,7 @@ pub(super) static KEYS: &[Key<Stop>] = &[
     Key::quantity(
         "damping",
         Quantity::Damping,
-        "force per rate of penetration",
+        "contact damping: force over penetration rate",
         |s: &Stop| damping(&s.law),
         |s, x| set_damping(&mut s.law, x),
     )
@@ -115,7 +115,7 @@ pub(super) static KEYS: &[Key<Stop>] = &[
     Key::quantity(
         "damping",
         Quantity::InverseSpeed,
-        "the factor c of `1 + c * rate of penetration`",
+        "damping factor c of `1 + c * rate of penetration`",
         |s: &Stop| damping(&s.law),
         |s, x| set_damping(&mut s.law, x),
     )
@@ -123,7 +123,7 @@ pub(super) static KEYS: &[Key<Stop>] = &[
     .when("law", &["hunt-crossley"]),
     Key::number(
         "restitution",
-        "speed after over speed before the impact",
+        "coefficient of restitution: speed after the impact over speed before it",
         |s: &Stop| if let StopLaw::Rigid { restitution } = s.law { restitution } else { f64::NAN },
         |s, x| s.law = StopLaw::Rigid { restitution: x },
     )

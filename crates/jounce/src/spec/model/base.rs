@@ -1,13 +1,13 @@
-//! Bases: what moves as a drive prescribes, and what it carries.
+//! Bases: supports whose motion a drive prescribes.
 
 use super::{Drive, DriveKind, Spec};
 use std::collections::BTreeSet;
 
-/// The base that is always there.
+/// The base that always exists.
 pub const GROUND: &str = "ground";
 
 impl Drive {
-    /// The base whose motion it prescribes; `None` for a force.
+    /// Returns the base whose motion the drive prescribes; `None` for a force.
     pub fn base(&self) -> Option<&str> {
         match self.kind {
             DriveKind::Force => None,
@@ -20,7 +20,7 @@ impl Drive {
 }
 
 impl Spec {
-    /// The bases beside the ground, which their drives name.
+    /// Returns the bases other than the ground, which their drives name.
     pub fn bases(&self) -> BTreeSet<&str> {
         self.drive
             .values()
@@ -29,7 +29,7 @@ impl Spec {
             .collect()
     }
 
-    /// Takes all drives away. The bases that they moved stand still, and are the ground.
+    /// Removes all drives. Their bases become parts of the fixed ground.
     pub fn take_drives_away(&mut self) {
         let bases: BTreeSet<String> = self.bases().into_iter().map(str::to_owned).collect();
         self.drive.clear();
@@ -48,7 +48,8 @@ impl Spec {
         name == GROUND || self.drive.values().any(|drive| drive.base() == Some(name))
     }
 
-    /// The base under a base, a mass or a point: what its displacements are relative to. That of a free mass is the ground.
+    /// Returns the base under a base, a mass or a point, to which its displacements are relative.
+    /// The base of a free mass is the ground.
     pub fn base_under<'s>(&'s self, point: &'s str) -> &'s str {
         let mut at = point;
         for _ in 0..=self.mass.len() + self.beam.len() {

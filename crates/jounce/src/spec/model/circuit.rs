@@ -1,11 +1,11 @@
 //! `[circuit.NAME]`
 
-/// A linear load across one patch or several.
+/// A circuit across one patch or several.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Circuit {
-    /// `patch`: `"mfc"` or `"harvester.mfc"`; empty where `patches` is given.
+    /// `patch`: `"mfc"` or `"harvester.mfc"`; empty if `patches` is given.
     pub patch: String,
-    /// `patches`: several, `["top", "-bottom"]`; a minus connects a patch the other way round.
+    /// `patches`: several, `["top", "-bottom"]`; a minus reverses the polarity of a patch.
     pub patches: Vec<String>,
     /// `wiring` of several patches; default parallel.
     pub wiring: Wiring,
@@ -13,17 +13,17 @@ pub struct Circuit {
     pub resistance_ohm: f64,
     /// `inductance`, H; `None` without an inductor.
     pub inductance_h: Option<f64>,
-    /// `inductor`: how it stands to the resistor; default parallel.
+    /// `inductor`: connection relative to the resistor; default parallel.
     pub inductor: Wiring,
     /// `interface`; default resistor.
     pub interface: Interface,
-    /// `storage`: smoothing capacitor behind the diodes, F.
+    /// `storage`: smoothing capacitor after the diodes, F.
     pub storage_f: Option<f64>,
-    /// `battery` instead of it, V.
+    /// `battery` instead of the storage capacitor, V.
     pub battery_v: Option<f64>,
-    /// `diode_drop` of each of the two diodes of a path, V.
+    /// `diode_drop` of each of the two conducting diodes, V.
     pub diode_drop_v: f64,
-    /// `diode_resistance` of each while it conducts, ohm.
+    /// `diode_resistance`: on-resistance of each diode, ohm.
     pub diode_resistance_ohm: f64,
     /// `leakage_resistance` across the storage capacitor, ohm; `None` without.
     pub leakage_ohm: Option<f64>,
@@ -33,10 +33,10 @@ pub struct Circuit {
     pub efficiency: f64,
 }
 
-/// What stands between the patches and what takes their energy.
+/// Circuit between the patches and the load.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Interface {
-    /// `"resistor"`: nothing.
+    /// `"resistor"`: the load directly across the patches.
     #[default]
     Resistor,
     /// `"bridge"`: a full bridge of diodes.
@@ -50,7 +50,7 @@ pub enum Interface {
 }
 
 impl Circuit {
-    /// A resistor across a patch; every other key at its default.
+    /// Returns a resistor across a patch; every other key has its default.
     pub fn resistor(patch: String, resistance_ohm: f64) -> Self {
         Self {
             patch,
@@ -70,7 +70,7 @@ impl Circuit {
         }
     }
 
-    /// Every patch of the circuit with the sign of its connection.
+    /// Returns every patch of the circuit with the sign of its connection.
     pub fn connections(&self) -> impl Iterator<Item = (&str, f64)> {
         let single = Some(self.patch.as_str())
             .filter(|patch| !patch.is_empty())
@@ -84,7 +84,7 @@ impl Circuit {
     }
 }
 
-/// How two electrical things stand to each other.
+/// Connection of two electrical elements.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Wiring {
     /// `"parallel"`: the same voltage.

@@ -2,10 +2,11 @@
 
 use super::DriveSignal;
 
-/// What shakes the harvester.
+/// Excitation of the harvester.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Drive {
-    /// `at`: point or mass on which a force acts, or the base that moves: empty for the ground (see [`Drive::base`]).
+    /// `at`: point or mass on which a force acts, or the base that moves; empty for the ground (see
+    /// [`Drive::base`]).
     pub at: String,
     /// `kind`; default `force`.
     pub kind: DriveKind,
@@ -13,20 +14,22 @@ pub struct Drive {
     pub signal: DriveSignal,
 }
 
-/// What a drive prescribes.
+/// Prescribed quantity of a drive.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum DriveKind {
     /// `"force"`: a force on a point, N.
     #[default]
     Force,
-    /// `"base-acceleration"`: acceleration of a base with everything that stands on it, m/s^2. Displacements of that are relative to it.
+    /// `"base-acceleration"`: acceleration of a base with all elements on it, m/s^2. Their
+    /// displacements are relative to the base.
     BaseAcceleration,
-    /// `"base-displacement"`: displacement of a base, m: sinusoids, chirps and half-sines. Displacements of what stands on it are relative to it.
+    /// `"base-displacement"`: displacement of a base, m: sinusoids, chirps and half-sines.
+    /// Displacements of elements on the base are relative to it.
     BaseDisplacement,
 }
 
 impl Drive {
-    /// Frequency of a sinusoid, Hz.
+    /// Returns the frequency of a sinusoid, Hz.
     pub fn frequency_hz(&self) -> Option<f64> {
         if let DriveSignal::Sine { frequency_hz, .. } = self.signal {
             Some(frequency_hz)

@@ -1,11 +1,11 @@
 //! `electrodes` of a patch
 
-/// Where the charge of a patch goes.
+/// Connection of the electrodes of a patch.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Electrodes {
-    /// `"circuit"`: into the one circuit that names the patch.
+    /// `"circuit"`: connected to the one circuit that names the patch.
     #[default]
     Circuit,
-    /// `"open"`: nowhere; what the patch does not leak it keeps.
+    /// `"open"`: open circuit; the patch loses charge only through its leakage resistance.
     Open,
 }

@@ -5,13 +5,14 @@ const KAPTON_PA: f64 = 2.5e9;
 /// Kapton HN, kg/m^3: the same data sheet.
 const KAPTON_KG_M3: f64 = 1420.0;
 
-/// The two foils between which the active layer of a Macro Fiber Composite lies, with the electrodes on them.
+/// The two foils that enclose the active layer of a Macro Fiber Composite, with their electrodes.
 ///
 /// ```text
 /// foil | active layer of fibres and epoxy, `thickness` | foil | bond, a [layer.NAME] | beam
 /// ```
 ///
-/// Electrodes are taken as part of the foils. Source of the order of layers: Bilgen, Erturk and Inman, J. Vib. Acoust. 132 (2010) 051005.
+/// Electrodes count as part of the foils. Source of the order of layers: Bilgen, Erturk and Inman,
+/// J. Vib. Acoust. 132 (2010) 051005.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct PatchFoils {
     /// `foil_thickness` of each, m; `None` without foils.
@@ -23,17 +24,17 @@ pub struct PatchFoils {
 }
 
 impl PatchFoils {
-    /// Thickness of each, m; 0 without foils.
+    /// Returns the thickness of each foil, m; 0 without foils.
     pub fn each_m(&self) -> f64 {
         self.thickness_m.unwrap_or(0.0)
     }
 
-    /// Modulus, Pa.
+    /// Returns Young's modulus, Pa.
     pub fn modulus_pa(&self) -> f64 {
         self.youngs_modulus_pa.unwrap_or(KAPTON_PA)
     }
 
-    /// Mass per volume, kg/m^3.
+    /// Returns the density, kg/m^3.
     pub fn mass_per_volume_kg_m3(&self) -> f64 {
         self.density_kg_m3.unwrap_or(KAPTON_KG_M3)
     }

@@ -2,14 +2,14 @@
 
 use super::{Face, Section};
 
-/// A passive layer on one face of a beam, under what patches lie there: a bond line, a shim, a coating.
+/// A passive layer on one face of a beam, under the patches there: a bond line, a shim, a coating.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Layer {
     /// `on`: name of the beam.
     pub on: String,
     /// `face`: `"top"` (default) or `"bottom"`.
     pub face: Face,
-    /// `material`: a name of the library, which gives modulus and density where they are not given; empty without.
+    /// `material`: library material with default modulus and density; empty if omitted.
     pub material: String,
     /// `start`: distance from the root, m; default 0.
     pub start_m: f64,

@@ -1,4 +1,4 @@
-//! What the user says, checked and in SI units. One struct per kind of thing; names are the user's own.
+//! The validated spec in SI units. One struct per kind of element; the user chooses the names.
 
 mod base;
 mod beam;
@@ -38,7 +38,7 @@ pub use stop::{Side, Stop, StopLaw};
 
 use std::collections::BTreeMap;
 
-/// A whole spec: every thing by its own name, every quantity in SI units, every reference resolved.
+/// A complete spec: elements by name, quantities in SI units, references resolved.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Spec {
     /// `[beam.NAME]`
@@ -68,7 +68,7 @@ pub struct Spec {
 }
 
 impl Spec {
-    /// Takes all circuits away and leaves the electrodes of every patch open.
+    /// Removes all circuits and leaves the electrodes of every patch open.
     pub fn open_circuits(&mut self) {
         self.circuit.clear();
         let modal = self
@@ -82,7 +82,7 @@ impl Spec {
             .for_each(|electrodes| *electrodes = Electrodes::Open);
     }
 
-    /// True where a support is a mass, or one without spring that is fixed to it.
+    /// True if a support is this mass, or a mass without a spring that is fixed to it.
     pub fn is_fixed_to(&self, support: &str, mass: &str) -> bool {
         let mut support = support;
         for _ in 0..=self.mass.len() {

@@ -1,20 +1,21 @@
-//! `[patch.NAME]`: the pores of its material.
+//! `[patch.NAME]`: pores of the material.
 
 use crate::material;
 use crate::material::porous::{PoreGeometry, Scheme};
 
-/// What `porosity` and the keys beside it say.
+/// Porosity of a patch and the related keys.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct PatchPores {
-    /// `porosity`: part of the volume that is pores, 0 to below 1; `None` for the material of the library as it is.
+    /// `porosity`: volume fraction of pores, 0 to below 1; `None` for the dense material of the
+    /// library.
     pub porosity: Option<f64>,
     /// `pore_shape`; default `spheres`.
     pub shape: PoreShape,
-    /// `pore_aspect_ratio`: length along the pole over width; of spheroids.
+    /// `pore_aspect_ratio`: length along the poling direction over width; for spheroids.
     pub aspect_ratio: Option<f64>,
     /// `porosity_scheme`; default `mori-tanaka`.
     pub scheme: PorosityScheme,
-    /// What follows for the patch; `None` without pores, or where the scheme has no answer.
+    /// Effective constants of the patch; `None` without pores, or if the scheme has no solution.
     pub composite: Option<Composite>,
 }
 
@@ -23,7 +24,7 @@ pub struct PatchPores {
 pub struct Composite {
     /// Young's modulus at short circuit along the beam, Pa.
     pub youngs_modulus_pa: f64,
-    /// Mass per volume, kg/m^3.
+    /// Density, kg/m^3.
     pub density_kg_m3: f64,
     /// `d31`, m/V.
     pub d31_m_per_v: f64,
@@ -31,7 +32,7 @@ pub struct Composite {
     pub permittivity_f_m: f64,
 }
 
-/// Shapes of pores, aligned with the pole.
+/// Shape of pores aligned with the poling direction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum PoreShape {
     /// `"spheres"`
@@ -39,23 +40,23 @@ pub enum PoreShape {
     Spheres,
     /// `"spheroids"`, with an aspect ratio.
     Spheroids,
-    /// `"cylinders"`, endless.
+    /// `"cylinders"`, infinitely long.
     Cylinders,
 }
 
-/// How pores act on each other.
+/// Homogenisation scheme.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum PorosityScheme {
-    /// `"mori-tanaka"`: each pore lies in the mean field of the matrix.
+    /// `"mori-tanaka"`: each pore in the mean field of the matrix.
     #[default]
     MoriTanaka,
-    /// `"self-consistent"`: each pore lies in the composite.
+    /// `"self-consistent"`: each pore in the effective composite.
     SelfConsistent,
 }
 
 impl PatchPores {
-    /// The composite of these pores in a material of the library, of which all constants must be known (see
-    /// [`material::full_constants`]).
+    /// Returns the composite of these pores in a library material, for which all constants must be
+    /// known (see [`material::full_constants`]).
     pub fn composite_of(&self, name: &str) -> Option<Composite> {
         let porosity = self.porosity?;
         let (dense, material) = (material::full_constants(name)?, material::named(name)?);

@@ -3,9 +3,9 @@
 /// `[reduction]`
 #[derive(Debug, Clone, PartialEq)]
 pub struct Reduction {
-    /// `modes`: how many modes of the assembled structure are kept; default 8.
+    /// `modes`: number of retained modes of the assembled structure; default 8.
     pub modes: usize,
-    /// `mesh_tolerance`: wanted relative error of every kept frequency; default 1e-9.
+    /// `mesh_tolerance`: required relative error of every retained frequency; default 1e-9.
     pub mesh_tolerance: f64,
 }
 

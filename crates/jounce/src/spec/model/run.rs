@@ -9,7 +9,7 @@ pub struct Run {
     pub duration_s: f64,
     /// `average_over`: length of the averaging window at the end of the run, s; at most `duration`.
     pub average_over_s: f64,
-    /// `tolerance`: wanted relative error of the response; default 1e-7.
+    /// `tolerance`: required relative error of the response; default 1e-7.
     pub tolerance: f64,
 }
 
@@ -24,14 +24,15 @@ impl Default for Run {
     }
 }
 
-/// Where a run starts from.
+/// Initial condition of a run.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub enum Start {
     /// `"rest"`
     #[default]
     Rest,
-    /// `"linear"`: the steady state of the harvester without its stop.
+    /// `"linear"`: steady state of the harvester without its stops.
     Linear,
-    /// Any other string with a dot or a slash in it: path of a state file saved by another run (relative to the spec file).
+    /// Any other string that contains a dot or a slash: path of a state file saved by another run,
+    /// relative to the spec file.
     State(String),
 }

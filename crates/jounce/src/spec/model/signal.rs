@@ -1,9 +1,9 @@
-//! The course of a drive in time.
+//! Signal of a drive.
 
 use crate::spec::recording::Recording;
 use std::sync::Arc;
 
-/// The course of a drive in time; amplitudes in N, m/s^2 or m, by the kind of the drive.
+/// Signal of a drive; the kind of the drive determines the unit of amplitudes: N, m/s^2 or m.
 #[derive(Debug, Clone, PartialEq)]
 pub enum DriveSignal {
     /// `"sine"`: `amplitude * sin(2 pi frequency t + phase)`.
@@ -15,7 +15,7 @@ pub enum DriveSignal {
         /// `phase`, rad; default 0.
         phase_rad: f64,
     },
-    /// `"chirp"`: a sinusoid whose frequency goes from `from` to `to` in the time `duration`.
+    /// `"chirp"`: a sinusoid whose frequency varies from `from` to `to` within `duration`.
     Chirp {
         /// `amplitude`, zero to peak.
         amplitude: f64,
@@ -41,7 +41,7 @@ pub enum DriveSignal {
         /// `duration`, s.
         duration_s: f64,
     },
-    /// `"velocity-step"`: the base jumps to another velocity.
+    /// `"velocity-step"`: a jump of the base velocity.
     VelocityStep {
         /// `velocity`, m/s.
         velocity_m_s: f64,
@@ -61,44 +61,48 @@ pub enum DriveSignal {
         /// `seed`; default 1.
         seed: u64,
     },
-    /// `"recording"`: samples of a file, joined by straight lines; 0 before the first and after the last.
+    /// `"recording"`: samples of a file with linear interpolation; 0 before the first and after the
+    /// last.
     Recording {
         /// `file`: path of the recording, relative to the spec.
         file: String,
-        /// `channel`: its name, or its number from 1; the only fitting one where it is not given.
+        /// `channel`: its name, or its number from 1; if omitted, the only channel that fits.
         channel: Option<String>,
-        /// `unit`: that of the channel, where the file gives none of this quantity.
+        /// `unit` of the channel, if the file contains no unit of this quantity.
         unit: Option<String>,
-        /// `scale`: factor of the values; default 1.
+        /// `scale`: factor on the values; default 1.
         scale: f64,
-        /// `mean`: true where the mean of the channel is kept; see [`DriveKind::keeps_mean`](crate::spec::DriveKind::keeps_mean).
+        /// `mean`: true if the mean of the channel is retained; see
+        /// [`DriveKind::keeps_mean`](crate::spec::DriveKind::keeps_mean).
         keep_mean: Option<bool>,
         /// `start`: time of the first sample in the run, s; default 0.
         start_s: f64,
-        /// `sample_rate`: that of a file which tells none; what one that does is checked against.
+        /// `sample_rate` of a file without times; checked against the times of a file that has
+        /// them.
         sample_rate_hz: Option<f64>,
-        /// What the file holds; `None` until it is read.
+        /// Contents of the file; `None` until it is read.
         record: Option<Arc<Recording>>,
     },
 }
 
-/// How the frequency of a chirp goes.
+/// Variation of the frequency of a chirp.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum FrequencySweep {
-    /// By the same number of hertz in each second.
+    /// The same number of hertz in each second.
     #[default]
     Linear,
-    /// By the same factor in each second.
+    /// The same factor in each second.
     Logarithmic,
 }
 
 impl DriveSignal {
-    /// Samples of noise in a cycle of its highest frequency.
+    /// Samples of noise per cycle of its highest frequency.
     pub const SAMPLES_PER_CYCLE: f64 = 10.0;
-    /// Samples of a chirp in its shortest cycle.
+    /// Samples of a chirp per shortest cycle.
     pub const CHIRP_SAMPLES_PER_CYCLE: f64 = 256.0;
 
-    /// The recording of a file, nothing else said of it and not read yet.
+    /// Returns a recording of a file with all other keys at their defaults; the file is not read
+    /// yet.
     pub fn recording(file: &str) -> Self {
         Self::Recording {
             file: file.to_owned(),

@@ -1,13 +1,15 @@
 //! `[stop.NAME]`
 
-/// What a point strikes.
+/// A stop that a point strikes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Stop {
     /// `at`: the striking point, `"beam.tip"`, `"table"`, `"harvester.tip"`.
     pub at: String,
-    /// `frame`: `"ground"` (default), another base, or the body or point that carries the stop; the reaction acts there.
+    /// `frame`: `"ground"` (default), another base, or the body or point that carries the stop and
+    /// takes the reaction.
     pub frame: String,
-    /// `side`: `"positive"` (default) or `"negative"`: the direction in which the point must move to strike.
+    /// `side`: `"positive"` (default) or `"negative"`: direction in which the point moves to
+    /// strike.
     pub side: Side,
     /// `gap`, m; may be negative (preloaded contact).
     pub gap_m: f64,
@@ -15,7 +17,7 @@ pub struct Stop {
     pub law: StopLaw,
 }
 
-/// On which side of the point at rest a stop stands.
+/// Side of the stop relative to the point at rest.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Side {
     /// Struck by moving in the positive direction.
@@ -28,7 +30,8 @@ pub enum Side {
 /// The contact law of a stop. `delta` is the penetration, m; `delta'` its rate, m/s.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum StopLaw {
-    /// `law = "hertz"`: `F = stiffness * delta^exponent`; keys `stiffness` (N/m^exponent), `exponent` (default 1.5, at least 1).
+    /// `law = "hertz"`: `F = stiffness * delta^exponent`; keys `stiffness` (N/m^exponent),
+    /// `exponent` (default 1.5, at least 1).
     Hertz {
         /// N/m^exponent
         stiffness: f64,
@@ -40,14 +43,16 @@ pub enum StopLaw {
         /// N/m
         stiffness_n_m: f64,
     },
-    /// `law = "kelvin-voigt"`: `F = max(0, stiffness * delta + damping * delta')`; keys `stiffness` (N/m), `damping` (N s/m).
+    /// `law = "kelvin-voigt"`: `F = max(0, stiffness * delta + damping * delta')`; keys `stiffness`
+    /// (N/m), `damping` (N s/m).
     KelvinVoigt {
         /// N/m
         stiffness_n_m: f64,
         /// N s/m
         damping_n_s_m: f64,
     },
-    /// `law = "hunt-crossley"`: `F = stiffness * delta^exponent * max(0, 1 + damping * delta')`; keys `stiffness`, `exponent`, `damping` (s/m).
+    /// `law = "hunt-crossley"`: `F = stiffness * delta^exponent * max(0, 1 + damping * delta')`;
+    /// keys `stiffness`, `exponent`, `damping` (s/m).
     HuntCrossley {
         /// N/m^exponent
         stiffness: f64,
@@ -56,15 +61,17 @@ pub enum StopLaw {
         /// s/m
         damping_s_m: f64,
     },
-    /// `law = "cubic"`: `F = stiffness * delta + cubic_stiffness * delta^3` on both sides of the rest place, of either sign; keys
-    /// `stiffness` (N/m, default 0), `cubic_stiffness` (N/m^3).
+    /// `law = "cubic"`: `F = stiffness * delta + cubic_stiffness * delta^3` on both sides of the
+    /// rest position, with either sign; keys `stiffness` (N/m, default 0), `cubic_stiffness`
+    /// (N/m^3).
     Cubic {
         /// N/m
         stiffness_n_m: f64,
         /// N/m^3
         cubic_stiffness_n_m3: f64,
     },
-    /// `law = "rigid"`: instantaneous rebound with a coefficient of restitution; key `restitution` (0 to 1).
+    /// `law = "rigid"`: instantaneous rebound with a coefficient of restitution; key `restitution`
+    /// (0 to 1).
     Rigid {
         /// dimensionless
         restitution: f64,
@@ -72,8 +79,8 @@ pub enum StopLaw {
 }
 
 impl StopLaw {
-    /// Depth at which a one-sided stop bears a steady force, m: `(F / stiffness)^(1 / exponent)`, 0 for a rigid one; `None` for one that
-    /// acts on both sides.
+    /// Returns the static penetration of a one-sided stop under a force, m: `(F / stiffness)^(1 /
+    /// exponent)`, 0 for a rigid stop; `None` for a two-sided stop.
     pub fn static_penetration_m(&self, force_n: f64) -> Option<f64> {
         match *self {
             StopLaw::Hertz {

@@ -1,7 +1,7 @@
 //! Values whose choice is missing or wrong: `stiffness` without a `law`.
 //!
-//! Which row of the table of keys is meant is not known, so that a value is told only where it is wrong whatever the choice may be, or
-//! where its unit fits and its size does not.
+//! The applicable row of the table of keys is unknown. A value is reported only if it is wrong for
+//! every choice, or if its unit fits and its magnitude does not.
 
 use super::value::{read_number, read_slot};
 use super::{ReadState, join};
@@ -9,16 +9,16 @@ use crate::spec::key::{Key, Range, Slot};
 use crate::spec::nearest::join_words;
 use crate::spec::source::Entry;
 
-/// What one row of the table of keys says of a value.
+/// Verdict of one row of the table of keys on a value.
 enum RowVerdict {
     Good,
-    /// It has the unit of the row, but not a size that is allowed.
+    /// The unit fits the row, but the magnitude is not allowed.
     Size(String),
-    /// It is nothing that the row could read.
+    /// The row cannot read the value.
     Kind(String),
 }
 
-/// Reports what is wrong with the value of a key whose rows all hang on the choice `on`.
+/// Reports the faults of a value of a key whose rows all depend on the choice `on`.
 pub(super) fn check<T>(
     keys: &[Key<T>],
     on: &str,

@@ -1,4 +1,4 @@
-//! From the tree of values to the typed spec, by the table of keys.
+//! Reading of the tree of values into the typed spec, by the table of keys.
 
 mod missing_choice;
 mod table;
@@ -12,17 +12,17 @@ use std::collections::HashMap;
 use super::fault::Faults;
 use super::source::SourcePlace;
 
-/// What comes up while a tree is read.
+/// State of the reading of a tree.
 pub(super) struct ReadState {
-    /// What is wrong so far.
+    /// Faults so far.
     pub(super) found: Vec<ReadFault>,
-    /// Where each key that was read stands, by its dotted path; the keys of tables too.
+    /// Place of each key that was read, by its dotted path; includes the keys of tables.
     pub(super) places: HashMap<String, SourcePlace>,
-    /// False where lines of the file were left out: then nothing is called missing.
+    /// False if lines of the file were skipped; then no key is reported as missing.
     pub(super) complete: bool,
 }
 
-/// Something wrong, and where.
+/// A fault and its place.
 pub(super) struct ReadFault {
     pub(super) place: SourcePlace,
     pub(super) key: String,
@@ -38,7 +38,7 @@ impl ReadState {
         }
     }
 
-    /// Notes a fault; the message names the key. Past the most that is reported nothing is kept.
+    /// Records a fault; the message names the key. Faults beyond the reporting limit are dropped.
     pub(super) fn fault(&mut self, place: SourcePlace, key: &str, text: impl FnOnce() -> String) {
         if self.found.len() < Faults::MAX_REPORTED {
             let message = super::nearest::sentence(key, &text());
@@ -50,7 +50,7 @@ impl ReadState {
         }
     }
 
-    /// Adds broken rules between keys; a key that has a fault already is left alone.
+    /// Adds violated rules between keys; a key that already has a fault is skipped.
     pub(super) fn add_broken(&mut self, broken: Vec<(String, String)>) {
         let told: Vec<String> = self
             .found
@@ -75,7 +75,7 @@ impl ReadState {
         }
     }
 
-    /// Where a key stands, or else the table that would hold it.
+    /// Returns the place of a key, or the place of the table that would contain it.
     fn place(&self, key: &str) -> SourcePlace {
         let mut path = key;
         loop {
@@ -87,13 +87,13 @@ impl ReadState {
         }
     }
 
-    /// True while faults are still kept.
+    /// True while there is room for more faults.
     pub(super) fn has_room(&self) -> bool {
         self.found.len() < Faults::MAX_REPORTED
     }
 }
 
-/// `path.name`, or `name` at the top.
+/// Returns `path.name`, or `name` at the top.
 pub(super) fn join(path: &str, name: &str) -> String {
     if path.is_empty() {
         name.to_owned()

@@ -1,4 +1,4 @@
-//! Tables: which keys stand, which are missing, which are not known.
+//! Tables: present, missing and unknown keys.
 
 use super::value::read_slot;
 use super::{ReadState, join, missing_choice};
@@ -6,7 +6,8 @@ use crate::spec::key::{Key, Kind, Need, Slot, applies, chosen};
 use crate::spec::nearest::{clip, did_you_mean, join_words, nearest};
 use crate::spec::source::{Entry, Node};
 
-/// Reads a table of keys into a thing. Choices come before the keys that depend on them, in the table of keys as here.
+/// Reads a table of keys into an element. Choices precede the keys that depend on them in the table
+/// of keys.
 pub(in crate::spec) fn read_keys<T>(
     keys: &'static [Key<T>],
     path: &str,
@@ -17,7 +18,7 @@ pub(in crate::spec) fn read_keys<T>(
     let Some(entries) = node.entries() else {
         return reading.fault(node.place, path, || {
             format!(
-                "a table is due, [{path}] with its keys below; found {}",
+                "expected a table: write [{path}] with its keys below; found {}",
                 node.found()
             )
         });
@@ -71,7 +72,8 @@ fn first_of_its_name<T>(keys: &[Key<T>], key: &Key<T>) -> bool {
         .is_some_and(|first| std::ptr::eq(first, key))
 }
 
-/// Reports a key that is not there but must be, unless it stands misspelt; true where one is missing.
+/// Reports a required key that is absent, unless a misspelt key replaces it; true if one is
+/// missing.
 fn missing<T>(
     keys: &[Key<T>],
     key: &Key<T>,
@@ -140,7 +142,7 @@ fn check_known<T>(
     );
     reading.fault(entry.place, &key, || {
         format!(
-            "does not go with {} = \"{word}\", only with {}",
+            "does not apply with {} = \"{word}\", only with {}",
             when.key,
             join_words(words.iter().copied())
         )
@@ -168,7 +170,7 @@ fn check_alternatives<T>(keys: &[Key<T>], path: &str, entries: &[Entry], reading
     }
 }
 
-/// Walks a table of the user's own names. `kind` is what stands under each.
+/// Reads a table with names chosen by the user. `kind` is the kind of each entry.
 pub(in crate::spec) fn read_named(
     path: &str,
     node: &Node,
@@ -178,8 +180,10 @@ pub(in crate::spec) fn read_named(
 ) {
     let Some(entries) = node.entries() else {
         let hint = match kind {
-            Kind::Things => format!("things have names: write [{path}.NAME] with its keys below"),
-            _ => format!("a table is due: write [{path}] with NAME = VALUE below"),
+            Kind::Things => {
+                format!("expected named elements: write [{path}.NAME] with its keys below")
+            }
+            _ => format!("expected a table: write [{path}] with NAME = VALUE below"),
         };
         return reading.fault(node.place, path, || {
             format!("{hint}; found {}", node.found())
@@ -192,7 +196,7 @@ pub(in crate::spec) fn read_named(
         if entry.name.is_empty() || !entry.name.chars().all(allowed) {
             reading.fault(entry.place, path, || {
                 format!(
-                    "the name {:?} is not allowed; names are letters a to z, digits, _ and -",
+                    "the name {:?} is not allowed; use the letters a to z and A to Z, digits, _ and -",
                     clip(&entry.name)
                 )
             });
@@ -200,11 +204,8 @@ pub(in crate::spec) fn read_named(
         if matches!(kind, Kind::Things) && entry.node.entries().is_none() {
             strays += 1;
             if strays == 1 {
-                let text = || {
-                    format!(
-                        "this stands where a name is due: write [{path}.NAME] with its keys below"
-                    )
-                };
+                let text =
+                    || format!("expected a name here: write [{path}.NAME] with its keys below");
                 reading.fault(entry.place, &path_of, text);
             }
             continue;

@@ -1,11 +1,11 @@
-//! Values: of the right kind, within their limits.
+//! Reading of values: kind and limits.
 
 use super::{ReadState, read_named};
 use crate::spec::key::{Key, KeyInfo, Kind, Need, Range, Slot};
 use crate::spec::nearest::{clip, did_you_mean, sentence};
 use crate::spec::source::{Node, Value};
 
-/// Reads the value of one key; false where it is wrong.
+/// Reads the value of one key; false if it is wrong.
 pub(super) fn read_slot<T>(
     key: &Key<T>,
     path: &str,
@@ -17,7 +17,8 @@ pub(super) fn read_slot<T>(
     let range = key.info.range;
     match &key.slot {
         Slot::Number { set, .. } | Slot::Derived { set, .. } | Slot::Optional { set, .. } => {
-            // A hole instead of the default: rules between keys must not blame what was not meant.
+            // A hole instead of the default, so rules between keys do not report a value that was
+            // not intended.
             let number = one_number(kind, range, path, node, reading);
             set(thing, number.unwrap_or(f64::NAN));
             number.is_some()
@@ -42,7 +43,7 @@ pub(super) fn read_slot<T>(
         Slot::NamedQuantities { open, .. } => {
             let map = open(thing);
             read_named(path, node, kind, reading, |name, path, node, reading| {
-                // The name stays known, so that references to it are not called wrong too.
+                // The name remains known, so references to it are not reported as wrong.
                 let value = one_number(kind, range, path, node, reading).unwrap_or(f64::NAN);
                 reading.places.insert(path.to_owned(), node.place);
                 map.insert(name.to_owned(), value);
@@ -78,7 +79,7 @@ fn one_number(
     }
 }
 
-/// A number of any kind within its limits, in SI; what is wrong with it otherwise.
+/// Returns a number of any kind within its limits, in SI, or its fault.
 pub(in crate::spec) fn read_number(kind: Kind, range: Range, node: &Node) -> Result<f64, String> {
     let (value, shown) = match (kind, &node.value) {
         (Kind::Quantity(quantity) | Kind::NamedQuantities(quantity), Value::Text(text)) => (
@@ -104,7 +105,7 @@ pub(in crate::spec) fn read_number(kind: Kind, range: Range, node: &Node) -> Res
             (*value, clip(&node.raw))
         }
         (Kind::Numbers | Kind::NamedNumbers, _) => {
-            return Err(format!("a plain number is due; found {}", node.found()));
+            return Err(format!("expected a plain number; found {}", node.found()));
         }
         _ => return Err(format!("{}; found {}", kind.due(), node.found())),
     };

@@ -1,6 +1,6 @@
-//! From offsets to lines and columns.
+//! Conversion of offsets to lines and columns.
 
-/// Where the lines of a text begin.
+/// Offsets at which the lines of a text begin.
 pub(in crate::spec) struct Lines<'t> {
     text: &'t str,
     starts: Vec<usize>,
@@ -20,7 +20,8 @@ impl<'t> Lines<'t> {
         }
     }
 
-    /// Line and column, both from 1, the column in characters; an offset past the end is the end.
+    /// Returns line and column, both from 1, the column in characters; an offset past the end
+    /// counts as the end.
     pub(in crate::spec) fn place(&self, offset: usize) -> (usize, usize) {
         let offset = boundary(self.text, offset);
         let line = self.starts.partition_point(|start| *start <= offset);
@@ -28,7 +29,7 @@ impl<'t> Lines<'t> {
         (line, 1 + self.text[start..offset].chars().count())
     }
 
-    /// The line that holds an offset, without its end: its range in the text.
+    /// Returns the range of the line that contains an offset, without its line break.
     pub(in crate::spec) fn range(&self, offset: usize) -> std::ops::Range<usize> {
         let line = self.starts.partition_point(|start| *start <= offset);
         let end = self
@@ -39,7 +40,7 @@ impl<'t> Lines<'t> {
     }
 }
 
-/// The last start of a character at or before an offset.
+/// Returns the last start of a character at or before an offset.
 pub(super) fn boundary(text: &str, offset: usize) -> usize {
     (0..=offset.min(text.len()))
         .rev()

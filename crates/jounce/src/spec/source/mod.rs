@@ -1,4 +1,4 @@
-//! The text of a spec as a tree of values that know their places.
+//! Text of a spec as a tree of values with their places.
 
 mod lines;
 mod node;

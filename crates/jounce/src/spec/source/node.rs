@@ -5,12 +5,12 @@ use toml_edit::{Item, TableLike};
 use crate::spec::nearest::clip;
 use crate::spec::numeric_key::place_in_list;
 
-/// Where something stands.
+/// Place of a value.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(in crate::spec) enum SourcePlace {
     /// Offset in the text, bytes.
     At(usize),
-    /// The override of this index.
+    /// Override with this index.
     Set(usize),
 }
 
@@ -18,12 +18,12 @@ pub(in crate::spec) enum SourcePlace {
 #[derive(Debug, Clone)]
 pub(in crate::spec) struct Node {
     pub(in crate::spec) place: SourcePlace,
-    /// Numbers as they were written; empty for other values.
+    /// Number as written; empty for other values.
     pub(in crate::spec) raw: String,
     pub(in crate::spec) value: Value,
 }
 
-/// What TOML can say.
+/// Value of a TOML document.
 #[derive(Debug, Clone)]
 pub(in crate::spec) enum Value {
     Text(String),
@@ -47,7 +47,7 @@ pub(in crate::spec) struct Entry {
 }
 
 impl Node {
-    /// Its keys, where it is a table.
+    /// Returns the keys, if this is a table.
     pub(in crate::spec) fn entries(&self) -> Option<&[Entry]> {
         if let Value::Table(entries) = &self.value {
             Some(entries)
@@ -56,13 +56,13 @@ impl Node {
         }
     }
 
-    /// The value under a key, where this is a table that has it.
+    /// Returns the value under a key, if this is a table that has it.
     pub(in crate::spec) fn get(&self, name: &str) -> Option<&Entry> {
         self.entries()?.iter().find(|entry| entry.name == name)
     }
 
-    /// Puts a value under a path; tables are made where they are missing, and what a list holds is counted from 1. False where something
-    /// else stands in the way.
+    /// Stores a value under a path. Missing tables are created; elements of a list are counted from
+    /// 1. False if another value blocks the path.
     pub(in crate::spec) fn put(&mut self, path: &[&str], node: Node) -> bool {
         let Some((name, rest)) = path.split_first() else {
             return false;
@@ -105,7 +105,7 @@ impl Node {
         entries[index].node.put(rest, node)
     }
 
-    /// Takes a key out, if it is there.
+    /// Removes a key, if it exists.
     pub(in crate::spec) fn remove(&mut self, path: &[&str]) {
         let Value::Table(entries) = &mut self.value else {
             return;
@@ -120,7 +120,7 @@ impl Node {
         }
     }
 
-    /// The words for what it is: `the number 5`.
+    /// Returns a description of the value: `the number 5`.
     pub(in crate::spec) fn found(&self) -> String {
         match &self.value {
             Value::Text(text) => format!("the text \"{}\"", clip(text)),
@@ -134,7 +134,7 @@ impl Node {
     }
 }
 
-/// A table with the places of its keys; `parent` is the place for what carries none.
+/// Returns a table with the places of its keys; `parent` is the place of entries without one.
 pub(super) fn entries(text: &str, table: &dyn TableLike, parent: usize) -> Vec<Entry> {
     let entry = |(name, item): (&str, &Item)| {
         let key = table.get_key_value(name).and_then(|(key, _)| key.span());
@@ -158,7 +158,7 @@ fn node(text: &str, item: &Item, parent: usize) -> Node {
     }
 }
 
-/// A value with its places.
+/// Returns a value with its places.
 pub(in crate::spec) fn value_of(text: &str, value: &toml_edit::Value, parent: usize) -> Node {
     let span = value.span().unwrap_or(parent..parent);
     let raw = || text.get(span.clone()).unwrap_or_default().to_owned();
@@ -189,7 +189,7 @@ pub(in crate::spec) fn value_of(text: &str, value: &toml_edit::Value, parent: us
 }
 
 impl Node {
-    /// A value at an offset of the text.
+    /// Returns a value at an offset of the text.
     pub(in crate::spec) fn at(offset: usize, value: Value) -> Self {
         Self {
             place: SourcePlace::At(offset),

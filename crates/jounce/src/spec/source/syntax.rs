@@ -1,7 +1,8 @@
-//! TOML to a tree, past as many syntax errors as can be passed safely.
+//! Conversion of TOML to a tree, past as many syntax errors as is safe.
 //!
-//! After an error the line that causes it is blanked and the rest is read again, so that several errors are reported at once.
-//! A line that is valid on its own is never blamed: then the cause lies elsewhere, and reading stops.
+//! After an error the faulty line is blanked and the text is read again, so several errors are
+//! reported at once. A line that is valid alone is not blanked: then the cause lies elsewhere, and
+//! reading stops.
 
 use toml_edit::Document;
 
@@ -10,23 +11,23 @@ use super::node::{Node, Value, entries};
 use crate::spec::nearest::clip;
 use jounce_units::Decimal;
 
-/// No more syntax errors than this are looked for.
+/// Largest number of reported syntax errors.
 const MAX_SYNTAX_ERRORS: usize = 20;
 
-/// No more bytes than this are read again, because of errors, than the file has.
+/// Largest number of bytes that are read again after errors, in addition to the size of the file.
 const MAX_REREAD_BYTES: usize = 4 << 20;
 
 /// A spec as text and as a tree.
 pub(in crate::spec) struct Source {
-    /// The whole file as a table.
+    /// The complete file as a table.
     pub(in crate::spec) root: Node,
-    /// What is no TOML.
+    /// Syntax errors.
     pub(in crate::spec) errors: Vec<SyntaxError>,
-    /// False where lines had to be left out, so that keys may be missing that the file has.
+    /// False if lines were skipped, so keys of the file may be missing.
     pub(in crate::spec) complete: bool,
 }
 
-/// Something that is no TOML.
+/// A syntax error.
 pub(in crate::spec) struct SyntaxError {
     pub(in crate::spec) offset: usize,
     pub(in crate::spec) key: String,
@@ -67,7 +68,7 @@ pub(in crate::spec) fn parse(text: &str) -> Source {
     source
 }
 
-/// Blanks what an error blames; false where that is not clear.
+/// Blanks the faulty text of an error; false if that is ambiguous.
 fn leave_out(work: &mut String, offset: usize, duplicate: bool) -> bool {
     let lines = Lines::new(work);
     let line = lines.range(offset);
@@ -77,7 +78,8 @@ fn leave_out(work: &mut String, offset: usize, duplicate: bool) -> bool {
     }
     let mut end = line.end;
     if is_header(content) {
-        // The keys below a header go with it: in another table they would mean something else.
+        // The keys below a header are blanked with it; in another table they would have another
+        // meaning.
         while end < work.len() && !is_header(&work[lines.range(end + 1)]) {
             end = lines.range(end + 1).end;
         }
@@ -94,7 +96,7 @@ fn is_header(line: &str) -> bool {
     line.trim_start().starts_with('[')
 }
 
-/// `beam.beam` of `[beam.beam]  # comment`.
+/// Returns `beam.beam` for `[beam.beam]  # comment`.
 fn header_name(line: &str) -> &str {
     line.trim_start()
         .trim_start_matches('[')
@@ -115,7 +117,7 @@ fn duplicated(text: &str, offset: usize, span: &std::ops::Range<usize>) -> Synta
             .map(|first| format!(" (first on line {first})"))
             .unwrap_or_default();
         let message = format!(
-            "[{}] stands twice{told}; give the second one another name, or join the two",
+            "[{}] is defined twice{told}; rename the second one, or merge the two",
             clip(name)
         );
         return SyntaxError {
@@ -155,8 +157,7 @@ fn duplicated(text: &str, offset: usize, span: &std::ops::Range<usize>) -> Synta
     let told = first
         .map(|first| format!(" (first on line {first})"))
         .unwrap_or_default();
-    let message =
-        format!("{path}: the key stands twice in this table{told}; remove one of the two");
+    let message = format!("{path}: the key appears twice in this table{told}; remove one of them");
     SyntaxError {
         offset,
         key: path,
@@ -181,7 +182,7 @@ fn malformed(text: &str, offset: usize, why: &str) -> SyntaxError {
     }
 }
 
-/// The likely slip `frequency = 13 Hz`.
+/// Detects the likely mistake `frequency = 13 Hz`.
 fn unquoted(key: &str, value: &str) -> Option<String> {
     let value = value.split('#').next().unwrap_or_default().trim();
     let (_, unit) = Decimal::split(value)?;
@@ -190,7 +191,7 @@ fn unquoted(key: &str, value: &str) -> Option<String> {
         .starts_with(|c: char| c.is_alphabetic() || c == '\u{b0}');
     begins_a_unit.then(|| {
         format!(
-            "{}: a quantity stands in quotes: \"{}\"",
+            "{}: write the quantity in quotes: \"{}\"",
             clip(key),
             clip(value)
         )

@@ -1,4 +1,5 @@
-//! Circuits: every patch exists and carries one circuit or none on purpose, and wiring says something.
+//! Circuits: every patch exists, has at most one circuit, and floats only if `electrodes` is
+//! `"open"`.
 
 use std::cell::LazyCell;
 use std::collections::BTreeMap;
@@ -9,7 +10,7 @@ use crate::spec::nearest::clip;
 use crate::spec::{Circuit, Electrodes, Spec, Wiring};
 
 pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
-    // Listed once, and only if something is wrong.
+    // Listed once, and only if there is a fault.
     let known = LazyCell::new(|| patches(spec));
     let mut carried: BTreeMap<&str, &str> = BTreeMap::new();
     for (name, circuit) in &spec.circuit {
@@ -27,14 +28,14 @@ pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
             } else if carried.get(patch) == Some(&name.as_str()) {
                 broken.push(key, || {
                     format!(
-                        "patch \"{}\" stands twice in the list; name each patch once",
+                        "patch \"{}\" is listed twice; list each patch once",
                         clip(patch)
                     )
                 });
             } else if let Some(first) = carried.get(patch) {
                 let text = || {
                     format!(
-                        "patch \"{}\" carries circuit \"{}\" already; give each patch one circuit",
+                        "patch \"{}\" already has circuit \"{}\"; give each patch one circuit",
                         clip(patch),
                         clip(first)
                     )
@@ -45,27 +46,26 @@ pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
             }
         }
         if circuit.inductance_h.is_none() && circuit.inductor == Wiring::Series {
-            let text = || {
-                "says how an inductor stands, but there is none; give `inductance` or leave it out"
-                    .to_owned()
-            };
+            let text =
+                || "has no effect without an inductor; give `inductance`, or omit it".to_owned();
             broken.push(|| format!("circuit.{name}.inductor"), text);
         }
         if circuit.resistance_ohm.is_finite() && circuit.battery_v.is_some() {
             let text = || {
-                "has no effect: a battery takes the charge; leave it out, or give `storage` instead of `battery`".to_owned()
+                "has no effect with a battery, which takes the charge; omit it, or give `storage` instead of `battery`".to_owned()
             };
             broken.push(|| format!("circuit.{name}.resistance"), text);
         }
         if circuit.leakage_ohm.is_some() && circuit.battery_v.is_some() {
             let text = || {
-                "has no effect: the voltage of a battery is fixed; leave it out, or give `storage` instead of `battery`".to_owned()
+                "has no effect with a battery, whose voltage is fixed; omit it, or give `storage` instead of `battery`".to_owned()
             };
             broken.push(|| format!("circuit.{name}.leakage_resistance"), text);
         }
         if circuit.wiring == Wiring::Series && circuit.connections().count() == 1 {
             let text = || {
-                "says how several patches are connected, but there is one; name them in `patches` or leave it out".to_owned()
+                "has no effect with a single patch; list several in `patches`, or omit it"
+                    .to_owned()
             };
             broken.push(|| format!("circuit.{name}.wiring"), text);
         }
@@ -73,9 +73,9 @@ pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
     check_electrodes(spec, &carried, broken);
 }
 
-/// No patch floats by mistake, and none that is said to is in a circuit.
+/// Every patch is in a circuit or has open electrodes, but not both.
 fn check_electrodes(spec: &Spec, carried: &BTreeMap<&str, &str>, broken: &mut ValidationFaults) {
-    // Which patch is meant by a circuit that names none, or one that is not there, is not known.
+    // If a circuit names no patch or a patch that does not exist, the intended patch is unknown.
     let named = |circuit: &Circuit| {
         circuit.connections().count() > 0
             && circuit
@@ -101,13 +101,13 @@ fn check_electrodes(spec: &Spec, carried: &BTreeMap<&str, &str>, broken: &mut Va
         let key = || format!("{path}.electrodes");
         match (electrodes, carried.get(name.as_str())) {
             (Electrodes::Circuit, None) if all_named => {
-                let text = "no circuit names this patch, so that it floats; name it in a [circuit.NAME], or give electrodes = \"open\"";
+                let text = "no circuit names this patch, so its electrodes float; name it in a [circuit.NAME], or set electrodes = \"open\"";
                 broken.push(key, || text.to_owned());
             }
             (Electrodes::Open, Some(circuit)) => {
                 let text = || {
                     format!(
-                        "is \"open\", but circuit \"{}\" names this patch; leave one of them out",
+                        "is \"open\", but circuit \"{}\" names this patch; remove one of the two",
                         clip(circuit)
                     )
                 };

@@ -1,4 +1,4 @@
-//! Drives, gravity and free bodies go together.
+//! Compatibility of drives, gravity and free bodies.
 
 use std::cell::LazyCell;
 use std::collections::BTreeSet;
@@ -8,10 +8,11 @@ use super::overlap::free_below;
 use crate::spec::nearest::clip;
 use crate::spec::{Drive, DriveKind, DriveSignal, GROUND, Quantity, Spec};
 
-/// Sine of the angle at which a displacement starts, below which it starts at 0: 180 degrees have that much roundoff.
+/// Sine of the start angle below which a displacement starts at 0; covers the roundoff of 180
+/// degrees.
 const ZERO_START_ANGLE: f64 = 1e-12;
 
-/// Most samples of one drive: 0.8 GB.
+/// Largest number of samples of one drive: 0.8 GB.
 const MAX_DRIVE_SAMPLES: f64 = 1e8;
 
 pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
@@ -53,7 +54,7 @@ pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
         .filter(|(name, mass)| mass.on == "nothing" && !pulled && !met(name))
     {
         let text = || {
-            "is \"nothing\", so the mass would drift for ever: give [gravity] or a [stop.NAME] that it strikes".to_owned()
+            "is \"nothing\", so the mass would drift without bound; add [gravity] or a [stop.NAME] that it strikes".to_owned()
         };
         broken.push(|| format!("mass.{name}.on"), text);
     }
@@ -65,21 +66,21 @@ fn check_kind(name: &str, drive: &Drive, broken: &mut ValidationFaults) {
             DriveKind::BaseDisplacement,
             DriveSignal::Recording { .. } | DriveSignal::Noise { .. },
         ) => {
-            "is \"base-displacement\", but straight lines between samples jump in velocity at each of them, and would strike everything on the \
-             base: give the acceleration, with kind = \"base-acceleration\""
+            "is \"base-displacement\", but linear interpolation jumps in velocity at every sample, an impulse on everything on the \
+             base; give the acceleration with kind = \"base-acceleration\""
         }
         (DriveKind::BaseDisplacement, DriveSignal::VelocityStep { .. }) => {
-            "is \"base-displacement\", but a velocity step is no course of displacement: set kind = \"base-acceleration\""
+            "is \"base-displacement\", but a velocity step is not a displacement signal; set kind = \"base-acceleration\""
         }
         (DriveKind::Force, DriveSignal::VelocityStep { .. }) => {
-            "is \"force\", but a velocity step is one of the base: set kind = \"base-acceleration\""
+            "is \"force\", but a velocity step moves a base; set kind = \"base-acceleration\""
         }
         _ => return,
     };
     broken.push(|| format!("drive.{name}.kind"), || text.to_owned());
 }
 
-/// What beams, masses and stops stand on.
+/// Returns the supports of beams, masses and stops.
 fn supports(spec: &Spec) -> BTreeSet<&str> {
     let beams = spec.beam.values().map(|beam| beam.root.as_str());
     let masses = spec.mass.values().map(|mass| mass.on.as_str());
@@ -89,7 +90,8 @@ fn supports(spec: &Spec) -> BTreeSet<&str> {
         .collect()
 }
 
-/// A base of its own has a name of its own and carries something; a displacement does not begin with a jump.
+/// A base other than the ground has a unique name and supports an element; a displacement starts
+/// without a jump.
 fn check_base<'s, F: FnOnce() -> BTreeSet<&'s str>>(
     spec: &'s Spec,
     supports: &LazyCell<BTreeSet<&'s str>, F>,
@@ -101,18 +103,18 @@ fn check_base<'s, F: FnOnce() -> BTreeSet<&'s str>>(
     let at = clip(base);
     if base.contains('.') || base == "nothing" || spec.mass.contains_key(base) {
         let what = if spec.mass.contains_key(base) {
-            "a mass, which a force moves"
+            "a mass, which only a force moves"
         } else {
-            "no name of a base"
+            "not the name of a base"
         };
         broken.push(key, || {
-            format!("is \"{at}\", {what}; a motion is that of \"ground\" or of a base with a name of its own, on which roots, masses and stops stand")
+            format!("is \"{at}\", {what}; give \"ground\" or the name of a base that supports roots, masses or stops")
         });
     } else if base != GROUND && !supports.contains(base) {
         let text = || {
             format!(
-                "is \"{at}\", a base that carries nothing; name it as the `root` of a beam, the `on` of a mass or the `frame` of a stop, or leave \
-                 `at` out to move the ground"
+                "is \"{at}\", a base that supports nothing; name it as the `root` of a beam, the `on` of a mass or the `frame` of a stop, or omit \
+                 `at` to move the ground"
             )
         };
         broken.push(key, text);
@@ -122,7 +124,7 @@ fn check_base<'s, F: FnOnce() -> BTreeSet<&'s str>>(
         && phase_rad.sin().abs() > ZERO_START_ANGLE
     {
         let text = || {
-            "lets the base jump to another place where the chirp starts; a chirp of displacement starts at 0: leave `phase` out".to_owned()
+            "does not let the displacement start at 0, so the base would jump at the start of the chirp; omit `phase`".to_owned()
         };
         broken.push(|| format!("drive.{name}.phase"), text);
     }
@@ -141,14 +143,20 @@ fn check_signal(spec: &Spec, name: &str, drive: &Drive, broken: &mut ValidationF
             if low_hz >= high_hz {
                 broken.push(
                     || format!("drive.{name}.low"),
-                    || format!("is {}, not below high = {}", hertz(low_hz), hertz(high_hz)),
+                    || {
+                        format!(
+                            "is {}; it must be below high = {}",
+                            hertz(low_hz),
+                            hertz(high_hz)
+                        )
+                    },
                 );
             }
             let least_hz = 4.0 * high_hz;
             if let Some(rate_hz) = sample_rate_hz.filter(|rate_hz| *rate_hz < least_hz) {
                 let text = || {
                     format!(
-                        "is {}; at least four times high = {} is due",
+                        "is {}; it must be at least four times high = {}",
                         hertz(rate_hz),
                         hertz(high_hz)
                     )
@@ -171,7 +179,7 @@ fn check_signal(spec: &Spec, name: &str, drive: &Drive, broken: &mut ValidationF
     if samples > MAX_DRIVE_SAMPLES {
         let text = || {
             format!(
-                "would take {samples:.1e} samples, more than {MAX_DRIVE_SAMPLES:.0e}; shorten the run or lower the frequency"
+                "has {samples:.1e} samples, more than the limit {MAX_DRIVE_SAMPLES:.0e}; shorten the run or lower the frequency"
             )
         };
         broken.push(|| format!("drive.{name}.signal"), text);
@@ -184,7 +192,7 @@ fn check_participation(spec: &Spec, key: &str, what: &str, broken: &mut Validati
     }) {
         let text = || {
             format!(
-                "{what} acts on the mass of each mode: give modal.{}.participation_sqrt_kg",
+                "{what} acts on the mass of each mode; give modal.{}.participation_sqrt_kg",
                 clip(name)
             )
         };

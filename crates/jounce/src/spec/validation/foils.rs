@@ -1,10 +1,10 @@
-//! Foils go with an active layer that is told without them.
+//! Foils apply only to an active layer whose constants exclude them.
 
 use super::ValidationFaults;
 use crate::spec::Spec;
 use crate::spec::nearest::clip;
 
-/// Materials of the library whose constants are those of the composite with its foils.
+/// Library materials whose constants are those of the composite with its foils.
 const FOIL_COMPOSITE_PREFIX: &str = "MFC-";
 
 pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
@@ -18,13 +18,13 @@ pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
             for (key, _) in given.into_iter().filter(|(_, value)| value.is_some()) {
                 broken.push(
                     || format!("patch.{name}.{key}"),
-                    || "has no effect without `foil_thickness`; give both or none".to_owned(),
+                    || "has no effect without `foil_thickness`; give both, or omit both".to_owned(),
                 );
             }
         } else if patch.material.starts_with(FOIL_COMPOSITE_PREFIX) {
             let text = || {
                 format!(
-                    "is given, but the constants of \"{}\" in the library are those of the composite with its foils; give those of the active layer in place of `material`, or leave the foils out",
+                    "does not apply to material \"{}\", whose library constants include the foils; give the constants of the active layer instead of `material`, or omit the foils",
                     clip(&patch.material)
                 )
             };

@@ -1,11 +1,12 @@
-//! Points and patches lie on their beams, patches of one face beside each other.
+//! Points and patches lie on their beams; patches on one face do not overlap.
 
 use std::collections::BTreeMap;
 
 use super::ValidationFaults;
 use crate::spec::{Face, Patch, Quantity, Spec};
 
-/// Lengths that differ by less than this part of the beam are equal: sums of decimal lengths are not exact.
+/// Relative difference, in beam lengths, below which two lengths are equal; sums of decimals are
+/// not exact.
 pub(super) const LENGTH_ROUNDOFF: f64 = 1e-9;
 
 pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
@@ -14,7 +15,7 @@ pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
             if x_m > beam.length_m * (1.0 + LENGTH_ROUNDOFF) {
                 let text = || {
                     format!(
-                        "is {} from the root, but the beam ends at {}",
+                        "is {} from the root; it must not exceed the beam length {}",
                         metres(x_m),
                         metres(beam.length_m)
                     )
@@ -31,7 +32,7 @@ pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
         if end_m(patch) > beam.length_m * (1.0 + LENGTH_ROUNDOFF) {
             let text = || {
                 format!(
-                    "the patch ends {} from the root, but its beam ends at {}",
+                    "the patch ends {} from the root; it must not exceed the beam length {}",
                     metres(end_m(patch)),
                     metres(beam.length_m)
                 )
@@ -41,7 +42,7 @@ pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
         if patch.width_m > beam.width_m * (1.0 + LENGTH_ROUNDOFF) {
             let text = || {
                 format!(
-                    "the patch is {} wide, but its beam is {}",
+                    "the patch is {} wide; it must not exceed the beam width {}",
                     metres(patch.width_m),
                     metres(beam.width_m)
                 )
@@ -50,7 +51,8 @@ pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
         }
         if patch.d33_m_per_v.is_some() != patch.electrode_spacing_m.is_some() {
             let text = || {
-                "`d33` and `electrode_spacing` go together; give both, or `d31` alone".to_owned()
+                "`d33` and `electrode_spacing` require each other; give both, or `d31` alone"
+                    .to_owned()
             };
             broken.push(|| format!("patch.{name}"), text);
         }
@@ -67,7 +69,7 @@ pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
     }
 }
 
-/// Two patches on the two faces of one stretch take the same rule of section.
+/// Two patches at the same position on the two faces have the same section model.
 fn check_facing(
     on_face: &BTreeMap<(&str, bool), Vec<(&str, &Patch)>>,
     broken: &mut ValidationFaults,
@@ -96,7 +98,7 @@ fn check_facing(
 
 fn check_overlap(mut patches: Vec<(&str, &Patch)>, slack_m: f64, broken: &mut ValidationFaults) {
     patches.sort_by(|a, b| a.1.start_m.total_cmp(&b.1.start_m));
-    // The patch that reaches furthest so far, not the one before: a long patch may cover several.
+    // The patch that ends furthest from the root so far, which need not be the previous one.
     let mut furthest = 0;
     for index in 1..patches.len() {
         let ((other, before), (name, patch)) = (patches[furthest], patches[index]);
@@ -104,7 +106,7 @@ fn check_overlap(mut patches: Vec<(&str, &Patch)>, slack_m: f64, broken: &mut Va
             let [start, reach] = [patch.start_m, end_m(before)].map(metres);
             let text = || {
                 format!(
-                    "the patch starts at {start}, but patch \"{other}\" on the same face reaches to {reach}"
+                    "the patch starts at {start}, but patch \"{other}\" on the same face ends at {reach}; move or shorten one of them"
                 )
             };
             broken.push(|| format!("patch.{name}.start"), text);
@@ -119,7 +121,7 @@ fn end_m(patch: &Patch) -> f64 {
     patch.start_m + patch.length_m
 }
 
-/// A length for a message: sums are rounded to what decimals were meant.
+/// Returns a length for a message, rounded to the intended decimals.
 pub(super) fn metres(length_m: f64) -> String {
     let rounded = format!("{length_m:.12e}").parse().unwrap_or(length_m);
     Quantity::Length.write(rounded)

@@ -1,4 +1,4 @@
-//! Layers lie on their beams, beside each other, and under whole patches.
+//! Layers lie on their beams, do not overlap each other, and extend under complete patches.
 
 use super::ValidationFaults;
 use super::geometry::{LENGTH_ROUNDOFF, metres};
@@ -56,7 +56,7 @@ pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
         if cover.end_m > beam.length_m * (1.0 + LENGTH_ROUNDOFF) {
             let text = || {
                 format!(
-                    "the layer ends {} from the root, but its beam ends at {}",
+                    "the layer ends {} from the root; it must not exceed the beam length {}",
                     metres(cover.end_m),
                     metres(beam.length_m)
                 )
@@ -66,7 +66,7 @@ pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
         if layer.width_m > beam.width_m * (1.0 + LENGTH_ROUNDOFF) {
             let text = || {
                 format!(
-                    "the layer is {} wide, but its beam is {}",
+                    "the layer is {} wide; it must not exceed the beam width {}",
                     metres(layer.width_m),
                     metres(beam.width_m)
                 )
@@ -86,12 +86,12 @@ pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
     }
 }
 
-/// A layer and what covers part of the same stretch.
+/// Checks a layer against an element that covers part of the same length.
 fn check_pair(layer: &FaceCover, other: &FaceCover, slack_m: f64, broken: &mut ValidationFaults) {
     if layer.section != other.section {
         let text = || {
             format!(
-                "differs from that of {}, which covers the same stretch; give both the same section",
+                "differs from that of {}, which covers the same part of the beam; give both the same section",
                 other.key
             )
         };
@@ -104,7 +104,7 @@ fn check_pair(layer: &FaceCover, other: &FaceCover, slack_m: f64, broken: &mut V
     if other.key.starts_with("layer.") {
         let text = || {
             format!(
-                "{} covers {start} to {end} of the same face; let one end where the other starts",
+                "{} covers {start} to {end} of the same face; end one layer where the other starts",
                 other.key
             )
         };
@@ -112,7 +112,7 @@ fn check_pair(layer: &FaceCover, other: &FaceCover, slack_m: f64, broken: &mut V
     } else if other.start_m < layer.start_m - slack_m || other.end_m > layer.end_m + slack_m {
         let text = || {
             format!(
-                "{} lies on {start} to {end} of the same face, only partly on it; let it reach under the whole patch or end beside it",
+                "{} covers {start} to {end} of the same face, only partly on this layer; extend the layer under the complete patch, or end it next to the patch",
                 other.key
             )
         };

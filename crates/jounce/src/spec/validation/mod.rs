@@ -1,7 +1,7 @@
 //! Rules between keys: references, geometry, lengths of lists, counts.
 //!
-//! Every rule looks at a typed spec that may have holes where values are missing or wrong: a hole (NaN, an empty text, an empty
-//! list) breaks no rule, because its own fault is told already.
+//! Every rule reads a typed spec with holes (NaN, an empty text, an empty list) where values are
+//! missing or wrong. A hole violates no rule, because its own fault is reported already.
 
 mod circuit;
 mod drives;
@@ -17,10 +17,10 @@ mod support;
 use super::Spec;
 use super::fault::Faults;
 
-/// The key of the fault that there is nothing to simulate.
+/// Key of the fault that the spec has no structure.
 pub(super) const NO_STRUCTURE: &str = "spec";
 
-/// Collects what is broken: dotted key and what is wrong with it.
+/// Collects violations: dotted key and message.
 pub(super) struct ValidationFaults {
     found: Vec<(String, String)>,
 }
@@ -39,7 +39,7 @@ impl ValidationFaults {
     }
 }
 
-/// Every rule that a spec breaks: dotted key and message.
+/// Returns every rule that a spec violates: dotted key and message.
 pub(super) fn broken(spec: &Spec) -> Vec<(String, String)> {
     let mut broken = ValidationFaults { found: Vec::new() };
     reference::check(spec, &mut broken);
@@ -55,7 +55,7 @@ pub(super) fn broken(spec: &Spec) -> Vec<(String, String)> {
     broken.found
 }
 
-/// The first rule that a spec breaks.
+/// Returns the first rule that a spec violates.
 pub(super) fn first(spec: &Spec) -> Option<(String, String)> {
     broken(spec).into_iter().next()
 }

@@ -1,4 +1,4 @@
-//! Lists are as long as there are modes, windows as long as there is time.
+//! Lists have one number per mode; windows fit into the duration.
 
 use super::ValidationFaults;
 use crate::spec::{Modal, Quantity, Reduction, Spec};
@@ -20,7 +20,7 @@ pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
             [run.average_over_s, run.duration_s].map(|time| Quantity::Time.write(time));
         broken.push(
             || "run.average_over".to_owned(),
-            || format!("is {window}, longer than run.duration = {duration}"),
+            || format!("is {window}; it must be at most run.duration = {duration}"),
         );
     }
 }
@@ -31,7 +31,7 @@ fn check_lists(name: &str, modal: &Modal, broken: &mut ValidationFaults) {
     if let Some((index, pair)) = pairs.into_iter().find(|(_, pair)| pair[0] > pair[1]) {
         let text = || {
             format!(
-                "frequencies ascend, but number {} is {} after {}",
+                "frequencies must ascend, but number {} is {} after {}",
                 index + 2,
                 pair[1],
                 pair[0]
@@ -69,7 +69,7 @@ fn check_lists(name: &str, modal: &Modal, broken: &mut ValidationFaults) {
     }
 }
 
-/// Every kept mode needs a damping ratio: one for each mass is given with the mass, the others here.
+/// Every retained mode needs a damping ratio, given with its mass or here.
 fn check_damping(spec: &Spec, broken: &mut ValidationFaults) {
     if spec.beam.is_empty() || spec.damping.beyond.is_some() {
         return;
@@ -81,12 +81,12 @@ fn check_damping(spec: &Spec, broken: &mut ValidationFaults) {
         let except = if damped == 0 {
             String::new()
         } else {
-            format!(", {damped} of them damped by [mass] or [modal]")
+            format!(" ({damped} of them damped by [mass] or [modal])")
         };
         let text = || {
             format!(
-                "has {}, but {kept} modes are kept{except}, so that {wanted} are needed; \
-                 add ratios, give `beyond` for the rest, or lower reduction.modes",
+                "has {}, but {kept} modes are retained{except}, so {wanted} are required; \
+                 add ratios, set `beyond` for the others, or lower reduction.modes",
                 numbers(given)
             )
         };
@@ -94,7 +94,7 @@ fn check_damping(spec: &Spec, broken: &mut ValidationFaults) {
     }
 }
 
-/// Where there are no beams the number of modes is known. The default asks for no more than there are.
+/// Without beams the number of modes is known. The default number never exceeds it.
 fn check_count(spec: &Spec, broken: &mut ValidationFaults) {
     let there = damped_elsewhere(spec);
     let has_hole = spec
@@ -110,12 +110,13 @@ fn check_count(spec: &Spec, broken: &mut ValidationFaults) {
     {
         broken.push(
             || "reduction.modes".to_owned(),
-            || format!("is {wanted}, but the structure has {there} modes"),
+            || format!("is {wanted}; it must not exceed the {there} modes of the structure"),
         );
     }
 }
 
-/// Modes whose damping ratios are given by masses and modal structures; a mass fixed to something has no mode of its own.
+/// Returns the number of modes whose damping ratios are given by masses and modal structures; a
+/// fixed mass has no mode of its own.
 fn damped_elsewhere(spec: &Spec) -> usize {
     spec.mass
         .values()

@@ -1,7 +1,8 @@
-//! Bodies at rest lie beside each other.
+//! Bodies do not overlap at rest.
 //!
-//! A free body is pressed into what it strikes by nothing but the weight that can stand on it, so that at rest it lies at most as deep as
-//! the law of the stop yields to the weight of all that is free. Two free bodies that nothing carries fall together and press nothing.
+//! Only weight presses a free body into a stop. At rest its penetration is at most the static
+//! penetration under the weight of all free bodies. Two unsupported free bodies fall together and
+//! do not press on each other.
 
 use std::collections::BTreeSet;
 
@@ -10,7 +11,8 @@ use super::geometry::metres;
 use crate::spec::nearest::clip;
 use crate::spec::{Quantity, Side, Spec, Start, Stop, StopLaw};
 
-/// Part by which a depth may lie beyond the weight's own: depths are written with few digits.
+/// Relative excess over the static penetration that is allowed, because depths are written with few
+/// digits.
 const DEPTH_ROUNDOFF: f64 = 1e-3;
 
 pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
@@ -25,7 +27,8 @@ pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
             check_held(spec, (name, stop), broken);
             continue;
         };
-        // Under gravity other starts than rest place the bodies elsewhere: a beam that sags makes room.
+        // Under gravity, other starts than rest place the bodies elsewhere: a sagging beam makes
+        // room.
         if pulls(spec) && free.contains(&None) && spec.run.start != Start::Rest {
             continue;
         }
@@ -38,13 +41,13 @@ pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
                 "0".to_owned()
             };
             let why = if most_m > 0.0 {
-                " deeper than weight can press it"
+                " deeper than weight allows"
             } else {
                 ""
             };
             let text = || {
                 format!(
-                    "is {gap}: at rest the free mass \"{}\" would lie inside what it strikes{why}; give at least {least}",
+                    "is {gap}: at rest the free mass \"{}\" would penetrate the stop{why}; give at least {least}",
                     clip(mass)
                 )
             };
@@ -54,8 +57,8 @@ pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
     check_facing(spec, broken);
 }
 
-/// A point of a body that is held, at rest inside a rigid stop: a run from rest cannot begin there. Between two bases that is told when they
-/// are placed.
+/// Refuses a supported point that lies inside a rigid stop at rest, since a run from rest cannot
+/// start there. For two different bases this is checked at placement.
 fn check_held(spec: &Spec, (name, stop): (&str, &Stop), broken: &mut ValidationFaults) {
     let is_rigid = matches!(stop.law, StopLaw::Rigid { .. });
     if is_rigid
@@ -64,7 +67,7 @@ fn check_held(spec: &Spec, (name, stop): (&str, &Stop), broken: &mut ValidationF
     {
         let text = || {
             format!(
-                "is {}: at rest \"{}\" would lie inside the rigid stop; give at least 0, a law that yields (hertz, spring), or a run.start other than \"rest\"",
+                "is {}: at rest \"{}\" would lie inside the rigid stop; give at least 0, a compliant law (hertz, spring), or a run.start other than \"rest\"",
                 metres(stop.gap_m),
                 clip(&stop.at)
             )
@@ -73,7 +76,7 @@ fn check_held(spec: &Spec, (name, stop): (&str, &Stop), broken: &mut ValidationF
     }
 }
 
-/// Two stops on the two sides of one point leave it a place, unless both yield.
+/// Two rigid stops on the two sides of one point must not overlap.
 fn check_facing(spec: &Spec, broken: &mut ValidationFaults) {
     let rigid = |stop: &Stop| matches!(stop.law, StopLaw::Rigid { .. });
     let upper = spec
@@ -94,7 +97,7 @@ fn check_facing(spec: &Spec, broken: &mut ValidationFaults) {
                 let [gap, overlap] = [stop.gap_m, -room_m].map(metres);
                 let text = || {
                     format!(
-                        "is {gap}: it overlaps the rigid stop \"{}\" on the other side by {overlap}, so that nothing fits between them; move one of them out",
+                        "is {gap}: it overlaps the rigid stop \"{}\" on the other side by {overlap}; increase one of the two gaps",
                         clip(other)
                     )
                 };
@@ -110,12 +113,12 @@ fn pulls(spec: &Spec) -> bool {
         .is_some_and(|acceleration| acceleration != 0.0)
 }
 
-/// How deep weight can press the two bodies of a stop into each other, m.
+/// Returns the largest static penetration of a stop under weight, m.
 fn pressed_m(spec: &Spec, stop: &Stop, free: [Option<&str>; 2]) -> f64 {
     let Some(acceleration_m_s2) = spec.gravity.acceleration_m_s2 else {
         return 0.0;
     };
-    // Against what is held the weight must point into the stop; a stack may press both ways.
+    // Against a supported body the weight must point into the stop; a stack may press both ways.
     let towards = if stop.side == Side::Positive {
         acceleration_m_s2
     } else {
@@ -137,7 +140,7 @@ fn pressed_m(spec: &Spec, stop: &Stop, free: [Option<&str>; 2]) -> f64 {
     }
 }
 
-/// Free masses that stand on something held, if only on each other's backs.
+/// Returns the free masses that rest on a supported body, directly or through other free masses.
 fn carried(spec: &Spec) -> BTreeSet<&str> {
     let mut carried = BTreeSet::new();
     for _ in 0..spec.mass.len() {
@@ -154,7 +157,7 @@ fn carried(spec: &Spec) -> BTreeSet<&str> {
     carried
 }
 
-/// Mass of all that nothing holds, kg.
+/// Returns the mass of all unsupported bodies, kg.
 fn free_mass_kg(spec: &Spec) -> f64 {
     let masses = spec
         .mass
@@ -176,7 +179,7 @@ fn free_mass_kg(spec: &Spec) -> f64 {
     masses.chain(beams).chain(patches).chain(layers).sum()
 }
 
-/// The free mass that a point belongs to or stands on.
+/// Returns the free mass that a point belongs to or is supported by.
 pub(super) fn free_below<'s>(spec: &'s Spec, point: &'s str) -> Option<&'s str> {
     let mut body = point.split('.').next().unwrap_or_default();
     for _ in 0..=spec.mass.len() + spec.beam.len() {
@@ -191,7 +194,7 @@ pub(super) fn free_below<'s>(spec: &'s Spec, point: &'s str) -> Option<&'s str> 
     None
 }
 
-/// Three digits are enough to say how deep.
+/// Rounds a depth to three digits for a message.
 fn rounded(length_m: f64) -> f64 {
     format!("{length_m:.2e}").parse().unwrap_or(length_m)
 }

@@ -1,4 +1,5 @@
-//! Pores go with a material whose constants are all known, and say the constants of their patch alone.
+//! Pores require a library material with a full set of constants, and exclude constants given for
+//! the patch.
 
 use super::ValidationFaults;
 use crate::material;
@@ -8,18 +9,18 @@ use crate::spec::{Patch, PatchPores, PoreShape, Spec};
 pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
     for (name, patch) in &spec.patch {
         match patch.pores.porosity {
-            // Told already: spheroids without their aspect ratio.
+            // Reported already: spheroids without their aspect ratio.
             Some(_)
                 if patch.pores.shape == PoreShape::Spheroids
                     && patch.pores.aspect_ratio.is_none() => {}
             Some(porosity) if (0.0..1.0).contains(&porosity) => {
                 check_composite(name, patch, porosity, broken)
             }
-            // Told already: a value outside its range.
+            // Reported already: a value outside its range.
             Some(_) => {}
             None if patch.pores != PatchPores::default() => {
                 let text = || {
-                    "is missing: the shape of pores and the scheme say nothing without it"
+                    "is missing; the shape of the pores and the scheme have no effect without it"
                         .to_owned()
                 };
                 broken.push(|| format!("patch.{name}.porosity"), text);
@@ -42,7 +43,7 @@ fn check_composite(name: &str, patch: &Patch, porosity: f64, broken: &mut Valida
             .join(", ");
         let text = || {
             format!(
-                "is given, but needs all constants of the dense material, which the library has for {known}, not for \"{}\"",
+                "is given, but it requires all constants of the dense material; the library has them for {known}, not for \"{}\"",
                 clip(&patch.material)
             )
         };
@@ -51,7 +52,7 @@ fn check_composite(name: &str, patch: &Patch, porosity: f64, broken: &mut Valida
     let Some(composite) = patch.pores.composite else {
         let text = || {
             format!(
-                "is {porosity}, at which the scheme finds no stiffness left; lower it, or set porosity_scheme = \"mori-tanaka\""
+                "is {porosity}, at which the scheme predicts no stiffness; lower it, or set porosity_scheme = \"mori-tanaka\""
             )
         };
         return broken.push(key, text);
@@ -79,7 +80,7 @@ fn check_composite(name: &str, patch: &Patch, porosity: f64, broken: &mut Valida
     ];
     for (constant, _) in given.into_iter().filter(|(_, differs)| *differs) {
         let text = || {
-            "does not go with `porosity`, which gives all constants of the patch; leave one of them out".to_owned()
+            "does not apply with `porosity`, which sets all constants of the patch; omit one of the two".to_owned()
         };
         broken.push(|| format!("patch.{name}.{constant}"), text);
     }

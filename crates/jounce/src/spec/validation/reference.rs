@@ -1,4 +1,4 @@
-//! References lead to things that exist, and to one thing only.
+//! References name existing elements without ambiguity.
 
 use std::cell::LazyCell;
 
@@ -26,7 +26,8 @@ pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
             );
         }
     }
-    // Listed once, and only if something is wrong: a huge file may have many points and many wrong references.
+    // Listed once, and only if there is a fault; a huge file may have many points and many wrong
+    // references.
     let points = LazyCell::new(|| points(spec));
     for (name, drive) in spec
         .drive
@@ -81,7 +82,7 @@ fn check_names(spec: &Spec, broken: &mut ValidationFaults) {
     {
         let text = || {
             format!(
-                "there is a beam of this name too, so that \"{}.end\" would be ambiguous; rename one",
+                "a beam has this name too, so \"{}.end\" is ambiguous; rename one of them",
                 clip(name)
             )
         };
@@ -93,9 +94,9 @@ fn check_names(spec: &Spec, broken: &mut ValidationFaults) {
     {
         let text = || {
             format!(
-                "the name \"{taken}\" is taken{}; choose another",
+                "the name \"{taken}\" is reserved{}; choose another",
                 if taken == GROUND {
-                    " by the ground"
+                    " for the ground"
                 } else {
                     ""
                 }

@@ -1,4 +1,5 @@
-//! What stands on what: supports exist, none holds itself up, springs and rotary inertias go where they mean something.
+//! Supports: they exist, form no loop, and springs and rotary inertias are used only where they
+//! have an effect.
 
 use std::cell::LazyCell;
 use std::collections::BTreeSet;
@@ -11,7 +12,7 @@ use crate::spec::{Beam, GROUND, Mass, Spec, Start};
 const NO_SUPPORT: &str = "nothing";
 
 pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
-    // Listed once, and only if something is wrong.
+    // Listed once, and only if there is a fault.
     let places = LazyCell::new(|| places(spec));
     for (name, beam) in &spec.beam {
         check_support(
@@ -66,12 +67,12 @@ fn check_support<F: FnOnce() -> Vec<String>>(
                 .chain(places.iter().map(String::as_str))
         };
         broken.push(key, || {
-            unknown("mass or point", support, "what it can stand on", names)
+            unknown("mass or point", support, "possible supports", names)
         });
     }
 }
 
-/// Masses, and points of beams but their roots.
+/// Returns masses, and points of beams except their roots.
 fn places(spec: &Spec) -> Vec<String> {
     let of_beam = |(name, beam): (&String, &Beam)| -> Vec<String> {
         beam.point
@@ -88,23 +89,24 @@ fn places(spec: &Spec) -> Vec<String> {
         .collect()
 }
 
-/// A mass on a spring has a damping ratio; one without is fixed to a mass or a beam, or free.
+/// A mass on a spring has a damping ratio; a mass without a spring is free or fixed to a mass or a
+/// beam.
 fn check_mass(spec: &Spec, name: &str, mass: &Mass, broken: &mut ValidationFaults) {
     let on = mass.on.as_str();
     match (mass.stiffness_n_m, mass.damping_ratio) {
         (None, _) if spec.is_base(on) => broken.push(
             || format!("mass.{name}"),
-            || "one of `frequency` or `stiffness` is missing: on the ground or another base a mass needs a spring; on = \"nothing\" makes it free".into(),
+            || "one of `frequency` or `stiffness` is missing; a mass on the ground or another base needs a spring (on = \"nothing\" makes it free)".into(),
         ),
         (Some(_), _) if on == NO_SUPPORT => {
-            broken.push(|| format!("mass.{name}.on"), || "is \"nothing\", but the mass has a spring; leave one of them out".into())
+            broken.push(|| format!("mass.{name}.on"), || "is \"nothing\", but the mass has a spring; remove the spring, or name its support".into())
         }
         (Some(_), None) => {
-            broken.push(|| format!("mass.{name}"), || "`damping_ratio` is missing; a plain number is due, without quotes".into())
+            broken.push(|| format!("mass.{name}"), || "`damping_ratio` is missing; expected a plain number without quotes or unit".into())
         }
         (None, Some(_)) => broken.push(
             || format!("mass.{name}.damping_ratio"),
-            || "does not go with a mass without spring: it has no mode of its own; give `frequency` or `stiffness` too".into(),
+            || "does not apply to a mass without a spring, which has no mode of its own; give `frequency` or `stiffness` too".into(),
         ),
         _ => {}
     }
@@ -115,14 +117,14 @@ fn check_mass(spec: &Spec, name: &str, mass: &Mass, broken: &mut ValidationFault
         broken.push(
             || format!("mass.{name}.rotary_inertia"),
             || {
-                "has no effect: only a mass without spring on a point of a beam turns; leave it out"
+                "has no effect: only a mass without a spring on a point of a beam rotates; omit it"
                     .into()
             },
         );
     }
 }
 
-/// A mass that moves by itself, and carries no beam, may have a velocity of its own.
+/// A velocity is allowed for a free mass or a mass on a spring that carries no beam.
 fn check_velocity(spec: &Spec, name: &str, mass: &Mass, broken: &mut ValidationFaults) {
     if mass
         .velocity_m_s
@@ -133,7 +135,7 @@ fn check_velocity(spec: &Spec, name: &str, mass: &Mass, broken: &mut ValidationF
     let key = || format!("mass.{name}.velocity");
     if mass.stiffness_n_m.is_none() && mass.on != NO_SUPPORT {
         broken.push(key, || {
-            "does not go with a mass that is fixed to what it stands on; give it to a mass that is free or on a spring".into()
+            "does not apply to a mass that is fixed to its support; give it to a free mass or a mass on a spring".into()
         });
     }
     if let Some((beam, _)) = spec
@@ -143,18 +145,18 @@ fn check_velocity(spec: &Spec, name: &str, mass: &Mass, broken: &mut ValidationF
     {
         let text = || {
             format!(
-                "is that of the mass alone, which would tear the root of beam \"{}\" off the rest of it; give a [drive.NAME] with signal = \"velocity-step\" instead",
+                "is that of the mass alone, but the root of beam \"{}\" is clamped to the mass; give a [drive.NAME] with signal = \"velocity-step\" instead",
                 clip(beam)
             )
         };
         broken.push(key, text);
     }
     if matches!(spec.run.start, Start::State(_)) {
-        broken.push(key, || "has no effect: the file of run.start has the velocities of its run; leave one of them out".into());
+        broken.push(key, || "has no effect: the state file of run.start contains the velocities; omit one of the two".into());
     }
 }
 
-/// Friction is that of a free mass which carries nothing that moves by itself.
+/// Friction is allowed for a free mass that carries no moving element.
 fn check_friction(spec: &Spec, name: &str, mass: &Mass, broken: &mut ValidationFaults) {
     if mass.friction_n_s_m.is_none() {
         return;
@@ -162,9 +164,9 @@ fn check_friction(spec: &Spec, name: &str, mass: &Mass, broken: &mut ValidationF
     let key = || format!("mass.{name}.friction");
     if mass.stiffness_n_m.is_some() {
         broken
-            .push(key, || "does not go with a mass on a spring: what it loses is told by its `damping_ratio`; leave `friction` out".into());
+            .push(key, || "does not apply to a mass on a spring, whose loss is set by `damping_ratio`; omit `friction`".into());
     } else if mass.on != NO_SUPPORT && !mass.on.is_empty() {
-        broken.push(key, || "is for a free mass that moves in a channel; give on = \"nothing\", or leave `friction` out".into());
+        broken.push(key, || "is for a free mass that moves in a channel; set on = \"nothing\", or omit `friction`".into());
     }
     let beams = spec
         .beam
@@ -181,7 +183,7 @@ fn check_friction(spec: &Spec, name: &str, mass: &Mass, broken: &mut ValidationF
     {
         let text = || {
             format!(
-                "does not go with a mass that carries what moves by itself, here {}; leave one of them out",
+                "does not apply to a mass that carries a moving element, here {}; remove one of the two",
                 clip(&other)
             )
         };
@@ -189,7 +191,7 @@ fn check_friction(spec: &Spec, name: &str, mass: &Mass, broken: &mut ValidationF
     }
 }
 
-/// True where a support turns with a beam; `depth` bounds the walk.
+/// True if a support rotates with a beam; `depth` bounds the recursion.
 fn turns_with(spec: &Spec, support: &str, depth: usize) -> bool {
     match (support.contains('.'), spec.mass.get(support)) {
         (true, _) => true,
@@ -200,7 +202,7 @@ fn turns_with(spec: &Spec, support: &str, depth: usize) -> bool {
     }
 }
 
-/// Follows every support downwards; one that comes back to where it began is told once, at its first name.
+/// Follows every support downwards; a loop is reported once, at its first name.
 fn check_cycles(spec: &Spec, broken: &mut ValidationFaults) {
     let below = |(is_beam, name): (bool, &str)| -> Option<(bool, String)> {
         let support = if is_beam {
@@ -247,7 +249,7 @@ fn check_cycles(spec: &Spec, broken: &mut ValidationFaults) {
                     || key,
                     || {
                         format!(
-                            "nothing holds these up: {names}; let one of them stand on the ground"
+                            "these support each other in a loop: {names}; put one of them on the ground"
                         )
                     },
                 );
