@@ -75,7 +75,7 @@ impl SwitchMap {
         }
     }
 
-    /// Returns a switch without effect.
+    /// Returns the map of a switch without effect.
     fn left(volts: [f64; 2]) -> Self {
         Self {
             volts,
@@ -85,7 +85,7 @@ impl SwitchMap {
         }
     }
 
-    /// Returns a half oscillation through an inductor into the storage: the voltage inverts about
+    /// Returns the map of a half oscillation through an inductor into the storage: the voltage inverts about
     /// the voltage against which it conducts.
     fn swung(bridge: &Bridge, inversion: f64, both: &Capacitances, volts: [f64; 2]) -> Self {
         let mut flip = Self::left(volts);
@@ -111,7 +111,7 @@ impl SwitchMap {
         flip
     }
 
-    /// Returns the extraction of all energy of the patches.
+    /// Returns the map of an extraction of all energy of the patches.
     fn extracted(bridge: &Bridge, efficiency: f64, both: &Capacitances, volts: [f64; 2]) -> Self {
         let mut flip = Self {
             volts: [0.0, volts[1]],
