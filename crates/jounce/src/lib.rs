@@ -35,7 +35,7 @@ pub mod structure;
 pub mod study;
 pub mod table;
 
-/// The Rust code of the README, compiled with the documentation tests.
+/// Rust code of the README, compiled with the documentation tests.
 #[cfg(doctest)]
 #[doc = include_str!("../../../README.md")]
 mod readme {}

@@ -156,7 +156,7 @@ fn smooth_series(nodes: &[f64; NODES]) -> Vec<F64x8> {
         .collect()
 }
 
-/// Returns the Legendre coefficients through those of the powers of `x`.
+/// Returns the Legendre coefficients, computed from the coefficients of the powers of `x`.
 fn singular_series(nodes: &[f64; NODES], n: f64, q: f64) -> Vec<F64x8> {
     let powers: Vec<Vec<f64>> = (0..NODES)
         .map(|m| power_series(n + q * m as f64, SINGULAR_TERMS))

@@ -1,16 +1,17 @@
 //! Proof that a flight step is free of contact.
 //!
-//! Let `g(t)` be the distance past the stop (negative in flight) on a step of length `h`, split into a slow part, whose fourth
-//! derivative is bounded by `M`, and a fast part `f` bounded by `A` with its rate bounded by `B`. The cubic Hermite interpolant
-//! `H` of the slow part satisfies `|slow - H| <= M t^2 (h - t)^2 / 24`, hence both
+//! Let `g(t)` be the distance past the stop (negative in flight) on a step of length `h`. It is
+//! split into a slow part, whose fourth derivative is bounded by `M`, and a fast part `f`, bounded
+//! by `A` with its rate bounded by `B`. The cubic Hermite interpolant `H` of the slow part
+//! satisfies `|slow - H| <= M t^2 (h - t)^2 / 24`, hence both
 //!
 //! ```text
 //! g(t) <= H(t) + M t^2 (h - t)^2 / 24 + A,
 //! g(t) <= H(t) + M t^2 (h - t)^2 / 24 + f(0) + B t,
 //! ```
 //!
-//! two quartics. The Bernstein coefficients of each on `[0, h]` are those of `H` raised to degree
-//! four. `M h^4 / 144` is added to the middle one, and the constant or the line to all. A
+//! two quartics. The Bernstein coefficients of each on `[0, h]` are the coefficients of `H` raised
+//! to degree four. `M h^4 / 144` is added to the middle one, and the constant or the line to all. A
 //! polynomial is bounded by its largest coefficient: if all of one quartic are negative, there is
 //! no contact in the step, grazing included. Blocks decay between contacts, so `M`, `A` and `B` at
 //! the start of the step bound the complete step.

@@ -1,6 +1,6 @@
-//! Tables of a contact step of one length, computed once per plant: exact flow, Duhamel weights of
-//! the contact force, rows of the port displacement at the nodes, and the work of the force on the
-//! energy meters.
+//! Tables of a contact step of one length, computed once per plant. They hold the exact flow, the
+//! Duhamel weights of the contact force, the rows of the port displacement at the nodes, and the
+//! work of the force on the energy meters.
 
 use super::basis::{BasisFunctions, NODES};
 use super::duhamel::Duhamel;
@@ -123,7 +123,7 @@ pub(super) fn reach(push: &[F64x8; NODES]) -> f64 {
 pub struct StickingTable {
     /// Relative acceleration of the port, without the direct effect of the force.
     pub acceleration: OutputRow,
-    /// From free accelerations at the nodes to the nodal forces that cancel them, kg.
+    /// Matrix from free accelerations at the nodes to the nodal forces that cancel them, kg.
     pub inverse: [[f64; NODES]; NODES],
 }
 

@@ -1,6 +1,6 @@
 //! Effect of the nodal forces of a step on the blocks: the integrals `int f a dt` and `int f b dt`
-//! of the entries of the flow (see [`super::flow_row`]), counted from the start of the step and
-//! towards its end.
+//! of the entries of the flow (see [`super::flow_row`]). They are counted from the start of the
+//! step and towards its end.
 //!
 //! Integrals towards the end move the state: `y(h) = e^{A h} y(0) + int f(t) e^{A (h - t)} c dt`
 //! (Duhamel). Integrals from the start give the work of the force on the free motion:

@@ -179,8 +179,8 @@ impl Integrator<'_> {
     }
 
     /// Returns the magnitude of the potential energy of constant drives, J, including the
-    /// displacement that sinusoids would give the free plant: a ball at rest on a shaken table has
-    /// no other scale.
+    /// displacement of the free plant under sinusoids: a ball at rest on a shaken table has no
+    /// other scale.
     fn potential_j(&self) -> f64 {
         let (plant, x) = (&self.kernel.plant, self.physical());
         let driven = |i: usize| -> f64 {

@@ -74,8 +74,8 @@ fn reciprocal<W: Simd>(w: W, [a, b]: [W::Register; 2]) -> [W::Register; 2] {
 /// Decay over a step above which a real rate needs fewer coefficients than a complex one.
 const STIFF_DECAY: f64 = 300.0;
 
-/// Returns the number of coefficients of a block on a step. Those of a decay `e^{-z x}` fall off
-/// like `e^{-n^2 / z}`, those of a complex pair only beyond `|z| / 2`.
+/// Returns the number of coefficients of a block on a step. For a decay `e^{-z x}` they fall off
+/// like `e^{-n^2 / z}`, for a complex pair only beyond `|z| / 2`.
 pub fn terms(part: &BlockOnStep, basis: &BasisFunctions, h: f64) -> usize {
     let z = h * part.rate().norm();
     let own = if z > STIFF_DECAY && part.rate().im == 0.0 {

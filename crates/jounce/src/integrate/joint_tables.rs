@@ -113,7 +113,7 @@ impl<'a> JointTables<'a> {
         }
     }
 
-    /// Returns the table of a port by its index among those of the step.
+    /// Returns the table of a port by its index among the ports of the step.
     #[inline(always)]
     pub fn own(&self, place: usize) -> &ContactTable {
         &self.own[place]

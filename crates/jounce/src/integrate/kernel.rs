@@ -21,7 +21,7 @@ use std::sync::{Arc, OnceLock};
 pub enum ForceBasis {
     /// Inside a contact.
     Smooth,
-    /// The first step of a contact.
+    /// Basis of the first step of a contact.
     Onset,
 }
 

@@ -21,7 +21,7 @@ pub struct OutputRow {
 /// Evaluation of a row.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum RowReading {
-    /// At the nodes and at the end of the step.
+    /// Values at the nodes and at the end of the step.
     Pointwise,
     /// Integrated over the step against each function of the basis; the eighth lane is 0.
     Integral,

@@ -234,7 +234,8 @@ impl Integrator<'_> {
     }
 
     /// Returns the scale for speed errors of a sticking port: the largest impact speed, or the
-    /// terms of its velocity where bodies that push each other from rest have never had an impact.
+    /// terms of its velocity. The latter are needed where bodies push each other from rest without
+    /// any impact.
     pub(super) fn speed_m_s(&self, p: usize) -> f64 {
         self.ports[p]
             .impact_velocity_m_s

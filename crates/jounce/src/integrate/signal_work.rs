@@ -19,7 +19,7 @@ use crate::plant::{LOCAL_TERMS, SignalIntegrals, SignalSample};
 use crate::simd::{F64x8, LANES, Portable};
 use faer::c64;
 
-/// Sums since the start of an integration, and those of the current piece.
+/// Sums since the start of an integration, and sums over the current piece.
 #[derive(Debug, Clone)]
 pub(super) struct SignalWork {
     sums: SignalIntegrals,

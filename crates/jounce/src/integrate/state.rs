@@ -99,7 +99,7 @@ pub fn dot_abs<W: Simd>(w: W, row: &[F64x8], y: &[F64x8]) -> f64 {
     w.sum(sum)
 }
 
-/// Returns magnitudes of a row times those of a state, both padded.
+/// Returns magnitudes of a row times magnitudes of a state, both padded.
 #[inline(always)]
 pub fn dot_of_magnitudes<W: Simd>(w: W, row: &[F64x8], y: &[F64x8]) -> f64 {
     let mut sum = w.zero();

@@ -25,9 +25,9 @@ use faer::c64;
 pub enum BlockOnStep {
     /// Complex pair `u + i v`.
     Turning(c64),
-    /// A double real rate.
+    /// Double real rate.
     Double(f64),
-    /// A single real rate.
+    /// Single real rate.
     Single(f64),
 }
 
@@ -296,7 +296,7 @@ mod tests {
                 1,
             ),
         );
-        // second in place 7: x e^{z x}
+        // second in lane 7: x e^{z x}
         let powers = legendre(0.7, answers.second.len());
         let second: f64 = answers
             .second

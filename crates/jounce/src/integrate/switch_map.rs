@@ -6,9 +6,8 @@
 //! extraction      V -> 0,            V_s -> sqrt(V_s^2 + n C V^2 / C_s)
 //! ```
 //!
-//! `V`, `C` are those of the patches, `V_s`, `C_s` those of the storage (`C_s` is absent for a
-//! battery). `s` is the sign of `V`, `E` the threshold of the path, `q` the inversion and `n` the
-//! efficiency.
+//! `V`, `C` belong to the patches, `V_s`, `C_s` to the storage (`C_s` is absent for a battery). `s`
+//! is the sign of `V`, `E` the threshold of the path, `q` the inversion and `n` the efficiency.
 
 use super::rectified::RectifiedEnergies;
 use crate::plant::{Bridge, Plant, Scheme, Storage};

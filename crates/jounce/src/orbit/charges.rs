@@ -1,4 +1,4 @@
-//! Charges conserved over a period: those of open patches, and of patches behind diodes that never
+//! Charges conserved over a period: on open patches, and on patches behind diodes that never
 //! conduct.
 //!
 //! ```text

@@ -42,7 +42,7 @@ pub enum OrbitError<H: std::error::Error> {
     },
     /// Harmonic balance with a free body.
     #[error(
-        "harmonic balance needs a stiffness on every body, and a body of this harvester has none: a constant force would move it without limit; use the method shooting, or add a stiffness"
+        "harmonic balance needs a stiffness on every body, and a body of this harvester has no stiffness: a constant force would move it without limit; use the method shooting, or add a stiffness"
     )]
     Free,
     /// Harmonic balance with diodes or switches.

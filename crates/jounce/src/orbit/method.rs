@@ -32,7 +32,7 @@ pub trait OrbitMethod: Problem<Error = OrbitError<Self::Fault>> {
     fn unknown_of(&self, state: &[f64], parameter: f64) -> Result<Vec<f64>, Self::Error>;
 
     /// Returns the distance of the solution at a point from the curve of the exact flow, divided by
-    /// the allowed distance. `parameter_scale` is the one of the metric. A method on the exact flow
+    /// the allowed distance. `parameter_scale` belongs to the metric. A method on the exact flow
     /// returns 0.
     ///
     /// # Errors

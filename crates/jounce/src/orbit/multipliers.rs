@@ -10,7 +10,7 @@
 //! ```
 //!
 //! Where the product is below [`DECOUPLED_BLOCK`], the eigenvalues of the block are computed
-//! separately; those of the rest cost the cube of their number. The map is balanced first: row and
+//! separately; the remaining ones cost the cube of their number. The map is balanced first: row and
 //! column of each state get equal lengths, and no eigenvalue changes.
 //!
 //! Source: B. N. Parlett and C. Reinsch, Numer. Math. 13 (1969) 293; G. W. Stewart and J. Sun, *Matrix Perturbation Theory* (1990), ch. V.

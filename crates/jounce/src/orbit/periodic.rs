@@ -1,4 +1,4 @@
-//! A periodic orbit and its stability.
+//! Periodic orbit and its stability.
 
 use faer::{ColRef, Mat, c64};
 
@@ -95,8 +95,7 @@ impl Orbit {
         self.shorter_period().is_some()
     }
 
-    /// Returns the smallest number of cycles, below that of the period, after which the orbit
-    /// repeats.
+    /// Returns the smallest number of cycles, fewer than the period, after which the orbit repeats.
     pub fn shorter_period(&self) -> Option<u32> {
         let apart =
             |look: &[f64]| (ColRef::from_slice(look) - ColRef::from_slice(self.start())).norm_l2();

@@ -5,9 +5,10 @@
 //! ```
 //!
 //! `u` are coordinates whose squares are energies. They remain meaningful when a load, stop or
-//! drive changes, and their size at a peak is the size of the motion. The derivative is the one of
-//! the flow (see [`crate::integrate::FlowSensitivity`]), cycle by cycle. With respect to the
-//! parameter it is exact for drive, gap and stiffness, and a difference quotient otherwise.
+//! drive changes, and their size at a peak is the size of the motion. The derivative follows from
+//! the derivative of the flow (see [`crate::integrate::FlowSensitivity`]), cycle by cycle. With
+//! respect to the parameter it is exact for drive, gap and stiffness, and a difference quotient
+//! otherwise.
 
 use super::charges::{conserved_charges, without_conserved};
 use super::{
@@ -22,7 +23,7 @@ use std::sync::OnceLock;
 /// Shooting method for the orbits of a harvester.
 #[derive(Debug)]
 pub struct Shooting<'h, H> {
-    /// The harvester.
+    /// Family of harvesters.
     pub harvester: &'h H,
     /// Drive cycles in the period.
     pub cycles: u32,
@@ -60,7 +61,7 @@ impl<'h, H: ParametricModel> Shooting<'h, H> {
         }
     }
 
-    /// Fixes the conserved charges at those of a physical state.
+    /// Fixes the conserved charges at the charges of a physical state.
     #[must_use]
     pub fn charged_as(mut self, physical: &[f64]) -> Self {
         self.charged = self.unknown(physical);

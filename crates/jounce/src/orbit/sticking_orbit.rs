@@ -1,8 +1,8 @@
 //! Periodic motion that sticks to a rigid stop in every period.
 //!
-//! Where a point comes to rest, the derivative of the flow loses rank. What precedes the end of an
-//! infinite sequence of impacts has no derivative that an integration could propagate. Such an
-//! orbit is the motion that an integration has settled on.
+//! Where a point comes to rest, the derivative of the flow loses rank. The end of an infinite
+//! sequence of impacts leaves no derivative that an integration could propagate. Such an orbit is
+//! the motion that an integration has settled on.
 
 use super::{Orbit, OrbitError, ParametricModel, Shooting, ShootingEvaluation};
 use crate::integrate::{Integrator, SensitivityError};

@@ -35,8 +35,8 @@ pub struct TurningPoint {
     pub past_m: f64,
     /// True for a maximum.
     pub is_maximum: bool,
-    /// True where an impact on a rigid stop replaces the turning point: the distance is the one of
-    /// the motion without the impact.
+    /// True where an impact on a rigid stop replaces the turning point: the distance belongs to the
+    /// motion without the impact.
     pub is_struck: bool,
 }
 
@@ -68,7 +68,7 @@ impl TurningPoint {
 }
 
 /// Returns the turning point (maximum or minimum) of any port nearest to the surface of its stop;
-/// `None` without one. Laws that act on both sides of their surface have none.
+/// `None` without one. Laws that act on both sides of their surface have no turning points.
 pub fn nearest_turn(shot: &ShootingEvaluation) -> Option<TurningPoint> {
     let cycle_s = shot.period_s / shot.trajectories.len() as f64;
     let stops = &shot.kernel.plant.system.stops;

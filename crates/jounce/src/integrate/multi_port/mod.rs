@@ -12,11 +12,12 @@
 //!   delta_p = free_p + sum_q D_pq f_q,   f_p = F_p(delta_p, delta_p'),
 //!   ```
 //!
-//!   a fixed point that converges like that of one port. The same certificate monitors the ports in
-//!   flight; the forces add a known cubic and a bounded remainder (see [`super::forced_flight`]).
-//!   Where this proves neither flight nor a first crossing, the step is shortened, down to a length
-//!   on which the remainder is below the resolution of the certificate. A single compliant port in
-//!   contact is solved as in [`super::contact_step`]; the others are monitored.
+//!   a fixed point that converges like the one of a single port. The same certificate monitors the
+//!   ports in flight; the forces add a known cubic and a bounded remainder (see
+//!   [`super::forced_flight`]). Where this proves neither flight nor a first crossing, the step is
+//!   shortened, down to a length on which the remainder is below the resolution of the certificate.
+//!   A single compliant port in contact is solved as in [`super::contact_step`]; the others are
+//!   monitored.
 //! - *A port too far off* for an impact within a step is not monitored (see [`clearance`]).
 //! - *An impact during a contact* ends the step there, by Newton on its length, so that the new
 //!   contact starts on its own onset.

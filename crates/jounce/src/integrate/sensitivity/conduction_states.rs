@@ -24,7 +24,7 @@ use faer::{Mat, c64};
 
 /// Recorded integration with its end.
 pub struct ConductionRoute<'a> {
-    /// The kernel with all bridges blocked.
+    /// Kernel with all bridges blocked.
     pub base: &'a Kernel,
     pub drift: &'a ParameterSensitivity,
     pub trajectory: &'a Trajectory,
@@ -74,7 +74,7 @@ impl ConductionRoute<'_> {
             .map_err(crate::integrate::IntegrationError::from)?)
     }
 
-    /// Converts from the block coordinates of one conduction state to those of another.
+    /// Converts between the block coordinates of two conduction states.
     fn carry(
         &self,
         tangents: &mut Tangents,
@@ -169,7 +169,7 @@ impl ConductionRoute<'_> {
         Ok((tangents, Some(delay_s)))
     }
 
-    /// Returns the delay of the zero of the current of a bridge, s; `rate` is that of the physical
+    /// Returns the delay of the zero of the current of a bridge, s; `rate` belongs to the physical
     /// state.
     fn delay_s(&self, tangents: &Tangents, bridge: usize, rate: &[f64]) -> Vec<F64x8> {
         let (plant, w) = (&self.base.plant, Portable::new());

@@ -5,7 +5,7 @@ use crate::integrate::basis::NODES;
 use crate::simd::{F64x8, Simd};
 
 /// `A x = r` for the nodes of one or several ports: each node has a row with its entries of `A`,
-/// one vector per port, followed by those of `r`.
+/// one vector per port, followed by its entries of `r`.
 #[derive(Debug)]
 pub struct NodeSystem {
     ports: usize,

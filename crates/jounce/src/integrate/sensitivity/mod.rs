@@ -8,14 +8,14 @@
 //! impact       dy+ = dy- + b m (c' dy + dv) - (b m a - A b p) (c dy + dw) / v,   m = (1 + e) / M
 //! ```
 //!
-//! `J`, `J'` are the slopes of the law at the nodes of the step (N/m, N s/m), `D`, `D'` the Duhamel
-//! weights of displacement and velocity, `C`, `C'` their columns, `B` the effect of the nodal
-//! forces on the end of the step. This is the linearisation of the equations that the integration
-//! has solved; with several ports in contact it is one system for all their nodes. `b`, `c`, `c'`
-//! are the force column and the rows of the port, `v` the impact speed, `a` the acceleration before
-//! the impact, `p` the impulse. `dw`, `dv` (m, m/s per unit of the parameter) are the derivatives
-//! of the motion of the port by the parameter at a fixed state. `k` is the relative derivative of
-//! the force (see [`ParameterSensitivity`]).
+//! `J`, `J'` are the slopes of the law at the nodes of the step (N/m, N s/m). `D`, `D'` are the
+//! Duhamel weights of displacement and velocity, and `C`, `C'` their columns. `B` is the effect of
+//! the nodal forces on the end of the step. This is the linearisation of the equations that the
+//! integration has solved; with several ports in contact it is one system for all their nodes. `b`,
+//! `c`, `c'` are the force column and the rows of the port, `v` the impact speed, `a` the
+//! acceleration before the impact, `p` the impulse. `dw`, `dv` (m, m/s per unit of the parameter)
+//! are the derivatives of the motion of the port by the parameter at a fixed state. `k` is the
+//! relative derivative of the force (see [`ParameterSensitivity`]).
 //!
 //! The derivative of a contact that starts like `t^1.5` varies like `t^0.5` at a fixed time, which
 //! its basis cannot represent. It varies like `t^1.5` when the time is counted from the start of
@@ -86,7 +86,7 @@ pub enum SensitivityError {
     },
     /// Several impacts on rigid stops occur at one instant.
     #[error(
-        "at t = {time_s} s several rigid stops are struck at the same instant, where the derivative of the flow depends on the direction; use a compliant law or different gaps"
+        "at t = {time_s} s several rigid stops have impacts at the same instant, where the derivative of the flow depends on the direction; use a compliant law or different gaps"
     )]
     StruckTogether {
         /// Time, s.

@@ -43,7 +43,7 @@ impl PortCompliance {
         }
     }
 
-    /// Returns the harmonics of the displacements under those of the forces.
+    /// Returns the harmonics of the displacements under given harmonics of the forces.
     pub fn apply(&self, forces: &[Vec<c64>]) -> Vec<f64> {
         self.summed(forces, |transfer, n| transfer.values[n])
     }

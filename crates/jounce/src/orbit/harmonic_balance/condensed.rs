@@ -186,7 +186,7 @@ impl Condensed {
 
     /// Solves `[R_u by; row corner] (du, dp) = (right, last)` with `R_u = push feel^T - I`.
     ///
-    /// The factors are those of the first border.
+    /// The factors belong to the first border.
     pub fn bordered(
         &self,
         sides: CoupledNodes<'_>,

@@ -154,8 +154,8 @@ impl BalanceEvaluation {
     /// y = y_0 + (I - e^(A T))^-1 int_0^T e^(A (T - t)) sum_b b F(t) dt
     /// ```
     ///
-    /// `y_0` is the equilibrium under gravity. The sum includes all harmonics of the force, those
-    /// of fast modes too. `d` may omit these, because such modes hardly move there.
+    /// `y_0` is the equilibrium under gravity. The sum includes all harmonics of the force, also at
+    /// fast modes. `d` may omit these, because such modes hardly move there.
     pub(super) fn state(&self, rules: &QuadratureRules) -> Vec<f64> {
         let plant = &self.kernel.plant;
         let block = &plant.diagonal.block;

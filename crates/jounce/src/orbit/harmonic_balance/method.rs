@@ -20,8 +20,8 @@ const MAX_HARMONICS: usize = 1024;
 /// Smallest number of harmonics of a drive cycle after a reduction.
 const MIN_HARMONICS: usize = 16;
 
-/// Ratio of the allowed error of the state to that of the mean power: most of the state error is in
-/// fast modes without power.
+/// Ratio of the allowed errors of the state and the mean power: most of the state error is in fast
+/// modes without power.
 const STATE_ERROR_FACTOR: f64 = 30.0;
 
 /// Orbits of a harvester by harmonic balance.
@@ -123,8 +123,8 @@ impl<'h, H: ParametricModel> HarmonicBalance<'h, H> {
         }
     }
 
-    /// Returns the larger of two errors: that of the mean power relative to the accuracy, and that
-    /// of the state relative to `STATE_ERROR_FACTOR` times the accuracy.
+    /// Returns the larger of two errors: the error of the mean power relative to the accuracy, and
+    /// the error of the state relative to `STATE_ERROR_FACTOR` times the accuracy.
     fn excess_of(
         &self,
         local: &BalanceEvaluation,

@@ -26,9 +26,9 @@
 //!
 //! The error estimate is independent: the exact flow is integrated over a period from the state
 //! that the forces give. The Newton correction of that flow is the distance to the orbit, and the
-//! mean power integrated there is compared with the one of the harmonics. The estimate includes
-//! truncation and quadrature, whatever the decay of the spectrum (`n^-2.5` for Hertz, where an
-//! estimate that expects geometric decay would be wrong).
+//! mean power integrated there is compared with the mean power of the harmonics. The estimate
+//! includes truncation and quadrature, whatever the decay of the spectrum (`n^-2.5` for Hertz,
+//! where an estimate that expects geometric decay would be wrong).
 //!
 //! Limits: rigid stops, diodes, and free bodies, whose compliance at frequency zero is infinite.
 //!

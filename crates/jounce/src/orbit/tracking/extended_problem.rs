@@ -8,8 +8,8 @@ use crate::orbit::border::solve_bordered;
 use crate::orbit::{OrbitError, ParametricModel, Shooting, ShootingEvaluation};
 use faer::Mat;
 
-/// Integration tolerance relative to that of the curve. The condition is a derivative of the flow,
-/// and the slopes of Newton are difference quotients of it.
+/// Integration tolerance relative to the tolerance of the curve. The condition is a derivative of
+/// the flow, and the slopes of Newton are difference quotients of it.
 const INTEGRATION_TOLERANCE_FACTOR: f64 = 1e-2;
 
 /// Smallest integration tolerance used.
@@ -45,7 +45,7 @@ pub struct ExtendedEvaluation {
     /// True where a pair on the circle has met on the real axis, so that the tori have ended.
     pub is_resonant: bool,
     residual: Vec<f64>,
-    /// Number of rows of `R`; those of the condition follow them.
+    /// Number of rows of `R`; the rows of the condition follow.
     states: usize,
     /// Derivative by the unknown: `u`, the first parameter and, at a grazing, the time of the
     /// turning point.

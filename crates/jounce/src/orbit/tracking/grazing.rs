@@ -57,8 +57,8 @@ impl GrazingPoint {
 }
 
 /// Returns displacement relative to the scale of the motion and speed per drive cycle at a time,
-/// with their gradients. Those by the parameters are difference quotients. `scale` is that of
-/// shooting.
+/// with their gradients. The derivatives by the parameters are difference quotients. `scale`
+/// belongs to shooting.
 pub fn gradients(
     touch: GrazingPoint,
     shot: &ShootingEvaluation,

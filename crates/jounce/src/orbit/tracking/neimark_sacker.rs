@@ -4,10 +4,10 @@
 //! g = det B - 1,   B = W' M V,   M V = V B,   W' M = B W',   W' V = I,   dg = det B tr(B^-1 dB),   dB = W' dM V
 //! ```
 //!
-//! The columns of `V` span the plane of the pair, those of `W` the plane in the transposed map.
-//! Planes, unlike eigenvectors, remain well defined where the pair meets on the real axis (strong
-//! resonance), so that `g` is smooth there. Beyond it the product remains one without a torus: the
-//! curve of tori has ended.
+//! The columns of `V` span the plane of the pair, the columns of `W` the plane in the transposed
+//! map. Planes, unlike eigenvectors, remain well defined where the pair meets on the real axis
+//! (strong resonance), so that `g` is smooth there. Beyond it the product remains one without a
+//! torus: the curve of tori has ended.
 //!
 //! `M` is the derivative of a flow, whose second derivative is symmetric: two shooting evaluations,
 //! along the columns of `V`, give the gradient.
