@@ -14,8 +14,8 @@ use faer::c64;
 use std::cell::OnceCell;
 use std::f64::consts::TAU;
 
-/// Highest harmonic up to which a mode can move at the start of the period. A force that starts
-/// like `t^1.5` and lasts a tenth of the period moves a faster mode by less than
+/// Highest harmonic of the modes that are not taken at rest at the start of the period. A force
+/// that starts like `t^1.5` and lasts a tenth of the period moves a faster mode by less than
 /// `(0.2 pi 512)^-2.5 = 6e-7` of its impulse.
 const MAX_MODE_HARMONIC: f64 = 512.0;
 
