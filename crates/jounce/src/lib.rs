@@ -1,11 +1,15 @@
 //! jounce simulates, analyses and designs vibro-impact piezoelectric energy harvesters.
 //!
-//! Data flows one way, and a module uses only what stands before it in this list:
+//! Data flows in one direction; a module uses only the modules before it in this list:
 //!
-//! `store` (files that appear whole or not at all), `wide` (vector arithmetic), `spec` (what the user says) -> `starter` (specs to start from) -> `structure` (beams and masses to modes) ->
-//! `contact` (laws) -> `drive` (courses of drives in time) -> `plant` (the coupled linear system in diagonal form, with its ports) -> `linear` (closed-form answers) ->
-//! `march` (time) -> `continuation` (curves of solutions) -> `orbit` (periodic answers) -> `run` -> `signal` -> `study` (sweeps) -> `table` -> `survey` (studies in parts) -> `picture` -> `show` (drawings) -> `report` -> `reproduce` (the paper);
-//! `reference` holds exact answers.
+//! `store` (atomic file writes), `simd` (vector arithmetic), `material` (material data), `spec` (the
+//! user's specification) -> `starter` (specs to start from) -> `structure` (beams and masses to
+//! modes) -> `contact` (laws) -> `drive` (time histories of drives) -> `plant` (the coupled linear
+//! system in diagonal form, with its ports) -> `linear` (closed-form responses) -> `integrate`
+//! (integration in time) -> `continuation` (curves of solutions) -> `orbit` (periodic orbits) ->
+//! `run` -> `signal` -> `analysis` (sweeps, branches, basins) -> `table` -> `study` (parametric
+//! studies) -> `picture` -> `show` (drawings) -> `report` -> `reproduce` (the paper);
+//! `reference` holds exact solutions.
 
 pub mod analysis;
 pub mod contact;
@@ -31,7 +35,7 @@ pub mod structure;
 pub mod study;
 pub mod table;
 
-/// The Rust code of the README, compiled with the documentation tests.
+/// Rust code of the README, compiled with the documentation tests.
 #[cfg(doctest)]
 #[doc = include_str!("../../../README.md")]
 mod readme {}

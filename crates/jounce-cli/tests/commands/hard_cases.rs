@@ -149,7 +149,7 @@ fn keys_without_orbits_are_refused_with_their_reason() {
             && json["error"]
                 .as_str()
                 .unwrap()
-                .contains("repeat themselves together"),
+                .contains("drives with a common period"),
         "{json}"
     );
 }

@@ -1,18 +1,20 @@
-//! Tables of contact steps that end at a breakpoint of a drive or at the end of a march, the last few kept.
+//! Cache of tables for contact steps that end at a breakpoint of a drive or at the end of an
+//! integration.
 
 use super::contact_table::ContactTable;
 use super::kernel::{ForceBasis, Kernel};
 use std::sync::Arc;
 
-/// How many are kept: whole, half and quarter pieces of a sampled drive, in both bases, and some to spare.
+/// Size of the cache: complete, half and quarter pieces of a sampled drive, in both bases, with a
+/// reserve.
 const MAX_CACHED_TABLES: usize = 12;
 
-/// The tables used last, the latest first.
+/// Tables in order of last use, the latest first.
 #[derive(Debug, Clone, Default)]
 pub(super) struct AdHocTables(Vec<(ForceBasis, Arc<ContactTable>)>);
 
 impl AdHocTables {
-    /// The table of a length, made when it is not there.
+    /// Returns the table of a length, and computes it if it is not in the cache.
     pub fn of(&mut self, kernel: &Kernel, shape: ForceBasis, length_s: f64) -> Arc<ContactTable> {
         let found = self
             .0

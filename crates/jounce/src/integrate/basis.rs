@@ -1,13 +1,16 @@
-//! The force on a contact step: seven nodal values and the functions that join them.
+//! Force on a contact step: seven nodal values and the functions that interpolate them.
 //!
-//! Steps are scaled to `x` in `[0, 1]`. There are two bases of seven functions, each 1 at its own node and 0 at the other six:
+//! Steps are scaled to `x` in `[0, 1]`. There are two bases of seven functions, each 1 at its own
+//! node and 0 at the other six:
 //!
 //! - *smooth*: polynomials of degree 6 through the Gauss-Legendre nodes;
-//! - *onset*: `x^n` times polynomials of degree 6 in `x^q`, for the first step of a contact whose force starts like `t^n`. With
-//!   `n = 3/2` the force is analytic in `sqrt(t)`, so `q = 1/2`; for other exponents `q = 1`. The nodes are the Gauss-Jacobi
-//!   nodes of the measure `x^n dx` in the variable `x^q`.
+//! - *onset*: `x^n` times polynomials of degree 6 in `x^q`, for the first step of a contact whose
+//!   force starts like `t^n`. With `n = 3/2` the force is analytic in `sqrt(t)`, so `q = 1/2`; for
+//!   other exponents `q = 1`. The nodes are the Gauss-Jacobi nodes of the measure `x^n dx` in the
+//!   variable `x^q`.
 //!
-//! Gauss nodes make the state at the end of the step about twice as accurate in order as the force inside it.
+//! With Gauss nodes the state at the end of the step has about twice the order of accuracy of the
+//! force inside it.
 
 use crate::simd::{F64x8, LANES};
 use std::sync::LazyLock;
@@ -15,33 +18,33 @@ use std::sync::LazyLock;
 /// Number of nodes.
 pub const NODES: usize = LANES - 1;
 
-/// Legendre coefficients kept of a basis function that is not a polynomial: the rest falls off like their number to the power
-/// `-2 n - 3` in the displacement.
+/// Number of Legendre coefficients for a basis function that is not a polynomial: in the
+/// displacement the remainder falls off like this number to the power `-2 n - 3`.
 const SINGULAR_TERMS: usize = 64;
 
-/// Seven functions on `[0, 1]`.
+/// Seven basis functions on `[0, 1]`.
 #[derive(Debug, Clone)]
 pub struct BasisFunctions {
-    /// The nodes, then 1.
+    /// Nodes, then 1.
     pub places: [f64; LANES],
-    /// Integral of each function; the last place is 0.
+    /// Integral of each function; the last lane is 0.
     pub weights: F64x8,
-    /// Value of each function at 0; the last place is 0.
+    /// Value of each function at 0; the last lane is 0.
     pub at_start: F64x8,
-    /// Value of each function at 1; the last place is 0.
+    /// Value of each function at 1; the last lane is 0.
     pub at_end: F64x8,
-    /// Legendre coefficients, row by row: place `j` is function `j`, the last place is 0.
+    /// Legendre coefficients, row by row: lane `j` is function `j`, the last lane is 0.
     pub series: Vec<F64x8>,
-    /// `n` and `q`; both of no account for the smooth basis.
+    /// `n` and `q`; not used for the smooth basis.
     powers: Option<[f64; 2]>,
     /// Barycentric weights of the polynomial part.
     barycentric: [f64; NODES],
 }
 
-/// Polynomials of degree 6.
+/// Basis of polynomials of degree 6.
 pub static SMOOTH_BASIS: LazyLock<BasisFunctions> = LazyLock::new(|| BasisFunctions::new(None));
 
-/// Shifted Legendre polynomials `P_0(x) .. P_{count-1}(x)` on `[0, 1]`.
+/// Returns the shifted Legendre polynomials `P_0(x) .. P_{count-1}(x)` on `[0, 1]`.
 pub fn legendre(x: f64, count: usize) -> Vec<f64> {
     let s = 2.0 * x - 1.0;
     let mut values = vec![1.0, s];
@@ -54,7 +57,8 @@ pub fn legendre(x: f64, count: usize) -> Vec<f64> {
 }
 
 impl BasisFunctions {
-    /// For the first step of a contact whose force starts like `t^exponent`; `None` where that is smooth.
+    /// Returns the basis for the first step of a contact whose force starts like `t^exponent`;
+    /// `None` where that is smooth.
     pub fn onset(exponent: f64) -> Option<Self> {
         if exponent.fract() == 0.0 {
             return None;
@@ -103,12 +107,12 @@ impl BasisFunctions {
         basis
     }
 
-    /// Its nodes and functions lie mirrored about the middle.
+    /// True where the nodes and functions are symmetric about the middle.
     pub fn is_mirrored(&self) -> bool {
         self.powers.is_none()
     }
 
-    /// Values of the seven functions at a place.
+    /// Returns the values of the seven functions at a point.
     pub fn at(&self, x: f64) -> [f64; NODES] {
         let [n, q] = self.powers.unwrap_or([0.0, 1.0]);
         if let Some(node) = self.places[..NODES].iter().position(|place| *place == x) {
@@ -122,14 +126,14 @@ impl BasisFunctions {
     }
 }
 
-/// The last place 0.
+/// Pads the values with 0 in the last lane.
 fn padded(values: [f64; NODES]) -> F64x8 {
     F64x8(std::array::from_fn(|j| {
         values.get(j).copied().unwrap_or(0.0)
     }))
 }
 
-/// Legendre coefficients by the quadrature of the nodes itself, which is exact to degree 13.
+/// Returns the Legendre coefficients by the quadrature of the nodes, which is exact to degree 13.
 fn smooth_series(nodes: &[f64; NODES]) -> Vec<F64x8> {
     let weighted = nodes.map(|x| {
         let (s, n) = (2.0 * x - 1.0, NODES as f64);
@@ -152,7 +156,7 @@ fn smooth_series(nodes: &[f64; NODES]) -> Vec<F64x8> {
         .collect()
 }
 
-/// Legendre coefficients through those of the powers of `x`.
+/// Returns the Legendre coefficients, computed from the coefficients of the powers of `x`.
 fn singular_series(nodes: &[f64; NODES], n: f64, q: f64) -> Vec<F64x8> {
     let powers: Vec<Vec<f64>> = (0..NODES)
         .map(|m| power_series(n + q * m as f64, SINGULAR_TERMS))
@@ -175,7 +179,8 @@ fn singular_series(nodes: &[f64; NODES], n: f64, q: f64) -> Vec<F64x8> {
         .collect()
 }
 
-/// Legendre coefficients of `x^p`: `(2 a + 1) int x^p P_a`, with `int x^p P_a = int x^p P_{a-1} (p - a + 1) / (p + a + 1)`.
+/// Returns the Legendre coefficients of `x^p`: `(2 a + 1) int x^p P_a`, with
+/// `int x^p P_a = int x^p P_{a-1} (p - a + 1) / (p + a + 1)`.
 fn power_series(p: f64, terms: usize) -> Vec<f64> {
     let mut moment = 1.0 / (p + 1.0);
     let mut series = Vec::with_capacity(terms);
@@ -188,7 +193,7 @@ fn power_series(p: f64, terms: usize) -> Vec<f64> {
     series
 }
 
-/// Coefficients of the polynomial that is 1 at node `j` and 0 at the others.
+/// Returns the coefficients of the polynomial that is 1 at node `j` and 0 at the others.
 fn monomial_coefficients(nodes: &[f64; NODES], j: usize) -> [f64; NODES] {
     let mut product = [0.0; NODES];
     product[0] = 1.0;
@@ -202,11 +207,12 @@ fn monomial_coefficients(nodes: &[f64; NODES], j: usize) -> [f64; NODES] {
     product
 }
 
-/// Zeros of the polynomial of degree [`NODES`] orthogonal on `[0, 1]` with weight `u^alpha`, by Newton with deflation.
+/// Returns the zeros of the polynomial of degree [`NODES`] orthogonal on `[0, 1]` with weight
+/// `u^alpha`, by Newton with deflation.
 fn gauss_jacobi(alpha: f64) -> [f64; NODES] {
     let mut zeros = [0.0; NODES];
     for j in 0..NODES {
-        // Deflated by the zeros found so far, Newton from the left finds the next one.
+        // Deflated by the previous zeros, Newton from the left finds the next one.
         let mut x = if j == 0 { 0.0 } else { zeros[j - 1] + 1e-3 };
         for _ in 0..200 {
             let [value, slope] = jacobi(alpha, x);
@@ -222,7 +228,8 @@ fn gauss_jacobi(alpha: f64) -> [f64; NODES] {
     zeros
 }
 
-/// Value and slope in `u` of the Jacobi polynomial `P^(0, alpha)` of degree [`NODES`] shifted to `[0, 1]`.
+/// Returns value and slope in `u` of the Jacobi polynomial `P^(0, alpha)` of degree [`NODES`]
+/// shifted to `[0, 1]`.
 fn jacobi(alpha: f64, u: f64) -> [f64; 2] {
     let s = 2.0 * u - 1.0;
     // Monic recurrence in s with (a, b) = (0, alpha) of the weight (1 - s)^a (1 + s)^b.
@@ -307,7 +314,8 @@ mod tests {
         assert!(BasisFunctions::onset(1.0).is_none());
     }
 
-    /// Beyond the terms kept, `x^1.5` has coefficients like `a^-4`; polynomials have none. The largest seen is 2.3e-5.
+    /// Beyond the stored terms, `x^1.5` has coefficients like `a^-4`; polynomials have no further
+    /// terms. The largest error observed is 2.3e-5.
     #[test]
     fn series_sum_to_the_functions() {
         for (basis, allowed) in [

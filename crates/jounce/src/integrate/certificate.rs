@@ -1,27 +1,29 @@
-//! The proof that a flight step has no contact in it.
+//! Proof that a flight step is free of contact.
 //!
-//! Let `g(t)` be the distance past the stop (negative in flight) on a step of length `h`, split into a slow part, whose fourth
-//! derivative is bounded by `M`, and a fast part `f` bounded by `A` with its rate bounded by `B`. The cubic Hermite interpolant
-//! `H` of the slow part satisfies `|slow - H| <= M t^2 (h - t)^2 / 24`, hence both
+//! Let `g(t)` be the distance past the stop (negative in flight) on a step of length `h`. It is
+//! split into a slow part, whose fourth derivative is bounded by `M`, and a fast part `f`, bounded
+//! by `A` with its rate bounded by `B`. The cubic Hermite interpolant `H` of the slow part
+//! satisfies `|slow - H| <= M t^2 (h - t)^2 / 24`, hence both
 //!
 //! ```text
 //! g(t) <= H(t) + M t^2 (h - t)^2 / 24 + A,
 //! g(t) <= H(t) + M t^2 (h - t)^2 / 24 + f(0) + B t,
 //! ```
 //!
-//! two quartics. The Bernstein coefficients of each on `[0, h]` are those of `H` raised to degree four, with `M h^4 / 144` added
-//! to the middle one, and the constant or the line added to all. A polynomial lies below its largest coefficient: if all of one
-//! quartic are negative, there is no contact in the step, grazing included. Blocks decay between contacts, so `M`, `A` and `B`
-//! at the start of the step hold throughout.
+//! two quartics. The Bernstein coefficients of each on `[0, h]` are the coefficients of `H` raised
+//! to degree four. `M h^4 / 144` is added to the middle one, and the constant or the line to all. A
+//! polynomial is bounded by its largest coefficient: if all of one quartic are negative, there is
+//! no contact in the step, grazing included. Blocks decay between contacts, so `M`, `A` and `B` at
+//! the start of the step bound the complete step.
 
-/// A step as the certificate sees it; distances past the stop in m, speeds in m/s.
+/// Data of a step for the certificate; distances past the stop in m, speeds in m/s.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FlightStep {
     /// Length, s.
     pub length_s: f64,
     /// Slow part at the start and at the end, m.
     pub distance_m: [f64; 2],
-    /// Its speed at the start and at the end, m/s.
+    /// Speed of the slow part at the start and at the end, m/s.
     pub speed_m_s: [f64; 2],
     /// `M`, m/s^4.
     pub fourth_bound: f64,
@@ -34,7 +36,7 @@ pub struct FlightStep {
 }
 
 impl FlightStep {
-    /// Bernstein coefficients of the cubic Hermite interpolant.
+    /// Returns the Bernstein coefficients of the cubic Hermite interpolant.
     #[inline(always)]
     pub(super) fn cubic(&self) -> [f64; 4] {
         let [start, end] = self.distance_m;
@@ -47,7 +49,7 @@ impl FlightStep {
         ]
     }
 
-    /// Both quartics.
+    /// Returns both quartics.
     #[inline(always)]
     pub(super) fn bounds(&self) -> [[f64; 5]; 2] {
         let [p0, p1, p2, p3] = self.cubic();
@@ -68,21 +70,21 @@ impl FlightStep {
         [flat, sloped]
     }
 
-    /// True when the step is proved free of contact. It starts in flight or on the stop.
+    /// True when the step is proved free of contact. The step starts in flight or on the stop.
     #[inline(always)]
     pub fn is_clear(&self) -> bool {
         let [flat, sloped] = self.bounds();
         is_negative(flat, sloped)
     }
 
-    /// What is not known about the distance inside the step, m.
+    /// Returns the uncertainty of the distance inside the step, m.
     #[inline(always)]
     pub fn uncertainty_m(&self) -> f64 {
         let fast = (2.0 * self.fast_bound_m).min(self.fast_bound_m_s * self.length_s);
         self.fourth_bound * fourth_power(self.length_s) / 384.0 + fast
     }
 
-    /// What is not known about its rate, m/s.
+    /// Returns the uncertainty of the rate of the distance, m/s.
     #[inline(always)]
     pub fn rate_uncertainty_m_s(&self) -> f64 {
         let cube = self.length_s * self.length_s * self.length_s;
@@ -95,8 +97,8 @@ fn fourth_power(x: f64) -> f64 {
     (x * x) * (x * x)
 }
 
-/// The flat quartic is negative, or the sloped one after its start, which lies in flight or on the stop. A point that leaves its stop from
-/// rest has two coefficients of zero there.
+/// True where the flat quartic is negative, or the sloped one after its start, which is in flight
+/// or on the stop. A point that leaves its stop from rest has two coefficients of zero there.
 #[inline(always)]
 pub(super) fn is_negative(flat: [f64; 5], sloped: [f64; 5]) -> bool {
     flat.iter().all(|q| *q < 0.0) || (sloped[1..].iter().all(|q| *q <= 0.0) && sloped[4] < 0.0)
@@ -221,7 +223,7 @@ mod tests {
         assert!(step.is_clear());
         step.distance_m[1] = 0.0;
         step.speed_m_s[1] = 0.0;
-        assert!(!step.is_clear(), "what stays is not clear");
+        assert!(!step.is_clear(), "a point that stays is not clear");
     }
 
     #[test]

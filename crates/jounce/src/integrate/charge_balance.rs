@@ -1,19 +1,19 @@
-//! What the nodes of a bridge have gained since its diodes last changed, and what has flowed meanwhile: in closed form (see
+//! Charge balance of the nodes of a bridge since its diodes last changed, in closed form (see
 //! [`crate::plant::Leak`]).
 
 use crate::plant::{Plant, PowerOutput};
 
-/// A regime of a march from its start to the present time.
+/// Conduction state of an integration from its start to the current time.
 pub(super) struct ChargeBalance<'g> {
     pub plant: &'g Plant,
     /// Change of the physical state.
     pub moved: &'g [f64],
-    /// How long it has lasted, s.
+    /// Duration, s.
     pub length_s: f64,
 }
 
 impl ChargeBalance<'_> {
-    /// Charge that the motion has displaced at a node, C.
+    /// Returns the charge displaced by the motion at a node, C.
     fn displaced_c(&self, node: usize) -> f64 {
         self.plant.electrical.nodes[node]
             .coupling_n_per_v
@@ -23,14 +23,14 @@ impl ChargeBalance<'_> {
             .sum()
     }
 
-    /// `[C V + theta q]` of a node, C.
+    /// Returns `[C V + theta q]` of a node, C.
     pub fn charge_c(&self, node: usize) -> f64 {
         let first = 2 * self.plant.system.modes.len();
         self.plant.electrical.nodes[node].capacitance_f * self.moved[first + node]
             + self.displaced_c(node)
     }
 
-    /// Work of the forces by which the zeros of the voltages of a bridge enter, J.
+    /// Returns the work of the forces that represent the offsets of the voltages of a bridge, J.
     pub fn pushed_j(&self, bridge: usize) -> f64 {
         let electrical = &self.plant.electrical;
         electrical
@@ -40,7 +40,8 @@ impl ChargeBalance<'_> {
             .sum()
     }
 
-    /// Integral over time of a sum of node voltages of a bridge, `(node, factor)`, counted from their zeros, V s.
+    /// Returns the time integral of a sum of node voltages of a bridge, `(node, factor)`, relative
+    /// to their offsets, V s.
     fn flux_v_s(&self, bridge: usize, parts: &[(usize, f64)]) -> f64 {
         let nodes = self.plant.electrical.nodes_of(bridge);
         let gained: Vec<f64> = nodes.iter().map(|node| self.charge_c(*node)).collect();
@@ -54,7 +55,8 @@ impl ChargeBalance<'_> {
         parts.iter().map(of).sum()
     }
 
-    /// What an output takes beyond the square that its meter counts, because its voltage is counted from another zero, J.
+    /// Returns the energy of an output beyond the square that its meter counts, because its voltage
+    /// has another offset, J.
     pub fn standing_j(&self, output: &PowerOutput) -> f64 {
         let standing_v = output.standing_v;
         if standing_v == 0.0 {
@@ -65,7 +67,7 @@ impl ChargeBalance<'_> {
             * (2.0 * self.flux_v_s(output.bridge, &output.parts) + standing_v * self.length_s)
     }
 
-    /// Charge that leakage has taken out of the terminal of a bridge, C.
+    /// Returns the charge lost by leakage at the terminal of a bridge, C.
     pub fn leaked_c(&self, bridge: usize) -> f64 {
         let (electrical, terminal) = (
             &self.plant.electrical,

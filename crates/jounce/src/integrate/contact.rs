@@ -1,6 +1,7 @@
-//! The way through a contact, step by step, each taken if it is good enough.
+//! Integration through a contact, step by step, with acceptance of each step.
 //!
-//! The first step has the onset basis, the others are smooth, each as long as its error allows (see [`super::step_control`]).
+//! The first step has the onset basis, the others are smooth. The error limits the length of each
+//! (see [`super::step_control`]).
 
 use super::basis::NODES;
 use super::contact_step::{ContactStep, SolvedStep};
@@ -13,21 +14,22 @@ use super::step_size::LEVELS_PER_OCTAVE;
 use crate::contact::ContactLaw;
 use crate::simd::Simd;
 
-/// Share of the tolerance that one step may spend on the error of its impulse.
+/// Fraction of the tolerance allowed for the impulse error of one step.
 pub(super) const IMPULSE_ERROR_SHARE: f64 = 0.1;
 
-/// Share of that which the first step of a contact may spend: its estimate sees the end of the step alone, and what it misses acts on
-/// all that follows. With this share the mean power of a run is ten times nearer to its limit for 5 % more steps.
+/// Fraction of that error allowed for the first step of a contact. Its estimate uses the end of the
+/// step only, and its error affects all that follows. With this fraction the mean power of a run is
+/// ten times nearer to its limit for 5 % more steps.
 const ONSET_ERROR_SHARE: f64 = 0.01;
 
 impl SolvedStep {
-    /// Time integral of the magnitude of the force, N s.
+    /// Returns the time integral of the magnitude of the force, N s.
     #[inline(always)]
     fn size_n_s<W: Simd>(&self, w: W, step: &ContactStep) -> f64 {
         step.table.length_s * w.sum(w.mul(w.load(&step.basis.weights), w.abs(w.load(&self.force))))
     }
 
-    /// Can be trusted beside its error estimate.
+    /// True where the step is reliable in addition to its error estimate.
     pub(super) fn is_sound(&self, shape: ForceBasis, is_short: bool) -> bool {
         match shape {
             ForceBasis::Onset => self.rises(),
@@ -35,19 +37,20 @@ impl SolvedStep {
         }
     }
 
-    /// Leaves the stop before its middle: what comes after is flight, and another contact might hide in it.
+    /// True where the step leaves the stop before its middle: the rest is flight, and another
+    /// contact might hide in it.
     fn mostly_free(&self) -> bool {
         self.penetration.0[NODES] < 0.0 && self.penetration.0[NODES / 2] < 0.0
     }
 
-    /// Still going deeper at its end.
+    /// True where the penetration still increases at the end of the step.
     fn rises(&self) -> bool {
         self.penetration.0[NODES] > self.penetration.0[NODES - 1]
     }
 }
 
 impl Integrator<'_> {
-    /// The only port stays in contact until it leaves its stop or the end is reached.
+    /// Integrates the contact of the only port until it leaves its stop or the end is reached.
     #[inline(always)]
     pub(super) fn contact<W: Simd, L: ContactLaw>(
         &mut self,
@@ -64,8 +67,10 @@ impl Integrator<'_> {
         Ok(())
     }
 
-    /// A port stays in contact until it leaves its stop or the end is reached; beside others, also until one of these has to be watched
-    /// or the end is near. Starts with a step of a level, which enters the contact or does not, and says the same of the next one.
+    /// Integrates the contact of a port until it leaves its stop or the end is reached. With other
+    /// ports, it also returns when one of them must be monitored or the end is near. It starts with
+    /// a step of a level, which enters the contact or does not, and returns the level and entry of
+    /// the next step.
     #[inline(always)]
     pub(super) fn stay<W: Simd, L: ContactLaw>(
         &mut self,
@@ -118,7 +123,8 @@ impl Integrator<'_> {
                     if landing {
                         self.time_s = end_s;
                     }
-                    // Where nothing is left or entered, the next call goes on at the level at which this one stopped.
+                    // Where no contact ends or begins, the next call continues at the level of this
+                    // one.
                     let starts_next = entering || (both_sides && !landing);
                     level = self.next_level(law, level, &step, &solved, (allowed, starts_next));
                     entering = false;
@@ -139,7 +145,7 @@ impl Integrator<'_> {
         Ok((level, entering))
     }
 
-    /// Error of the impulse of a port that one step may make, N s.
+    /// Returns the allowed impulse error of a port for one step, N s.
     #[inline(always)]
     pub(super) fn allowed_n_s<L: ContactLaw>(
         &self,
@@ -150,7 +156,8 @@ impl Integrator<'_> {
         let port = &self.ports[step.port];
         let mut speed_m_s = port.impact_velocity_m_s.max(port.rate_m_s.abs());
         if let (true, Some(solved)) = (law.acts_on_both_sides(), solved) {
-            // Nothing strikes: a march that starts at rest has no other scale than the speed that it takes up.
+            // Without an impact, an integration that starts at rest has the speed that it gains as
+            // its only scale.
             speed_m_s = speed_m_s.max(
                 (solved.penetration.0[NODES] - port.penetration_m).abs() / step.table.length_s,
             );
@@ -168,7 +175,7 @@ impl Integrator<'_> {
     }
 }
 
-/// Share of the allowed error that a step may spend.
+/// Returns the fraction of the allowed error for a step.
 #[inline(always)]
 pub(super) fn share(shape: ForceBasis) -> f64 {
     match shape {

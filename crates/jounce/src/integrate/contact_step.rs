@@ -1,9 +1,10 @@
 //! Contact: collocation of the scalar contact force, step by step, until the point leaves the stop.
 //!
-//! On a step the penetration at the nodes is `delta = free + D f` with the Duhamel weights `D` of the table, and the force is
-//! `f = F(delta, delta')`. `D` is a twofold integration, so the fixed point converges factorially. The force of a Hertz contact
-//! starts like `t^1.5`: the first step has a basis that does so too (see [`super::basis`]). The error is seen at the two ends of the
-//! step, where the force in the basis is not made to meet the law.
+//! On a step the penetration at the nodes is `delta = free + D f` with the Duhamel weights `D` of
+//! the table, and the force is `f = F(delta, delta')`. `D` is a double integration, so the
+//! fixed-point iteration converges factorially. The force of a Hertz contact starts like `t^1.5`,
+//! and so does the basis of the first step (see [`super::basis`]). The error is estimated at the
+//! two ends of the step, where the force in the basis need not match the law.
 
 use super::basis::{BasisFunctions, NODES, SMOOTH_BASIS};
 use super::contact_table::ContactTable;
@@ -19,23 +20,23 @@ use crate::contact::ContactLaw;
 use crate::simd::{F64x8, Simd};
 use faer::c64;
 
-/// Most fixed-point iterations of a step; beyond, a shorter step is cheaper.
+/// Largest number of fixed-point iterations of a step; beyond it a shorter step is cheaper.
 pub(super) const MAX_FIXED_POINT_ITERATIONS: u32 = 24;
 
-/// A step of a port to be taken: its tables and the drive over it.
+/// Next contact step of a port: its tables and the drive over it.
 pub(super) struct ContactStep<'a> {
     pub(super) port: usize,
     pub(super) table: &'a ContactTable,
     pub(super) basis: &'a BasisFunctions,
     pub(super) shape: ForceBasis,
-    /// The drive's share of the free displacement at the nodes and the end, the gap taken away.
+    /// Contribution of the drive to the free displacement at the nodes and the end, minus the gap.
     pub(super) drive: F64x8,
-    /// The same for the velocity.
+    /// Contribution of the drive to the velocity.
     pub(super) drive_rate: F64x8,
 }
 
 impl<'a> ContactStep<'a> {
-    /// A step on which a force is given, not found.
+    /// Creates a step with a prescribed force.
     pub(super) fn held(port: usize, table: &'a ContactTable) -> Self {
         Self {
             port,
@@ -48,7 +49,7 @@ impl<'a> ContactStep<'a> {
     }
 }
 
-/// A step as solved: nodal penetrations, rates and forces (last place: end of the step).
+/// Solved step: nodal penetrations, rates and forces (last lane: end of the step).
 pub(super) struct SolvedStep {
     pub(super) penetration: F64x8,
     pub(super) rate: F64x8,
@@ -100,7 +101,8 @@ impl<'k> Integrator<'k> {
         }
     }
 
-    /// Solves one step for its nodal forces; `None` when the fixed point does not converge.
+    /// Solves one step for its nodal forces; `None` when the fixed-point iteration does not
+    /// converge.
     #[inline(always)]
     pub(super) fn solve<W: Simd, L: ContactLaw>(
         &mut self,
@@ -129,7 +131,7 @@ impl<'k> Integrator<'k> {
         let port = &self.ports[step.port];
         let at_start = law.force_n(port.penetration_m, port.rate_m_s);
         let slopes = law.slopes(port.penetration_m, port.rate_m_s);
-        // First guess: the force goes on as it does now.
+        // First guess: linear continuation of the force.
         let rise = slopes.stiffness_n_m * port.rate_m_s * table.length_s;
         let mut penetration = w.fma(
             w.splat(at_start),
@@ -141,7 +143,7 @@ impl<'k> Integrator<'k> {
         let mut last = force;
         let goal = (0.1 * self.tolerance).clamp(4e-15, 1e-5);
         let deepest_at_start = largest(w, law, penetration);
-        // Neighbouring steps need the same number of iterations: before that one nothing is asked.
+        // Neighbouring steps need the same number of iterations: convergence is not tested before.
         let expected = self.ports[step.port].iterations;
         let mut iteration = 0;
         while iteration < MAX_FIXED_POINT_ITERATIONS {
@@ -158,7 +160,8 @@ impl<'k> Integrator<'k> {
             }
             let (change, size) = (w.largest(w.abs(w.sub(force, last))), largest(w, law, force));
             let last_change = w.largest(w.abs(w.sub(last, last_but_one)));
-            // What is still to come: at most the contraction seen so far, or foretold by the slope of the law.
+            // Remaining error: at most the contraction observed so far, or predicted by the slope
+            // of the law.
             let slopes = law.steepest(deepest_at_start.max(largest(w, law, penetration)));
             let foretold =
                 slopes.stiffness_n_m * table.reach_m_n + slopes.damping_n_s_m * table.reach_m_n_s;
@@ -168,11 +171,12 @@ impl<'k> Integrator<'k> {
                 (change / last_change).min(1.0)
             };
             if change * foretold.min(seen) <= goal * size {
-                // What has changed so little need not have been asked for.
+                // The last iteration was not needed if it changed this little.
                 let spare = u32::from(change <= goal * size);
                 self.ports[step.port].iterations = (iteration - spare).max(1);
                 self.work.iterations += u64::from(iteration);
-                // Motion and force belong together: the energy balance would feel what one iteration leaves.
+                // Motion and force must match: the energy balance would show the error of one
+                // iteration.
                 let nodal = w.store(force);
                 penetration = pushed(w, free, &table.displacement.push, &nodal);
                 if law.is_rate_dependent() {
@@ -189,7 +193,7 @@ impl<'k> Integrator<'k> {
         None
     }
 
-    /// Takes a solved step.
+    /// Accepts a solved step.
     #[inline(always)]
     pub(super) fn take<W: Simd, L: ContactLaw>(
         &mut self,
@@ -218,7 +222,7 @@ impl<'k> Integrator<'k> {
         self.work.contact_steps += 1;
     }
 
-    /// Sets a port to what it does at the end of a step that has been taken.
+    /// Sets a port to its state at the end of an accepted step.
     #[inline(always)]
     pub(super) fn arrive<W: Simd, L: ContactLaw>(
         &mut self,
@@ -256,7 +260,7 @@ impl<'k> Integrator<'k> {
         let port = &mut self.ports[step.port];
         let (end_m, end_m_s) = (port.penetration_m, port.rate_m_s);
         let has_left = !law.acts_on_both_sides() && end_m < 0.0;
-        // A point that has left the stop went on at its last speed since then.
+        // A point that has left the stop has continued at its last speed.
         let since_s = if has_left && end_m_s < 0.0 {
             (end_m / end_m_s).min(length_s)
         } else {
@@ -264,7 +268,7 @@ impl<'k> Integrator<'k> {
         };
         port.stay(length_s - since_s);
         let statistics = &mut port.statistics;
-        // Where there are two sides, the one that the step is on.
+        // With two sides, the side of this step.
         let side = if law.acts_on_both_sides() {
             (started.0 + end_m).signum()
         } else {
@@ -291,7 +295,8 @@ impl<'k> Integrator<'k> {
         }
         if law.is_rate_dependent() {
             statistics.max_force_n = statistics.max_force_n.max(w.largest(w.load(&solved.force)));
-            // Work done on the stop less what it stores: the elastic force itself has a kink where a spent contact is left.
+            // Work done on the stop minus its stored energy: the elastic force itself has a kink
+            // where a contact with loss is left.
             let work: f64 = (0..NODES)
                 .map(|j| length_s * weights.0[j] * solved.force.0[j] * solved.rate.0[j])
                 .sum();
@@ -299,7 +304,8 @@ impl<'k> Integrator<'k> {
         }
     }
 
-    /// Adds what the nodal forces of a step, last place 0, do to the state at its end to `next`.
+    /// Adds the effect of the nodal forces of a step, last lane 0, on the state at its end to
+    /// `next`.
     #[inline(always)]
     pub(super) fn push_on<W: Simd>(&mut self, w: W, step: &ContactStep, force: &F64x8) {
         let column = &self.kernel.vectors[step.port].column;
@@ -308,7 +314,7 @@ impl<'k> Integrator<'k> {
             .act(w, column, force, &mut self.next, &mut self.from_start);
     }
 
-    /// Adds the nodal forces of a step that have just pushed to the integrals that the energy meters need.
+    /// Adds the nodal forces of a step to the integrals that the energy meters need.
     #[inline(always)]
     pub(super) fn integrate_force<W: Simd>(&mut self, w: W, step: &ContactStep, force: &F64x8) {
         let (table, basis, p) = (step.table, step.basis, step.port);
@@ -343,7 +349,8 @@ impl<'k> Integrator<'k> {
     }
 }
 
-/// What a meter makes of the nodal forces of a step: `integral f (row . y) dt`, of what the forces find and of what they move themselves.
+/// Returns the meter reading of the nodal forces of a step: `integral f (row . y) dt` over the free
+/// motion and over the motion that they cause.
 #[inline(always)]
 fn metered_j<W: Simd>(
     w: W,
@@ -355,9 +362,11 @@ fn metered_j<W: Simd>(
     w.sum(w.fma(own, w.load(force), row.read(w, from_start, y)))
 }
 
-/// Estimates the error of a converged step from the mismatch of its basis and the law at both of its ends.
+/// Estimates the error of a converged step from the mismatch of its basis and the law at both of
+/// its ends.
 ///
-/// Penetration, rate and force hold the nodes and the end; `at_start` is the force of the law at the start, N.
+/// Penetration, rate and force hold the nodes and the end; `at_start` is the force of the law at
+/// the start, N.
 #[inline(always)]
 pub(super) fn judge<W: Simd, L: ContactLaw>(
     w: W,
@@ -372,8 +381,8 @@ pub(super) fn judge<W: Simd, L: ContactLaw>(
     let (penetration, rate, force) = (w.store(penetration), w.store(rate), w.store(force));
     let at_end = law.force_n(penetration.0[NODES], rate.0[NODES]);
     let mismatch = (start - at_start).abs().max((end - at_end).abs());
-    // Gauss weights square the order of the interpolation for smooth forces and gain less at a kink: 3/2 lies between.
-    // A force that is there at the end only has been missed altogether.
+    // Gauss weights double the order of the interpolation for smooth forces and gain less at a
+    // kink: 3/2 lies between. A force that exists at the end only has been missed completely.
     let ratio = if size > 0.0 { mismatch / size } else { 1.0 };
     let error_n_s = step.table.length_s * mismatch * ratio.sqrt().min(1.0);
     SolvedStep {
@@ -384,7 +393,7 @@ pub(super) fn judge<W: Simd, L: ContactLaw>(
     }
 }
 
-/// Largest of eight values; of their magnitudes where the law acts on both sides.
+/// Returns the largest of eight values, or of their magnitudes where the law acts on both sides.
 #[inline(always)]
 pub(super) fn largest<W: Simd, L: ContactLaw>(w: W, law: L, values: W::Register) -> f64 {
     w.largest(if law.acts_on_both_sides() {

@@ -1,5 +1,6 @@
-//! Everything that a contact step of one length needs, computed once per plant: exact flow, Duhamel weights of the contact force,
-//! rows of the port displacement at the nodes, and the work of the force on the energy meters.
+//! Tables of a contact step of one length, computed once per plant. They hold the exact flow, the
+//! Duhamel weights of the contact force, the rows of the port displacement at the nodes, and the
+//! work of the force on the energy meters.
 
 use super::basis::{BasisFunctions, NODES};
 use super::duhamel::Duhamel;
@@ -16,32 +17,34 @@ use std::sync::OnceLock;
 pub struct ContactTable {
     /// Length, s.
     pub length_s: f64,
-    /// Exact flow over it.
+    /// Exact flow over the step.
     pub flow: Flow,
-    /// What the nodal forces do to the state and to the meters of their work.
+    /// Effect of the nodal forces on the state and on the meters of their work.
     pub duhamel: Duhamel,
-    /// Lanes of the state at the end of the step per unit nodal force, once asked for: marching does without.
+    /// Vectors of the state at the end of the step per unit nodal force, computed on request: the
+    /// integration does not need them.
     push: OnceLock<Vec<[F64x8; NODES]>>,
     /// Displacement of the port at the nodes and at the end.
     pub displacement: OutputRow,
     /// Velocity of the port.
     pub velocity: OutputRow,
-    /// Answer of the displacement to a constant unit force.
+    /// Response of the displacement to a constant unit force.
     pub constant: F64x8,
-    /// Answer of the displacement to a force that rises from 0 to 1.
+    /// Response of the displacement to a force that rises from 0 to 1.
     pub ramp: F64x8,
     /// Largest displacement under nodal forces of magnitude 1, m/N.
     pub reach_m_n: f64,
     /// Largest velocity under nodal forces of magnitude 1, m/(N s).
     pub reach_m_n_s: f64,
-    /// Per load: the meter's row, integrated against the functions of the basis, of what each nodal force itself moves.
+    /// For each load, the meter row, integrated against the functions of the basis, over the motion
+    /// that each nodal force causes.
     pub loads: Vec<[F64x8; NODES]>,
-    /// The same for damping.
+    /// Meter row of damping, integrated in the same way.
     pub damping: [F64x8; NODES],
 }
 
 impl ContactTable {
-    /// Makes the table of a length for a force in a basis.
+    /// Computes the table of a length for a force in a basis.
     pub fn new(kernel: &Kernel, port: usize, basis: &BasisFunctions, length_s: f64) -> Self {
         let (plant, layout) = (&kernel.plant, &kernel.layout);
         let port_of = &plant.ports[port];
@@ -101,30 +104,31 @@ impl ContactTable {
         }
     }
 
-    /// Lanes of the state at the end of the step per unit nodal force, whose column is given.
+    /// Returns the vectors of the state at the end of the step per unit nodal force with a given
+    /// column.
     pub fn push(&self, column: &FlowRow) -> &[[F64x8; NODES]] {
         self.push.get_or_init(|| self.duhamel.pushes(column))
     }
 }
 
-/// Largest answer at the nodes and the end to nodal forces of magnitude 1.
+/// Returns the largest response at the nodes and the end to nodal forces of magnitude 1.
 pub(super) fn reach(push: &[F64x8; NODES]) -> f64 {
     (0..=NODES)
         .map(|i| push.iter().map(|lane| lane.0[i].abs()).sum())
         .fold(0.0, f64::max)
 }
 
-/// What rest on a rigid stop needs on a step, made when it happens.
+/// Tables of a step for sticking to a rigid stop, computed on request.
 #[derive(Debug, Clone)]
 pub struct StickingTable {
-    /// Relative acceleration of the port, without the direct share of the force.
+    /// Relative acceleration of the port, without the direct effect of the force.
     pub acceleration: OutputRow,
-    /// From free accelerations at the nodes to the nodal forces that cancel them, kg.
+    /// Matrix from free accelerations at the nodes to the nodal forces that cancel them, kg.
     pub inverse: [[f64; NODES]; NODES],
 }
 
 impl StickingTable {
-    /// For a step of one length.
+    /// Computes the tables of a step of one length.
     pub fn new(kernel: &Kernel, port: usize, basis: &BasisFunctions, length_s: f64) -> Self {
         use faer::linalg::solvers::DenseSolveCore;
         let plant = &kernel.plant;

@@ -1,25 +1,25 @@
-//! A computation seen from outside: the wish that it stops, how far it is, and the time that marching took.
+//! Control of a computation from outside: cancellation, progress and wall time.
 //!
-//! One control is shared by whoever waits and by every march that belongs to the computation (see [`super::Kernel::with_control`]). A march
-//! looks at it before each of its steps, so that it ends within microseconds of the wish. How far a run is, it tells when it is asked,
-//! so that nobody pays for an answer that nobody reads.
+//! Everyone who waits and every integration of the computation share one control (see
+//! [`super::Kernel::with_control`]). An integration polls it before each step and therefore ends
+//! within microseconds of a stop request. It reports its progress only on request.
 
 use std::fmt;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU8, AtomicU64, Ordering};
 use std::time::Duration;
 
-/// Nothing is wished.
+/// No request.
 const NO_REQUEST: u8 = 0;
-/// That the march tells its time.
+/// Request for a progress report.
 const PROGRESS_REQUEST: u8 = 1;
-/// That it stops.
+/// Request to stop.
 const STOP_REQUEST: u8 = 2;
 
-/// Parts of a run whose time is told.
+/// Number of parts of a run in progress reports.
 const PROGRESS_PARTS: u64 = 1000;
 
-/// A handle; its clones are the same control.
+/// Handle to a control; its clones refer to the same control.
 #[derive(Debug, Clone, Default)]
 pub struct Control {
     wish: Arc<AtomicU8>,
@@ -29,7 +29,7 @@ pub struct Control {
     visitor: Option<Callback>,
 }
 
-/// Who is called by the working thread itself.
+/// Callback of the working thread.
 #[derive(Clone)]
 struct Callback(Arc<dyn Fn(&Control) + Send + Sync>);
 
@@ -44,12 +44,12 @@ struct Counts {
     done: AtomicU64,
     expected: AtomicU64,
     harvesters: AtomicU64,
-    /// Bits of the length of the run whose time is told, s; 0 where there is none.
+    /// Bits of the length of the reported run, s; 0 without one.
     run_s: AtomicU64,
 }
 
 impl Control {
-    /// The same wish to stop, for a part of the work that counts its own parts.
+    /// Returns a control with this stop request, for a part of the work that counts its own parts.
     #[must_use]
     pub fn apart(&self) -> Self {
         Self {
@@ -59,8 +59,8 @@ impl Control {
         }
     }
 
-    /// A control without a thread that waits: `visit` is called by the working thread, at its looks and every few dozen steps of its marches. It
-    /// decides whether it is time for anything.
+    /// Creates a control without a waiting thread. The working thread calls `visit` at its polls
+    /// and every few dozen steps of its integrations; `visit` decides whether to act.
     #[must_use]
     pub fn with_callback(visit: impl Fn(&Self) + Send + Sync + 'static) -> Self {
         Self {
@@ -69,7 +69,7 @@ impl Control {
         }
     }
 
-    /// Lets the visitor in, if there is one.
+    /// Runs the callback, if there is one.
     #[inline]
     fn call_back(&self) {
         if let Some(Callback(visit)) = &self.visitor {
@@ -77,25 +77,25 @@ impl Control {
         }
     }
 
-    /// Wishes that the computation stops. It keeps what is finished.
+    /// Requests that the computation stops. Finished results are retained.
     pub fn stop(&self) {
         self.wish.store(STOP_REQUEST, Ordering::Relaxed);
     }
 
-    /// True once somebody wished so.
+    /// True after a stop request.
     #[inline]
     pub fn is_stopped(&self) -> bool {
         self.call_back();
         self.wish.load(Ordering::Relaxed) == STOP_REQUEST
     }
 
-    /// True while there is no wish.
+    /// True without a pending request.
     #[inline(always)]
     pub(super) fn is_quiet(&self) -> bool {
         self.wish.load(Ordering::Relaxed) == NO_REQUEST
     }
 
-    /// Expects one run of this length, s, whose thousandths are its parts.
+    /// Expects one run of this length, s, with thousandths as its parts.
     pub fn expect_run(&self, duration_s: f64) {
         self.counts
             .run_s
@@ -103,7 +103,7 @@ impl Control {
         self.expect(PROGRESS_PARTS as usize);
     }
 
-    /// Wishes that the run tells its time, before its next step.
+    /// Requests that the run reports its time before its next step.
     pub fn request_progress(&self) {
         if self.counts.run_s.load(Ordering::Relaxed) != 0 {
             let _ = self.wish.compare_exchange(
@@ -115,7 +115,7 @@ impl Control {
         }
     }
 
-    /// Tells how far the run is, s.
+    /// Reports the current time of the run, s.
     pub fn report_progress(&self, time_s: f64) {
         let _ = self.wish.compare_exchange(
             PROGRESS_REQUEST,
@@ -130,7 +130,7 @@ impl Control {
         }
     }
 
-    /// Tells how many more parts of the work there will be.
+    /// Announces a number of further parts of the work.
     pub fn expect(&self, parts: usize) {
         self.counts
             .expected
@@ -142,12 +142,12 @@ impl Control {
         self.counts.done.fetch_add(1, Ordering::Relaxed);
     }
 
-    /// Counts a harvester that was made: one for each trial of an orbit.
+    /// Counts a harvester that was built: one for each trial of an orbit.
     pub fn count_harvester(&self) {
         self.counts.harvesters.fetch_add(1, Ordering::Relaxed);
     }
 
-    /// Harvesters made so far, for work whose end is not known.
+    /// Returns the number of harvesters built so far, for work without a known end.
     pub fn harvesters(&self) -> u64 {
         self.counts.harvesters.load(Ordering::Relaxed)
     }
@@ -158,12 +158,13 @@ impl Control {
             .fetch_add(time.as_nanos() as u64, Ordering::Relaxed);
     }
 
-    /// Wall time of the marching of all runs together, s, those of parts that count on their own among them.
+    /// Returns the total wall time of the integration in all runs, s, including parts with their
+    /// own count.
     pub fn wall_time_s(&self) -> f64 {
         1e-9 * self.marched_ns.load(Ordering::Relaxed) as f64
     }
 
-    /// Finished and expected parts.
+    /// Returns the numbers of finished and expected parts.
     pub fn progress(&self) -> (u64, u64) {
         (
             self.counts.done.load(Ordering::Relaxed),
@@ -196,7 +197,7 @@ mod tests {
         );
         assert!(
             control.apart().is_stopped() && looks.load(Ordering::Relaxed) == 3,
-            "a part of the work shares the wish, not the visits"
+            "a part of the work shares the stop request, not the callbacks"
         );
     }
 

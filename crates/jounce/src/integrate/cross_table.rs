@@ -1,4 +1,4 @@
-//! What the contact force of one port does to another port that is in contact too, on a step of one length.
+//! Effect of the contact force of one port on another port in contact, on a step of one length.
 
 use super::basis::NODES;
 use super::contact_table::reach;
@@ -7,28 +7,30 @@ use super::output_rows::{OutputRowsTask, RowReading, RowRequest};
 use crate::plant::EnergyMeter;
 use crate::simd::{F64x8, widest};
 
-/// Answers of a seen port to the nodal forces of another, one lane per nodal force; each lane holds the nodes of the seen port and
-/// the end of the step.
+/// Responses of one port to the nodal forces of another, one vector per nodal force; each vector
+/// holds the nodes of the responding port and the end of the step.
 #[derive(Debug, Clone, Default)]
 pub struct CrossTable {
     /// Displacement, m/N.
     pub displacement: [F64x8; NODES],
     /// Velocity, m/(N s).
     pub velocity: [F64x8; NODES],
-    /// Acceleration without the direct share of the force, m/(N s^2).
+    /// Acceleration without the direct effect of the force, m/(N s^2).
     pub acceleration: [F64x8; NODES],
     /// Largest displacement under nodal forces of magnitude 1, m/N.
     pub reach_m_n: f64,
     /// Largest velocity under nodal forces of magnitude 1, m/(N s).
     pub reach_m_n_s: f64,
-    /// Per load: the meter's row of the seen port, integrated against the functions of its basis.
+    /// For each load, the meter row of the responding port, integrated against the functions of its
+    /// basis.
     pub loads: Vec<[F64x8; NODES]>,
-    /// The same for damping.
+    /// Meter row of damping, integrated in the same way.
     pub damping: [F64x8; NODES],
 }
 
 impl CrossTable {
-    /// For the force of the first port as felt by the second, each with its basis.
+    /// Computes the table for the force of the first port acting on the second, each with its
+    /// basis.
     pub fn new(
         kernel: &Kernel,
         [(port, shape), (seen, reader)]: [(usize, ForceBasis); 2],

@@ -1,19 +1,22 @@
-//! The proof that the first crossing of a flight step has been found.
+//! Proof that the first crossing of a flight step has been found.
 //!
-//! With `H`, `M`, `h` and the quartics of [`super::certificate`], a crossing is the first and only one of an interval around the zero
-//! of `H` when a quartic is negative before the interval, `g` is positive at its end, and `g` rises inside it: there
-//! `|slow' - H'| <= sqrt(3) M h^3 / 216`, and `H'` is a parabola whose Bernstein coefficients bound it from below.
+//! With `H`, `M`, `h` and the quartics of [`super::certificate`], an interval around the zero of
+//! `H` holds the first and only crossing under three conditions. A quartic is negative before the
+//! interval, `g` is positive at its end, and `g` rises inside it. There
+//! `|slow' - H'| <= sqrt(3) M h^3 / 216`, and `H'` is a parabola whose Bernstein coefficients bound
+//! it from below.
 
 use super::certificate::{FlightStep, is_negative};
 
-/// An interval that holds the first crossing of a step and no other, s after its start; `guess_s` is the zero of `H`.
+/// Interval that holds the first and only crossing of a step, s after its start; `guess_s` is the
+/// zero of `H`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Crossing {
-    /// No contact before.
+    /// No contact occurs before.
     pub from_s: f64,
-    /// Near the crossing.
+    /// Estimate of the crossing.
     pub guess_s: f64,
-    /// Past the stop here.
+    /// The point is past the stop here.
     pub to_s: f64,
 }
 
@@ -21,7 +24,7 @@ pub struct Crossing {
 const CROSSING_TOLERANCE: f64 = 1e-10;
 
 impl FlightStep {
-    /// The first crossing, when it can be proved to be one.
+    /// Returns the first crossing, if it can be proved.
     #[inline(always)]
     pub fn crossing(&self) -> Option<Crossing> {
         let guess_s = self.crossing_s()?;
@@ -35,7 +38,7 @@ impl FlightStep {
             1.5 * self.uncertainty_m() / (slope - rate) + 10.0 * CROSSING_TOLERANCE * guess_s;
         let (from_s, to_s) = ((guess_s - half_s).max(0.0), (guess_s + half_s).min(h));
         let rises = {
-            // The parabola H' on [from, to] lies above the least of its Bernstein coefficients.
+            // The parabola H' on [from, to] is bounded below by its smallest Bernstein coefficient.
             let (a, b) = (self.slope(from_s / h), self.slope(to_s / h));
             let middle = 2.0 * self.slope(0.5 * (from_s + to_s) / h) - 0.5 * (a + b);
             a.min(b).min(middle) > rate
@@ -56,12 +59,14 @@ impl FlightStep {
         })
     }
 
-    /// First time in the step at which the interpolant, shifted to start where `g` starts, passes zero upwards, s.
+    /// Returns the first time in the step at which the interpolant, shifted to start where `g`
+    /// starts, passes zero upwards, s.
     #[inline(always)]
     pub fn crossing_s(&self) -> Option<f64> {
         let [p0, p1, p2, p3] = self.cubic().map(|p| p + self.fast_m);
-        // Between its turning points the cubic is monotone: look at each stretch in order. A point past its stop by roundoff strikes at
-        // once if it moves in, and not before it has left if it moves out.
+        // Between its turning points the cubic is monotone: search each interval in order. A point
+        // past its stop by roundoff impacts at once if it moves in, and only after it has left if
+        // it moves out.
         let mut stretch = (0.0, if p1 < p0 { p0 } else { p0.min(0.0) });
         for x in self.turning_points().into_iter().flatten().chain([1.0]) {
             let at = bezier([p0, p1, p2, p3], x);
@@ -73,7 +78,7 @@ impl FlightStep {
         None
     }
 
-    /// Highest value of the shifted interpolant, m.
+    /// Returns the highest value of the shifted interpolant, m.
     pub fn highest_m(&self) -> f64 {
         let shifted = self.cubic().map(|p| p + self.fast_m);
         let inside = self
@@ -84,7 +89,8 @@ impl FlightStep {
         inside.fold(shifted[0].max(shifted[3]), f64::max)
     }
 
-    /// Zero of the shifted interpolant in a stretch where it rises through zero, by Newton kept inside the bracket.
+    /// Returns the zero of the shifted interpolant in an interval where it rises through zero, by
+    /// Newton confined to the bracket.
     #[inline(always)]
     fn zero_between(&self, mut low: f64, mut high: f64) -> f64 {
         let shifted = self.cubic().map(|p| p + self.fast_m);
@@ -111,7 +117,7 @@ impl FlightStep {
         x
     }
 
-    /// Zeros of `H'` inside the step, ascending, as shares of it.
+    /// Returns the zeros of `H'` inside the step, ascending, as fractions of it.
     #[inline(always)]
     fn turning_points(&self) -> [Option<f64>; 2] {
         let [p0, p1, p2, p3] = self.cubic();
@@ -136,7 +142,7 @@ impl FlightStep {
         bezier(self.cubic(), x)
     }
 
-    /// `H'` at a share of the step, m/s.
+    /// Returns `H'` at a fraction of the step, m/s.
     #[inline(always)]
     fn slope(&self, x: f64) -> f64 {
         let [p0, p1, p2, p3] = self.cubic();
@@ -151,7 +157,7 @@ fn bezier([p0, p1, p2, p3]: [f64; 4], x: f64) -> f64 {
     ((p0 * y + 3.0 * p1 * x) * y + 3.0 * p2 * x * x) * y + p3 * x * x * x
 }
 
-/// Bernstein coefficients on `[0, x]` of a quartic given on `[0, 1]`, by de Casteljau.
+/// Returns the Bernstein coefficients on `[0, x]` of a quartic given on `[0, 1]`, by de Casteljau.
 #[inline(always)]
 fn left_of(mut row: [f64; 5], x: f64) -> [f64; 5] {
     let mut left = [row[0]; 5];

@@ -1,35 +1,40 @@
-//! What the nodal forces of a step do to the blocks: the integrals `int f a dt` and `int f b dt` of the entries of the flow (see
-//! [`super::flow_row`]), counted from the start of the step and towards its end.
+//! Effect of the nodal forces of a step on the blocks: the integrals `int f a dt` and `int f b dt`
+//! of the entries of the flow (see [`super::flow_row`]). They are counted from the start of the
+//! step and towards its end.
 //!
-//! Towards the end they move the state: `y(h) = e^{A h} y(0) + int f(t) e^{A (h - t)} c dt` (Duhamel). From the start they meter the
-//! work of the force on the free motion: `int f(t) r e^{A t} y(0) dt`.
+//! Integrals towards the end move the state: `y(h) = e^{A h} y(0) + int f(t) e^{A (h - t)} c dt`
+//! (Duhamel). Integrals from the start give the work of the force on the free motion:
+//! `int f(t) r e^{A t} y(0) dt`.
 //!
-//! Functions whose nodes lie mirrored about the middle of the step need one table for both: force and table are split into even and
-//! odd halves, and the halves enter with the same sign from the start and with opposite signs towards the end. What is read for each
-//! step is half as much as a table for the state and one for each meter.
+//! Functions with nodes symmetric about the middle of the step need one table for both. Force and
+//! table are split into even and odd halves; the halves enter with equal signs from the start and
+//! with opposite signs towards the end. Each step reads half as much as with a table for the state
+//! and one for each meter.
 
 use super::basis::NODES;
 use super::flow_row::FlowRow;
 use super::state::{pushed_by, spread};
 use crate::simd::{F64x8, Simd};
 
-/// The node in the middle.
+/// Middle node.
 const MIDDLE_NODE: usize = NODES / 2;
 
-/// Per lane of integrals (`a` of all pairs, `b` of all pairs, single rates), one lane per nodal force.
+/// Per vector of integrals (`a` of all pairs, `b` of all pairs, single rates), one vector per nodal
+/// force.
 pub type DuhamelIntegrals = Vec<[F64x8; NODES]>;
 
-/// The integrals of a step.
+/// Integrals of a step.
 #[derive(Debug, Clone)]
 pub enum Duhamel {
-    /// Of a basis that is its own mirror image: even halves of the nodes up to the middle, then odd halves of the nodes before it.
+    /// For a symmetric basis: even halves of the nodes up to the middle, then odd halves of the
+    /// nodes before it.
     Mirrored(DuhamelIntegrals),
-    /// Of any basis: from the start, and towards the end.
+    /// For any basis: from the start, and towards the end.
     Each([DuhamelIntegrals; 2]),
 }
 
 impl Duhamel {
-    /// Of integrals from the start of a mirrored basis.
+    /// Folds the integrals from the start of a symmetric basis.
     pub fn mirrored(from_start: &[[F64x8; NODES]]) -> Self {
         let half = |lanes: &[F64x8; NODES], j: usize, sign: f64| {
             F64x8::ZERO
@@ -46,7 +51,8 @@ impl Duhamel {
         Self::Mirrored(from_start.iter().map(halves).collect())
     }
 
-    /// Lanes of the state at the end of the step per unit nodal force, whose column is given.
+    /// Returns the vectors of the state at the end of the step per unit nodal force with a given
+    /// column.
     pub fn pushes(&self, column: &FlowRow) -> Vec<[F64x8; NODES]> {
         let p = column.pairs.len();
         let unfolded: DuhamelIntegrals;
@@ -83,8 +89,8 @@ impl Duhamel {
             .collect()
     }
 
-    /// Adds what nodal forces, last place 0, make of a unit force's column to the state at the end of the step, and leaves the
-    /// integrals from its start.
+    /// Adds the effect of nodal forces, last lane 0, on a force column to the state at the end of
+    /// the step, and returns the integrals from its start.
     #[inline(always)]
     pub fn act<W: Simd>(
         &self,
@@ -143,7 +149,7 @@ impl Duhamel {
     }
 }
 
-/// The same, given the integrals from the start and towards the end of each lane.
+/// Does so with given integrals from the start and towards the end of each vector.
 #[inline(always)]
 fn act_by<W: Simd>(
     w: W,
@@ -200,7 +206,8 @@ mod tests {
         }
     }
 
-    /// `int f(t) g(t) dt` over the step, in `t = h r^2`, in which onset functions are smooth.
+    /// Computes `int f(t) g(t) dt` over the step, in `t = h r^2`, in which onset functions are
+    /// smooth.
     fn integral(basis: &BasisFunctions, g: impl Fn(f64) -> Vec<f64>) -> Vec<f64> {
         let (panels, mut sum) = (40, vec![0.0; COLUMN.len()]);
         for p in 0..panels {
@@ -246,7 +253,7 @@ mod tests {
         let force = F64x8(std::array::from_fn(|j| {
             FORCE_N.get(j).copied().unwrap_or(0.0)
         }));
-        // Onset functions are cut off after 64 Legendre terms.
+        // Onset functions are truncated after 64 Legendre terms.
         for (basis, is_folded, within) in [
             (&*SMOOTH_BASIS, true, 1e-14),
             (&*SMOOTH_BASIS, false, 1e-14),
@@ -290,7 +297,7 @@ mod tests {
                     .sum()
             });
             assert!(worst(&summed.collect::<Vec<f64>>(), &moved) < 1e-14);
-            // Every state alone, read by a row over all of them.
+            // Each state separately, read by a row over all of them.
             let row = [1.3, -0.2, 0.5, 0.8, 2.0];
             let crossed = FlowRow::row(layout, block, &row);
             let unit = |state: usize| {

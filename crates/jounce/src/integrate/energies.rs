@@ -1,4 +1,4 @@
-//! The energy balance of a march, from exact integrals (see [`crate::plant::EnergyMeter`]).
+//! Energy balance of an integration, from exact integrals (see [`crate::plant::EnergyMeter`]).
 
 use super::integrator::Integrator;
 use super::port_state::ContactState;
@@ -7,10 +7,10 @@ use crate::drive::Wave;
 use crate::plant::Tone;
 use faer::{Mat, c64};
 
-/// Energies since the start of a march, J.
+/// Energies since the start of an integration, J.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Energies {
-    /// Put in by the drives.
+    /// Input by the drives.
     pub input_j: f64,
     /// Delivered to each load, in the order of `system.loads`.
     pub loads_j: Vec<f64>,
@@ -18,22 +18,22 @@ pub struct Energies {
     pub damping_j: f64,
     /// Lost in contact.
     pub contact_loss_j: f64,
-    /// What became of the energy of each rectified circuit, in the order of `system.bridges`.
+    /// Energies of each rectified circuit, in the order of `system.bridges`.
     pub rectified: Vec<RectifiedEnergies>,
-    /// Lost by leakage of each patch that leaks, in the order of `electrical.leaks`.
+    /// Lost by leakage of each leaking patch, in the order of `electrical.leaks`.
     pub leaks_j: Vec<f64>,
-    /// Stored in the structure, the patches and the compressed contact, less what was stored at the start.
+    /// Change of the energy stored in the structure, the patches and the compressed contact.
     pub stored_j: f64,
-    /// Largest energy that was stored or had flowed at any time it was looked at, the potential energy of constant drives included: the
-    /// scale of the residual.
+    /// Largest energy stored or transferred at any evaluation, including the potential energy of
+    /// constant drives: the scale of the residual.
     pub scale_j: f64,
 }
 
-/// Part of the largest energy below which an energy is roundoff.
+/// Fraction of the largest energy below which an energy is roundoff.
 const ENERGY_ROUNDOFF: f64 = 1e-13;
 
 impl Energies {
-    /// Delivered to all loads, batteries and loads behind rectifiers, J.
+    /// Returns the energy delivered to all loads, batteries and loads behind rectifiers, J.
     pub fn delivered_j(&self) -> f64 {
         self.loads_j.iter().sum::<f64>()
             + self
@@ -43,7 +43,8 @@ impl Energies {
                 .sum::<f64>()
     }
 
-    /// True where nothing happened: no energy flowed or changed by more than roundoff, so that the residual says nothing.
+    /// True where no energy flowed or changed by more than roundoff, so that the residual has no
+    /// meaning.
     pub fn are_still(&self) -> bool {
         let loads = self
             .loads_j
@@ -60,7 +61,8 @@ impl Energies {
         flows.fold(0.0_f64, |max, flow| max.max(flow.abs())) <= ENERGY_ROUNDOFF * self.scale_j
     }
 
-    /// `input - loads - rectified - leaks - damping - contact loss - stored`, J: zero but for the error of the contact integration and roundoff.
+    /// Returns `input - loads - rectified - leaks - damping - contact loss - stored`, J: zero
+    /// except for roundoff and the error of the contact integration.
     pub fn residual_j(&self) -> f64 {
         let delivered = self.loads_j.iter().chain(&self.leaks_j).sum::<f64>();
         let circuits = delivered
@@ -72,7 +74,7 @@ impl Energies {
         self.input_j - circuits - self.damping_j - self.contact_loss_j - self.stored_j
     }
 
-    /// The residual over the largest energy of the run.
+    /// Returns the residual relative to the largest energy of the run.
     pub fn residual_relative(&self) -> f64 {
         if self.scale_j > 0.0 {
             self.residual_j() / self.scale_j
@@ -82,7 +84,7 @@ impl Energies {
     }
 }
 
-/// Meter readings at the start of a march.
+/// Meter readings at the start of an integration.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct MeterReadings {
     pub input_j: f64,
@@ -92,7 +94,7 @@ pub(super) struct MeterReadings {
 }
 
 impl Integrator<'_> {
-    /// Energies from the start of the march to the present time.
+    /// Returns the energies from the start of the integration to the current time.
     pub fn energies(&self) -> Energies {
         let system = &self.kernel.plant.system;
         if !system.bridges.is_empty() {
@@ -103,13 +105,14 @@ impl Integrator<'_> {
         energies
     }
 
-    /// Energies since the present regime was entered; the outlets of bridges and then the leaks of patches stand behind the loads.
+    /// Returns the energies since the start of the current conduction state; the outlets of bridges
+    /// and then the leaks of patches follow the loads.
     pub(super) fn energies_in_regime(&self) -> Energies {
         let now = self.readings();
         let open = &self.opening;
         let meters = self.kernel.meters();
         let ports = self.kernel.plant.ports.len();
-        // The work is that of all ports together: it enters once.
+        // The work includes all ports: it enters once.
         let contact = |meter: &crate::plant::EnergyMeter, work_j: f64| -> f64 {
             let impulses = self.integrals.tones_n_s.iter().enumerate().take(ports);
             impulses
@@ -175,8 +178,9 @@ impl Integrator<'_> {
         }
     }
 
-    /// Magnitude of the potential energy of constant drives, J, with that of the way on which sinusoids would move the plant freely: a ball
-    /// at rest on a shaken table has no other scale.
+    /// Returns the magnitude of the potential energy of constant drives, J, including the
+    /// displacement of the free plant under sinusoids: a ball at rest on a shaken table has no
+    /// other scale.
     fn potential_j(&self) -> f64 {
         let (plant, x) = (&self.kernel.plant, self.physical());
         let driven = |i: usize| -> f64 {
@@ -202,7 +206,7 @@ impl Integrator<'_> {
         plant.system.signals.iter().map(of).sum()
     }
 
-    /// `sum (q'^2 + w^2 q^2) / 2 + sum C V^2 / 2 + energy of the compressed contact`, J.
+    /// Returns `sum (q'^2 + w^2 q^2) / 2 + sum C V^2 / 2 + energy of the compressed contact`, J.
     fn stored_j(&self, y: &[f64]) -> f64 {
         let plant = &self.kernel.plant;
         let modes = &plant.system.modes;
@@ -229,7 +233,7 @@ impl Integrator<'_> {
     }
 }
 
-/// A row of a real matrix times a complex vector.
+/// Returns a row of a real matrix times a complex vector.
 fn dot_row(matrix: &Mat<f64>, row: usize, vector: &[c64]) -> c64 {
     vector
         .iter()

@@ -1,6 +1,6 @@
-//! What ends a march before its time.
+//! Errors that end an integration early.
 
-/// A march that could not go on.
+/// Error that ends an integration early.
 #[derive(Debug, Clone, PartialEq, thiserror::Error, serde::Serialize)]
 #[serde(untagged)]
 pub enum IntegrationError {
@@ -18,10 +18,10 @@ pub enum IntegrationError {
         /// Penetration at its start, m.
         penetration_m: f64,
     },
-    /// The plant in another regime of its rectifiers.
+    /// The plant cannot be built in another conduction state of its rectifiers.
     #[error(transparent)]
     Regime(#[from] crate::plant::PlantError),
-    /// A rectifier whose diodes or switch change without time going on.
+    /// The diodes or switches of a rectifier change repeatedly without advance in time.
     #[error(
         "at t = {time_s} s circuit `{circuit}` changed {changes} times at one instant; check its diodes, its storage and its drive"
     )]
@@ -30,10 +30,10 @@ pub enum IntegrationError {
         time_s: f64,
         /// Name of the circuit.
         circuit: String,
-        /// How often.
+        /// Number of changes.
         changes: usize,
     },
-    /// The state is no longer a number.
+    /// The state is not finite.
     #[error(
         "at t = {time_s} s the state is not finite; check the amplitude of the drive and the contact law"
     )]
@@ -41,15 +41,15 @@ pub enum IntegrationError {
         /// Time, s.
         time_s: f64,
     },
-    /// Somebody asked for it, see [`super::Control::stop`].
-    #[error("the march was stopped at t = {time_s} s")]
+    /// The integration was stopped, see [`super::Control::stop`].
+    #[error("the integration was stopped at t = {time_s} s")]
     Stopped {
         /// Time, s.
         time_s: f64,
     },
-    /// Rest on rigid stops that hold the same motion: their forces have no unique share.
+    /// Sticking to rigid stops that constrain the same motion: their forces are not unique.
     #[error(
-        "at t = {time_s} s the harvester rests on the rigid stops {} at once, which hold the same motion, so that their forces are not determined; give one of them a compliant law or another gap",
+        "at t = {time_s} s the harvester sticks to the rigid stops {} at once, which constrain the same motion, so that their forces are not unique; give one of them a compliant law or another gap",
         .stops.join(", ")
     )]
     RestsTwice {
@@ -58,9 +58,9 @@ pub enum IntegrationError {
         /// Names of the stops.
         stops: Vec<String>,
     },
-    /// Rigid stops touched at once that hand an impact to and fro.
+    /// Impacts between rigid stops in simultaneous contact do not end.
     #[error(
-        "at t = {time_s} s the rigid stops {} are touched at once and {impacts} impacts between them did not end; give one of them a compliant law, another gap or a smaller restitution",
+        "at t = {time_s} s the rigid stops {} are in contact at once, and their impacts did not end after {impacts}; give one of them a compliant law, another gap or a smaller restitution",
         .stops.join(", ")
     )]
     ImpactsWithoutEnd {
@@ -68,7 +68,7 @@ pub enum IntegrationError {
         time_s: f64,
         /// Names of the stops.
         stops: Vec<String>,
-        /// Impacts resolved.
+        /// Number of impacts resolved.
         impacts: usize,
     },
 }

@@ -1,10 +1,12 @@
-//! The share of signals (drives that are linear in time between breakpoints) in a march.
+//! Excitation by signals, which are drives that are linear in time between breakpoints.
 //!
-//! The integrator carries `y`, the state less its forced part `P` (see [`crate::plant::Forcing`]). What local blocks are forced to do is put
-//! into `y` at the end of each step, so that their `P` begins anew and never grows. From the present time on the forced displacement
-//! of a port is a polynomial in time whose fourth derivative is bounded term by term; it adds to the bound of the certificate, and is
-//! zero where no block is slow beside the samples of the drive. No step crosses a breakpoint. The motions of the bases that signals move
-//! are cubics beside it (see [`Travel`]).
+//! The integrator advances `y`, the state without its forced part `P` (see
+//! [`crate::plant::Forcing`]). At the end of each step the forced motion of local blocks is added
+//! to `y`, so that their `P` restarts at zero and stays small. From the current time on, the forced
+//! displacement of a port is a polynomial in time. The bound on its fourth derivative adds to the
+//! bound of the certificate; it is zero where every block is fast relative to the samples of the
+//! drive. No step crosses a breakpoint. The motions of bases under signals are additional cubics
+//! (see [`Travel`]).
 
 use super::excitation_row::{ExcitationRow, ExcitationSeries};
 use super::flow::Flow;
@@ -17,28 +19,28 @@ use crate::plant::{Forcing, Port, Signal, SignalSample};
 use crate::simd::{F64x8, LANES, Simd};
 use std::sync::Arc;
 
-/// All signals at the present time of a march.
+/// All signals at the current time of an integration.
 #[derive(Debug, Clone)]
 pub(super) struct Excitation {
     players: Vec<SignalCursor>,
-    /// Size and slope of each signal at the present time.
+    /// Value and slope of each signal at the current time.
     pub sizes: Vec<SignalSample>,
     /// Earliest breakpoint, s.
     next_s: f64,
     /// Longest step under signals that are not silent, s.
     limit_s: f64,
-    /// Per port: what it reads of the signals, and that from now on.
+    /// For each port, its row over the signals and its forced motion from the current time on.
     ports: Vec<PortExcitation>,
-    /// Work of the bases that signals move through the contacts between them since the start, J.
+    /// Work of the bases moved by signals through the contacts since the start, J.
     pub base_work_j: f64,
     has_local: bool,
     moved: LocalMotions,
-    /// Flow over the pieces of a signal that is sampled evenly, and their length.
+    /// Flow over the pieces of an evenly sampled signal, and their length.
     piece: Option<(f64, Flow)>,
     pub ledger: SignalWork,
 }
 
-/// One signal and where it stands.
+/// Signal with its current position.
 #[derive(Debug, Clone)]
 struct SignalCursor {
     index: usize,
@@ -50,14 +52,15 @@ struct SignalCursor {
     local: Vec<F64x8>,
 }
 
-/// What one port sees of the signals.
+/// Excitation of one port by the signals.
 #[derive(Debug, Clone)]
 struct PortExcitation {
     reading: ExcitationRow,
     series: ExcitationSeries,
-    /// Displacement per displacement of the base that each signal moves; none where both sides of a stop stand on one.
+    /// Displacement per displacement of the base that each signal moves; empty where both sides of
+    /// a stop are on one base.
     approach: Vec<f64>,
-    /// The share of the bases in the series: a cubic.
+    /// Contribution of the bases to the series: a cubic.
     course: [f64; 4],
 }
 
@@ -131,7 +134,7 @@ impl Excitation {
         forced
     }
 
-    /// Begins to count energies: `y` is the state at the start of the march.
+    /// Starts to count energies: `y` is the state at the start of the integration.
     pub fn open(&mut self, layout: &StateLayout, y: &[F64x8]) {
         if !self.is_silent() {
             self.ledger.open(&self.sizes, self.whole(layout, y));
@@ -144,7 +147,7 @@ impl Excitation {
         self.players.is_empty()
     }
 
-    /// The state with its forced part.
+    /// Returns the state with its forced part.
     pub fn whole(&self, layout: &StateLayout, y: &[F64x8]) -> Vec<f64> {
         let mut whole = y.to_vec();
         for (player, [size, slope]) in self.players.iter().zip(&self.sizes) {
@@ -157,7 +160,8 @@ impl Excitation {
         layout.unpack(&whole)
     }
 
-    /// The time up to which steps may go from a time on, s: a breakpoint, or what the series of local blocks allows.
+    /// Returns the latest end of a step from a time on, s: a breakpoint, or the limit of the series
+    /// of local blocks.
     #[inline(always)]
     pub fn until_s(&self, time_s: f64) -> f64 {
         if self.limit_s.is_finite() && self.sizes.iter().any(|size| *size != [0.0; 2]) {
@@ -173,8 +177,8 @@ impl Excitation {
         self.next_s <= time_s
     }
 
-    /// Time from now to a later one, s. A whole piece of a signal that is sampled evenly has the same length to the last bit
-    /// wherever it lies, so that its tables can be kept.
+    /// Returns the time from now to a later time, s. A complete piece of an evenly sampled signal
+    /// has a bitwise equal length everywhere, so that its tables can be cached.
     #[inline(always)]
     pub fn remaining_s(&self, time_s: f64, end_s: f64) -> f64 {
         match &self.players[..] {
@@ -183,7 +187,7 @@ impl Excitation {
         }
     }
 
-    /// The flow over a whole piece of a signal that is sampled evenly.
+    /// Returns the flow over a complete piece of an evenly sampled signal.
     #[inline(always)]
     pub fn flow_over(&self, length_s: f64) -> Option<&Flow> {
         self.piece
@@ -192,7 +196,8 @@ impl Excitation {
             .map(|(_, flow)| flow)
     }
 
-    /// Forced displacement (m) and velocity (m/s) of a port a time after the present one.
+    /// Returns the forced displacement (m) and velocity (m/s) of a port a time after the current
+    /// one.
     #[inline(always)]
     pub fn motion_after(&self, port: usize, after_s: f64) -> [f64; 2] {
         self.ports
@@ -200,7 +205,7 @@ impl Excitation {
             .map_or([0.0; 2], |seen| seen.series.motion(after_s))
     }
 
-    /// Forced acceleration of a port a time after the present one, m/s^2.
+    /// Returns the forced acceleration of a port a time after the current one, m/s^2.
     #[inline(always)]
     pub fn acceleration_after(&self, port: usize, after_s: f64) -> f64 {
         self.ports
@@ -208,7 +213,8 @@ impl Excitation {
             .map_or(0.0, |seen| seen.series.curvature(after_s))
     }
 
-    /// Bound on the fourth derivative of the forced displacement of a port over a step, m/s^4.
+    /// Returns a bound on the fourth derivative of the forced displacement of a port over a step,
+    /// m/s^4.
     #[inline(always)]
     pub fn fourth_bound(&self, port: usize, length_s: f64) -> f64 {
         self.ports
@@ -216,7 +222,8 @@ impl Excitation {
             .map_or(0.0, |seen| seen.series.fourth_bound(length_s))
     }
 
-    /// Forced displacement and velocity of a port at the places of a step, added to registers.
+    /// Adds the forced displacement and velocity of a port at the nodes and the end of a step to
+    /// registers.
     #[inline(always)]
     pub fn motions<W: Simd>(
         &self,
@@ -239,7 +246,8 @@ impl Excitation {
         ]
     }
 
-    /// Notes the nodal forces of a step that is about to be taken; `weighted` holds force times weight times length, N s.
+    /// Records the nodal forces of the next step; `weighted` holds force times weight times length,
+    /// N s.
     #[inline(always)]
     pub fn push(&mut self, port: usize, places: &[f64; LANES], length_s: f64, weighted: &F64x8) {
         if !self.players.is_empty() {
@@ -256,7 +264,7 @@ impl Excitation {
         }
     }
 
-    /// Notes an impulse of a rigid stop, N s.
+    /// Records an impulse of a rigid stop, N s.
     pub fn strike_stop(&mut self, port: usize, impulse_n_s: f64) {
         if !self.players.is_empty() {
             self.ledger.strike_stop(port, &self.sizes, impulse_n_s);
@@ -264,7 +272,8 @@ impl Excitation {
         }
     }
 
-    /// Goes on to the end of a step; `y` is the state there, which takes what local blocks were forced to do.
+    /// Advances to the end of a step; `y` is the state there and receives the forced motion of
+    /// local blocks.
     #[inline(always)]
     pub fn pass(&mut self, kernel: &Kernel, length_s: f64, time_s: f64, y: &mut [F64x8]) {
         if self.players.is_empty() {
@@ -290,7 +299,8 @@ impl Excitation {
         self.aim(time_s);
     }
 
-    /// Passes the breakpoints that have been reached; true where an impulse has changed the velocities.
+    /// Passes the breakpoints up to the current time; true where an impulse has changed the
+    /// velocities.
     pub fn cross(&mut self, kernel: &Kernel, time_s: f64, y: &mut [F64x8]) -> bool {
         let mut struck = false;
         let mut whole = self.whole(&kernel.layout, y);
@@ -312,7 +322,7 @@ impl Excitation {
         struck
     }
 
-    /// Length of a whole piece of an only signal that ends now, s.
+    /// Returns the length of a complete piece of a single signal that ends now, s.
     fn piece_s(&self, time_s: f64) -> Option<f64> {
         match &self.players[..] {
             [only]
@@ -363,7 +373,7 @@ impl Excitation {
         });
     }
 
-    /// Forced displacements of the ports from a time on, the present one.
+    /// Sets the forced displacements of the ports from the current time on.
     #[inline(always)]
     fn aim(&mut self, time_s: f64) {
         for seen in &mut self.ports {
@@ -393,7 +403,7 @@ impl PortExcitation {
         self.series.add(&self.course);
     }
 
-    /// Speed towards the stop that the bases make, a time after the present one, m/s.
+    /// Returns the speed of the bases towards the stop, a time after the current one, m/s.
     fn base_speed_m_s(&self, after_s: f64) -> f64 {
         let [_, speed, half, sixth] = self.course;
         speed + after_s * (2.0 * half + after_s * 3.0 * sixth)

@@ -1,4 +1,4 @@
-//! What a row reads of the forced part of the state, as a polynomial in time.
+//! Product of a row and the forced part of the state, as a polynomial in time.
 //!
 //! ```text
 //! row . P(t) = sum_s (row . rest) (u + s t) + (row . lag) s + sum_j (u m_(j-1) + s m_(j-2)) t^j / j!,   m_j = row A^j b
@@ -8,21 +8,21 @@
 
 use crate::plant::{LOCAL_TERMS, Plant, SignalSample};
 
-/// Coefficients of a series.
+/// Number of coefficients of a series.
 const SERIES_COEFFICIENTS: usize = LOCAL_TERMS + 1;
 
-/// A row before the signals.
+/// Row for all signals.
 #[derive(Debug, Clone)]
 pub(super) struct ExcitationRow {
-    /// Per signal: `row . rest` and `row . lag`.
+    /// For each signal, `row . rest` and `row . lag`.
     following: Vec<[f64; 2]>,
-    /// Per signal: `m_j / (j + 1)!`.
+    /// For each signal, `m_j / (j + 1)!`.
     local: Vec<[f64; LOCAL_TERMS]>,
-    /// Coefficients that are not always 0.
+    /// Number of coefficients that are not always 0.
     used: usize,
 }
 
-/// A polynomial in the time from now on.
+/// Polynomial in the time from the current time on.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct ExcitationSeries {
     coefficients: [f64; SERIES_COEFFICIENTS],
@@ -45,7 +45,7 @@ impl ExcitationRow {
         let last = (0..LOCAL_TERMS)
             .rev()
             .find(|j| local.iter().any(|moments| moments[*j] != 0.0));
-        // A slope reaches one power further than a size.
+        // A slope reaches one power higher than a value.
         let used = last.map_or(2, |last| (last + 3).min(SERIES_COEFFICIENTS));
         Self {
             following: plant
@@ -58,7 +58,7 @@ impl ExcitationRow {
         }
     }
 
-    /// The polynomial for signals of given sizes.
+    /// Returns the polynomial for given samples of the signals.
     #[inline(always)]
     pub fn series(&self, sizes: &[SignalSample]) -> ExcitationSeries {
         let mut series = ExcitationSeries {
@@ -98,7 +98,7 @@ impl ExcitationSeries {
         self.used = self.used.max(cubic.len());
     }
 
-    /// Value and slope.
+    /// Returns value and slope.
     #[inline(always)]
     pub fn motion(&self, t: f64) -> [f64; 2] {
         let (mut value, mut slope) = (0.0, 0.0);
@@ -109,7 +109,7 @@ impl ExcitationSeries {
         [value, slope]
     }
 
-    /// Value.
+    /// Returns the value.
     #[inline(always)]
     pub fn value(&self, t: f64) -> f64 {
         self.coefficients[..self.used]
@@ -118,7 +118,7 @@ impl ExcitationSeries {
             .fold(0.0, |value, c| value * t + c)
     }
 
-    /// Second derivative.
+    /// Returns the second derivative.
     #[inline(always)]
     pub fn curvature(&self, t: f64) -> f64 {
         (2..self.used).rev().fold(0.0, |sum, j| {
@@ -126,7 +126,7 @@ impl ExcitationSeries {
         })
     }
 
-    /// Bound on the fourth derivative up to a time.
+    /// Returns a bound on the fourth derivative up to a time.
     #[inline(always)]
     pub fn fourth_bound(&self, t: f64) -> f64 {
         let factor = |j: usize| (j * (j - 1) * (j - 2) * (j - 3)) as f64;

@@ -1,12 +1,12 @@
-//! The tridiagonal matrix `I - z S` of [`super::step_response`], factored for eight blocks at once.
+//! Tridiagonal matrix `I - z S` of [`super::step_response`], factored for eight blocks at once.
 
 use super::basis::BasisFunctions;
 use super::step_response::BlockOnStep;
 use crate::simd::{F64x8, Simd};
 use faer::c64;
 
-/// One row of `I - z S` factored, for eight values of `z` at once: real and imaginary parts of what it takes from the row before,
-/// from the row after, and of one over its pivot.
+/// Row of `I - z S` factored, for eight values of `z` at once: real and imaginary parts of its
+/// factors on the previous row, on the next row, and of the reciprocal pivot.
 #[derive(Debug, Clone, Copy)]
 pub struct TridiagonalFactors {
     pub before: [F64x8; 2],
@@ -14,7 +14,7 @@ pub struct TridiagonalFactors {
     pub inverse: [F64x8; 2],
 }
 
-/// Factors of up to eight blocks on a step, as many rows as the neediest of them has terms.
+/// Factors up to eight blocks on a step, with as many rows as the largest number of terms.
 #[inline(always)]
 pub fn factored<W: Simd>(
     w: W,
@@ -57,13 +57,13 @@ pub fn factored<W: Simd>(
     rows
 }
 
-/// Product of complex numbers.
+/// Returns the product of complex numbers.
 #[inline(always)]
 fn product<W: Simd>(w: W, [a, b]: [W::Register; 2], [c, d]: [W::Register; 2]) -> [W::Register; 2] {
     [w.sub(w.mul(a, c), w.mul(b, d)), w.fma(a, d, w.mul(b, c))]
 }
 
-/// One over complex numbers.
+/// Returns the reciprocals of complex numbers.
 #[inline(always)]
 fn reciprocal<W: Simd>(w: W, [a, b]: [W::Register; 2]) -> [W::Register; 2] {
     let size = w.store(w.fma(a, a, w.mul(b, b)));
@@ -71,11 +71,11 @@ fn reciprocal<W: Simd>(w: W, [a, b]: [W::Register; 2]) -> [W::Register; 2] {
     [w.mul(a, scale), w.sub(w.zero(), w.mul(b, scale))]
 }
 
-/// Decay over a step above which a real rate needs fewer coefficients than a turning one.
+/// Decay over a step above which a real rate needs fewer coefficients than a complex one.
 const STIFF_DECAY: f64 = 300.0;
 
-/// Coefficients that a block needs on a step. Those of a decay `e^{-z x}` fall off like `e^{-n^2 / z}`, those of a turning block only
-/// beyond `|z| / 2`.
+/// Returns the number of coefficients of a block on a step. For a decay `e^{-z x}` they fall off
+/// like `e^{-n^2 / z}`, for a complex pair only beyond `|z| / 2`.
 pub fn terms(part: &BlockOnStep, basis: &BasisFunctions, h: f64) -> usize {
     let z = h * part.rate().norm();
     let own = if z > STIFF_DECAY && part.rate().im == 0.0 {
@@ -86,7 +86,7 @@ pub fn terms(part: &BlockOnStep, basis: &BasisFunctions, h: f64) -> usize {
     (18 + own.ceil() as usize) + basis.series.len()
 }
 
-/// Entry of `S` in row `n + 1`, column `n`; the entry in row `n - 1` is its negative.
+/// Returns the entry of `S` in row `n + 1`, column `n`; the entry in row `n - 1` is its negative.
 #[inline(always)]
 pub fn below(n: usize) -> f64 {
     0.5 / (2 * n + 1) as f64

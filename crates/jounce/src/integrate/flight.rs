@@ -1,4 +1,4 @@
-//! Flight: exact flow in certified steps, until the stop is struck or the end is reached.
+//! Flight: exact flow in certified steps, until the stop is hit or the end is reached.
 
 use super::certificate::FlightStep;
 use super::crossing::Crossing;
@@ -11,12 +11,14 @@ use super::step_size::LEVELS_PER_OCTAVE;
 use crate::contact::Law;
 use crate::simd::Simd;
 
-/// Certificate uncertainty, relative to the motion, below which a step that is neither clear nor a proved crossing is taken for
-/// what its interpolant says: a contact that could hide in it is shallower than this fraction of the motion.
+/// Certificate uncertainty, relative to the motion, below which the interpolant decides on a step
+/// that is neither clear nor a proved crossing. A contact missed in it is shallower than this
+/// fraction of the motion.
 pub(super) const RESOLVED_UNCERTAINTY: f64 = 1e-12;
 
-/// Shallower than the resolution: nothing the force law could feel, unless the interpolant itself crosses. What was let go from rest does not
-/// come back within what the interpolant does not know, though that may well rise first.
+/// Decides below the resolution, where a contact has no effect on the force law, unless the
+/// interpolant crosses. A point released from rest may rise at first, but does not return within
+/// the uncertainty of the interpolant.
 #[inline(always)]
 pub(super) fn by_interpolant(step: &FlightStep, from_rest: bool) -> FlightVerdict {
     match step.crossing_s() {
@@ -30,16 +32,16 @@ pub(super) fn by_interpolant(step: &FlightStep, from_rest: bool) -> FlightVerdic
     }
 }
 
-/// What became of one attempted step.
+/// Outcome of one attempted step.
 pub(super) enum FlightVerdict {
     Clear,
     Strike(Crossing),
-    /// Levels to go down before the next attempt.
+    /// Levels to decrease before the next attempt.
     Unclear(i32),
 }
 
 impl Integrator<'_> {
-    /// Flies until contact or until the end.
+    /// Integrates the flight until contact or until the end.
     #[inline(always)]
     pub(super) fn flight<W: Simd>(&mut self, w: W, end_s: f64) -> Result<(), IntegrationError> {
         w.apart(
@@ -63,7 +65,7 @@ impl Integrator<'_> {
             let length_s = Kernel::length_s(level);
             let remaining_s = self.excitation.remaining_s(self.time_s, end_s);
             let landing = length_s >= remaining_s;
-            // Of a step that ends early, the shortest level that bounds it from above.
+            // For a step that ends early, the shortest level that bounds it from above.
             let tight = if landing {
                 level.max(Kernel::level_within(remaining_s) - 1)
             } else {
@@ -78,7 +80,8 @@ impl Integrator<'_> {
                 FlightVerdict::Clear => {
                     self.work.flight_steps += 1;
                     let longer = (level - grow).max(Kernel::coarsest());
-                    // If this flight lasts as long as the one before, a step much longer than what is left of it would be lost.
+                    // If this flight lasts as long as the previous one, a step much longer than the
+                    // remaining time would be rejected.
                     let left_s = begun_s + self.flight_s - self.time_s;
                     let reaches_far = left_s > 0.0 && Kernel::length_s(longer) > 2.0 * left_s;
                     self.flight_level = if reaches_far { level } else { longer };
@@ -88,7 +91,8 @@ impl Integrator<'_> {
                     let (after_s, motion) = self.locate(w, 0, crossing);
                     self.move_on(after_s, self.time_s + after_s);
                     self.set_motion(0, motion);
-                    // What is past a rigid stop by roundoff and moves out has left it, unless it is pressed back before.
+                    // A point that is past a rigid stop by roundoff and moves out has left it,
+                    // unless it is pressed back first.
                     if motion[1] < 0.0
                         && matches!(self.kernel.plant.system.stops[0].law, Law::Rigid(_))
                         && !self.is_lost(0, motion)
@@ -115,7 +119,7 @@ impl Integrator<'_> {
         Ok(())
     }
 
-    /// One step of a level; taken only if clear.
+    /// Attempts one step of a level, which is accepted only if clear.
     #[inline(always)]
     fn attempt<W: Simd>(&mut self, w: W, level: i32) -> FlightVerdict {
         let kernel = self.kernel;
@@ -151,12 +155,12 @@ impl Integrator<'_> {
         verdict
     }
 
-    /// A last step of any length, to the end.
+    /// Attempts a last step of any length, to the end.
     #[inline(always)]
     fn land<W: Simd>(&mut self, w: W, level: i32, length_s: f64, end_s: f64) -> FlightVerdict {
         self.propagate_to(w, length_s);
         let motion = self.motion_ahead(w, 0, length_s);
-        // The level bounds the length from above: its split into slow and fast serves.
+        // The level bounds the length from above: its split into slow and fast blocks is valid.
         let step = self.step_of(w, 0, level, length_s, motion, self.drive_after(0, length_s));
         let verdict = self.judge_flight(0, &step, motion[0]);
         if let FlightVerdict::Clear = verdict {
@@ -166,7 +170,8 @@ impl Integrator<'_> {
         verdict
     }
 
-    /// The certificate's view of a step that ends in `next` with `motion` of a port there, of which `drive` is the drives' share.
+    /// Returns the certificate data of a step that ends in `next` with `motion` of a port there;
+    /// `drive` is the contribution of the drives.
     #[inline(always)]
     pub(super) fn step_of<W: Simd>(
         &self,
@@ -224,7 +229,8 @@ impl Integrator<'_> {
         if uncertainty_m <= RESOLVED_UNCERTAINTY * self.scale_m(p, displacement_m) {
             return by_interpolant(step, self.leaves_from_rest(p));
         }
-        // The uncertainty falls like the fourth power of the length: two levels where one is not enough.
+        // The uncertainty falls with the fourth power of the length: two levels where one is not
+        // enough.
         let far = uncertainty_m
             > 16.0
                 * self.ports[p]
@@ -238,12 +244,12 @@ impl Integrator<'_> {
         })
     }
 
-    /// A port that touches and has no speed: it flies, so that nothing presses it.
+    /// True for a touching port without speed that is in flight, so that it is not pressed.
     pub(super) fn leaves_from_rest(&self, p: usize) -> bool {
         self.ports[p].penetration_m == 0.0 && self.ports[p].rate_m_s == 0.0
     }
 
-    /// Size of the motion against which the certificate's uncertainty is held.
+    /// Returns the size of the motion, to which the uncertainty of the certificate is relative.
     fn scale_m(&self, p: usize, displacement_m: f64) -> f64 {
         let port = &self.ports[p];
         let gap = if port.rows.gap_m.is_finite() {
@@ -251,7 +257,7 @@ impl Integrator<'_> {
         } else {
             0.0
         };
-        // Of a point that leaves its stop from rest, its own motion is no measure: it has none yet.
+        // The motion of a point that leaves its stop from rest is not a scale yet.
         let from_rest = if port.rate_m_s == 0.0 {
             self.terms_of(&port.rows.displacement)
         } else {
@@ -262,7 +268,7 @@ impl Integrator<'_> {
             .max(from_rest)
     }
 
-    /// Displacement and velocity of a port under the drive at the present time.
+    /// Returns displacement and velocity of a port under the drive at the current time.
     #[inline(always)]
     fn drive(&self, p: usize) -> [f64; 2] {
         self.tones
@@ -273,7 +279,7 @@ impl Integrator<'_> {
             })
     }
 
-    /// The same after a time.
+    /// Returns displacement and velocity of a port under the drive after a time.
     #[inline(always)]
     pub(super) fn drive_after(&self, p: usize, time_s: f64) -> [f64; 2] {
         let motion = |tone: &super::phasor::Phasor| {
@@ -287,8 +293,8 @@ impl Integrator<'_> {
             })
     }
 
-    /// Time until a port strikes, by Newton on the exact flow inside the proved interval, and its motion then; the state there is
-    /// in `next`.
+    /// Returns the time until a port hits its stop, by Newton on the exact flow inside the proved
+    /// interval, and its motion then; the state there is in `next`.
     #[inline(always)]
     pub(super) fn locate<W: Simd>(
         &mut self,
@@ -320,8 +326,8 @@ impl Integrator<'_> {
             let before = motion;
             motion = self.motion_ahead(w, p, next);
             guess_s = next;
-            // Newton leaves the change times half the relative change of the rate: here roundoff, and the flow to `next` has been
-            // looked at.
+            // The error left by Newton is the change times half the relative change of the rate:
+            // here roundoff, and `next` has been evaluated.
             let left = 0.5 * change * ((motion[1] - before[1]) / motion[1]).abs();
             if left <= 1e-15 * guess_s.min(1.0 / self.kernel.fastest_rad_s) {
                 break;
@@ -330,7 +336,7 @@ impl Integrator<'_> {
         (guess_s, motion)
     }
 
-    /// A port enters contact at the present time.
+    /// Puts a port into contact at the current time.
     #[inline(always)]
     pub(super) fn struck(&mut self, p: usize) {
         let port = &mut self.ports[p];

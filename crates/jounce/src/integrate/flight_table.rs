@@ -1,35 +1,37 @@
-//! The rows and bounds that prove a flight step free of contact (see [`super::certificate`]).
+//! Rows and bounds for the proof that a flight step is free of contact (see
+//! [`super::certificate`]).
 
 use super::layout::StateLayout;
 use crate::plant::{BlockDiagonal, BlockPair, Port};
 use crate::simd::F64x8;
 
-/// What the certificate needs of a flight step of one length. All rows are padded.
+/// Tables of the certificate for a flight step of one length. All rows are padded.
 #[derive(Debug, Clone)]
 pub struct FlightTable {
     /// Factors of the bound on the fourth derivative of the slow part, m/s^4.
     pub slow_fourth: Vec<F64x8>,
-    /// What some block too fast for this length adds; `None` without such a block.
+    /// Contribution of blocks too fast for this length; `None` without such a block.
     pub fast: Option<FastBlocks>,
 }
 
-/// Blocks whose own size is a better bound than their interpolation error.
+/// Blocks for which a bound on the motion is better than one on the interpolation error.
 #[derive(Debug, Clone)]
 pub struct FastBlocks {
     /// Row of the displacement of the slow part.
     pub slow_displacement: Vec<F64x8>,
-    /// Row of its velocity.
+    /// Row of the velocity of the slow part.
     pub slow_velocity: Vec<F64x8>,
     /// Factors of the bound on the displacement of the fast part, m.
     pub displacement_bound: Vec<F64x8>,
-    /// Factors of the bound on its velocity, m/s.
+    /// Factors of the bound on the velocity of the fast part, m/s.
     pub velocity_bound: Vec<F64x8>,
 }
 
 /// `|lambda| h` above which a block counts as fast.
 const FAST_BLOCK: f64 = 4.4;
 
-/// Bounds on one block's share of the displacement, as factors on the magnitudes of its states.
+/// Bounds on the contribution of one block to the displacement, as factors on the magnitudes of its
+/// states.
 struct BlockBounds {
     states: Vec<usize>,
     speed_rad_s: f64,
@@ -40,7 +42,7 @@ struct BlockBounds {
 }
 
 impl FlightTable {
-    /// For steps of one length.
+    /// Computes the tables for steps of one length.
     pub fn new(block: &BlockDiagonal, layout: &StateLayout, port: &Port, h: f64) -> Self {
         let n = block.len();
         let (mut fourth, mut bound, mut speed, mut slow) =
@@ -77,7 +79,8 @@ impl FlightTable {
     }
 }
 
-/// The blocks decay, so that bounds at the start of a step hold throughout.
+/// Returns the bounds of all blocks. Blocks decay, so that bounds at the start of a step hold
+/// throughout.
 fn shares(block: &BlockDiagonal, row: &[f64], h: f64) -> Vec<BlockBounds> {
     let pair = |(k, pair): (usize, &BlockPair)| {
         let own = [row[2 * k], row[2 * k + 1]];

@@ -1,10 +1,12 @@
-//! Exact flow of all blocks at once: over a level length by a table, over a short time by its power series.
+//! Exact flow of all blocks at once: by a table over a step level, by the power series over a short
+//! time.
 
 use super::layout::StateLayout;
 use crate::plant::BlockDiagonal;
 use crate::simd::{F64x8, LANES, Simd};
 
-/// Entries `a, b, c, d` of the 2 x 2 blocks, then the 1 x 1 blocks, in padded lanes: a flow, or its generator.
+/// Entries `a, b, c, d` of the 2 x 2 blocks, then the 1 x 1 blocks, in padded vectors: a flow, or
+/// its generator.
 #[derive(Debug, Clone)]
 pub struct Flow {
     pairs: [Vec<F64x8>; 4],
@@ -14,13 +16,15 @@ pub struct Flow {
 /// Largest `|lambda| t` of the power series of a flow.
 pub const MAX_SERIES_ARGUMENT: f64 = 0.125;
 
-/// Size of the first term of the power series that is left out.
+/// Size of the first omitted term of the power series.
 const NEGLIGIBLE_TERM: f64 = 3e-20;
 
-/// Most pairs of terms of the power series after the first two, those of [`MAX_SERIES_ARGUMENT`].
+/// Largest number of pairs of terms of the power series after the first two, reached at
+/// [`MAX_SERIES_ARGUMENT`].
 const MAX_SERIES_PAIRS: usize = 6;
 
-/// Factors from one term to the next but one, of even and of odd powers: `1 / (n (n - 1))` for `n = 2, 4, ..` and for `n = 3, 5, ..`.
+/// Factors from one term to the next of equal parity: `1 / (n (n - 1))` for `n = 2, 4, ..` and for
+/// `n = 3, 5, ..`.
 const SERIES_FACTORS: [[f64; 2]; MAX_SERIES_PAIRS] = {
     let mut factors = [[1.0; 2]; MAX_SERIES_PAIRS];
     let mut m = 0;
@@ -32,7 +36,7 @@ const SERIES_FACTORS: [[f64; 2]; MAX_SERIES_PAIRS] = {
     factors
 };
 
-/// The factors that matter for a largest `|lambda| t` of `size`.
+/// Returns the factors needed for a largest `|lambda| t` of `size`.
 #[inline(always)]
 fn factors(size: f64) -> &'static [[f64; 2]] {
     let (mut count, mut next) = (0, size * size);
@@ -44,7 +48,7 @@ fn factors(size: f64) -> &'static [[f64; 2]] {
 }
 
 impl Flow {
-    /// `e^{A t}`.
+    /// Returns `e^{A t}`.
     pub fn over(block: &BlockDiagonal, layout: &StateLayout, time_s: f64) -> Self {
         Self::of(
             layout,
@@ -53,7 +57,7 @@ impl Flow {
         )
     }
 
-    /// `A` itself.
+    /// Returns `A`.
     pub fn generator(block: &BlockDiagonal, layout: &StateLayout) -> Self {
         Self::of(
             layout,
@@ -83,13 +87,13 @@ impl Flow {
         flow
     }
 
-    /// Entries `a, b, c, d` of pair `k`.
+    /// Returns the entries `a, b, c, d` of pair `k`.
     #[inline(always)]
     pub fn pair(&self, k: usize) -> [f64; 4] {
         std::array::from_fn(|entry| self.pairs[entry][k / LANES].0[k % LANES])
     }
 
-    /// Entry of real `k`.
+    /// Returns the entry of real `k`.
     #[inline(always)]
     pub fn real(&self, k: usize) -> f64 {
         self.reals[k / LANES].0[k % LANES]
@@ -116,10 +120,12 @@ impl Flow {
         }
     }
 
-    /// Carries a state along flows, one after the other, and then over a short time of either sign, by the power series of the flow of
-    /// this generator, even and odd powers side by side. `fastest_rad_s` bounds its eigenvalues; their product with the time is at most [`MAX_SERIES_ARGUMENT`].
+    /// Propagates a state along flows, one after the other, and then over a short time of either
+    /// sign, by the power series of this generator with even and odd powers in parallel.
+    /// `fastest_rad_s` bounds its eigenvalues; their product with the time is at most
+    /// [`MAX_SERIES_ARGUMENT`].
     ///
-    /// Each lane goes all the way in registers.
+    /// Each vector remains in registers throughout.
     #[inline(always)]
     pub fn carry<W: Simd>(
         &self,
@@ -168,7 +174,7 @@ impl Flow {
     }
 }
 
-/// Blocks times states.
+/// Multiplies blocks by states.
 #[inline(always)]
 fn applied<W: Simd>(
     w: W,
@@ -179,7 +185,7 @@ fn applied<W: Simd>(
     (w.fma(a, u, w.mul(b, v)), w.fma(c, u, w.mul(d, v)))
 }
 
-/// Blocks times themselves.
+/// Squares blocks.
 #[inline(always)]
 fn squared<W: Simd>(w: W, [a, b, c, d]: [W::Register; 4]) -> [W::Register; 4] {
     let (cross, trace) = (w.mul(b, c), w.add(a, d));
@@ -216,7 +222,7 @@ mod tests {
             real_lanes: 1,
         };
         let start = [1.0, -0.3, 0.7, 2.0, 1.5];
-        // Up to the whole reach of the series, and after two flows.
+        // Up to the complete range of the series, and after two flows.
         for (time_s, long_s) in [(1.3e-4, 0.0), (-1.3e-4, 0.0), (1e-9, 0.0), (1.3e-4, 0.004)] {
             let mut y = layout.pack(&start);
             let halves = [0.25, 0.75].map(|share| Flow::over(&block, &layout, share * long_s));

@@ -1,35 +1,37 @@
-//! A row or a column of the state beside its crossed form.
+//! Row or column of the state with its crossed form.
 //!
-//! Every block of a flow reads `e^{A t} = [[a, p b], [q b, a]]`: `p = -1`, `q = 1` where a pair turns, `p = 1`, `q = 0` for a double
-//! rate, `b = 0` for a single one. So for a row `r` and a column `c` of a pair
+//! Every block of a flow has the form `e^{A t} = [[a, p b], [q b, a]]`: `p = -1`, `q = 1` for a
+//! complex pair, `p = 1`, `q = 0` for a double rate, `b = 0` for a single one. So for a row `r` and
+//! a column `c` of a pair
 //!
 //! ```text
 //! r e^{A t} (u, v) = a (r_u u + r_v v) + b (q r_v u + p r_u v),
 //! e^{A t} c        = a (c_u, c_v)      + b (p c_v, q c_u):
 //! ```
 //!
-//! what a force does to the state, and what the motion does to any meter of its work, are both integrals of `a` and `b`.
+//! the effect of a force on the state, and of the motion on any meter of its work, are both
+//! integrals of `a` and `b`.
 
 use super::layout::StateLayout;
 use crate::plant::{BlockDiagonal, BlockPair};
 use crate::simd::{F64x8, LANES, Simd};
 
-/// See above.
+/// Row or column in the form of the module.
 #[derive(Debug, Clone)]
 pub struct FlowRow {
-    /// Per lane of pairs: what goes with `a`, for `u` and for `v`, then what goes with `b`.
+    /// Per vector of pairs: factors of `a`, for `u` and for `v`, then factors of `b`.
     pub pairs: Vec<[F64x8; 4]>,
     /// Single rates.
     pub reals: Vec<F64x8>,
 }
 
 impl FlowRow {
-    /// A row in block coordinates.
+    /// Converts a row in block coordinates.
     pub fn row(layout: &StateLayout, block: &BlockDiagonal, row: &[f64]) -> Self {
         Self::new(layout, block, row, |[p, q], [u, v]| [q * v, p * u])
     }
 
-    /// A column in block coordinates.
+    /// Converts a column in block coordinates.
     pub fn column(layout: &StateLayout, block: &BlockDiagonal, column: &[f64]) -> Self {
         Self::new(layout, block, column, |[p, q], [u, v]| [p * v, q * u])
     }
@@ -67,8 +69,8 @@ impl FlowRow {
         }
     }
 
-    /// What this row reads of a state whose blocks have moved by integrals of `a`, of `b`, and of single rates, one lane after the
-    /// other; in a register whose places are yet to be summed.
+    /// Reads a state whose blocks have moved by integrals of `a`, of `b`, and of single rates,
+    /// vector by vector. The lanes of the returned register are not yet summed.
     #[inline(always)]
     pub fn read<W: Simd>(&self, w: W, integrals: &[F64x8], y: &[F64x8]) -> W::Register {
         let p = self.pairs.len();

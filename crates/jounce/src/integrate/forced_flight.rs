@@ -1,16 +1,19 @@
-//! What the contact force of one port does to another port that is in flight, on a step of one length.
+//! Effect of the contact force of one port on another port in flight, on a step of one length.
 //!
-//! The displacement `z` that the force causes at the other port starts at rest. Its cubic Hermite interpolant over the step is
+//! The displacement `z` that the force causes at the other port starts from rest. Its cubic Hermite
+//! interpolant over the step is
 //!
 //! ```text
 //! H(x) = z(h) (3 x^2 - 2 x^3) + h z'(h) (x^3 - x^2) + h z'(0) (x^3 - 2 x^2 + x),   x = t / h,
 //! ```
 //!
-//! where `z'(0)` is not zero only for an output whose rate the force changes at once: the current of a patch, at which a switch
-//! looks. `z - H` is known as a Legendre series in `x`. As no Legendre polynomial passes 1 in magnitude, the sum of the magnitudes of
-//! its coefficients bounds `|z - H|` on the whole step, and the same holds for `|z' - H'|`. Both are linear in the nodal forces,
-//! so that the bound keeps what the forces of all nodes cancel. It holds to the accuracy of the series (see [`super::step_response`]).
-//! The certificate takes this rest for a fast part that starts at zero (see [`super::certificate`]).
+//! where `z'(0)` is not zero only for an output whose rate the force changes at once: the current
+//! of a patch, which a switch monitors. `z - H` is known as a Legendre series in `x`. No Legendre
+//! polynomial exceeds 1 in magnitude. The sum of the magnitudes of the coefficients therefore
+//! bounds `|z - H|` on the complete step, and likewise `|z' - H'|`. Both are linear in the nodal
+//! forces, so that the bound includes the cancellation between nodes. It holds to the accuracy of
+//! the series (see [`super::step_response`]). The certificate treats this remainder as a fast part
+//! that starts at zero (see [`super::certificate`]).
 
 use super::basis::NODES;
 use super::kernel::{ForceBasis, Kernel};
@@ -29,19 +32,20 @@ const HERMITE_VALUES: [[f64; 4]; 3] = [
 /// ... and of their slopes.
 const HERMITE_SLOPES: [[f64; 3]; 3] = [[1.0, 0.0, -1.0], [0.0, 0.5, 0.5], [0.0, -0.5, 0.5]];
 
-/// One lane per nodal force.
+/// Effect of a force on another port, one vector per nodal force.
 #[derive(Debug, Clone)]
 pub struct ForcedFlight {
-    /// Displacement (first place, m) and velocity (second place, m/s) at the end of the step, and velocity at its start (third place).
+    /// Displacement (lane 0, m) and velocity (lane 1, m/s) at the end of the step, and velocity at
+    /// its start (lane 2).
     pub end: [F64x8; NODES],
-    /// Coefficients of `z - H`, m, eight to a lane.
+    /// Coefficients of `z - H`, m, eight per vector.
     rest: Vec<[F64x8; NODES]>,
     /// Coefficients of `z' - H'`, m/s.
     rest_rate: Vec<[F64x8; NODES]>,
 }
 
 impl ForcedFlight {
-    /// For the force of a port, in a basis, as felt by the port `seen`.
+    /// Computes the effect of the force of a port, in a basis, on the port `seen`.
     pub fn new(
         kernel: &Kernel,
         (port, shape): (usize, ForceBasis),
@@ -68,7 +72,7 @@ impl ForcedFlight {
             series.next().unwrap_or_default(),
             series.next().unwrap_or_default(),
         );
-        // A force that acts on the rate at once does so as it is, beside what the states make of it.
+        // A direct effect of the force on the rate adds to the effect through the states.
         let direct = kernel.directly(port, seen);
         if direct != 0.0 {
             speed.resize(speed.len().max(basis.series.len()), F64x8::ZERO);
@@ -109,7 +113,8 @@ impl ForcedFlight {
     }
 }
 
-/// From one lane per coefficient to one lane per nodal force, eight coefficients at a time.
+/// Transposes from one vector per coefficient to one vector per nodal force, eight coefficients at
+/// a time.
 fn by_force(series: &[F64x8]) -> Vec<[F64x8; NODES]> {
     let of = |rows: &[F64x8]| {
         std::array::from_fn(|j| {
@@ -121,8 +126,8 @@ fn by_force(series: &[F64x8]) -> Vec<[F64x8; NODES]> {
     series.chunks(LANES).map(of).collect()
 }
 
-/// Bounds on `|z - H|` (m) and `|z' - H'|` (m/s) under the nodal forces of several ports: the sums of the magnitudes of their
-/// common coefficients.
+/// Returns bounds on `|z - H|` (m) and `|z' - H'|` (m/s) under the nodal forces of several ports:
+/// the sums of the magnitudes of their common coefficients.
 #[inline(always)]
 pub fn rest_bounds<W: Simd>(
     w: W,

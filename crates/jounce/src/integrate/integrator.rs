@@ -1,8 +1,8 @@
-//! The integrator: the state of a run and its advance to a given time.
+//! Integrator: the state of a run and its advance to a given time.
 //!
-//! Between contacts the flow is exact and a step is as long as the certificate allows; in contact the scalar force on a step
-//! is a polynomial through seven Gauss nodes, found by fixed point. The loop alternates the two. Several ports are marched by
-//! [`super::multi_port`].
+//! Between contacts the flow is exact, and the certificate limits the step length. In contact the
+//! scalar force on a step is a polynomial through seven Gauss nodes, found by fixed-point
+//! iteration. The loop alternates the two. [`super::multi_port`] integrates several ports.
 
 use super::ad_hoc_tables::AdHocTables;
 use super::energies::MeterReadings;
@@ -23,14 +23,14 @@ use crate::contact::{ContactLaw, Hertz, Law, Rigid};
 use crate::plant::Stop;
 use crate::simd::{F64x8, Portable, Simd, Task, widest};
 
-/// Looks at the control from one visit to the next.
+/// Polls of the control between two callbacks.
 const POLLS_PER_CALLBACK: u8 = 64;
 
-/// A run in progress.
+/// Integration in progress.
 #[derive(Debug, Clone)]
 pub struct Integrator<'k> {
     pub(super) kernel: &'k Kernel,
-    /// The kernel with all bridges blocked, in whose coordinates states come and go.
+    /// Kernel with all bridges blocked; states enter and leave in its coordinates.
     pub(super) base: &'k Kernel,
     pub(super) switching: Switching,
     pub(super) layout: StateLayout,
@@ -38,32 +38,34 @@ pub struct Integrator<'k> {
     pub(super) time_s: f64,
     pub(super) y: Vec<F64x8>,
     pub(super) next: Vec<F64x8>,
-    /// Integrals of the force of the step in hand from its start (see [`super::duhamel`]).
+    /// Integrals of the force of the current step from its start (see [`super::duhamel`]).
     pub(super) from_start: Vec<F64x8>,
     pub(super) ad_hoc_tables: AdHocTables,
     pub(super) tones: Vec<Phasor>,
     pub(super) excitation: Excitation,
     pub(super) ports: PerPort<PortState>,
     pub(super) flight_level: i32,
-    /// How long the last flight that ended in a contact lasted, s.
+    /// Duration of the last flight that ended in a contact, s.
     pub(super) flight_s: f64,
-    /// What a step that ends past the surface misses of the impulse left (see [`super::step_control`]).
+    /// Error factor of the remaining impulse for a step that ends past the surface (see
+    /// [`super::step_control`]).
     pub(super) release_error_factor: f64,
     pub(super) integrals: ContactIntegrals,
     pub(super) work: WorkCount,
-    /// How often the control was looked at.
+    /// Number of polls of the control.
     pub(super) checks: u8,
     pub(super) opening: MeterReadings,
     pub(super) record: Option<Trajectory>,
 }
 
 impl<'k> Integrator<'k> {
-    /// Starts from block coordinates `y` (see [`crate::plant::Plant::from_physical`]) at a time.
+    /// Starts an integration at a time from block coordinates `y` (see
+    /// [`crate::plant::Plant::from_physical`]).
     ///
     /// `tolerance` is the wanted relative error of the response.
     ///
     /// # Errors
-    /// [`IntegrationError::NotFinite`] for a start that is not a number.
+    /// [`IntegrationError::NotFinite`] for a start that is not finite.
     pub fn new(
         kernel: &'k Kernel,
         y: &[f64],
@@ -78,7 +80,7 @@ impl<'k> Integrator<'k> {
         Ok(integrator)
     }
 
-    /// A march in the regime of a kernel.
+    /// Creates an integrator in the conduction state of a kernel.
     pub(super) fn in_one_regime(
         kernel: &'k Kernel,
         y: &[f64],
@@ -144,17 +146,17 @@ impl<'k> Integrator<'k> {
         integrator
     }
 
-    /// Ends contacts so finely that the derivative of the flow is as good as the flow.
+    /// Resolves the ends of contacts finely enough for an accurate derivative of the flow.
     pub(super) fn resolve_derivative(&mut self) {
         self.release_error_factor = RELEASE_ERROR_FACTOR_OF_DERIVATIVE;
     }
 
-    /// Present time, s.
+    /// Returns the current time, s.
     pub fn time_s(&self) -> f64 {
         self.time_s
     }
 
-    /// State in block coordinates.
+    /// Returns the state in block coordinates.
     pub fn state(&self) -> Vec<f64> {
         if self.switching.regime == 0 {
             self.own_state()
@@ -163,19 +165,20 @@ impl<'k> Integrator<'k> {
         }
     }
 
-    /// State in the block coordinates of the present regime.
+    /// Returns the state in the block coordinates of the current conduction state.
     pub(super) fn own_state(&self) -> Vec<f64> {
         self.excitation.whole(&self.layout, &self.y)
     }
 
-    /// Physical state `(q, q', V, i)`.
+    /// Returns the physical state `(q, q', V, i)`.
     pub fn physical(&self) -> Vec<f64> {
         self.kernel
             .plant
             .to_physical(&self.own_state(), self.time_s)
     }
 
-    /// Contact force of each stop at the present time, N; 0 in flight and on a rigid stop.
+    /// Returns the contact force of each stop at the current time, N; 0 in flight and on a rigid
+    /// stop.
     pub fn forces_n(&self) -> Vec<f64> {
         let force = |(port, stop): (&PortState, &Stop)| match port.regime {
             ContactState::Contact => stop.law.force_n(port.penetration_m, port.rate_m_s),
@@ -188,14 +191,15 @@ impl<'k> Integrator<'k> {
             .collect()
     }
 
-    /// Contact statistics of all stops together since the last [`Integrator::reset_statistics`]: sums, and the largest of the largest.
+    /// Returns the contact statistics of all stops since the last [`Integrator::reset_statistics`]:
+    /// sums and maxima.
     pub fn statistics(&self) -> ContactStatistics {
         self.statistics_by_stop()
             .iter()
             .fold(ContactStatistics::default(), ContactStatistics::and)
     }
 
-    /// The same for each stop, in the order of `system.stops`.
+    /// Returns the contact statistics of each stop, in the order of `system.stops`.
     pub fn statistics_by_stop(&self) -> Vec<ContactStatistics> {
         self.ports
             .iter()
@@ -204,7 +208,7 @@ impl<'k> Integrator<'k> {
             .collect()
     }
 
-    /// Forgets the contact statistics, not the energies.
+    /// Resets the contact statistics, not the energies.
     pub fn reset_statistics(&mut self) {
         let stops = &self.kernel.plant.system.stops;
         self.ports
@@ -213,17 +217,17 @@ impl<'k> Integrator<'k> {
             .for_each(|(port, stop)| port.reset_statistics(&stop.law));
     }
 
-    /// Starts to keep every step.
+    /// Starts to record every step.
     pub fn start_record(&mut self) {
         self.record = Some(Trajectory::default());
     }
 
-    /// Ends the record and hands it over.
+    /// Ends the record and returns it.
     pub fn take_record(&mut self) -> Trajectory {
         self.record.take().unwrap_or_default()
     }
 
-    /// Keeps the step that is about to be taken.
+    /// Records the next step.
     pub(super) fn note(&mut self, length_s: f64, forces: &[PortForce]) {
         if let Some(record) = &mut self.record {
             let sizes = self.excitation.sizes.clone();
@@ -239,12 +243,12 @@ impl<'k> Integrator<'k> {
         }
     }
 
-    /// Steps and iterations so far.
+    /// Returns the numbers of steps and iterations so far.
     pub fn work(&self) -> WorkCount {
         self.work
     }
 
-    /// Marches to a time, landing on it exactly.
+    /// Integrates to a time and lands on it exactly.
     ///
     /// # Errors
     /// Every variant of [`IntegrationError`].
@@ -259,7 +263,7 @@ impl<'k> Integrator<'k> {
         Ok(())
     }
 
-    /// Marches on until the end, or until a guard is met.
+    /// Integrates until the end, or until an event function passes zero.
     fn advance_in_regime(&mut self, end_s: f64) -> Result<(), IntegrationError> {
         if self.kernel.plant.ports.len() > 1 || !self.kernel.plant.guards.is_empty() {
             return widest(AdvanceMultiPort {
@@ -288,7 +292,8 @@ impl<'k> Integrator<'k> {
         }
     }
 
-    /// Passes the breakpoints of the signals that have been reached; returns the next one, or the end if that comes first.
+    /// Passes the breakpoints of the signals up to the current time; returns the next one, or the
+    /// end if that is earlier.
     #[inline(always)]
     pub(super) fn next_breakpoint<W: Simd>(&mut self, w: W, end_s: f64) -> f64 {
         if self.excitation.is_due(self.time_s)
@@ -299,7 +304,8 @@ impl<'k> Integrator<'k> {
         end_s.min(self.excitation.until_s(self.time_s))
     }
 
-    /// Sees all ports after an impulse of a signal; what rested on a rigid stop and now moves away from it flies.
+    /// Updates all ports after an impulse of a signal; a port that stuck to a rigid stop and now
+    /// moves away enters flight.
     #[inline(always)]
     fn update_ports<W: Simd>(&mut self, w: W) {
         for (p, stop) in self.kernel.plant.system.stops.iter().enumerate() {
@@ -311,7 +317,7 @@ impl<'k> Integrator<'k> {
         }
     }
 
-    /// Ends the march where somebody wishes so, or tells its time; lets a visitor of the control in now and then.
+    /// Checks for cancellation, reports progress, and periodically runs the callback.
     #[inline(always)]
     pub(super) fn poll(&mut self) -> Result<(), IntegrationError> {
         self.checks = self.checks.wrapping_add(1);
@@ -345,7 +351,7 @@ impl<'k> Integrator<'k> {
     }
 }
 
-/// Carries the loop into code compiled for the vector instructions of this machine.
+/// Runs the loop in code compiled for the vector instructions of this machine.
 struct Advance<'m, 'k, L> {
     integrator: &'m mut Integrator<'k>,
     law: L,
@@ -375,7 +381,7 @@ impl<L: ContactLaw> Task for Advance<'_, '_, L> {
     }
 }
 
-/// The same for a rigid stop.
+/// Runs the loop of a rigid stop.
 struct AdvanceRigid<'m, 'k> {
     integrator: &'m mut Integrator<'k>,
     law: Rigid,

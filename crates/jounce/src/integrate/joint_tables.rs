@@ -1,4 +1,5 @@
-//! The tables of a step for all ports in contact: those of each, and what each does to the others.
+//! Tables of a step for all ports in contact: one for each port and one for each effect on another
+//! port.
 
 use super::basis::NODES;
 use super::contact_table::ContactTable;
@@ -11,19 +12,19 @@ use crate::simd::F64x8;
 /// Length of a step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum StepLength {
-    /// Of a level: its tables are shared.
+    /// Length of a level: its tables are shared.
     Level(i32),
-    /// Any other: its tables are made for this step alone.
+    /// Any other length: its tables are computed for this step only.
     Odd {
-        /// The length, s.
+        /// Length, s.
         length_s: f64,
-        /// The level wanted, not shorter.
+        /// Desired level, not shorter.
         level: i32,
     },
 }
 
 impl StepLength {
-    /// In seconds.
+    /// Returns the length in seconds.
     pub fn seconds(self) -> f64 {
         match self {
             StepLength::Level(level) => Kernel::length_s(level),
@@ -31,14 +32,14 @@ impl StepLength {
         }
     }
 
-    /// The level, or the one that was wanted.
+    /// Returns the level, or the desired one.
     pub fn level(self) -> i32 {
         match self {
             StepLength::Level(level) | StepLength::Odd { level, .. } => level,
         }
     }
 
-    /// Table of a port on a step of this length.
+    /// Returns the table of a port on a step of this length.
     pub fn table(
         self,
         kernel: &Kernel,
@@ -55,7 +56,7 @@ impl StepLength {
         }
     }
 
-    /// What the force of a port does to the flight of another.
+    /// Returns the effect of the force of a port on the flight of another.
     pub fn flight(
         self,
         kernel: &Kernel,
@@ -76,17 +77,18 @@ impl StepLength {
 /// Tables of a step for several ports, each in its basis.
 #[derive(Debug, Clone)]
 pub struct JointTables<'a> {
-    /// The ports with their bases.
+    /// Ports with their bases.
     pub ports: SmallList<(usize, ForceBasis)>,
-    /// The length.
+    /// Length of the step.
     pub length: StepLength,
     own: SmallList<SharedOrOwned<'a, ContactTable>>,
-    /// From the force of the first index to the port of the second, row by row, the port itself left out.
+    /// From the force of the first index to the port of the second, row by row, without the
+    /// diagonal.
     cross: SmallList<SharedOrOwned<'a, CrossTable>>,
 }
 
 impl<'a> JointTables<'a> {
-    /// Of ports on a step.
+    /// Collects the tables of ports on a step.
     pub fn new(kernel: &'a Kernel, ports: &[(usize, ForceBasis)], length: StepLength) -> Self {
         let cross = |from: (usize, ForceBasis), to: (usize, ForceBasis)| match length {
             StepLength::Level(level) => SharedOrOwned::Shared(kernel.cross([from, to], level)),
@@ -111,19 +113,19 @@ impl<'a> JointTables<'a> {
         }
     }
 
-    /// Table of a port by its place among those of the step.
+    /// Returns the table of a port by its index among the ports of the step.
     #[inline(always)]
     pub fn own(&self, place: usize) -> &ContactTable {
         &self.own[place]
     }
 
-    /// What the force of one place does to another one.
+    /// Returns the effect of the force of one port on another, by their indices.
     #[inline(always)]
     pub fn cross(&self, from: usize, to: usize) -> &CrossTable {
         &self.cross[from * (self.ports.len() - 1) + to - usize::from(to > from)]
     }
 
-    /// Displacement and velocity of one place under the nodal forces of another, or of its own.
+    /// Returns displacement and velocity of one port under the nodal forces of another, or its own.
     #[inline(always)]
     pub fn answers(&self, from: usize, to: usize) -> [&[F64x8; NODES]; 2] {
         if from == to {
@@ -134,7 +136,8 @@ impl<'a> JointTables<'a> {
         }
     }
 
-    /// Largest displacement of a place under nodal forces of magnitude 1 at all of them, m/N.
+    /// Returns the largest displacement of a port under nodal forces of magnitude 1 at all ports,
+    /// m/N.
     #[inline(always)]
     pub fn reach_m_n(&self, place: usize) -> f64 {
         let others = (0..self.ports.len())
@@ -143,7 +146,8 @@ impl<'a> JointTables<'a> {
         self.own(place).reach_m_n + others.sum::<f64>()
     }
 
-    /// The same of its velocity, m/(N s).
+    /// Returns the largest velocity of a port under nodal forces of magnitude 1 at all ports, m/(N
+    /// s).
     #[inline(always)]
     pub fn reach_m_n_s(&self, place: usize) -> f64 {
         let others = (0..self.ports.len())

@@ -1,6 +1,7 @@
-//! A plant laid out for marching.
+//! Plant prepared for integration.
 //!
-//! Steps have the lengths of [`super::step_size`], so that their tables are shared by all runs of a plant, whatever its drive.
+//! Steps have the lengths of [`super::step_size`], so that all runs of a plant share their tables,
+//! whatever the drive.
 
 use super::basis::BasisFunctions;
 use super::control::Control;
@@ -15,57 +16,60 @@ use crate::plant::{
 use crate::simd::LANES;
 use std::sync::{Arc, OnceLock};
 
-/// The basis of the force on a contact step.
+/// Basis of the force on a contact step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum ForceBasis {
     /// Inside a contact.
     Smooth,
-    /// The first step of a contact.
+    /// Basis of the first step of a contact.
     Onset,
 }
 
 impl ForceBasis {
-    /// Place in lists of both.
+    /// Returns the index in lists of both bases.
     pub(super) fn index(self) -> usize {
         usize::from(self == ForceBasis::Onset)
     }
 }
 
-/// A plant with its step tables.
+/// Plant with its step tables.
 #[derive(Debug)]
 pub struct Kernel {
-    /// The plant.
+    /// Plant.
     pub plant: Plant,
-    /// What its energy meters make of states, ...
+    /// Quadratic forms of the energy meters, ...
     quadratics: Arc<Quadratics>,
-    /// ... and the meters under its drives, made when first asked for.
+    /// ... and the meters under the drives, computed at the first use.
     meters: OnceLock<Meters>,
-    /// Where its states stand in lanes.
+    /// Layout of the state in SIMD vectors.
     pub(super) layout: StateLayout,
-    /// `A` in lanes.
+    /// `A` in SIMD vectors.
     pub(super) generator: Flow,
-    /// Largest `|eigenvalue|` of what steps resolve, rad/s.
+    /// Largest `|eigenvalue|` that steps resolve, rad/s.
     pub(super) fastest_rad_s: f64,
-    /// Largest `|eigenvalue|` of all, rad/s.
+    /// Largest `|eigenvalue|`, rad/s.
     pub(super) stiffest_rad_s: f64,
-    /// Who watches the marches of this kernel.
+    /// Control of the integrations of this kernel.
     pub control: Control,
-    /// Per port: what its force pushes and what its work is metered by.
+    /// Vectors of each port for its force and the meters of its work.
     pub(super) vectors: Arc<Vec<PortVectors>>,
-    /// Per port: the basis of the first step of a contact, where it is not smooth.
+    /// For each port, the basis of the first step of a contact, where it is not smooth.
     pub(super) onset: Arc<Vec<Option<BasisFunctions>>>,
-    /// They depend on the plant without its drives only, so that plants that differ in drives share them.
+    /// Step tables. They depend only on the plant without its drives, so that plants with other
+    /// drives share them.
     pub(super) levels: Arc<Vec<StepTables>>,
-    /// The same plant in each other regime of its bridges, made when first entered; the first stays empty.
+    /// Kernels in the other conduction states of the bridges, built when first entered; the first
+    /// entry stays empty.
     regimes: Regimes,
-    /// Those of the plant from which this one came by a change of drives or stops, whose tables they share.
+    /// Conduction states of the kernel from which this one was derived by a change of drives or
+    /// stops; their tables are shared.
     kin: Regimes,
 }
 
 type Regimes = Arc<Vec<OnceLock<Result<Kernel, PlantError>>>>;
 
 impl Kernel {
-    /// Prepares a plant for marching.
+    /// Prepares a plant for integration.
     ///
     /// # Errors
     /// [`PlantError::Undamped`].
@@ -94,7 +98,8 @@ impl Kernel {
         })
     }
 
-    /// The same, its marches watched: they end with [`super::IntegrationError::Stopped`] when the control says so.
+    /// Returns this kernel under a control: its integrations end with
+    /// [`super::IntegrationError::Stopped`] after a stop request.
     #[must_use]
     pub fn with_control(self, control: &Control) -> Self {
         Self {
@@ -104,7 +109,7 @@ impl Kernel {
         }
     }
 
-    /// The same plant under other drives, the tables made so far kept.
+    /// Returns this kernel under other drives, with the existing tables.
     ///
     /// # Errors
     /// [`PlantError::UndampedResonance`].
@@ -112,12 +117,12 @@ impl Kernel {
         Ok(self.with_plant(self.plant.with_drives(drives)?))
     }
 
-    /// The same plant under other signals, the tables made so far kept.
+    /// Returns this kernel under other signals, with the existing tables.
     pub fn with_signals(&self, signals: Vec<Signal>) -> Self {
         self.with_plant(self.plant.with_signals(signals))
     }
 
-    /// A plant that differs in its drives and signals only.
+    /// Returns the kernel of a plant that differs in its drives and signals only.
     fn with_plant(&self, plant: Plant) -> Self {
         Self {
             quadratics: Arc::clone(&self.quadratics),
@@ -136,7 +141,8 @@ impl Kernel {
         }
     }
 
-    /// The same plant against other stops; the tables made so far are kept where only gaps and stiffnesses differ.
+    /// Returns this kernel with other stops; the existing tables are retained where only gaps and
+    /// stiffnesses differ.
     pub fn with_stops(&self, stops: Vec<Stop>) -> Self {
         let alike = |a: &Stop, b: &Stop| {
             a.shape == b.shape
@@ -181,16 +187,16 @@ impl Kernel {
         }
     }
 
-    /// The energy meters.
+    /// Returns the energy meters.
     pub fn meters(&self) -> &Meters {
         self.meters
             .get_or_init(|| Meters::under(&self.quadratics, &self.plant))
     }
 
-    /// The plant in a regime of its bridges.
+    /// Returns the kernel in a conduction state of its bridges.
     ///
     /// # Errors
-    /// Those of [`Plant::new`] and [`Kernel::new`].
+    /// Errors of [`Plant::new`] and [`Kernel::new`].
     pub fn in_regime(&self, regime: usize) -> Result<&Self, PlantError> {
         if regime == 0 {
             return Ok(self);
@@ -213,7 +219,8 @@ impl Kernel {
             .map_err(Clone::clone)
     }
 
-    /// Rate of change of what one port sees per unit force of another, 1/kg of a velocity; 0 for displacements.
+    /// Returns the direct rate of change of an output of one port per unit force of another, 1/kg
+    /// for a velocity; 0 for displacements.
     pub(super) fn directly(&self, port: usize, seen: usize) -> f64 {
         let plant = &self.plant;
         match plant
@@ -230,7 +237,8 @@ impl Kernel {
         }
     }
 
-    /// Row of the relative acceleration of a port, the contact forces left out: `(A^T c_v)`.
+    /// Returns the row of the relative acceleration of a port without the contact forces:
+    /// `(A^T c_v)`.
     pub fn acceleration_row(&self, port: usize) -> Vec<f64> {
         self.plant
             .diagonal
@@ -239,7 +247,7 @@ impl Kernel {
     }
 }
 
-/// Places for all regimes of a plant whose bridges are blocked.
+/// Creates empty entries for all conduction states of a plant whose bridges are blocked.
 fn regimes(plant: &Plant) -> Regimes {
     let is_first = plant
         .system
@@ -263,7 +271,7 @@ fn onsets(plant: &Plant) -> Vec<Option<BasisFunctions>> {
         .collect()
 }
 
-/// Power of time with which the force of a contact starts.
+/// Returns the power of time with which the force of a contact starts.
 fn onset_exponent(law: &Law) -> Option<f64> {
     match law {
         Law::Hertz(law) => Some(law.exponent),
@@ -272,5 +280,5 @@ fn onset_exponent(law: &Law) -> Option<f64> {
     }
 }
 
-/// Lanes of a state are padded, and so is the step: seven nodes and its end.
+/// The state is padded to complete vectors; a step fills one: seven nodes and its end.
 const _: () = assert!(LANES == super::basis::NODES + 1);

@@ -1,23 +1,23 @@
-//! Where the numbers of a state stand in lanes.
+//! Layout of a state in SIMD vectors.
 
 use crate::plant::Plant;
 use crate::simd::{F64x8, LANES};
 
-/// `u` of all pairs, then `v` of all pairs, then the reals, each padded to whole lanes.
+/// `u` of all pairs, then `v` of all pairs, then the reals, each padded to complete vectors.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct StateLayout {
     /// Number of pairs.
     pub pairs: usize,
     /// Number of reals.
     pub reals: usize,
-    /// Lanes of `u` (and of `v`).
+    /// Vectors of `u` (and of `v`).
     pub pair_lanes: usize,
-    /// Lanes of the reals.
+    /// Vectors of the reals.
     pub real_lanes: usize,
 }
 
 impl StateLayout {
-    /// Layout of a plant.
+    /// Returns the layout of a plant.
     pub fn of(plant: &Plant) -> Self {
         let block = &plant.diagonal.block;
         let (pairs, reals) = (block.pairs.len(), block.reals.len());
@@ -29,17 +29,17 @@ impl StateLayout {
         }
     }
 
-    /// Numbers of a state.
+    /// Returns the number of states.
     pub fn states(&self) -> usize {
         2 * self.pairs + self.reals
     }
 
-    /// Lanes of a state.
+    /// Returns the number of vectors of a state.
     pub fn lanes(&self) -> usize {
         2 * self.pair_lanes + self.real_lanes
     }
 
-    /// Lane and place of state number `state` in block order `u0, v0, u1, ...`.
+    /// Returns vector and lane of state number `state` in block order `u0, v0, u1, ...`.
     pub fn place(&self, state: usize) -> (usize, usize) {
         let (base, index) = match state.checked_sub(2 * self.pairs) {
             Some(real) => (2 * self.pair_lanes, real),
@@ -48,14 +48,14 @@ impl StateLayout {
         (base + index / LANES, index % LANES)
     }
 
-    /// Block order to padded lanes.
+    /// Converts block order to padded vectors.
     pub fn pack(&self, values: &[f64]) -> Vec<F64x8> {
         let mut lanes = vec![F64x8::ZERO; self.lanes()];
         self.pack_into(values, &mut lanes);
         lanes
     }
 
-    /// The same into lanes that hold zeros where nothing belongs.
+    /// Converts block order into vectors whose padding is already zero.
     #[inline(always)]
     pub fn pack_into(&self, values: &[f64], lanes: &mut [F64x8]) {
         let (paired, reals) = values.split_at(2 * self.pairs);
@@ -68,7 +68,7 @@ impl StateLayout {
         }
     }
 
-    /// Padded lanes to block order.
+    /// Converts padded vectors to block order.
     pub fn unpack(&self, lanes: &[F64x8]) -> Vec<f64> {
         (0..self.states())
             .map(|state| {
@@ -78,7 +78,8 @@ impl StateLayout {
             .collect()
     }
 
-    /// Place of a state in column order `u0, u1, .., v0, v1, .., r0, ..`, in which states meet their columns.
+    /// Returns the position of a state in column order `u0, u1, .., v0, v1, .., r0, ..`, in which
+    /// states meet their columns.
     pub fn column(&self, state: usize) -> usize {
         if state < 2 * self.pairs {
             (state % 2) * self.pairs + state / 2

@@ -1,17 +1,17 @@
-//! What local blocks are forced to do over steps of some lengths, kept for the next step of the same length.
+//! Cache of forced motions of local blocks over steps of some lengths.
 
 use super::kernel::Kernel;
 use crate::plant::LOCAL_TERMS;
 use crate::simd::{F64x8, Portable};
 
-/// Lengths of steps whose motion is kept.
+/// Number of step lengths in the cache.
 const MAX_CACHED_LENGTHS: usize = 16;
 
 /// Motions over steps of some lengths, the latest first.
 #[derive(Debug, Clone, Default)]
 pub(super) struct LocalMotions(Vec<LocalMotion>);
 
-/// Motion over a step by a unit size and by a unit slope, per signal.
+/// Motion over a step under a unit value and under a unit slope, per signal.
 #[derive(Debug, Clone)]
 struct LocalMotion {
     length_s: f64,
@@ -19,7 +19,8 @@ struct LocalMotion {
 }
 
 impl LocalMotions {
-    /// The motion over a step of a length by a unit size and by a unit slope of each signal, whose columns are `local`.
+    /// Returns the motion over a step under a unit value and under a unit slope of each signal,
+    /// whose columns are `local`.
     pub fn over<'c>(
         &mut self,
         kernel: &Kernel,
@@ -48,7 +49,7 @@ impl LocalMotions {
     }
 }
 
-/// `sum_j A^(j-1) b t^j / j!` and `sum_j A^(j-1) b t^(j+1) / (j+1)!`.
+/// Computes `sum_j A^(j-1) b t^j / j!` and `sum_j A^(j-1) b t^(j+1) / (j+1)!`.
 fn moved(kernel: &Kernel, local: &[F64x8], t: f64) -> [Vec<F64x8>; 2] {
     let mut sums = [
         vec![F64x8::ZERO; local.len()],

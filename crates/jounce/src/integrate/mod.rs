@@ -1,4 +1,4 @@
-//! Marching: integration in time with exact flow between contacts and collocation inside them.
+//! Integration in time: exact flow between contacts, collocation inside them.
 mod ad_hoc_tables;
 mod basis;
 mod certificate;

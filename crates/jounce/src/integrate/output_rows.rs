@@ -1,4 +1,5 @@
-//! Output rows of the state on a contact step: what the free motion and the seven nodal forces make of them.
+//! Output rows of the state on a contact step: their response to the free motion and to the seven
+//! nodal forces.
 
 use super::basis::{BasisFunctions, NODES};
 use super::duhamel::DuhamelIntegrals;
@@ -8,35 +9,35 @@ use super::step_response::{BlockOnStep, StepResponse};
 use crate::plant::{BlockDiagonal, BlockPair};
 use crate::simd::{F64x8, LANES, Simd, Task};
 
-/// One row on a step: `value_i = sum_k columns_k[i] y_k + sum_j push_j[i] f_j`.
+/// Row on a step: `value_i = sum_k columns_k[i] y_k + sum_j push_j[i] f_j`.
 #[derive(Debug, Clone, Default)]
 pub struct OutputRow {
-    /// One lane per state in column order; of an integrated row none.
+    /// One vector per state in column order; empty for an integrated row.
     pub columns: Vec<F64x8>,
-    /// One lane per force node.
+    /// One vector per force node.
     pub push: [F64x8; NODES],
 }
 
-/// How a row is read.
+/// Evaluation of a row.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum RowReading {
-    /// At the nodes and at the end of the step.
+    /// Values at the nodes and at the end of the step.
     Pointwise,
-    /// Integrated over the step against each function of the basis; the eighth place is 0.
+    /// Integrated over the step against each function of the basis; the eighth lane is 0.
     Integral,
 }
 
-/// A row wanted on a step.
+/// Requested row on a step.
 #[derive(Debug, Clone)]
 pub struct RowRequest {
-    /// In block coordinates.
+    /// Row in block coordinates.
     pub row: Vec<f64>,
-    /// How it is read.
+    /// Evaluation of the row.
     pub reading: RowReading,
 }
 
 impl RowRequest {
-    /// Columns that it needs.
+    /// Returns the number of columns that the row needs.
     fn columns(&self, block: &BlockDiagonal) -> usize {
         if self.reading == RowReading::Pointwise {
             block.len()
@@ -49,37 +50,38 @@ impl RowRequest {
 /// All rows on a step, and the integrals of its nodal forces.
 #[derive(Debug, Clone, Default)]
 pub struct OutputRows {
-    /// In the order asked for.
+    /// Rows in the order of the requests.
     pub rows: Vec<OutputRow>,
-    /// Their Legendre series in time under a unit force of each node, one lane per coefficient.
+    /// Legendre series of the rows in time under a unit force of each node, one vector per
+    /// coefficient.
     pub series: Vec<Vec<F64x8>>,
-    /// Integrals of the reader's functions from the start of the step, and of the basis of the force towards its end (see
-    /// [`super::duhamel`]).
+    /// Integrals of the functions of the reader from the start of the step, and of the basis of the
+    /// force towards its end (see [`super::duhamel`]).
     pub from_start: DuhamelIntegrals,
-    /// See above.
+    /// Integrals towards the end of the step.
     pub towards_end: DuhamelIntegrals,
 }
 
-/// The making of responses.
+/// Computation of output rows.
 #[derive(Debug)]
 pub struct OutputRowsTask<'a> {
-    /// The blocks.
+    /// Blocks of the plant.
     pub block: &'a BlockDiagonal,
-    /// Their places.
+    /// Layout of the state.
     pub layout: &'a StateLayout,
-    /// The force on the step.
+    /// Basis of the force on the step.
     pub basis: &'a BasisFunctions,
-    /// The basis at whose places, or against whose functions, the rows are read.
+    /// Basis with the nodes, or the functions, at which the rows are evaluated.
     pub reader: &'a BasisFunctions,
     /// Column of a unit force, block coordinates.
     pub force: &'a [f64],
-    /// Wanted rows.
+    /// Requested rows.
     pub rows: &'a [RowRequest],
     /// Length, s.
     pub length_s: f64,
 }
 
-/// The blocks with their first state.
+/// Returns the blocks with the index of their first state.
 pub fn parts(block: &BlockDiagonal) -> impl Iterator<Item = (usize, BlockOnStep)> + '_ {
     let pairs = block
         .pairs
@@ -196,7 +198,7 @@ impl Task for OutputRowsTask<'_> {
     }
 }
 
-/// Series read at eight places (lanes of factors), one lane per force node.
+/// Evaluates series at eight points (vectors of factors), one vector per force node.
 #[inline(always)]
 fn summed<W: Simd>(w: W, at: &[F64x8], series: &[F64x8]) -> [F64x8; NODES] {
     let mut sums = [w.zero(); LANES];
@@ -214,7 +216,7 @@ fn summed<W: Simd>(w: W, at: &[F64x8], series: &[F64x8]) -> [F64x8; NODES] {
     push
 }
 
-/// `P_a` at the places of a basis, one lane per `a`.
+/// Returns `P_a` at the nodes and the end of a basis, one vector per `a`.
 #[inline(always)]
 fn legendre_lanes<W: Simd>(w: W, basis: &BasisFunctions, count: usize) -> Vec<F64x8> {
     let s = w.fma(w.splat(2.0), w.load(&F64x8(basis.places)), w.splat(-1.0));
@@ -231,7 +233,7 @@ fn legendre_lanes<W: Simd>(w: W, basis: &BasisFunctions, count: usize) -> Vec<F6
     powers
 }
 
-/// The free motion of both answers, summed against lanes.
+/// Returns the free motion of both responses, summed against vectors.
 #[inline(always)]
 fn free_motion<W: Simd>(w: W, answers: &StepResponse, lanes: &[F64x8]) -> [W::Register; 2] {
     let mut sums = [w.zero(); 2];
@@ -243,7 +245,7 @@ fn free_motion<W: Simd>(w: W, answers: &StepResponse, lanes: &[F64x8]) -> [W::Re
     sums
 }
 
-/// Both answers at the end of the step, where every Legendre polynomial is 1.
+/// Returns both responses at the end of the step, where every Legendre polynomial is 1.
 #[inline(always)]
 fn ends<W: Simd>(w: W, answers: &StepResponse) -> [W::Register; 2] {
     let mut sums = [w.zero(); 2];

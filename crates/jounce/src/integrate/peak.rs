@@ -7,7 +7,8 @@ use std::sync::LazyLock;
 /// Points of the interpolation: the start of the step, its nodes, and its end.
 const INTERPOLATION_POINTS: usize = NODES + 2;
 
-/// Places of the points, and Chebyshev coefficients of the polynomial that is 1 at one point and 0 at the others.
+/// Positions of the points, and Chebyshev coefficients of the polynomials that are 1 at one point
+/// and 0 at the others.
 struct Interpolation {
     places: [f64; INTERPOLATION_POINTS],
     coefficients: [[f64; INTERPOLATION_POINTS]; INTERPOLATION_POINTS],
@@ -31,8 +32,9 @@ static INTERPOLATION: LazyLock<Interpolation> = LazyLock::new(|| {
     }
 });
 
-/// Maximum over the step of the polynomial through the start value and the lane (seven smooth nodes and the end), by Newton on its
-/// slope from the top of the parabola through the highest point and its neighbours.
+/// Returns the maximum over the step of the polynomial through the start value and the lanes (seven
+/// smooth nodes and the end). Newton on its slope starts at the top of the parabola through the
+/// highest point and its neighbours.
 pub fn interpolated_peak(start: f64, values: &F64x8) -> f64 {
     let Interpolation {
         places,
@@ -65,7 +67,7 @@ pub fn interpolated_peak(start: f64, values: &F64x8) -> f64 {
     chebyshev(&series, x)[0].max(heights[top])
 }
 
-/// Value, slope and curvature in `x` of a Chebyshev series on `[0, 1]`.
+/// Returns value, slope and curvature in `x` of a Chebyshev series on `[0, 1]`.
 fn chebyshev(series: &[f64; INTERPOLATION_POINTS], x: f64) -> [f64; 3] {
     let s = 2.0 * x - 1.0;
     let (mut before, mut now) = ([1.0, 0.0, 0.0], [s, 2.0, 0.0]);

@@ -2,8 +2,8 @@
 
 use std::ops::{Index, IndexMut};
 
-/// As many values as ports, and one where there is none. The first stands beside its owner: a march with one port reaches it
-/// without a look-up.
+/// One value per port, and one where there is no port. The first value is stored inline: an
+/// integration with one port reads it without indirection.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct PerPort<T> {
     first: T,
@@ -11,7 +11,7 @@ pub struct PerPort<T> {
 }
 
 impl<T> PerPort<T> {
-    /// For a number of ports.
+    /// Creates the values of a number of ports.
     pub fn new(ports: usize, make: impl FnMut(usize) -> T) -> Self {
         let mut make = make;
         Self {
@@ -20,12 +20,12 @@ impl<T> PerPort<T> {
         }
     }
 
-    /// In the order of the ports.
+    /// Iterates in the order of the ports.
     pub fn iter(&self) -> impl Iterator<Item = &T> {
         std::iter::once(&self.first).chain(&self.rest)
     }
 
-    /// The same, to be changed.
+    /// Iterates mutably in the order of the ports.
     pub fn iter_mut(&mut self) -> impl Iterator<Item = &mut T> {
         std::iter::once(&mut self.first).chain(&mut self.rest)
     }

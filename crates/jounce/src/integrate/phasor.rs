@@ -1,4 +1,4 @@
-//! The sinusoidal part of the port displacement, carried along as a turning phasor.
+//! Sinusoidal part of the port displacement, propagated as a rotating phasor.
 
 use super::basis::{BasisFunctions, NODES};
 use super::kernel::{ForceBasis, Kernel};
@@ -7,20 +7,21 @@ use crate::plant::Plant;
 use crate::simd::{F64x8, LANES, Simd};
 use faer::c64;
 
-/// One tone at the present time of a march.
+/// Tone at the current time of an integration.
 #[derive(Debug, Clone)]
 pub struct Phasor {
     /// Angular frequency, rad/s.
     pub angular_frequency_rad_s: f64,
-    /// `e^{i w t}` at the present time.
+    /// `e^{i w t}` at the current time.
     pub turn: c64,
     /// Complex amplitude of the displacement of each port, m.
     pub displacement_m: PerPort<c64>,
-    /// Its swing over the step in hand, at the places of each port.
+    /// Samples of the tone over the current step, at the nodes and the end, for each port.
     pub swing: PerPort<PhasorSamples>,
-    /// `e^{i w h}` per level.
+    /// `e^{i w h}` for each level.
     ends: Vec<Option<c64>>,
-    /// `cos` and `sin` of `w tau` at the places of a basis, per port and level: smooth, then onset.
+    /// `cos` and `sin` of `w tau` at the nodes and the end, per port and level: smooth basis, then
+    /// onset.
     levels: PerPort<[Vec<Option<Box<PhasorSamples>>>; 2]>,
 }
 
@@ -34,7 +35,7 @@ pub struct PhasorSamples {
 }
 
 impl PhasorSamples {
-    /// Over a step of any length.
+    /// Samples a tone over a step of any length.
     pub fn over(angular_frequency_rad_s: f64, basis: &BasisFunctions, length_s: f64) -> Self {
         let sin_cos: [(f64, f64); LANES] = basis
             .places
@@ -45,13 +46,13 @@ impl PhasorSamples {
         }
     }
 
-    /// `e^{i w h}`.
+    /// Returns `e^{i w h}`.
     #[inline(always)]
     pub fn end(&self) -> c64 {
         c64::new(self.cos.0[NODES], self.sin.0[NODES])
     }
 
-    /// `Re(z e^{i w tau})`.
+    /// Returns `Re(z e^{i w tau})`.
     #[inline(always)]
     pub fn real<W: Simd>(&self, w: W, z: c64, sum: W::Register) -> W::Register {
         w.fma(
@@ -63,7 +64,7 @@ impl PhasorSamples {
 }
 
 impl Phasor {
-    /// Tone number `index` of a plant at a time.
+    /// Creates tone number `index` of a plant at a time.
     pub fn new(plant: &Plant, index: usize, time_s: f64) -> Self {
         let (angular_frequency_rad_s, ports) = (
             plant.tones[index].angular_frequency_rad_s,
@@ -89,14 +90,14 @@ impl Phasor {
         }
     }
 
-    /// `e^{i w h}` of a level.
+    /// Returns `e^{i w h}` of a level.
     #[inline(always)]
     pub fn end(&mut self, level: i32) -> c64 {
         let angle = self.angular_frequency_rad_s * Kernel::length_s(level);
         *self.ends[Kernel::index(level)].get_or_insert_with(|| c64::cis(angle))
     }
 
-    /// Makes the `swing` of a port that over a level.
+    /// Sets `swing` of a port to the samples over a level.
     #[inline(always)]
     pub fn swing_over(&mut self, kernel: &Kernel, port: usize, shape: ForceBasis, level: i32) {
         let frequency = self.angular_frequency_rad_s;
@@ -111,20 +112,20 @@ impl Phasor {
             **self.levels[port][shape.index()][Kernel::index(level)].get_or_insert_with(make);
     }
 
-    /// Displacement and velocity of a port at the present time, m and m/s.
+    /// Returns displacement and velocity of a port at the current time, m and m/s.
     #[inline(always)]
     pub fn motion(&self, port: usize) -> [f64; 2] {
         self.motion_after(port, c64::new(1.0, 0.0))
     }
 
-    /// The same after a turn.
+    /// Returns displacement and velocity of a port after a rotation.
     #[inline(always)]
     pub fn motion_after(&self, port: usize, turn: c64) -> [f64; 2] {
         let z = self.displacement_m[port] * self.turn * turn;
         [z.re, -self.angular_frequency_rad_s * z.im]
     }
 
-    /// Fresh phasor at a time, without the roundoff of many turns.
+    /// Sets the phasor at a time, without the roundoff of many rotations.
     #[inline(always)]
     pub fn set(&mut self, time_s: f64) {
         self.turn = c64::cis(self.angular_frequency_rad_s * time_s);

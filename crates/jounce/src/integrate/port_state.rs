@@ -1,4 +1,4 @@
-//! What a march knows of one port.
+//! State of one port during an integration.
 
 use super::layout::StateLayout;
 use super::multi_port::{Clearance, SpeedBound};
@@ -8,48 +8,49 @@ use crate::contact::Law;
 use crate::plant::Plant;
 use crate::simd::F64x8;
 
-/// Share of the gap, and of the gap times the highest frequency, within which a start lies at rest on a rigid stop.
+/// Tolerance of the position, relative to the gap, within which a start sticks to a rigid stop; the
+/// speed tolerance is this times the gap and the highest frequency.
 const POSITION_ROUNDOFF: f64 = 1e-12;
 
-/// Whether the point is on the stop.
+/// Contact state of a port.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ContactState {
-    /// Off the stop.
+    /// The point is off the stop.
     Flight,
-    /// On it.
+    /// The point is on the stop.
     Contact,
 }
 
-/// A port at the present time of a march.
+/// Port at the current time of an integration.
 #[derive(Debug, Clone)]
 pub struct PortState {
     /// Distance past the stop, m.
     pub penetration_m: f64,
     /// Its rate, m/s.
     pub rate_m_s: f64,
-    /// Where it is.
+    /// Contact state.
     pub regime: ContactState,
-    /// Motion at the end of the flight step in hand: distance past the stop, m, and its rate, m/s.
+    /// Motion at the end of the current flight step: distance past the stop, m, and its rate, m/s.
     pub ahead: [f64; 2],
-    /// With several ports: level wanted of the next step in contact ...
+    /// With several ports: desired level of the next step in contact ...
     pub level: i32,
     /// ... and whether a contact begins with it.
     pub entering: bool,
-    /// Iterations that the last step needed.
+    /// Iterations of the last step.
     pub iterations: u32,
     /// Level at which the next contact starts.
     pub entry_level: i32,
-    /// Largest speed at which the stop was struck so far: the scale of contact impulses.
+    /// Largest impact speed so far, m/s: the scale of contact impulses.
     pub impact_velocity_m_s: f64,
     /// With several ports: time at which the last contact began, s.
     pub entered_s: f64,
-    /// Time that the contact in hand has lasted since it began, or since the last reset, s.
+    /// Duration of the current contact since it began, or since the last reset, s.
     pub contact_duration_s: f64,
-    /// What is known of it since it was last seen.
+    /// Bounds on the motion since the last update.
     pub clearance: Clearance,
-    /// Its rows.
+    /// Rows of the port.
     pub rows: PortRows,
-    /// Since the last reset.
+    /// Statistics since the last reset.
     pub statistics: ContactStatistics,
 }
 
@@ -58,22 +59,22 @@ pub struct PortState {
 pub struct PortRows {
     /// Displacement towards the stop.
     pub displacement: Vec<F64x8>,
-    /// Its velocity.
+    /// Velocity towards the stop.
     pub velocity: Vec<F64x8>,
     /// Gap, m; infinite without a stop.
     pub gap_m: f64,
     /// Velocity lost per unit impulse, 1/kg.
     pub mobility_per_kg: f64,
-    /// `sum |S| w^4` over tones: the drive's share of the flight bound.
+    /// `sum |S| w^4` over tones: contribution of the drive to the flight bound.
     pub tone_fourth: f64,
-    /// `sum |S|`: its share of the scale of motion.
+    /// `sum |S|`: contribution of the drive to the scale of motion.
     pub tone_scale_m: f64,
-    /// What bounds its speed beside other ports.
+    /// Bound on the speed of the port, for use with several ports.
     pub speed_bound: Option<SpeedBound>,
 }
 
 impl PortState {
-    /// In flight at a place yet to be seen; contacts start at a level.
+    /// Creates a port in flight that is not yet updated; contacts start at a level.
     pub fn new(
         plant: &Plant,
         layout: &StateLayout,
@@ -99,8 +100,9 @@ impl PortState {
         }
     }
 
-    /// Starts in contact where the point lies past the stop, where the law acts on both sides, and at rest on a rigid stop, from
-    /// which it flies at once if nothing presses it. `fastest_rad_s` is the highest frequency of the plant.
+    /// Starts in contact where the point is past the stop or where the law acts on both sides. A
+    /// point at rest on a rigid stop starts sticking, and flies at once if it is not pressed.
+    /// `fastest_rad_s` is the highest frequency of the plant.
     pub fn start_pressed(&mut self, law: &Law, fastest_rad_s: f64) {
         let is_rigid = matches!(law, Law::Rigid(_));
         let roundoff_m = POSITION_ROUNDOFF * self.rows.gap_m.abs();
@@ -116,7 +118,8 @@ impl PortState {
         let leaves = is_rigid && self.rate_m_s < 0.0;
         if law.acts_on_both_sides() || (self.penetration_m > 0.0 && !leaves) {
             self.regime = ContactState::Contact;
-            // The compressed stop would throw the point off at this speed: the scale of the impulse of a contact that starts at rest.
+            // The compressed stop would throw the point off at this speed: the impulse scale of a
+            // contact that starts at rest.
             self.impact_velocity_m_s =
                 (2.0 * law.energy_j(self.penetration_m).max(0.0) * self.rows.mobility_per_kg)
                     .sqrt();
@@ -134,7 +137,8 @@ impl PortState {
             .max(self.contact_duration_s);
     }
 
-    /// Forgets the statistics. What a contact under way is like now counts already: it may never be as deep again.
+    /// Resets the statistics. A contact in progress counts immediately with its current values,
+    /// which it may never reach again.
     pub fn reset_statistics(&mut self, law: &Law) {
         self.contact_duration_s = 0.0;
         self.statistics = ContactStatistics::default();

@@ -1,22 +1,22 @@
-//! What the force of a port pushes, and the rows by which the meters read its work.
+//! Force column of a port, and the meter rows for its work.
 
 use super::flow_row::FlowRow;
 use super::layout::StateLayout;
 use crate::plant::{Meters, Plant};
 
-/// The vectors of one port in lanes.
+/// Vectors of one port in SIMD layout.
 #[derive(Debug)]
 pub struct PortVectors {
     /// Column of a unit force.
     pub column: FlowRow,
     /// Row of the meter of each load.
     pub loads: Vec<FlowRow>,
-    /// The same for damping.
+    /// Row of the meter of damping.
     pub damping: FlowRow,
 }
 
 impl PortVectors {
-    /// Of every port of a plant.
+    /// Returns the vectors of every port of a plant.
     pub fn of_all(plant: &Plant, meters: &Meters, layout: &StateLayout) -> Vec<Self> {
         let block = &plant.diagonal.block;
         let of = |port: usize| {

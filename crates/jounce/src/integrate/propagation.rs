@@ -7,7 +7,7 @@ use crate::simd::Simd;
 use faer::c64;
 
 impl Integrator<'_> {
-    /// Reads penetration and rate of a port off the state.
+    /// Updates penetration and rate of a port from the state.
     #[inline(always)]
     pub(super) fn update_port<W: Simd>(&mut self, w: W, p: usize) {
         let motion = self.reading(w, p);
@@ -15,7 +15,7 @@ impl Integrator<'_> {
         [port.penetration_m, port.rate_m_s] = motion;
     }
 
-    /// The same, m and m/s.
+    /// Returns penetration and rate of a port, m and m/s.
     #[inline(always)]
     pub(super) fn reading<W: Simd>(&self, w: W, p: usize) -> [f64; 2] {
         let rows = &self.ports[p].rows;
@@ -32,7 +32,7 @@ impl Integrator<'_> {
         motion
     }
 
-    /// Puts the state after an exact flow over any time into `next`.
+    /// Sets `next` to the state after an exact flow over any time.
     #[inline(always)]
     pub(super) fn propagate_to<W: Simd>(&mut self, w: W, length_s: f64) {
         if let Some(flow) = self.excitation.flow_over(length_s) {
@@ -43,8 +43,9 @@ impl Integrator<'_> {
         self.carry_on(w, length_s);
     }
 
-    /// Moves `next` from one time ahead of the present to another: on or back where that is near, else from the present again, for what is
-    /// lost on a long way and back would hide a point that hardly leaves its stop.
+    /// Moves `next` from one time ahead of the current one to another. Over a short time it moves
+    /// on or back, otherwise from the current time: the roundoff of a long flow would hide a point
+    /// that hardly leaves its stop.
     #[inline(always)]
     pub(super) fn propagate_from<W: Simd>(&mut self, w: W, from_s: f64, to_s: f64) {
         let change_s = to_s - from_s;
@@ -55,9 +56,10 @@ impl Integrator<'_> {
         }
     }
 
-    /// Carries `next` on over a time, or back over a short one.
+    /// Propagates `next` over a time, or back over a short one.
     ///
-    /// The time is cut into levels, longest first, and a rest so short that the power series of the flow is exact.
+    /// The time is split into levels, longest first, and a remainder so short that the power series
+    /// of the flow is exact.
     #[inline(always)]
     fn carry_on<W: Simd>(&mut self, w: W, change_s: f64) {
         let kernel = self.kernel;
@@ -67,7 +69,7 @@ impl Integrator<'_> {
             .carry(w, &flows, (rest_s, kernel.stiffest_rad_s), &mut self.next);
     }
 
-    /// Penetration and rate of a port in `next`, `length_s` after the present time.
+    /// Returns penetration and rate of a port in `next`, `length_s` after the current time.
     #[inline(always)]
     pub(super) fn motion_ahead<W: Simd>(&self, w: W, p: usize, length_s: f64) -> [f64; 2] {
         let rows = &self.ports[p].rows;
@@ -85,7 +87,7 @@ impl Integrator<'_> {
         motion
     }
 
-    /// Moves to the state in `next`; the ports are left to be seen.
+    /// Advances to the state in `next`; the ports are not updated.
     #[inline(always)]
     pub(super) fn move_on(&mut self, length_s: f64, end_s: f64) {
         self.note(length_s, &[]);
@@ -96,7 +98,7 @@ impl Integrator<'_> {
             .pass(self.kernel, length_s, end_s, &mut self.y);
     }
 
-    /// Sets what a port does at the present time.
+    /// Sets the motion of a port at the current time.
     #[inline(always)]
     pub(super) fn set_motion(&mut self, p: usize, motion: [f64; 2]) {
         let port = &mut self.ports[p];

@@ -1,11 +1,11 @@
-//! Where the energy of a rectified circuit goes.
+//! Energies of a rectified circuit.
 
-/// Energies that left through one rectified circuit, J, and the charge that its diodes passed.
+/// Energies that left through one rectified circuit, J, and the charge that passed its diodes.
 #[derive(Debug, Clone, Copy, PartialEq, Default, serde::Serialize)]
 pub struct RectifiedEnergies {
-    /// To the load across the storage capacitor.
+    /// Delivered to the load across the storage capacitor.
     pub load_j: f64,
-    /// To the battery.
+    /// Delivered to the battery.
     pub battery_j: f64,
     /// Lost in diodes.
     pub diodes_j: f64,
@@ -18,12 +18,12 @@ pub struct RectifiedEnergies {
 }
 
 impl RectifiedEnergies {
-    /// All together, J.
+    /// Returns the sum of the energies, J.
     pub fn sum_j(&self) -> f64 {
         self.load_j + self.battery_j + self.diodes_j + self.switch_j + self.leakage_j
     }
 
-    /// Adds another count.
+    /// Adds the energies of another count.
     pub(super) fn add(&mut self, other: &Self) {
         self.load_j += other.load_j;
         self.battery_j += other.battery_j;

@@ -1,15 +1,17 @@
-//! Rigid stop: exact flight between impacts, impacts as jumps of velocity, and rest on the stop.
+//! Rigid stop: exact flight between impacts, impacts as velocity jumps, and sticking to the stop.
 //!
-//! At an impact the relative speed `v` becomes `-e v` by the impulse `p = (1 + e) v / M`, with `M` the mobility of the port
-//! (1/kg), which costs the energy `(1 - e^2) v^2 / (2 M)`. Where the motion presses the point onto the stop, impacts follow each
-//! other ever faster and end in finite time (chatter): once the speed is below the tolerance the rest of that sequence is left
-//! out and the point sticks. While it sticks the contact force keeps its relative acceleration at zero,
+//! An impact changes the relative speed `v` to `-e v` by the impulse `p = (1 + e) v / M`, with the
+//! mobility `M` of the port (1/kg). The energy loss is `(1 - e^2) v^2 / (2 M)`. Where the motion
+//! presses the point onto the stop, impacts accumulate in finite time (chatter). Once the speed is
+//! below the tolerance, the remaining impacts are omitted and the point sticks. While it sticks the
+//! contact force holds its relative acceleration at zero,
 //!
 //! ```text
 //! a . y(t) + a_drive(t) - M f(t) = 0,
 //! ```
 //!
-//! collocated at the nodes of a step as everywhere else; the point leaves when the force would have to pull.
+//! collocated at the nodes of a step as for compliant stops; the point leaves when the force would
+//! have to pull.
 
 use super::basis::{NODES, SMOOTH_BASIS};
 use super::contact_step::ContactStep;
@@ -27,23 +29,25 @@ use crate::contact::Rigid;
 use crate::simd::{F64x8, LANES, Portable, Simd};
 use faer::c64;
 
-/// Part of the terms of an acceleration that is roundoff.
+/// Fraction of the terms of an acceleration that is roundoff.
 const ACCELERATION_ROUNDOFF: f64 = 1e-12;
 
-/// Height of a hop, in units of the roundoff of the distance, below which it is none: where it ends cannot be told.
+/// Height of a hop, in units of the roundoff of the distance, below which its end cannot be
+/// resolved.
 const MIN_HOP_HEIGHT: f64 = 64.0;
 
-/// The same in units of how far past the stop it starts.
+/// Height of a hop, in units of its distance past the stop at the start, below which it is ignored.
 const MIN_HOP_PAST_STOP: f64 = 2.0;
 
-/// Speed after an impact, relative to the scale of speeds, above which a hop is never that low.
+/// Speed after an impact, relative to the scale of speeds, above which a hop is always high enough.
 const FAST_HOP_SPEED: f64 = 1e-3;
 
-/// Speed after an impact, relative to the fastest strike and the tolerance, below which chatter ends.
+/// Speed after an impact, relative to the largest impact speed and the tolerance, below which
+/// chatter ends.
 const CHATTER_SPEED: f64 = 1e-2;
 
 impl Integrator<'_> {
-    /// Alternates flight, impacts and rest until the end.
+    /// Alternates flight, impacts and sticking until the end.
     #[inline(always)]
     pub(super) fn advance_rigid<W: Simd>(
         &mut self,
@@ -65,7 +69,7 @@ impl Integrator<'_> {
         Ok(())
     }
 
-    /// One impact; ends in flight, or at rest on the stop where chatter has died away.
+    /// Applies one impact; it ends in flight, or in sticking where chatter has ended.
     pub(super) fn impact(&mut self, p: usize, law: Rigid) {
         let (before, mobility, rebound) = (
             self.ports[p].rate_m_s,
@@ -76,15 +80,15 @@ impl Integrator<'_> {
         self.integrals.loss_j += 0.5 * (1.0 - rebound * rebound) * before * before / mobility;
         self.rebounds(p, -rebound * before);
         if rebound == 0.0 && self.ports[p].regime == ContactState::Contact {
-            // The bounces left out, a geometric series, are no rest.
+            // The omitted bounces, a geometric series, do not count as sticking.
             let left_s = 2.0 * law.restitution * before
                 / ((1.0 - law.restitution) * self.acceleration_m_s2(p));
             self.ports[p].statistics.sticking_s -= if left_s.is_finite() { left_s } else { 0.0 };
         }
     }
 
-    /// Speed after an impact relative to that before it: the restitution, but a rebound too slow to matter, or to be told from
-    /// roundoff, is none.
+    /// Returns the ratio of the speeds after and before an impact: the restitution, or zero for a
+    /// rebound that is negligible or within roundoff.
     pub(super) fn rebound(&self, p: usize, law: Rigid) -> f64 {
         let (after, impact_velocity_m_s) = (
             law.restitution * self.ports[p].rate_m_s,
@@ -99,7 +103,8 @@ impl Integrator<'_> {
         }
     }
 
-    /// A hop that starts past the stop by roundoff, at a speed, is pressed back before it leaves the stop and the roundoff of the distance.
+    /// True for a hop that starts at a speed past the stop by roundoff and is pressed back before
+    /// it leaves the stop by more than the roundoff of the distance.
     pub(super) fn is_lost(&self, p: usize, [depth_m, rate_m_s]: [f64; 2]) -> bool {
         let rows = &self.ports[p].rows;
         let roundoff_m = f64::EPSILON
@@ -108,11 +113,13 @@ impl Integrator<'_> {
                 .max(rows.tone_scale_m)
                 .max(rows.gap_m.abs());
         let least_m = MIN_HOP_HEIGHT * roundoff_m + MIN_HOP_PAST_STOP * depth_m.max(0.0);
-        // Where what presses it is roundoff it leaves: rest would only let it go again.
+        // Where the pressing acceleration is roundoff the point leaves: sticking would release it
+        // at once.
         rate_m_s * rate_m_s <= 2.0 * self.acceleration_m_s2(p) * least_m && self.is_pressed(p)
     }
 
-    /// A point goes on from its stop at a speed: it flies, or where it has none and is pressed, rests.
+    /// Sets a point that leaves an impact at a speed: it flies, or sticks where it has no speed and
+    /// is pressed.
     pub(super) fn rebounds(&mut self, p: usize, rate_m_s: f64) {
         self.set_motion(p, [0.0, rate_m_s]);
         if rate_m_s != 0.0 || !self.is_pressed(p) {
@@ -120,7 +127,8 @@ impl Integrator<'_> {
         }
     }
 
-    /// The motion presses a touching point onto its stop: now, or, where its acceleration is roundoff, from now on.
+    /// True where the motion presses a touching point onto its stop: at present, or, where its
+    /// acceleration is roundoff, in the next moment.
     pub(super) fn is_pressed(&self, p: usize) -> bool {
         let (acceleration, roundoff) = (
             self.acceleration_m_s2(p),
@@ -129,7 +137,7 @@ impl Integrator<'_> {
         acceleration > roundoff || acceleration >= -roundoff && self.jerk_m_s3(p) > 0.0
     }
 
-    /// What of the acceleration towards the stop cannot be told from zero, m/s^2.
+    /// Returns the magnitude below which the acceleration towards the stop is roundoff, m/s^2.
     pub(super) fn acceleration_roundoff_m_s2(&self, p: usize) -> f64 {
         let row = self.layout.pack(&self.kernel.acceleration_row(p));
         let free = self.terms_of(&row);
@@ -142,7 +150,7 @@ impl Integrator<'_> {
                 + self.excitation.acceleration_after(p, 0.0).abs())
     }
 
-    /// Rate of the acceleration towards the stop without contact force, m/s^3.
+    /// Returns the rate of the acceleration towards the stop without contact force, m/s^3.
     pub(super) fn jerk_m_s3(&self, p: usize) -> f64 {
         let row = self.layout.pack(
             &self
@@ -156,7 +164,7 @@ impl Integrator<'_> {
             let w = tone.angular_frequency_rad_s;
             acceleration(tone.displacement_m[p] * tone.turn * c64::new(0.0, w), w)
         };
-        // The displacement that signals force is a cubic: a difference is its exact rate.
+        // The displacement forced by signals is a cubic: a difference is its exact rate.
         let after_s = 1.0 / self.kernel.fastest_rad_s;
         let forced = (self.excitation.acceleration_after(p, after_s)
             - self.excitation.acceleration_after(p, 0.0))
@@ -164,7 +172,7 @@ impl Integrator<'_> {
         dot(Portable::new(), &row, &self.y) + self.tones.iter().map(of).sum::<f64>() + forced
     }
 
-    /// Changes the velocity by an impulse towards the stop's outside, N s.
+    /// Changes the velocity by an impulse away from the stop, N s.
     pub(super) fn push_by(&mut self, p: usize, impulse_n_s: f64) {
         if let Some(record) = &mut self.record {
             record.push_impact(p, impulse_n_s);
@@ -177,7 +185,8 @@ impl Integrator<'_> {
             .zip(&column)
             .map(|(y, b)| y.add_scaled(0.5 * impulse_n_s, b))
             .collect();
-        // The meters' integral of a force that acts in no time: force times the mean of the state before and after.
+        // For the meters, the integral over an instantaneous force is the force times the mean of
+        // the states before and after.
         for (sum, meter) in self
             .integrals
             .loads_j
@@ -208,7 +217,7 @@ impl Integrator<'_> {
             .for_each(|(y, b)| *y = y.add_scaled(impulse_n_s, b));
     }
 
-    /// Relative acceleration towards the stop without contact force, m/s^2.
+    /// Returns the relative acceleration towards the stop without contact force, m/s^2.
     pub(super) fn acceleration_m_s2(&self, p: usize) -> f64 {
         let row = self.layout.pack(&self.kernel.acceleration_row(p));
         let drive: f64 = self
@@ -224,20 +233,21 @@ impl Integrator<'_> {
         dot(Portable::new(), &row, &self.y) + drive + self.excitation.acceleration_after(p, 0.0)
     }
 
-    /// Speed against which errors of a port at rest are held: the fastest strike, or what its velocity is summed from, where bodies that
-    /// push each other from rest have never struck.
+    /// Returns the scale for speed errors of a sticking port: the largest impact speed, or the
+    /// terms of its velocity. The latter are needed where bodies push each other from rest without
+    /// any impact.
     pub(super) fn speed_m_s(&self, p: usize) -> f64 {
         self.ports[p]
             .impact_velocity_m_s
             .max(self.velocity_terms_m_s(p))
     }
 
-    /// Sum of the magnitudes that the velocity of a port is summed from, m/s.
+    /// Returns the sum of the magnitudes of the terms of the velocity of a port, m/s.
     pub(super) fn velocity_terms_m_s(&self, p: usize) -> f64 {
         self.terms_of(&self.ports[p].rows.velocity)
     }
 
-    /// Sum of the magnitudes that an output is summed from.
+    /// Returns the sum of the magnitudes of the terms of an output.
     pub(super) fn terms_of(&self, row: &[F64x8]) -> f64 {
         let terms = |(row, y): (&F64x8, &F64x8)| {
             row.0
@@ -249,7 +259,7 @@ impl Integrator<'_> {
         row.iter().zip(&self.y).map(terms).sum()
     }
 
-    /// Rests on the stop until the force would have to pull, or until the end.
+    /// Integrates sticking until the force would have to pull, or until the end.
     fn stick(&mut self, end_s: f64) -> Result<(), IntegrationError> {
         let mut level = self.ports[0].entry_level;
         while self.time_s < end_s {
@@ -277,7 +287,7 @@ impl Integrator<'_> {
             let size_n = force
                 .iter()
                 .fold(f64::MIN_POSITIVE, |max, f| max.max(f.abs()));
-            // Just before the point leaves, its force is no larger than the roundoff of what it is summed from.
+            // Just before the point leaves, its force is at most the roundoff of its terms.
             let roundoff_n =
                 self.acceleration_roundoff_m_s2(0) / self.ports[0].rows.mobility_per_kg;
             let allowed_n = (self.tolerance.max(1e-12) * 1e-2 * size_n).max(roundoff_n);
@@ -305,7 +315,8 @@ impl Integrator<'_> {
                 self.ports[0].regime = ContactState::Flight;
                 return Ok(());
             }
-            // The mismatch of a polynomial through seven nodes grows like the seventh power of the length.
+            // The mismatch of a polynomial through seven nodes grows with the seventh power of the
+            // length.
             if mismatch_n * 2.0_f64.powi(NODES as i32) <= allowed_n {
                 level = (level - LEVELS_PER_OCTAVE).max(Kernel::coarsest());
             }
@@ -313,7 +324,7 @@ impl Integrator<'_> {
         Ok(())
     }
 
-    /// Nodal forces that hold the point, and their mismatch at the end of the step, N.
+    /// Returns the nodal forces that hold the point, and their mismatch at the end of the step, N.
     fn holding_force(
         &mut self,
         table: &ContactTable,
@@ -357,7 +368,7 @@ impl Integrator<'_> {
         )
     }
 
-    /// Takes a step under given nodal forces and puts the point back onto the stop to roundoff.
+    /// Takes a step under given nodal forces and resets the point onto the stop to roundoff.
     fn take_held(&mut self, table: &ContactTable, force: &[f64; NODES]) {
         let lane = F64x8(std::array::from_fn(
             |i| if i < NODES { force[i] } else { 0.0 },
@@ -378,7 +389,7 @@ impl Integrator<'_> {
         self.put_back(0);
     }
 
-    /// Adds a step of rest to the statistics.
+    /// Adds a step of sticking to the statistics.
     pub(super) fn observe_rest(&mut self, p: usize, length_s: f64, force: &F64x8) {
         let port = &mut self.ports[p];
         port.statistics.max_force_n = force
@@ -389,7 +400,8 @@ impl Integrator<'_> {
         port.stay(length_s);
     }
 
-    /// Removes the drift of collocation: the constraint is kept in acceleration, so position and speed wander by roundoff.
+    /// Removes the drift of collocation: the constraint acts on the acceleration, so that position
+    /// and speed drift by roundoff.
     pub(super) fn put_back(&mut self, p: usize) {
         let (plant, port) = (&self.kernel.plant, &self.ports[p]);
         let mobility = port.rows.mobility_per_kg;
@@ -418,7 +430,7 @@ impl Integrator<'_> {
     }
 }
 
-/// Acceleration of a turning displacement, m/s^2.
+/// Returns the acceleration of a sinusoidal displacement, m/s^2.
 pub(super) fn acceleration(displacement_m: c64, angular_frequency_rad_s: f64) -> f64 {
     -(displacement_m * angular_frequency_rad_s * angular_frequency_rad_s).re
 }

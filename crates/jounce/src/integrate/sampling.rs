@@ -1,12 +1,13 @@
-//! A look at a recorded march at short intervals.
+//! Dense samples of a recorded trajectory.
 
 use super::kernel::Kernel;
 use super::trajectory::{Trajectory, TrajectorySegment};
 
 impl Trajectory {
-    /// Calls `look` at the start of every step from segment number `first` on, and inside flights at times at most `gap_s` apart: with the
-    /// kernel of the regime, the time and the state in its block coordinates, the steady part left out. Contact steps are short beside the
-    /// motion, so that nothing inside them is looked at.
+    /// Calls `look` at the start of every step from segment number `first` on, and inside flights
+    /// at times at most `gap_s` apart. Its arguments are the kernel of the conduction state, the
+    /// time, and the state in block coordinates without the steady part. Contact steps are short
+    /// relative to the motion and have no samples inside.
     pub(crate) fn walk<'k>(
         &self,
         kernel: &'k Kernel,
@@ -15,7 +16,7 @@ impl Trajectory {
         look: &mut impl FnMut(&'k Kernel, f64, &[f64]),
     ) {
         for segment in self.segments().iter().skip(first) {
-            // A regime that was marched in has been made.
+            // The kernel of a conduction state in the record exists.
             if let Ok(own) = kernel.in_regime(segment.regime) {
                 segment.walk(own, gap_s, look);
             }
@@ -46,7 +47,8 @@ impl TrajectorySegment {
         if !self.forces.is_empty() {
             return;
         }
-        // The flow of many equal steps is made once: its roundoff adds up, which a search for the place of a turn does not feel.
+        // The flow over many equal steps is computed once: its roundoff accumulates, without effect
+        // on the search for a turning point.
         let inner = (self.length_s / gap_s).ceil().max(1.0);
         let (flow, mut state) = (
             kernel.plant.diagonal.block.over(self.length_s / inner),

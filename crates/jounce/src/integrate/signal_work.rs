@@ -1,4 +1,5 @@
-//! What the energy meters need to know of signals: `V = integral u y dt` and `integral u e^{i w t} dt` for each signal `u`.
+//! Integrals that the energy meters need for signals: `V = integral u y dt` and
+//! `integral u e^{i w t} dt` for each signal `u`.
 //!
 //! On a piece between breakpoints, from `0` to `h`, with `y' = A y + sum_z b_z u_z + b f`, parts of following blocks are
 //!
@@ -18,27 +19,28 @@ use crate::plant::{LOCAL_TERMS, SignalIntegrals, SignalSample};
 use crate::simd::{F64x8, LANES, Portable};
 use faer::c64;
 
-/// Sums since the start of a march, and those of the piece in hand.
+/// Sums since the start of an integration, and sums over the current piece.
 #[derive(Debug, Clone)]
 pub(super) struct SignalWork {
     sums: SignalIntegrals,
-    /// Start of the piece in hand: time, sizes and state.
+    /// Start of the current piece: time, signal samples and state.
     since_s: f64,
     sizes: Vec<SignalSample>,
     start: Vec<f64>,
-    /// Per port: integral of its force over the piece, and of force times each signal.
+    /// For each port, the integral of its force over the piece, and of force times each signal.
     forces: Vec<(f64, Vec<f64>)>,
-    /// Nodal forces of the step in hand: port, and time and impulse of each node.
+    /// Nodal forces of the current step: port, and time and impulse of each node.
     nodes: Vec<(usize, [f64; LANES], F64x8)>,
     /// Angular frequency of each tone, rad/s.
     tones_rad_s: Vec<f64>,
-    /// Columns of signals and ports in local blocks, and 1 in the states of these.
+    /// Columns of signals and ports in local blocks, and 1 in the states of local blocks.
     columns: Vec<Vec<F64x8>>,
     ports: Vec<Vec<F64x8>>,
     is_local: Vec<F64x8>,
-    /// Per meter with a quadratic form (each load, then damping) and port: what `P b` reads of the signals.
+    /// For each meter with a quadratic form (each load, then damping) and port, the row `P b` over
+    /// the signals.
     readings: Vec<Vec<ExcitationRow>>,
-    /// Per such meter: work of the contact forces on what signals force, J.
+    /// For each such meter, work of the contact forces on the forced motion of signals, J.
     works_j: Vec<f64>,
 }
 
@@ -94,19 +96,19 @@ impl SignalWork {
         }
     }
 
-    /// Time at which the piece in hand began, s.
+    /// Returns the start time of the current piece, s.
     pub fn since_s(&self) -> f64 {
         self.since_s
     }
 
-    /// Opens a piece at the time at which the last was closed, in a state with its forced part.
+    /// Opens a piece at the end of the last one, in a state with its forced part.
     pub fn open(&mut self, sizes: &[SignalSample], state: Vec<f64>) {
         self.sizes = sizes.to_vec();
         self.start = state;
         self.turn(sizes, self.since_s, -1.0);
     }
 
-    /// Closes the piece in hand; sizes and state are those at its end, before any jump.
+    /// Closes the current piece; samples and state are those at its end, before any jump.
     pub fn close(
         &mut self,
         kernel: &Kernel,
@@ -163,7 +165,8 @@ impl SignalWork {
         }
     }
 
-    /// An impulse of one signal; `middle` is the mean of the states before and after it, with their forced part.
+    /// Adds an impulse of one signal; `middle` is the mean of the states before and after it, with
+    /// their forced part.
     pub fn strike(
         &mut self,
         signal: usize,
@@ -180,7 +183,7 @@ impl SignalWork {
         }
     }
 
-    /// Nodal forces of a contact step that is about to be taken; sizes are those at its start.
+    /// Adds the nodal forces of the next contact step; the signal samples are those at its start.
     #[inline(always)]
     pub fn push(
         &mut self,
@@ -211,23 +214,24 @@ impl SignalWork {
         self.nodes.push((port, times_s, *weighted));
     }
 
-    /// An impulse of a rigid stop.
+    /// Adds an impulse of a rigid stop.
     pub fn strike_stop(&mut self, port: usize, sizes: &[SignalSample], impulse_n_s: f64) {
         let all_at_once = F64x8(std::array::from_fn(
             |i| if i == 0 { impulse_n_s } else { 0.0 },
         ));
         self.push(port, sizes, &[0.0; LANES], 0.0, &all_at_once);
-        // It takes no time: no share in integrals over a step.
+        // It takes no time and does not contribute to integrals over a step.
         self.nodes.clear();
     }
 
-    /// Ends a step without local blocks that move.
+    /// Ends a step without moving local blocks.
     #[inline(always)]
     pub fn pass(&mut self) {
         self.nodes.clear();
     }
 
-    /// Local blocks over a step; sizes are those at its start, `y` is the state at its end.
+    /// Adds local blocks over a step; the signal samples are those at its start, `y` is the state
+    /// at its end.
     #[inline(always)]
     pub fn pass_local(
         &mut self,
@@ -278,7 +282,8 @@ impl SignalWork {
         }
     }
 
-    /// Integrals up to a time, and per meter with a quadratic form the work of the contact forces on what signals force, J.
+    /// Returns the integrals up to a time, and for each meter with a quadratic form the work of the
+    /// contact forces on the forced motion of signals, J.
     pub fn until(
         &self,
         kernel: &Kernel,

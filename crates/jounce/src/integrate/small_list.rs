@@ -1,17 +1,18 @@
-//! What is there once per port in contact, or once per pair: seldom more than two ports are, so that nothing is allocated for it.
+//! Lists with one entry per port in contact or per pair: seldom are more than two ports in contact,
+//! so that they need no allocation.
 
 use smallvec::SmallVec;
 use std::ops::Deref;
 
-/// One entry per port in contact.
+/// List with one entry per port in contact.
 pub type SmallList<T> = SmallVec<[T; 2]>;
 
-/// A table that is shared, or that was made for one step alone.
+/// Table that is shared, or that belongs to one step.
 #[derive(Debug, Clone)]
 pub enum SharedOrOwned<'a, T> {
-    /// Kept by the kernel.
+    /// Stored in the kernel.
     Shared(&'a T),
-    /// Of a step of any other length.
+    /// Computed for a step of any other length.
     Own(Box<T>),
 }
 

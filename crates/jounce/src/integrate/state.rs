@@ -1,10 +1,10 @@
-//! The few products that marching is made of.
+//! Basic products of the integration.
 
 use super::basis::NODES;
 use super::layout::StateLayout;
 use crate::simd::{F64x8, LANES, Simd};
 
-/// `start + sum_k columns_k y_k`: an output at eight instants.
+/// Returns `start + sum_k columns_k y_k`: an output at eight instants.
 #[inline(always)]
 pub fn columns<W: Simd>(
     w: W,
@@ -21,10 +21,10 @@ pub fn columns<W: Simd>(
     weighted(w, &y[2 * p..], of_r, w.add(u, v))
 }
 
-/// `start + sum_k columns_k y_k` over states that lie side by side.
+/// Returns `start + sum_k columns_k y_k` over contiguous states.
 #[inline(always)]
 fn weighted<W: Simd>(w: W, y: &[F64x8], columns: &[F64x8], start: W::Register) -> W::Register {
-    // Two sums side by side, so that no addition waits for the one before it.
+    // Two sums in parallel, so that no addition waits for the previous one.
     let (mut even, mut odd) = (start, w.zero());
     for (lane, columns) in y.iter().zip(columns.chunks(LANES)) {
         if let Ok(columns) = <&[F64x8; LANES]>::try_from(columns) {
@@ -41,7 +41,7 @@ fn weighted<W: Simd>(w: W, y: &[F64x8], columns: &[F64x8], start: W::Register) -
     w.add(even, odd)
 }
 
-/// Nodal forces, each in all places of a register.
+/// Broadcasts each nodal force to all lanes of a register.
 #[inline(always)]
 pub fn spread<W: Simd>(w: W, force: &F64x8) -> [W::Register; NODES] {
     let mut spread = [w.zero(); NODES];
@@ -51,7 +51,7 @@ pub fn spread<W: Simd>(w: W, force: &F64x8) -> [W::Register; NODES] {
     spread
 }
 
-/// `start + sum_j push_j f_j`.
+/// Returns `start + sum_j push_j f_j`.
 #[inline(always)]
 pub fn pushed<W: Simd>(
     w: W,
@@ -62,7 +62,7 @@ pub fn pushed<W: Simd>(
     pushed_by(w, start, push, &spread(w, force))
 }
 
-/// The same for forces that push more than once.
+/// Returns `start + sum_j push_j f_j` for broadcast forces that are used more than once.
 #[inline(always)]
 pub fn pushed_by<W: Simd>(
     w: W,
@@ -79,7 +79,7 @@ pub fn pushed_by<W: Simd>(
     w.add(even, odd)
 }
 
-/// Row times state, both padded.
+/// Returns row times state, both padded.
 #[inline(always)]
 pub fn dot<W: Simd>(w: W, row: &[F64x8], y: &[F64x8]) -> f64 {
     let mut sum = w.zero();
@@ -89,7 +89,7 @@ pub fn dot<W: Simd>(w: W, row: &[F64x8], y: &[F64x8]) -> f64 {
     w.sum(sum)
 }
 
-/// Row times magnitudes of a state, both padded.
+/// Returns row times magnitudes of a state, both padded.
 #[inline(always)]
 pub fn dot_abs<W: Simd>(w: W, row: &[F64x8], y: &[F64x8]) -> f64 {
     let mut sum = w.zero();
@@ -99,7 +99,7 @@ pub fn dot_abs<W: Simd>(w: W, row: &[F64x8], y: &[F64x8]) -> f64 {
     w.sum(sum)
 }
 
-/// Magnitudes of a row times those of a state, both padded.
+/// Returns magnitudes of a row times magnitudes of a state, both padded.
 #[inline(always)]
 pub fn dot_of_magnitudes<W: Simd>(w: W, row: &[F64x8], y: &[F64x8]) -> f64 {
     let mut sum = w.zero();

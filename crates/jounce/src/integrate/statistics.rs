@@ -1,18 +1,18 @@
-//! What a march has seen so far: contacts, and the contact integrals that the energy meters need.
+//! Statistics of an integration: contacts, and the contact integrals that the energy meters need.
 
 use super::per_port::PerPort;
 use faer::c64;
 
-/// Work done by the integrator, for snapshots: it must not grow unnoticed.
+/// Work done by the integrator, for snapshots that detect an increase.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize)]
 pub struct WorkCount {
     /// Flight steps taken.
     pub flight_steps: u64,
-    /// Flight steps tried and shortened, because they could not be proved free of contact.
+    /// Flight steps attempted and shortened, because they could not be proved free of contact.
     pub flight_rejections: u64,
     /// Contact steps taken.
     pub contact_steps: u64,
-    /// Contact steps tried and shortened, because their error was too large.
+    /// Contact steps attempted and shortened, because their error was too large.
     pub contact_rejections: u64,
     /// Fixed-point iterations of all contact steps.
     pub iterations: u64,
@@ -25,29 +25,32 @@ pub struct ContactStatistics {
     pub contacts: u64,
     /// Time in contact, s.
     pub time_s: f64,
-    /// Largest penetration, m; 0 without contact (how near the point came is not tracked). Of a law on both sides: largest distance.
+    /// Largest penetration, m; 0 without contact (the distance of approach is not tracked). For a
+    /// law on both sides: largest distance.
     pub max_penetration_m: f64,
     /// Largest magnitude of the contact force, N.
     pub max_force_n: f64,
     /// Time integral of the contact force, N s.
     pub impulse_n_s: f64,
-    /// Sum over contacts of the speed at which they began, m/s.
+    /// Sum of the impact speeds of all contacts, m/s.
     pub strike_sum_m_s: f64,
-    /// Largest of these speeds, m/s.
+    /// Largest impact speed, m/s.
     pub max_impact_velocity_m_s: f64,
-    /// Longest time that one contact lasted, s; of one that was under way at the last reset, the time since.
+    /// Longest duration of one contact, s; for a contact in progress at the last reset, the time
+    /// since the reset.
     pub max_contact_duration_s: f64,
-    /// Time spent at rest on a rigid stop, s.
+    /// Time of sticking to a rigid stop, s.
     pub sticking_s: f64,
 }
 
 impl ContactStatistics {
-    /// Mean speed at which contacts began, m/s; 0 without one.
+    /// Returns the mean impact speed, m/s; 0 without a contact.
     pub fn mean_impact_velocity_m_s(&self) -> f64 {
         self.strike_sum_m_s / self.contacts.max(1) as f64
     }
 
-    /// Time in contact over the contacts that began, s; 0 without one.
+    /// Returns the time in contact divided by the number of contacts that began, s; 0 without a
+    /// contact.
     pub fn mean_contact_duration_s(&self) -> f64 {
         if self.contacts > 0 {
             self.time_s / self.contacts as f64
@@ -56,7 +59,7 @@ impl ContactStatistics {
         }
     }
 
-    /// Those of two ports together: largest of the largest, sum of the others.
+    /// Combines the statistics of two ports: maxima of the maxima, sums of the others.
     pub(super) fn and(self, other: &Self) -> Self {
         Self {
             contacts: self.contacts + other.contacts,
@@ -76,12 +79,12 @@ impl ContactStatistics {
     }
 }
 
-/// Contact integrals since the start of the march.
+/// Contact integrals since the start of the integration.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ContactIntegrals {
     /// `sum over ports of integral f (P b) . y dt` per load, J.
     pub loads_j: Vec<f64>,
-    /// The same for damping, J.
+    /// Integral of the same form for damping, J.
     pub damping_j: f64,
     /// `integral f e^{i w t} dt` per port and tone, N s.
     pub tones_n_s: PerPort<Vec<c64>>,

@@ -1,9 +1,10 @@
-//! How long the next step of a contact is.
+//! Length of the next contact step.
 //!
-//! As long as the error of the last one leaves room for, and shorter towards the end of the contact: the force ends like `t^1.5`, which
-//! no polynomial follows. On a step of length `L` that begins a time `d` before the end, the error of the interpolation falls like
-//! `rho^-7` with the number of nodes, where `rho + 1/rho = 4 d / L - 2` (Bernstein's ellipse through the singularity). The estimate of
-//! [`ContactStep`] goes with its power 3/2.
+//! The error of the last step determines the length of the next one. Towards the end of the contact
+//! steps are shorter: the force ends like `t^1.5`, which no polynomial follows. On a step of length
+//! `L` that begins a time `d` before the end, the interpolation error falls like `rho^-7` with the
+//! number of nodes. Here `rho + 1/rho = 4 d / L - 2` (Bernstein's ellipse through the singularity).
+//! The estimate of [`ContactStep`] follows its power 3/2.
 
 use super::basis::NODES;
 use super::contact::share;
@@ -14,44 +15,49 @@ use super::port_state::PortState;
 use super::step_size::LEVELS_PER_OCTAVE;
 use crate::contact::ContactLaw;
 
-/// Factors on the error of a step for 1.5 times its length, and from there to twice its length; its power of the length is 8 to 11.
+/// Factors on the error of a step for 1.5 times its length, and from there to twice its length; the
+/// error grows with a power of 8 to 11 of the length.
 const ERROR_PER_LEVEL: [f64; 2] = [38.0, 13.0];
 
-/// Share of its allowed error for which a step is planned: the next part of a contact may be harder than the last.
+/// Fraction of the allowed error for which a step is planned: the next part of a contact may be
+/// harder than the last.
 const PLANNED_ERROR_SHARE: f64 = 0.3;
 
-/// Most levels to go up at once.
+/// Largest increase of the level at once.
 const MAX_LEVEL_INCREASE: i32 = 3 * LEVELS_PER_OCTAVE;
 
-/// How much smaller the error is than the power of `rho` says, for an end like `t^1.5`.
+/// Factor by which the error is smaller than the power of `rho`, for an end like `t^1.5`.
 const RELEASE_ERROR_GAIN: f64 = 1000.0;
 
-/// Share of the impulse of a force like `t^1.5` that ends in the second half of a step which seven Gauss nodes miss: at most 0.0086.
+/// Fraction of the impulse of a force like `t^1.5` that seven Gauss nodes miss if it ends in the
+/// second half of a step: at most 0.0086.
 pub(super) const RELEASE_ERROR_FACTOR: f64 = 0.01;
 
-/// The same for a march whose derivative is wanted: that of the force ends like `t^0.5`, so the whole impulse left, and its like on the
-/// way, must not matter.
+/// Error factor for an integration with derivative: the derivative of the force ends like `t^0.5`,
+/// so that the complete remaining impulse must be negligible.
 pub(super) const RELEASE_ERROR_FACTOR_OF_DERIVATIVE: f64 = 2.0;
 
-/// Lengths of a step before the end of the contact beyond which the end does not matter: the power of `rho` is above 1e8 there.
+/// Distance to the end of the contact, in step lengths, beyond which the end has no effect: the
+/// power of `rho` is above 1e8 there.
 const MAX_RELEASE_DISTANCE: f64 = 2.0;
 
 impl ContactStep<'_> {
-    /// Time from the last node to the end, s.
+    /// Returns the time from the last node to the end, s.
     fn last_gap_s(&self) -> f64 {
         self.table.length_s * (1.0 - self.basis.places[NODES - 1])
     }
 }
 
 impl SolvedStep {
-    /// Speed at its end, m/s, by the last node.
+    /// Returns the speed at the end of the step, m/s, from the last node.
     fn last_speed_m_s(&self, step: &ContactStep) -> f64 {
         (self.penetration.0[NODES] - self.penetration.0[NODES - 1]) / step.last_gap_s()
     }
 }
 
 impl Integrator<'_> {
-    /// Level wanted of the step after one of `level` that has been taken; `starts_next` says that the next contact starts at it too.
+    /// Returns the desired level of the step after an accepted one of `level`; with `starts_next`
+    /// the next contact also starts at it.
     #[inline(always)]
     pub(super) fn next_level<L: ContactLaw>(
         &mut self,
@@ -70,7 +76,7 @@ impl Integrator<'_> {
         if starts_next {
             self.ports[step.port].entry_level = longer.max(coarsest(law, self.kernel));
         }
-        // The error of the onset basis says nothing about the next step.
+        // The error of the onset basis does not predict the next step.
         let level = if step.shape == ForceBasis::Onset {
             level
         } else {
@@ -84,7 +90,7 @@ impl Integrator<'_> {
         level.max(coarsest(law, self.kernel))
     }
 
-    /// The level wanted, or a finer one that respects the end of the contact as it is foretold now.
+    /// Returns the desired level, or a finer one for the predicted end of the contact.
     #[inline(always)]
     fn before_leaving(
         &self,
@@ -100,7 +106,7 @@ impl Integrator<'_> {
             return wanted;
         }
         let left_n_s = leaving_s * solved.force.0[NODES - 1];
-        // What one step misses that carries the point past the surface may be too small to matter.
+        // The error of one step that carries the point past the surface may be negligible.
         if self.release_error_factor * left_n_s <= allowed {
             return wanted.max(Kernel::level_within(2.0 * leaving_s));
         }
@@ -117,8 +123,9 @@ impl Integrator<'_> {
     }
 }
 
-/// Coarsest level of a contact step. Where the motion never leaves the law, no flight carries the fast modes: steps must resolve a
-/// disturbance of them, which the motion itself need not show but its derivative does.
+/// Returns the coarsest level of a contact step. Where the law acts at all times, no flight
+/// propagates the fast modes exactly. Steps must then resolve a disturbance of them, which affects
+/// the derivative of the motion even where the motion does not show it.
 #[inline(always)]
 pub(super) fn coarsest<L: ContactLaw>(law: L, kernel: &Kernel) -> i32 {
     if law.acts_on_both_sides() {
@@ -128,7 +135,8 @@ pub(super) fn coarsest<L: ContactLaw>(law: L, kernel: &Kernel) -> i32 {
     }
 }
 
-/// Time until the penetration ends, by the parabola through the last speeds of a step.
+/// Predicts the time until the penetration ends, from the parabola through the last speeds of a
+/// step.
 #[inline(always)]
 fn predicted_release_s(port: &PortState, step: &ContactStep, solved: &SolvedStep) -> Option<f64> {
     if port.rate_m_s >= 0.0 || port.penetration_m <= 0.0 {
@@ -140,7 +148,8 @@ fn predicted_release_s(port: &PortState, step: &ContactStep, solved: &SolvedStep
     (discriminant >= 0.0).then_some(leaving_s)
 }
 
-/// `rho^10.5` for a step whose length goes `ratio` times into the time to the end of the contact.
+/// Returns `rho^10.5` for a step whose length fits `ratio` times into the time to the end of the
+/// contact.
 #[inline(always)]
 fn ellipse_power(ratio: f64) -> f64 {
     let z = 2.0 * ratio - 1.0;
@@ -149,7 +158,8 @@ fn ellipse_power(ratio: f64) -> f64 {
     fourth * fourth * (rho * rho) * rho.sqrt()
 }
 
-/// Levels by which a step should have been shorter; no more than an octave, beyond which the error is no guide.
+/// Returns the levels by which a step should have been shorter, at most an octave, beyond which the
+/// error estimate is unreliable.
 #[inline(always)]
 pub(super) fn levels_too_long(level: i32, error: f64, allowed: f64) -> i32 {
     let (mut down, mut shorter) = (0, error);
@@ -160,7 +170,7 @@ pub(super) fn levels_too_long(level: i32, error: f64, allowed: f64) -> i32 {
     down
 }
 
-/// Levels by which a step might have been longer.
+/// Returns the levels by which a step could have been longer.
 #[inline(always)]
 fn levels_to_spare(level: i32, error: f64, allowed: f64) -> i32 {
     let mut spare = 0;

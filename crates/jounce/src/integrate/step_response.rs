@@ -1,4 +1,4 @@
-//! Answer of one block to the force on a step, exactly, as Legendre series in time.
+//! Response of one block to the force on a step, exactly, as Legendre series in time.
 //!
 //! On a step scaled to `x` in `[0, 1]`, `y' = z y + g(x)` with `z = h lambda`. In Legendre coefficients integration is tridiagonal,
 //!
@@ -6,9 +6,10 @@
 //! int_0^x P_n = (P_{n+1} - P_{n-1}) / (2 (2 n + 1)),   int_0^x P_0 = (P_1 + P_0) / 2,
 //! ```
 //!
-//! so `(I - z S) y = S g` is one tridiagonal solve for any `z` with `Re z <= 0`, small or large, with no cancellation, where
-//! the usual closed form (phi functions) loses digits. The coefficients fall off beyond `|z| / 2`. The free motion `e^{z x}`
-//! solves the same equations with the right side `P_0`; it rides along in the eighth place of the lanes.
+//! so `(I - z S) y = S g` is one tridiagonal solve for any `z` with `Re z <= 0`, small or large. It
+//! has no cancellation, where the usual closed form (phi functions) loses digits. The coefficients
+//! fall off beyond `|z| / 2`. The free motion `e^{z x}` solves the same equations with the right
+//! side `P_0`; it occupies the eighth lane of the vectors.
 //!
 //! Validation: the tests below compare with quadrature and closed forms at small and large `z`.
 
@@ -19,31 +20,32 @@ use crate::plant::{BlockDiagonal, BlockPair};
 use crate::simd::{F64x8, Portable, Simd};
 use faer::c64;
 
-/// What a block is, for a step of one length.
+/// Block for a step of one length.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum BlockOnStep {
-    /// A pair `u + i v` that turns.
+    /// Complex pair `u + i v`.
     Turning(c64),
-    /// A double real rate.
+    /// Double real rate.
     Double(f64),
-    /// A single real rate.
+    /// Single real rate.
     Single(f64),
 }
 
-/// Legendre coefficients in time, row by row; places 0 to 6 answer to the nodal forces, place 7 is the free motion.
+/// Legendre coefficients in time, row by row; lanes 0 to 6 are the responses to the nodal forces,
+/// lane 7 is the free motion.
 ///
-/// `first` is the solution for a unit force. `second` is its imaginary part for a turning pair, and the answer to it (the same
-/// equation driven by `first`) for a double rate; 0 for a single one.
+/// `first` is the solution for a unit force. `second` is its imaginary part for a complex pair, and
+/// the response to it (the same equation driven by `first`) for a double rate; 0 for a single one.
 #[derive(Debug, Clone, Default)]
 pub struct StepResponse {
     /// Solution for a unit force, real part.
     pub first: Vec<F64x8>,
-    /// See above.
+    /// Second series, see the type.
     pub second: Vec<F64x8>,
 }
 
 impl BlockOnStep {
-    /// Of a pair.
+    /// Returns the block of a pair.
     pub fn of(pair: &BlockPair) -> Self {
         match *pair {
             BlockPair::Oscillatory { .. } => BlockOnStep::Turning(pair.eigenvalue()),
@@ -51,7 +53,7 @@ impl BlockOnStep {
         }
     }
 
-    /// States of the block.
+    /// Returns the number of states of the block.
     pub fn states(&self) -> usize {
         if matches!(self, BlockOnStep::Single(_)) {
             1
@@ -60,7 +62,8 @@ impl BlockOnStep {
         }
     }
 
-    /// Factors on `first` and `second` of the output `row` under the force `column` on a step of length `h`.
+    /// Returns the factors on `first` and `second` of the output `row` under the force `column` on
+    /// a step of length `h`.
     pub fn forced(&self, row: &[f64], column: &[f64], h: f64) -> [f64; 2] {
         match self {
             BlockOnStep::Turning(_) => [
@@ -75,7 +78,7 @@ impl BlockOnStep {
         }
     }
 
-    /// The same for the free motion, per state of the block.
+    /// Returns the same factors for the free motion, per state of the block.
     pub fn free(&self, row: &[f64], h: f64) -> [[f64; 2]; 2] {
         match self {
             BlockOnStep::Turning(_) => [[row[0], row[1]], [row[1], -row[0]]],
@@ -84,7 +87,8 @@ impl BlockOnStep {
         }
     }
 
-    /// Factors on `first` and `second` that make the entries `a` and `b` of its flow (see [`super::flow_row`]).
+    /// Returns the factors on `first` and `second` that give the entries `a` and `b` of the flow of
+    /// this block (see [`super::flow_row`]).
     pub fn entries(&self, h: f64) -> [f64; 2] {
         if matches!(self, BlockOnStep::Double(_)) {
             [1.0, h]
@@ -93,7 +97,7 @@ impl BlockOnStep {
         }
     }
 
-    /// Its eigenvalue, 1/s.
+    /// Returns the eigenvalue of the block, 1/s.
     pub fn rate(&self) -> c64 {
         match *self {
             BlockOnStep::Turning(rate) => rate,
@@ -103,7 +107,7 @@ impl BlockOnStep {
 }
 
 impl StepResponse {
-    /// Of all blocks on a step of one length.
+    /// Computes the responses of all blocks on a step of one length.
     pub fn of_all(block: &BlockDiagonal, basis: &BasisFunctions, length_s: f64) -> Vec<Self> {
         let w = Portable::new();
         let solved = |(_, part)| {
@@ -120,7 +124,8 @@ impl StepResponse {
         parts(block).map(solved).collect()
     }
 
-    /// Solves one block for one step length, given the factors of up to eight blocks and the block's place among them.
+    /// Solves one block for one step length, given the factors of up to eight blocks and the index
+    /// of the block among them.
     #[inline(always)]
     pub fn solve<W: Simd>(
         &mut self,
@@ -184,7 +189,7 @@ impl StepResponse {
     }
 }
 
-/// `S g`, as far as the room for it goes.
+/// Returns `S g`, truncated to the available length.
 #[inline(always)]
 fn integrate<W: Simd>(w: W, series: &[F64x8], out: &mut [F64x8]) {
     let add = |w: W, lane: &mut F64x8, factor: f64, g: W::Register| {
@@ -209,7 +214,8 @@ mod tests {
     use super::*;
     use crate::integrate::basis::{SMOOTH_BASIS, legendre};
 
-    /// `int_0^x e^{z (x - s)} phi(s) ds` by composite quadrature in `s = x r^2`, in which onset functions are smooth.
+    /// Computes `int_0^x e^{z (x - s)} phi(s) ds` by composite quadrature in `s = x r^2`, in which
+    /// onset functions are smooth.
     fn quadrature(z: c64, basis: &BasisFunctions, j: usize, x: f64) -> c64 {
         let (gauss, panels) = (&*SMOOTH_BASIS, 60);
         let mut sum = c64::new(0.0, 0.0);
@@ -224,7 +230,8 @@ mod tests {
         sum
     }
 
-    /// Worst error of the answers, and of their imaginary parts alone, which start like a displacement.
+    /// Returns the largest error of the responses, and of their imaginary parts, which start like a
+    /// displacement.
     fn worst(basis: &BasisFunctions, z: c64) -> [f64; 2] {
         let mut answers = StepResponse::default();
         let (w, part) = (Portable::new(), BlockOnStep::Turning(z));
@@ -262,7 +269,8 @@ mod tests {
         {
             all.push((z, worst(&SMOOTH_BASIS, z)[0], worst(&onset, z)));
         }
-        // Onset functions are cut off; a displacement feels less of it by another factor of the number of terms.
+        // Onset functions are truncated; the effect on a displacement is smaller by another factor
+        // of the number of terms.
         let within = |z: &c64, smooth: &f64, onset: &[f64; 2]| {
             *smooth < 1e-14 && onset[0] < 1e-7 && onset[1] <= 1e-9 * z.norm()
         };
@@ -288,7 +296,7 @@ mod tests {
                 1,
             ),
         );
-        // second in place 7: x e^{z x}
+        // second in lane 7: x e^{z x}
         let powers = legendre(0.7, answers.second.len());
         let second: f64 = answers
             .second

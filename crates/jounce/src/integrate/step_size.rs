@@ -1,46 +1,47 @@
-//! Lengths of steps: `2^-e` and `1.5 2^-e` seconds, numbered from the longest on.
+//! Quantised step lengths: `2^-e` and `1.5 2^-e` seconds, numbered from the longest.
 
 use super::kernel::Kernel;
 
-/// Levels on which the length of a step falls by half.
+/// Number of levels over which the length of a step halves.
 pub(super) const LEVELS_PER_OCTAVE: i32 = 2;
-/// Levels run from here ...
+/// Coarsest level ...
 const COARSEST_LEVEL: i32 = -12 * LEVELS_PER_OCTAVE;
-/// ... to here.
+/// ... and finest level.
 const FINEST_LEVEL: i32 = 60 * LEVELS_PER_OCTAVE;
 
 impl Kernel {
-    /// Length of a level, s.
+    /// Returns the length of a level, s.
     #[inline(always)]
     pub fn length_s(level: i32) -> f64 {
-        // By exponent and first bit of the mantissa: levels lie far inside the normal numbers.
+        // From exponent and first bit of the mantissa: all levels are far inside the normal
+        // numbers.
         f64::from_bits(((2046 - i64::from(level)) as u64) << 51)
     }
 
-    /// Finest level there is.
+    /// Returns the finest level.
     pub const fn finest() -> i32 {
         FINEST_LEVEL
     }
 
-    /// Coarsest level there is.
+    /// Returns the coarsest level.
     pub const fn coarsest() -> i32 {
         COARSEST_LEVEL
     }
 
-    /// Coarsest level not longer than a time.
+    /// Returns the coarsest level not longer than a time.
     #[inline(always)]
     pub fn level_within(time_s: f64) -> i32 {
-        // Of a positive normal number.
+        // For a positive normal number.
         (2046 - (time_s.to_bits() >> 51) as i32).clamp(COARSEST_LEVEL, FINEST_LEVEL)
     }
 
-    /// Index of a level in lists of all levels.
+    /// Returns the index of a level in lists of all levels.
     #[inline(always)]
     pub(super) fn index(level: i32) -> usize {
         (level - COARSEST_LEVEL) as usize
     }
 
-    /// Number of levels.
+    /// Returns the number of levels.
     pub(super) const fn count() -> usize {
         (FINEST_LEVEL - COARSEST_LEVEL + 1) as usize
     }
@@ -50,7 +51,8 @@ impl Kernel {
 mod tests {
     use super::*;
 
-    /// Every level is the coarsest one within its own length, and within anything up to the next.
+    /// Every level is the coarsest one within its own length, and within any time up to the next
+    /// level.
     #[test]
     fn levels_lie_by_their_lengths() {
         for level in COARSEST_LEVEL + 1..=FINEST_LEVEL {

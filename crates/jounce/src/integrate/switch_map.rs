@@ -1,4 +1,4 @@
-//! What a switch does within an instant: the voltages after it, where the energy went, and the derivative.
+//! Reset map of a switch: the voltages after it, its energies, and its derivative.
 //!
 //! ```text
 //! parallel SSHI   V -> -q V
@@ -6,30 +6,30 @@
 //! extraction      V -> 0,            V_s -> sqrt(V_s^2 + n C V^2 / C_s)
 //! ```
 //!
-//! `V`, `C` are those of the patches, `V_s`, `C_s` those of the storage (none for a battery), `s` the sign of `V`, `E` the threshold of the
-//! path, `q` the inversion and `n` the efficiency.
+//! `V`, `C` belong to the patches, `V_s`, `C_s` to the storage (`C_s` is absent for a battery). `s`
+//! is the sign of `V`, `E` the threshold of the path, `q` the inversion and `n` the efficiency.
 
 use super::rectified::RectifiedEnergies;
 use crate::plant::{Bridge, Plant, Scheme, Storage};
 
-/// An instant at which a switch acts.
+/// Action of a switch at one instant.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct SwitchMap {
-    /// Voltages of the patches and of the storage after it, V.
+    /// Voltages of the patches and of the storage after the switch, V.
     pub volts: [f64; 2],
-    /// Their derivatives by those before.
+    /// Derivatives of these voltages by those before.
     pub slopes: [[f64; 2]; 2],
-    /// Where the energy went.
+    /// Energies of the circuit.
     pub taken: RectifiedEnergies,
     /// Change of the energy stored in both, J.
     pub stored_j: f64,
 }
 
-/// Capacitances of the patches and of the storage, F; no storage is infinitely large.
+/// Capacitances of the patches and of the storage, F; infinite for a battery.
 struct Capacitances([f64; 2]);
 
 impl SwitchMap {
-    /// Of a bridge at a physical state.
+    /// Computes the map of a bridge at a physical state.
     pub fn of(plant: &Plant, number: usize, x: &[f64]) -> Self {
         let (bridge, nodes) = (
             &plant.system.bridges[number],
@@ -62,7 +62,7 @@ impl SwitchMap {
         flip
     }
 
-    /// Puts the voltages after it into a physical state.
+    /// Sets the voltages after the switch in a physical state.
     pub fn enter(&self, plant: &Plant, number: usize, x: &mut [f64]) {
         let (nodes, first) = (
             plant.electrical.bridges[number],
@@ -74,7 +74,7 @@ impl SwitchMap {
         }
     }
 
-    /// A switch that does nothing.
+    /// Returns the map of a switch without effect.
     fn left(volts: [f64; 2]) -> Self {
         Self {
             volts,
@@ -84,7 +84,8 @@ impl SwitchMap {
         }
     }
 
-    /// A swing through an inductor into the storage: the voltage turns over about that against which it conducts.
+    /// Returns the map of a half oscillation through an inductor into the storage: the voltage inverts about
+    /// the voltage against which it conducts.
     fn swung(bridge: &Bridge, inversion: f64, both: &Capacitances, volts: [f64; 2]) -> Self {
         let mut flip = Self::left(volts);
         let over_v = volts[0].abs() - volts[1] - bridge.threshold_v();
@@ -109,7 +110,7 @@ impl SwitchMap {
         flip
     }
 
-    /// All energy of the patches taken out.
+    /// Returns the map of an extraction of all energy of the patches.
     fn extracted(bridge: &Bridge, efficiency: f64, both: &Capacitances, volts: [f64; 2]) -> Self {
         let mut flip = Self {
             volts: [0.0, volts[1]],
@@ -191,7 +192,7 @@ mod tests {
         .unwrap()
     }
 
-    /// The derivative against differences, on either sign of the voltage.
+    /// The derivative against difference quotients, on either sign of the voltage.
     #[test]
     fn slopes_are_differences_of_the_switch() {
         let capacitor = Storage::Capacitor {

@@ -1,10 +1,12 @@
-//! Rectifiers in a march: where a guard is met the plant changes and the march goes on in the new regime.
+//! Rectifiers in an integration: where an event function passes zero, the plant changes and the
+//! integration continues in the new conduction state.
 //!
-//! Diodes change what the circuit is, not the state, whose voltages and velocities are continuous: current and forward voltage are both
-//! zero there. A switch turns a voltage over within an instant; the energies that this takes are counted in closed form.
+//! Diodes change the circuit but not the state, whose voltages and velocities are continuous:
+//! current and forward voltage are both zero there. A switch inverts a voltage within an instant;
+//! the energies of this change are counted in closed form.
 //!
-//! The charge `Q` that diodes pass is what the patches displaced and did not keep or leak, `-[C V + theta . q]` without leakage, exact to
-//! roundoff (see [`super::charge_balance`]).
+//! The charge `Q` through the diodes is the charge that the patches displaced and did not retain or
+//! leak, `-[C V + theta . q]` without leakage, exact to roundoff (see [`super::charge_balance`]).
 
 use super::charge_balance::ChargeBalance;
 use super::energies::Energies;
@@ -16,33 +18,36 @@ use super::switch_map::SwitchMap;
 use super::trajectory::ConductionChange;
 use crate::plant::{BridgeChange, BridgeNodes, BridgeState, Conduction, EnergyOutlet, PowerOutput};
 
-/// Most changes of bridges at one instant. A switch may close many times there: where the voltage that it turns over holds the current
-/// at zero from either side, it closes until too little of the voltage is left.
+/// Largest number of changes of bridges at one instant. A switch may close many times there: where
+/// the voltage that it inverts holds the current at zero from either side, it closes until too
+/// little voltage is left.
 const MAX_CHANGES_PER_INSTANT: usize = 1000;
 
-/// Time from one change to the next that is no time at all, in units of the fastest motion of the plant with all bridges blocked.
+/// Time between changes that count as simultaneous, in units of the fastest motion of the plant
+/// with all bridges blocked.
 const SIMULTANEOUS_CHANGE: f64 = 1e-8;
 
-/// Part of what a guard is summed from by which it must pass zero: what lies below is roundoff, and would change a bridge to and fro.
+/// Fraction of the terms of an event function by which it must pass zero: smaller values are
+/// roundoff, and would change a bridge back and forth.
 const EVENT_ROUNDOFF: f64 = 1e-13;
 
-/// What a march knows of its bridges.
+/// Bridges of an integration.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Switching {
-    /// Number of the present regime.
+    /// Index of the current conduction state.
     pub regime: usize,
-    /// The guard that has been met.
+    /// Event function that has passed zero.
     pub met: Option<usize>,
     /// Energies up to the last change.
     earlier: Energies,
     /// Time and physical state at the last change.
     pub since: (f64, Vec<f64>),
-    /// Time of the last change, and how many there were at it.
+    /// Time of the last change, and the number of changes at it.
     changed: (f64, usize),
 }
 
 impl Integrator<'_> {
-    /// Enters the regime in which the present state lies.
+    /// Enters the conduction state of the current state.
     pub(super) fn open_switching(&mut self) -> Result<(), IntegrationError> {
         let system = &self.base.plant.system;
         if system.bridges.is_empty() {
@@ -76,7 +81,7 @@ impl Integrator<'_> {
         self.change_if_met()
     }
 
-    /// Changes the bridges for as long as a guard is past zero.
+    /// Changes the bridges as long as an event function is past zero.
     pub(super) fn change_if_met(&mut self) -> Result<(), IntegrationError> {
         while let Some(p) = self.switching.met.take().or_else(|| self.passed()) {
             let guard = self.kernel.plant.guards[p - self.kernel.plant.system.stops.len()].clone();
@@ -108,7 +113,7 @@ impl Integrator<'_> {
         Ok(())
     }
 
-    /// Keeps a change in the record.
+    /// Records a change.
     fn note_change(&mut self, change: BridgeChange, bridge: usize, x: &[f64]) {
         let (regime, time_s, forces_n) = (self.switching.regime, self.time_s, self.forces_n());
         if let Some(record) = &mut self.record {
@@ -125,7 +130,8 @@ impl Integrator<'_> {
     }
 
     fn count_change(&mut self, bridge: usize) -> Result<(), IntegrationError> {
-        // An instant is found to the roundoff of its time and of what is watched, and no two changes lie at exactly the same one.
+        // An instant is accurate to the roundoff of its time and of the event function, and no two
+        // changes have exactly equal times.
         let instant_s =
             SIMULTANEOUS_CHANGE / self.base.fastest_rad_s + 64.0 * f64::EPSILON * self.time_s;
         let (time_s, changes) = &mut self.switching.changed;
@@ -146,13 +152,13 @@ impl Integrator<'_> {
         Ok(())
     }
 
-    /// A guard that has been passed.
+    /// Returns an event function that has passed zero.
     pub(super) fn passed(&self) -> Option<usize> {
         let stops = self.kernel.plant.system.stops.len();
         (stops..self.kernel.plant.ports.len()).find(|p| self.ports[*p].penetration_m > 0.0)
     }
 
-    /// Size below which a guard cannot be told from zero, at the present state `x`.
+    /// Returns the magnitude below which an event function is roundoff, at the current state `x`.
     fn roundoff(&self, p: usize, x: &[f64]) -> f64 {
         let (plant, port) = (&self.kernel.plant, &self.ports[p]);
         let guard = &plant.guards[p - plant.system.stops.len()];
@@ -182,11 +188,11 @@ impl Integrator<'_> {
             size +=
                 plant.system.bridges[guard.bridge].threshold_v() + displaced_c / node.capacitance_f;
         }
-        // A time is not told better than to its own roundoff.
+        // The accuracy of a time is limited by its own roundoff.
         EVENT_ROUNDOFF * size + 4.0 * f64::EPSILON * self.time_s * port.rate_m_s.abs()
     }
 
-    /// Goes on from a physical state with the bridges in some states.
+    /// Continues from a physical state with the bridges in given states.
     fn change_to(&mut self, states: &[BridgeState], x: &[f64]) -> Result<(), IntegrationError> {
         let regime = self.base.plant.system.regime(states);
         let kernel = self.base.in_regime(regime)?;
@@ -203,7 +209,7 @@ impl Integrator<'_> {
         next.record = self.record.take();
         next.switching = std::mem::take(&mut self.switching);
         (next.switching.regime, next.switching.since) = (regime, (self.time_s, x.to_vec()));
-        // Contacts go on as they are; only what reads them belongs to the regime.
+        // Contacts continue unchanged; only their rows belong to the conduction state.
         let stops = kernel.plant.system.stops.len();
         for p in 0..stops {
             let seen = next.ports[p].clone();
@@ -227,7 +233,7 @@ impl Integrator<'_> {
         Ok(())
     }
 
-    /// An extremum: what the switch does to the state and where the energy goes.
+    /// Applies the switch at an extremum: its effect on the state and its energies.
     fn switch(&mut self, k: usize, x: &mut [f64]) {
         let flip = SwitchMap::of(&self.base.plant, k, x);
         flip.enter(&self.base.plant, k, x);
@@ -235,13 +241,13 @@ impl Integrator<'_> {
         self.switching.earlier.rectified[k].add(&flip.taken);
     }
 
-    /// Adds the regime that ends to what came before.
+    /// Adds the conduction state that ends to the previous energies.
     fn close_regime(&mut self) {
         let all = self.energies_of_all();
         self.switching.earlier = all;
     }
 
-    /// Energies since the start of the march.
+    /// Returns the energies since the start of the integration.
     pub(super) fn energies_of_all(&self) -> Energies {
         let (own, plant) = (self.energies_in_regime(), &self.kernel.plant);
         let mut all = self.switching.earlier.clone();
@@ -293,7 +299,7 @@ impl Integrator<'_> {
             taken.charge_c += charge_c;
             taken.diodes_j += bridge.drop_v * charge_c;
             taken.battery_j += (bridge.threshold_v() - bridge.drop_v) * charge_c;
-            // The force by which a threshold enters is none of the drives.
+            // The force that represents a threshold does not belong to the drives.
             pushed_j += gains.pushed_j(k);
         }
         all.input_j += own.input_j - pushed_j;

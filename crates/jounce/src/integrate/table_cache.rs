@@ -1,4 +1,4 @@
-//! The tables of a kernel, one set for each step length, each made when first used.
+//! Tables of a kernel, one set for each step length, computed at the first use.
 
 use super::basis::{BasisFunctions, SMOOTH_BASIS};
 use super::contact_table::{ContactTable, StickingTable};
@@ -12,7 +12,7 @@ use crate::plant::Plant;
 use smallvec::SmallVec;
 use std::sync::OnceLock;
 
-/// The tables of one step length.
+/// Tables of one step length.
 #[derive(Debug)]
 pub struct StepTables {
     flow: OnceLock<Flow>,
@@ -25,13 +25,14 @@ struct PortTables {
     smooth: OnceLock<Box<ContactTable>>,
     onset: OnceLock<Box<ContactTable>>,
     sticking: OnceLock<Box<StickingTable>>,
-    /// Per basis: what each block answers inside the step.
+    /// For each basis, the responses of the blocks inside the step.
     answers: [OnceLock<Vec<StepResponse>>; 2],
-    /// What its force does to each port; empty for the only port.
+    /// Effect of the force on each port; empty for a single port.
     seen: Vec<CrossPortTables>,
 }
 
-/// What the force of one port does to another, per basis of the force and of the other port, each smooth or onset.
+/// Effect of the force of one port on another, per basis of the force and of the other port, each
+/// smooth or onset.
 #[derive(Debug, Default)]
 struct CrossPortTables {
     crosses: [[OnceLock<Box<CrossTable>>; 2]; 2],
@@ -39,7 +40,7 @@ struct CrossPortTables {
 }
 
 impl Kernel {
-    /// Flow over a level.
+    /// Returns the flow over a level.
     #[inline(always)]
     pub(super) fn flow(&self, level: i32) -> &Flow {
         let make = || {
@@ -52,7 +53,8 @@ impl Kernel {
         self.levels[Self::index(level)].flow.get_or_init(make)
     }
 
-    /// A time cut into levels, longest first, until `|lambda| t` of what rests, s, is [`MAX_SERIES_ARGUMENT`]: their flows, and the rest.
+    /// Splits a time into levels, longest first, until `|lambda| t` of the remainder, s, is
+    /// [`MAX_SERIES_ARGUMENT`]; returns their flows and the remainder.
     #[inline(always)]
     pub(super) fn flows_within(&self, time_s: f64) -> (SmallVec<[&Flow; 32]>, f64) {
         let (mut flows, mut rest_s) = (SmallVec::new(), time_s);
@@ -64,7 +66,7 @@ impl Kernel {
         (flows, rest_s)
     }
 
-    /// Flight table of a level for a port.
+    /// Returns the flight table of a level for a port.
     #[inline(always)]
     pub(super) fn flight(&self, port: usize, level: i32) -> &FlightTable {
         let make = || {
@@ -80,7 +82,7 @@ impl Kernel {
             .get_or_init(make)
     }
 
-    /// Contact table of a level for a port.
+    /// Returns the contact table of a level for a port.
     #[inline(always)]
     pub(super) fn table(&self, port: usize, shape: ForceBasis, level: i32) -> &ContactTable {
         let tables = &self.levels[Self::index(level)].ports[port];
@@ -99,7 +101,7 @@ impl Kernel {
         })
     }
 
-    /// What each block answers inside a step of a level to the force of a port.
+    /// Returns the responses of the blocks to the force of a port inside a step of a level.
     pub(super) fn answers(&self, port: usize, shape: ForceBasis, level: i32) -> &[StepResponse] {
         let make = || {
             StepResponse::of_all(
@@ -111,7 +113,7 @@ impl Kernel {
         self.levels[Self::index(level)].ports[port].answers[shape.index()].get_or_init(make)
     }
 
-    /// What rest of a port on its stop needs on a step of a level.
+    /// Returns the tables of sticking for a port on a step of a level.
     pub(super) fn sticking(&self, port: usize, level: i32) -> &StickingTable {
         let slot = &self.levels[Self::index(level)].ports[port].sticking;
         slot.get_or_init(|| {
@@ -124,14 +126,14 @@ impl Kernel {
         })
     }
 
-    /// What the force of the first port does to the second on a level.
+    /// Returns the effect of the force of the first port on the second on a level.
     pub(super) fn cross(&self, [port, seen]: [(usize, ForceBasis); 2], level: i32) -> &CrossTable {
         let tables = &self.levels[Self::index(level)].ports[port.0].seen[seen.0];
         let slot = &tables.crosses[port.1.index()][seen.1.index()];
         slot.get_or_init(|| Box::new(CrossTable::new(self, [port, seen], Self::length_s(level))))
     }
 
-    /// What the force of a port does to the flight of another on a level.
+    /// Returns the effect of the force of a port on the flight of another on a level.
     pub(super) fn forced_flight(
         &self,
         port: (usize, ForceBasis),
@@ -143,7 +145,7 @@ impl Kernel {
         slot.get_or_init(|| Box::new(ForcedFlight::new(self, port, seen, Self::length_s(level))))
     }
 
-    /// Basis of the force of a port.
+    /// Returns the basis of the force of a port.
     pub(super) fn basis(&self, port: usize, shape: ForceBasis) -> &BasisFunctions {
         match (shape, &self.onset[port]) {
             (ForceBasis::Onset, Some(basis)) => basis,
@@ -151,7 +153,7 @@ impl Kernel {
         }
     }
 
-    /// The basis in which a contact of a port starts.
+    /// Returns the basis in which a contact of a port starts.
     #[inline(always)]
     pub(super) fn first_shape(&self, port: usize) -> ForceBasis {
         if self.onset[port].is_some() {
@@ -162,7 +164,7 @@ impl Kernel {
     }
 }
 
-/// Places for the tables of every length.
+/// Creates empty tables for every length.
 pub fn levels(plant: &Plant) -> Vec<StepTables> {
     let count = plant.ports.len();
     let others = if count > 1 { count } else { 0 };

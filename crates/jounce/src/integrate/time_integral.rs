@@ -1,8 +1,10 @@
-//! Integrals over time of the physical state along a record, in closed form: the flux of a voltage, for one.
+//! Time integrals of the physical state along a record, in closed form, for example the flux of a
+//! voltage.
 //!
-//! Each step gives that of its free flow, of what signals force, of the sinusoids, and of the answer to its contact forces, whose Legendre
-//! series has `int_0^x P_n = (P_{n+1} - P_{n-1}) / (2 (2 n + 1))`. Only the state at the start of a step enters, so that a step that ends
-//! elsewhere than the next begins is seen as a gap.
+//! Each step contributes the integrals of its free flow, of the forced part of signals, of the
+//! sinusoids, and of the response to its contact forces. The Legendre series of that response has
+//! `int_0^x P_n = (P_{n+1} - P_{n-1}) / (2 (2 n + 1))`. Only the state at the start of a step
+//! enters, so that a step that does not end where the next one begins shows as a gap.
 //!
 //! Validation: `tests/march/flux.rs`.
 
@@ -12,14 +14,15 @@ use super::trajectory::{ResponseCache, Trajectory, TrajectorySegment};
 use crate::plant::BlockDiagonal;
 
 impl Trajectory {
-    /// Integrals over a time within the record of one number of the physical state `(q, q', V, i)`.
+    /// Returns the integral of one component of the physical state `(q, q', V, i)` over an interval
+    /// within the record.
     pub fn integral(&self, kernel: &Kernel, from_s: f64, to_s: f64, place: usize) -> f64 {
         let mut made = ResponseCache::default();
         let mut sum = 0.0;
         for segment in self.segments() {
             let within = [from_s, to_s]
                 .map(|time_s| (time_s - segment.start_s).clamp(0.0, segment.length_s));
-            // A regime that was marched in has been made.
+            // The kernel of a conduction state in the record exists.
             let Ok(own) = kernel.in_regime(segment.regime) else {
                 continue;
             };
@@ -33,7 +36,7 @@ impl Trajectory {
 }
 
 impl TrajectorySegment {
-    /// Of the state in block coordinates, between two times after its start.
+    /// Returns the integral of the state in block coordinates, between two times after its start.
     fn integral(
         &self,
         kernel: &Kernel,
@@ -70,7 +73,7 @@ impl TrajectorySegment {
     }
 }
 
-/// `int_0^x P_n` of the shifted Legendre polynomials.
+/// Returns `int_0^x P_n` of the shifted Legendre polynomials.
 fn summed(x: f64, count: usize) -> Vec<f64> {
     let powers = legendre(x, count + 1);
     let of = |n: usize| {

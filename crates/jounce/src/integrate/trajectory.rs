@@ -1,7 +1,8 @@
-//! A recorded march: exact everywhere, not only at its steps.
+//! Recorded integration, exact at all times and not only at the steps.
 //!
-//! A segment keeps the state at its start and the polynomial of the contact force; the state at any time inside it is the
-//! exact flow plus the Duhamel response, evaluated from its Legendre series.
+//! A segment stores the state at its start and the polynomial of the contact force. The state at
+//! any time inside it is the exact flow plus the Duhamel response, evaluated from its Legendre
+//! series.
 
 use super::basis::{NODES, legendre};
 use super::contact_step::ContactStep;
@@ -13,36 +14,36 @@ use crate::plant::SignalSample;
 use crate::simd::F64x8;
 use std::collections::HashMap;
 
-/// One step as it was taken.
+/// Step of a trajectory.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TrajectorySegment {
     /// Time at its start, s.
     pub start_s: f64,
     /// Length, s.
     pub length_s: f64,
-    /// State at its start less what the signals force, block coordinates.
+    /// State at its start without the forced part of the signals, block coordinates.
     pub state: Vec<f64>,
-    /// Size and slope of each signal at its start.
+    /// Value and slope of each signal at its start.
     pub sizes: Vec<SignalSample>,
-    /// The contact forces; empty in flight.
+    /// Contact forces; empty in flight.
     pub forces: SmallList<PortForce>,
-    /// Regime of the bridges, in whose block coordinates the state is.
+    /// Conduction state of the bridges; the state is in its block coordinates.
     pub regime: usize,
 }
 
-/// The contact force of one port on a step.
+/// Contact force of one port on a step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PortForce {
-    /// Number of the port.
+    /// Index of the port.
     pub port: usize,
-    /// Its basis.
+    /// Basis of the force.
     pub shape: ForceBasis,
-    /// Its values at the seven nodes, N.
+    /// Values at the seven nodes, N.
     pub nodal_n: [f64; NODES],
 }
 
 impl PortForce {
-    /// Of a step, the last place left out.
+    /// Takes the force of a step without the last lane.
     pub(super) fn new(step: &ContactStep, force: &F64x8) -> Self {
         Self {
             port: step.port,
@@ -60,35 +61,35 @@ pub struct Trajectory {
     changes: Vec<ConductionChange>,
 }
 
-/// An impulse of a rigid stop.
+/// Impulse of a rigid stop.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Impact {
-    /// Segments before it.
+    /// Number of segments before it.
     pub after: usize,
-    /// Number of the port.
+    /// Index of the port.
     pub port: usize,
-    /// The impulse, N s.
+    /// Impulse, N s.
     pub impulse_n_s: f64,
 }
 
-/// A change of regime of the bridges.
+/// Change of the conduction state of the bridges.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ConductionChange {
-    /// Segments before it.
+    /// Number of segments before it.
     pub after: usize,
-    /// When, s.
+    /// Time, s.
     pub time_s: f64,
-    /// The regime that ends.
+    /// Conduction state that ends.
     pub regime: usize,
-    /// The bridge whose switch closed for an instant; `None` where diodes changed.
+    /// Bridge whose switch closed for an instant; `None` where diodes changed.
     pub flipped: Option<usize>,
-    /// Physical state `(q, q', V, i)` before it.
+    /// Physical state `(q, q', V, i)` before the change.
     pub state: Vec<f64>,
     /// Contact force of each stop, N.
     pub forces_n: Vec<f64>,
 }
 
-/// A state of a trajectory.
+/// State of a trajectory.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TrajectoryState {
     /// Time, s.
@@ -116,22 +117,22 @@ impl Trajectory {
         self.changes.push(change);
     }
 
-    /// Changes of regime.
+    /// Returns the changes of the conduction state.
     pub fn changes(&self) -> &[ConductionChange] {
         &self.changes
     }
 
-    /// Impacts on rigid stops.
+    /// Returns the impacts on rigid stops.
     pub fn impacts(&self) -> &[Impact] {
         &self.impacts
     }
 
-    /// The steps.
+    /// Returns the steps.
     pub fn segments(&self) -> &[TrajectorySegment] {
         &self.segments
     }
 
-    /// States at ascending times; times outside the record are taken from its nearest segment.
+    /// Returns the states at ascending times; times outside the record use its nearest segment.
     pub fn at(&self, kernel: &Kernel, times_s: &[f64]) -> Vec<TrajectoryState> {
         let mut instants = Vec::with_capacity(times_s.len());
         self.each(kernel, times_s, |own, regime, mut instant| {
@@ -144,8 +145,8 @@ impl Trajectory {
         instants
     }
 
-    /// The physical state `(q, q', V, i)` at a time. Where diodes conduct it does not pass through the coordinates of blocked ones, in which
-    /// fast diodes leave few digits.
+    /// Returns the physical state `(q, q', V, i)` at a time. Where diodes conduct, it does not use
+    /// the coordinates of blocked ones, in which fast diodes leave few digits.
     pub fn physical_at(&self, kernel: &Kernel, time_s: f64) -> Vec<f64> {
         let mut found = Vec::new();
         self.each(kernel, &[time_s], |own, _, instant| {
@@ -154,7 +155,8 @@ impl Trajectory {
         found
     }
 
-    /// Visits the states at ascending times, each in the coordinates of its regime.
+    /// Calls a function for the states at ascending times, each in the coordinates of its
+    /// conduction state.
     fn each(
         &self,
         kernel: &Kernel,
@@ -170,7 +172,7 @@ impl Trajectory {
             let Some(segment) = self.segments.get(index) else {
                 break;
             };
-            // A regime that was marched in has been made.
+            // The kernel of a conduction state in the record exists.
             let Ok(own) = kernel.in_regime(segment.regime) else {
                 continue;
             };
@@ -197,11 +199,11 @@ impl Trajectory {
     }
 }
 
-/// Answers made for steps of odd lengths: by length, port, basis and regime.
+/// Responses for steps of any other length, by length, port, basis and conduction state.
 pub(super) type ResponseCache = HashMap<(u64, usize, ForceBasis, usize), Vec<StepResponse>>;
 
 impl TrajectorySegment {
-    /// The free motion.
+    /// Returns the free motion.
     fn free_at(&self, kernel: &Kernel, time_s: f64) -> TrajectoryState {
         let after_s = time_s - self.start_s;
         let mut state = kernel.plant.diagonal.block.flow(after_s, &self.state);
@@ -219,7 +221,7 @@ impl TrajectorySegment {
         }
     }
 
-    /// Adds to a state what a force does, its Legendre series weighed.
+    /// Adds the response to a force to a state: its weighted Legendre series.
     pub(super) fn answer(
         &self,
         kernel: &Kernel,

@@ -1,12 +1,13 @@
-//! Rounds of a march that take no time: a few are an impact and what follows from it, very many are a fault of the march, and its end.
+//! Limit on rounds of the integration without advance in time: a few are an impact and its
+//! consequences, very many are a fault that ends the integration.
 
 use super::error::IntegrationError;
 use crate::plant::Plant;
 
-/// Most rounds at one instant.
+/// Largest number of rounds at one instant.
 const MAX_ROUNDS_PER_INSTANT: usize = 10_000;
 
-/// The present instant and how many rounds there were at it.
+/// Current instant and the number of rounds at it.
 #[derive(Debug, Default)]
 pub(super) struct ZenoGuard {
     time_s: f64,

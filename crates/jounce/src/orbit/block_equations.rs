@@ -5,14 +5,14 @@
 //! [row W T D^-1     corner       ] (p) = (last         ),   u = W T D^-1 v
 //! ```
 //!
-//! `T` leads from block coordinates to physical ones, `D` is the size of the energy that each of them moves. No product of two matrices
-//! is needed, which would cost more than all else that a place of a curve asks for.
+//! `T` maps block coordinates to physical ones; `D` scales each by the square root of its energy.
+//! No product of two matrices is needed, which would dominate the cost of a point of the curve.
 
 use super::border::{Border, Bordered, BorderedSolution};
 use crate::plant::{Diagonal, product};
 use faer::Mat;
 
-/// The derivative of an orbit's equations by its state, factored with the border that was asked for first.
+/// Derivative of the equations of an orbit by its state, factored with the first requested border.
 #[derive(Debug)]
 pub struct BlockEquations {
     first: Border,
@@ -21,7 +21,7 @@ pub struct BlockEquations {
     sizes: Vec<f64>,
 }
 
-/// How energy coordinates of a scale stand to block coordinates.
+/// Map between energy coordinates of a scale and block coordinates.
 #[derive(Debug, Clone, Copy)]
 pub struct EnergyCoordinates<'c> {
     /// `T` and its inverse.
@@ -31,7 +31,8 @@ pub struct EnergyCoordinates<'c> {
 }
 
 impl BlockEquations {
-    /// Of a period map in block coordinates, with the border `[R_u b; row corner]` in energy coordinates.
+    /// Factors a period map in block coordinates, with the border `[R_u b; row corner]` in energy
+    /// coordinates.
     pub fn new(
         map: &Mat<f64>,
         by: &[f64],
@@ -77,7 +78,7 @@ impl BlockEquations {
 }
 
 impl EnergyCoordinates<'_> {
-    /// Length of the energy coordinates of a unit of block coordinate `j`.
+    /// Returns the length, in energy coordinates, of a unit of block coordinate `j`.
     fn size(&self, j: usize) -> f64 {
         let column = self.diagonal.to_physical.col_as_slice(j);
         column
@@ -89,14 +90,14 @@ impl EnergyCoordinates<'_> {
             .max(f64::MIN_POSITIVE)
     }
 
-    /// `D T^-1 W^-1 u`.
+    /// Computes `D T^-1 W^-1 u`.
     fn inwards(&self, u: &[f64], sizes: &[f64]) -> Vec<f64> {
         let physical: Vec<f64> = u.iter().zip(self.scale).map(|(u, w)| u / w).collect();
         let block = product(&self.diagonal.from_physical, &physical);
         block.iter().zip(sizes).map(|(v, size)| v * size).collect()
     }
 
-    /// `W T D^-1 v`.
+    /// Computes `W T D^-1 v`.
     fn outwards(&self, v: &[f64], sizes: &[f64]) -> Vec<f64> {
         let block: Vec<f64> = v.iter().zip(sizes).map(|(v, size)| v / size).collect();
         let physical = product(&self.diagonal.to_physical, &block);
@@ -107,7 +108,7 @@ impl EnergyCoordinates<'_> {
             .collect()
     }
 
-    /// `row W T D^-1`.
+    /// Computes `row W T D^-1`.
     fn row(&self, row: &[f64], sizes: &[f64]) -> Vec<f64> {
         let physical: Vec<f64> = row.iter().zip(self.scale).map(|(r, w)| r * w).collect();
         let along = |j: usize| {
@@ -133,7 +134,8 @@ mod tests {
     use crate::orbit::border::solve_bordered;
     use crate::plant::BlockDiagonal;
 
-    /// Against the same equations in energy coordinates, under the border that came first and under another one.
+    /// Compares with the equations in energy coordinates, under the first border and under another
+    /// one.
     #[test]
     fn block_coordinates_give_the_solution_in_energy_coordinates() {
         let rows = [[1.0, 2.0, 0.0], [0.0, 1.0, -1.0], [3.0, 0.0, 1.0]];

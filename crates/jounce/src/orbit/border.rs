@@ -1,4 +1,4 @@
-//! A square matrix with a border of one row and one column.
+//! Square matrix with a border of one row and one column.
 
 use super::lu_factors::LuFactors;
 use faer::Mat;
@@ -6,7 +6,8 @@ use faer::Mat;
 /// `(x, p)`; `None` where the bordered matrix is singular.
 pub type BorderedSolution = Option<(Vec<f64>, f64)>;
 
-/// `[A b; row corner]`, factored. The border may have units of its own: its row and its column are brought to size one.
+/// `[A b; row corner]`, factored. The border may have its own units: its row and column are scaled
+/// to norm one.
 #[derive(Debug)]
 pub struct Bordered {
     factors: LuFactors,
@@ -15,7 +16,7 @@ pub struct Bordered {
 }
 
 impl Bordered {
-    /// Of a matrix and its border.
+    /// Factors a matrix with its border.
     pub fn new(matrix: &Mat<f64>, column: &[f64], (row, corner): (&[f64], f64)) -> Self {
         let n = row.len();
         let row_size = row.iter().fold(corner.abs(), |max, r| max.max(r.abs()));
@@ -60,7 +61,7 @@ pub fn solve_bordered(
     Bordered::new(matrix, column, border).solve(right, last)
 }
 
-/// The row and the corner with which a matrix was bordered first.
+/// Row and corner of the first border of a matrix.
 #[derive(Debug)]
 pub struct Border {
     row: Vec<f64>,
@@ -68,7 +69,7 @@ pub struct Border {
 }
 
 impl Border {
-    /// One as given.
+    /// Creates a border from its row and corner.
     pub fn new((row, corner): (&[f64], f64)) -> Self {
         Self {
             row: row.to_vec(),
@@ -76,18 +77,19 @@ impl Border {
         }
     }
 
-    /// `row . x`.
+    /// Returns `row . x`.
     pub fn along(&self, x: &[f64]) -> f64 {
         self.row.iter().zip(x).map(|(r, x)| r * x).sum()
     }
 
-    /// The solution under another border, by those under this one.
+    /// Returns the solution under another border, from solutions under this one.
     ///
     /// ```text
     /// (B + e v)^-1 r = x - z (v x) / (1 + v z),   B x = r,   B z = e
     /// ```
     ///
-    /// `B` is the matrix with this border, `e` the last unit vector, `v` what the other row has more.
+    /// `B` is the matrix with this border, `e` the last unit vector, `v` the difference between the
+    /// other row and this one.
     pub fn other(
         &self,
         (row, corner): (&[f64], f64),
@@ -118,7 +120,7 @@ impl Border {
     }
 }
 
-/// `x + share z`.
+/// Returns `x + share z`.
 fn moved(x: &(Vec<f64>, f64), share: f64, z: &(Vec<f64>, f64)) -> (Vec<f64>, f64) {
     (
         x.0.iter().zip(&z.0).map(|(x, z)| x + share * z).collect(),
@@ -130,7 +132,7 @@ fn moved(x: &(Vec<f64>, f64), share: f64, z: &(Vec<f64>, f64)) -> (Vec<f64>, f64
 mod tests {
     use super::*;
 
-    /// Under three borders of very different units, each against the equations themselves.
+    /// Three borders of very different units, each checked against the equations.
     #[test]
     fn another_border_is_met_by_the_factors_of_the_first() {
         let matrix = Mat::from_fn(2, 2, |i, j| [[0.0, 2.0], [1.0, 0.5]][i][j]);

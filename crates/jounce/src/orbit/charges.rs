@@ -1,17 +1,20 @@
-//! Charges that nothing lets go in a whole period: those of open patches, and of patches behind diodes that never conduct.
+//! Charges conserved over a period: on open patches, and on patches behind diodes that never
+//! conduct.
 //!
 //! ```text
 //! Q = C V + theta . q,   l M = l,   l = dQ/du
 //! ```
 //!
-//! Each orbit is one of a family over `Q`, so that `M - I` is singular. The orbit at one charge is meant, and its stability at that charge:
-//! `R + l' (Q - l u)` takes the place of the residual, and `M - l' l`, with 0 for the multiplier 1 and all others as they are, that of `M`.
+//! Each orbit belongs to a family over `Q`, so that `M - I` is singular. The orbit at one
+//! prescribed charge is computed, with its stability at that charge. `R + l' (Q - l u)` replaces
+//! the residual. `M - l' l` replaces `M`: 0 replaces the multiplier 1, and the others are
+//! unchanged.
 
 use crate::integrate::Trajectory;
 use crate::plant::{Conduction, Plant};
 use faer::Mat;
 
-/// Orthonormal rows that span the charges kept, in energy coordinates of a scale.
+/// Returns orthonormal rows that span the conserved charges, in energy coordinates of a scale.
 pub fn conserved_charges(
     plant: &Plant,
     scale: &[f64],
@@ -62,7 +65,7 @@ fn acts(plant: &Plant, bridge: usize, trajectory: &Trajectory) -> bool {
             .any(|segment| conducts(segment.regime))
 }
 
-/// A period map with 0 in place of the multipliers 1 of some rows.
+/// Returns a period map with 0 in place of the unit multipliers of some rows.
 pub fn without_conserved(map: Mat<f64>, rows: &[Vec<f64>]) -> Mat<f64> {
     rows.iter().fold(map, |map, row| {
         Mat::from_fn(map.nrows(), map.ncols(), |i, j| {
@@ -75,7 +78,7 @@ pub fn without_conserved(map: Mat<f64>, rows: &[Vec<f64>]) -> Mat<f64> {
 mod tests {
     use super::*;
 
-    /// A map that keeps `u_1 + u_2` and has the multiplier -0.5 beside it.
+    /// A map that conserves `u_1 + u_2` and has the additional multiplier -0.5.
     #[test]
     fn a_kept_charge_leaves_the_other_multipliers_as_they_are() {
         let map = Mat::from_fn(2, 2, |i, j| if i == j { 0.25 } else { 0.75 });

@@ -1,11 +1,12 @@
-//! The plant between its ports, at the harmonics of an orbit.
+//! Compliance of the plant between its ports, at the harmonics of an orbit.
 //!
 //! ```text
 //! d(t) = Re(S e^{i w t}) + sum_n G(i n w / p) f_n e^{i n w t / p},   G(s) = c (s I - A)^-1 b
 //! ```
 //!
-//! `d` is the displacement of a port (m), `f` the contact force at one (N), `p` the drive cycles of the period. The diagonal form makes
-//! `G` exact at a cost that grows with the number of modes times the number of harmonics, and with nothing else.
+//! `d` is the displacement of a port (m), `f` the contact force at one (N), `p` the drive cycles in
+//! the period. The diagonal form makes `G` exact at a cost proportional to the number of modes
+//! times the number of harmonics.
 
 use crate::plant::Plant;
 use faer::c64;
@@ -13,7 +14,7 @@ use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
 use std::f64::consts::SQRT_2;
 use std::sync::Arc;
 
-/// Transforms of one length.
+/// Fourier transforms of one length.
 #[derive(Clone)]
 pub struct FourierGrid {
     /// Samples per period.
@@ -29,7 +30,7 @@ impl std::fmt::Debug for FourierGrid {
 }
 
 impl FourierGrid {
-    /// A grid of an even number of samples.
+    /// Creates a grid with an even number of samples.
     pub fn new(samples: usize) -> Self {
         let mut planner = RealFftPlanner::new();
         Self {
@@ -39,11 +40,12 @@ impl FourierGrid {
         }
     }
 
-    /// Coefficients `f_n`, `n = 0..=samples / 2`, of `sum_n f_n e^{i n x}` over all integers, those below zero being conjugate.
+    /// Returns the coefficients `f_n`, `n = 0..=samples / 2`, of `sum_n f_n e^{i n x}` over all
+    /// integers; those below zero are conjugate.
     pub fn coefficients(&self, values: &[f64]) -> Vec<c64> {
         let mut input = values.to_vec();
         let mut output = self.forward.make_output_vec();
-        // The lengths come from the plan itself: no error is possible.
+        // The lengths come from the plan: no error is possible.
         let _ = self.forward.process(&mut input, &mut output);
         output
             .iter()
@@ -51,10 +53,10 @@ impl FourierGrid {
             .collect()
     }
 
-    /// Values of such a sum on the grid.
+    /// Returns the values of such a sum on the grid.
     pub fn values(&self, coefficients: &[c64]) -> Vec<f64> {
         let mut input = coefficients.to_vec();
-        // Only cosines live at both ends of the spectrum.
+        // Both ends of the spectrum hold cosines only.
         let last = input.len() - 1;
         input[0].im = 0.0;
         input[last].im = 0.0;
@@ -64,7 +66,7 @@ impl FourierGrid {
     }
 }
 
-/// `G = row (s I - A)^-1 b` at the harmonics of an orbit, and its change with the frequency.
+/// `G = row (s I - A)^-1 b` at the harmonics of an orbit, and its derivative by `s`.
 #[derive(Debug, Clone)]
 pub struct TransferFunction {
     /// `G` at `s = i n w / p`, `n = 0..=harmonics`.
@@ -74,8 +76,8 @@ pub struct TransferFunction {
 }
 
 impl TransferFunction {
-    /// From a force on a `column` to an output `row`; `step_rad_s` is `w / p`. States that nothing brings back are left out: see
-    /// [`moves_without_end`].
+    /// Computes `G` from a force on a `column` to an output `row`; `step_rad_s` is `w / p`. Free
+    /// states without restoring force are excluded: see [`moves_without_end`].
     pub fn new(
         plant: &Plant,
         row: &[f64],
@@ -130,15 +132,17 @@ impl TransferFunction {
     }
 }
 
-/// Share of a free state in the motion of a port above which the port moves it: the charge of an open patch has roundoff.
+/// Fraction of a free state in the motion of a port above which the port moves it: the charge of an
+/// open patch has roundoff.
 const FREE_STATE_SHARE: f64 = 1e-9;
 
-/// True where a constant force at a stop moves a body without end, for nothing brings it back: `G` is infinite at rest. A free state that
-/// no stop reaches, as the charge of an open patch is, has no part in `G`.
+/// True where a constant force at a stop moves a free body without limit: `G` is infinite at
+/// frequency zero. A free state that no stop reaches, such as the charge of an open patch, has no
+/// part in `G`.
 pub fn moves_without_end(plant: &Plant) -> bool {
     let free = plant.diagonal.block.free();
     let ports = &plant.ports[..plant.system.stops.len()];
-    // Either state of a pair may be the one that is pushed.
+    // Either state of a pair may be the one that the force acts on.
     let share = |row: &[f64], column: &[f64], i: usize| row[i].abs() * column[i ^ 1].abs();
     ports
         .iter()
@@ -160,7 +164,8 @@ pub fn moves_without_end(plant: &Plant) -> bool {
         })
 }
 
-/// Adds a harmonic of the drive, complex displacement of the port in m, to the harmonics of a period of `cycles` of it.
+/// Adds a harmonic of the drive, complex displacement of the port in m, to the harmonics of a
+/// period of `cycles` drive cycles.
 pub fn add_tone(displacement_m: c64, cycles: u32, harmonics: &mut [f64]) {
     let n = cycles as usize;
     harmonics[2 * n - 1] += displacement_m.re / SQRT_2;

@@ -1,53 +1,53 @@
-//! Why an orbit cannot be had.
+//! Errors of the computation of an orbit.
 
 use crate::integrate::SensitivityError;
 
-/// An orbit that cannot be computed; `H` says why a harvester cannot be made at a parameter.
+/// Error of the computation of an orbit; `H` is the error of building a harvester at a parameter.
 #[derive(Debug, thiserror::Error)]
 pub enum OrbitError<H: std::error::Error> {
-    /// The harvester.
+    /// The harvester cannot be built.
     #[error(transparent)]
     Harvester(H),
-    /// The march of a period.
+    /// The integration over a period failed.
     #[error(transparent)]
     March(#[from] SensitivityError),
-    /// No drive, or drives that do not repeat themselves together.
+    /// No periodic drive, or drives without a common period.
     #[error(
         "{}",
         if *frequencies == 0 {
-            "an orbit needs a drive that repeats itself: add a [drive.NAME] with an amplitude and a frequency".to_owned()
+            "an orbit needs a periodic drive: add a [drive.NAME] with an amplitude and a frequency".to_owned()
         } else {
-            format!("an orbit needs drives that repeat themselves together within 100 cycles of the slowest, and these {frequencies} frequencies do not: give frequencies whose ratios are those of small whole numbers, or take out all drives but those of one frequency")
+            format!("an orbit needs drives with a common period of at most 100 cycles of the slowest, and these {frequencies} frequencies have none: choose frequencies in ratios of small integers, or remove all drives but those of one frequency")
         }
     )]
     Frequencies {
-        /// How many there are.
+        /// Number of frequencies.
         frequencies: usize,
     },
-    /// Harmonic balance of several frequencies.
+    /// Harmonic balance with several drive frequencies.
     #[error(
-        "harmonic balance takes drives of one frequency, and these have {frequencies}: use the method shooting"
+        "harmonic balance needs drives of one frequency, and these have {frequencies}: use the method shooting"
     )]
     Summed {
-        /// How many there are.
+        /// Number of frequencies.
         frequencies: usize,
     },
-    /// Harmonic balance of a law without a force.
+    /// Harmonic balance with a law that has no force.
     #[error(
-        "stop `{stop}` is rigid: its impulses have no harmonics that harmonic balance could sum; use the method shooting, or a compliant law"
+        "stop `{stop}` is rigid: harmonic balance cannot sum the harmonics of its impulses; use the method shooting, or a compliant law"
     )]
     Impulsive {
         /// Name of the stop.
         stop: String,
     },
-    /// Harmonic balance of a body that nothing brings back.
+    /// Harmonic balance with a free body.
     #[error(
-        "harmonic balance needs a body that comes back by itself, and a body of this harvester has no stiffness: a constant force would move it without end; use the method shooting, or give it a stiffness"
+        "harmonic balance needs a stiffness on every body, and a body of this harvester has no stiffness: a constant force would move it without limit; use the method shooting, or add a stiffness"
     )]
     Free,
-    /// Harmonic balance of diodes and switches.
+    /// Harmonic balance with diodes or switches.
     #[error(
-        "harmonic balance does not know the diodes and switches of circuit `{circuit}`: use the method shooting"
+        "harmonic balance does not support the diodes and switches of circuit `{circuit}`: use the method shooting"
     )]
     Rectified {
         /// Name of the circuit.

@@ -1,4 +1,4 @@
-//! What a shot says of the orbit near it, and how far off that may be.
+//! Orbit near a shooting evaluation, and its estimated error.
 
 use super::{
     Orbit, OrbitError, ParametricModel, Shooting, ShootingEvaluation, displacement_peak_m,
@@ -9,11 +9,12 @@ use crate::integrate::{Integrator, Kernel, SensitivityError};
 use crate::plant::{Storage, System};
 use faer::{ColRef, c64};
 
-/// Part of the energy of the motion in a period from which on the power of rectified circuits is told by its own size.
+/// Fraction of the energy of the motion in a period above which the error of the power of rectified
+/// circuits is relative to that power.
 const MIN_ENERGY_SHARE: f64 = 1e-6;
 
 impl<H: ParametricModel> Shooting<'_, H> {
-    /// What a shot says, but for its error.
+    /// Returns the orbit of a shooting evaluation without its error estimate.
     pub(super) fn answer(&self, shot: &ShootingEvaluation) -> Result<Orbit, OrbitError<H::Error>> {
         let Some(multipliers) = multipliers(&shot.block_map) else {
             return Err(OrbitError::Multipliers {
@@ -23,11 +24,12 @@ impl<H: ParametricModel> Shooting<'_, H> {
         Ok(shot.as_orbit(multipliers))
     }
 
-    /// Estimated error of an orbit near a shot at the same parameter, the larger one of its state and of its mean power, each
-    /// relative to its size: the distance to where Newton would go next, and the difference to the power marched there.
+    /// Estimates the error of an orbit near a shooting evaluation at its parameter: the larger
+    /// relative error of the state and of the mean power. The state error is the length of the next
+    /// Newton step; the power error is the difference to the power integrated there.
     ///
-    /// A defect of the march over one period reaches the orbit multiplied by `(I - M)^-1`; Newton is made to mend one of the
-    /// size of the tolerance too.
+    /// An integration defect over one period reaches the orbit multiplied by `(I - M)^-1`. The
+    /// Newton step therefore also corrects a defect of the size of the tolerance.
     pub(super) fn estimate(&self, shot: &ShootingEvaluation, orbit: &Orbit) -> f64 {
         let nearest = orbit
             .multipliers
@@ -45,8 +47,11 @@ impl<H: ParametricModel> Shooting<'_, H> {
             .zip(&correction)
             .map(|(u, d)| u + d)
             .collect();
-        // Beside a fold the correction can lead so far that nothing can be marched there: its own length is then all that is known.
-        // Diodes may pass as little as they like: power counts from a small part of what the motion holds.
+        // Near a fold the correction can lead to a state that cannot be integrated: its length is
+        // then the only estimate.
+        //
+        // Diodes may pass arbitrarily little power: the error is relative to at least a small
+        // fraction of the energy of the motion.
         let least_w = if shot.kernel.plant.system.bridges.is_empty() {
             f64::MIN_POSITIVE
         } else {
@@ -60,10 +65,11 @@ impl<H: ParametricModel> Shooting<'_, H> {
         defect + state.max(power)
     }
 
-    /// Mean power of all loads, W, over a period from a state, marched without its derivative.
+    /// Returns the mean power of all loads, W, over a period from a state, integrated without its
+    /// derivative.
     ///
     /// # Errors
-    /// A march that fails.
+    /// The integration fails.
     pub(super) fn mean_power_w(
         &self,
         unknown: &[f64],
@@ -100,7 +106,7 @@ impl<H: ParametricModel> Shooting<'_, H> {
     }
 }
 
-/// Voltage at the first of what takes power, rms, V; NaN where nothing does.
+/// Returns the rms voltage at the first element that takes power, V; NaN without one.
 fn voltage_rms_v(system: &System, power_w: f64) -> f64 {
     let across = |resistance_ohm: f64| (power_w * resistance_ohm).max(0.0).sqrt();
     match (
@@ -115,12 +121,12 @@ fn voltage_rms_v(system: &System, power_w: f64) -> f64 {
 }
 
 impl ShootingEvaluation {
-    /// What was marched, as an orbit of these multipliers.
+    /// Returns the integrated period as an orbit with these multipliers.
     pub(super) fn as_orbit(&self, multipliers: Vec<c64>) -> Orbit {
         Orbit {
             period_cycles: self.trajectories.len() as u32,
             strobe_states: self.strobe_states.clone(),
-            // A sum of nothing is -0.
+            // An empty sum is -0.
             mean_power_w: self.loads_w.iter().sum::<f64>() + 0.0,
             voltage_rms_v: self.loads_w.first().map_or(f64::NAN, |power_w| {
                 voltage_rms_v(&self.kernel.plant.system, *power_w)
@@ -138,7 +144,8 @@ impl ShootingEvaluation {
         }
     }
 
-    /// Newton's correction at a fixed parameter, of the residual and of a defect of the tolerance that adds to it.
+    /// Returns Newton's correction at a fixed parameter, of the residual and of an added defect of
+    /// the size of the tolerance.
     fn correction(&self) -> Option<Vec<f64>> {
         let size = ColRef::from_slice(&self.strobe_states[0]).norm_l2();
         let defect = self.tolerance * size / (self.residual.len() as f64).sqrt();

@@ -1,4 +1,5 @@
-//! A square matrix, factored where it lies: triangles of their own would take three times the memory, at every place of a curve.
+//! Square matrix, factored in place: separate triangles would take three times the memory at every
+//! point of a curve.
 
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::lu::partial_pivoting::{factor, solve};
@@ -14,7 +15,7 @@ pub struct LuFactors {
 }
 
 impl LuFactors {
-    /// Of a square matrix.
+    /// Factors a square matrix.
     pub fn of(matrix: Mat<f64>) -> Self {
         let n = matrix.nrows();
         let (mut both, mut rows, mut back) = (matrix, vec![0; n], vec![0; n]);
@@ -35,7 +36,7 @@ impl LuFactors {
         Self { both, rows, back }
     }
 
-    /// The solution for a right side, in its place; not finite where the matrix is singular.
+    /// Solves for a right side, in place; the solution is not finite where the matrix is singular.
     pub fn solve(&self, right: &mut [f64]) {
         let n = self.rows.len();
         let exchanged = PermRef::new_checked(&self.rows, &self.back, n);

@@ -1,39 +1,42 @@
-//! What a method of computing orbits gives, beside its residual.
+//! Interface of a method of computing orbits, in addition to its residual.
 
 use super::{Orbit, OrbitError, ShootingEvaluation};
 use crate::continuation::Problem;
 
-/// A method on the harvesters of one family.
+/// Method of computing orbits of a parametrised harvester.
 pub trait OrbitMethod: Problem<Error = OrbitError<Self::Fault>> {
-    /// Why a harvester cannot be made.
+    /// Error of building a harvester.
     type Fault: std::error::Error;
 
-    /// Drive cycles of the period.
+    /// Returns the number of drive cycles in the period.
     fn cycles(&self) -> u32;
 
-    /// The orbit at a converged place; `error` is what Newton left out, relative to the unknown.
+    /// Returns the orbit at a converged point; `error` is the remaining Newton error, relative to
+    /// the unknown.
     ///
     /// # Errors
-    /// Multipliers that cannot be computed.
+    /// The multipliers cannot be computed.
     fn orbit(&self, local: &Self::Evaluation, error: f64) -> Result<Orbit, Self::Error>;
 
-    /// The period marched on the exact flow from a place: its multipliers, its contacts, its turning points.
+    /// Returns the period integrated with the exact flow from a point: its multipliers, contacts
+    /// and turning points.
     ///
     /// # Errors
-    /// A march that fails.
+    /// The integration fails.
     fn shot<'l>(&self, local: &'l Self::Evaluation) -> Result<&'l ShootingEvaluation, Self::Error>;
 
-    /// The unknown that stands for a state in energy coordinates.
+    /// Returns the unknown that represents a state in energy coordinates.
     ///
     /// # Errors
-    /// A march that fails.
+    /// The integration fails.
     fn unknown_of(&self, state: &[f64], parameter: f64) -> Result<Vec<f64>, Self::Error>;
 
-    /// Distance of the answer at a place from the curve of the exact flow, beside the one allowed; `parameter_scale` is that of the
-    /// metric. A method on that flow itself has none.
+    /// Returns the distance of the solution at a point from the curve of the exact flow, divided by
+    /// the allowed distance. `parameter_scale` belongs to the metric. A method on the exact flow
+    /// returns 0.
     ///
     /// # Errors
-    /// A march that fails.
+    /// The integration fails.
     fn error_ratio(
         &self,
         _local: &Self::Evaluation,
@@ -42,7 +45,7 @@ pub trait OrbitMethod: Problem<Error = OrbitError<Self::Fault>> {
         Ok(0.0)
     }
 
-    /// The same method with a finer unknown, where there is one.
+    /// Returns this method with a finer unknown, where one exists.
     fn finer(&self) -> Option<Self>
     where
         Self: Sized,
@@ -50,7 +53,7 @@ pub trait OrbitMethod: Problem<Error = OrbitError<Self::Fault>> {
         None
     }
 
-    /// The same method with a coarser unknown, where there is one.
+    /// Returns this method with a coarser unknown, where one exists.
     fn coarser(&self) -> Option<Self>
     where
         Self: Sized,
@@ -58,7 +61,7 @@ pub trait OrbitMethod: Problem<Error = OrbitError<Self::Fault>> {
         None
     }
 
-    /// An unknown of a coarser or a finer method as one of this.
+    /// Converts an unknown of a coarser or a finer method to one of this method.
     fn carried(&self, unknown: &[f64]) -> Vec<f64> {
         unknown.to_vec()
     }

@@ -1,7 +1,9 @@
-//! Periodic orbits of a harvester under drives that repeat themselves together, stable or not. Their common period is a drive cycle.
+//! Periodic orbits, stable or unstable, of a harvester under drives with a common period. That
+//! period is the drive cycle.
 //!
-//! Two methods that share nothing but the plant and the contact law: [`Shooting`] on the exact flow with its exact derivative, for
-//! orbits of any number of drive cycles and for every law, and [`HarmonicBalance`] at the ports. Stability always comes from the exact flow.
+//! Two methods share only the plant and the contact law. [`Shooting`] uses the exact flow and its
+//! exact derivative, for any number of drive cycles and every law. [`HarmonicBalance`] works at the
+//! ports. Stability always follows from the exact flow.
 
 mod block_equations;
 mod border;

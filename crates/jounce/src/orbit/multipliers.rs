@@ -1,28 +1,32 @@
-//! Multipliers of a period map.
+//! Floquet multipliers of a period map.
 //!
-//! Fast modes die out within a period and a contact hardly moves them, so that the map of a plant with many modes is that of its slow
-//! ones beside small blocks of their own. A block of one or two states, `D`, with the rest of its rows `r` and of its columns `c` moves
-//! an eigenvalue `m` of the others by about
+//! Fast modes decay within a period and a contact hardly moves them. The map of a plant with many
+//! modes then consists of the block of the slow modes and small blocks of the fast ones. A block
+//! `D` of one or two states, with the rest `r` of its rows and `c` of its columns, moves an
+//! eigenvalue `m` of the others by about
 //!
 //! ```text
 //! |dm| = |c| |r| / |m - D|
 //! ```
 //!
-//! Where the product is below [`DECOUPLED_BLOCK`] its eigenvalues are taken by themselves; those of the rest cost the cube of their number. The map
-//! is balanced first, which makes the row and the column of each state equally long and changes no eigenvalue.
+//! Where the product is below [`DECOUPLED_BLOCK`], the eigenvalues of the block are computed
+//! separately; the remaining ones cost the cube of their number. The map is balanced first: row and
+//! column of each state get equal lengths, and no eigenvalue changes.
 //!
 //! Source: B. N. Parlett and C. Reinsch, Numer. Math. 13 (1969) 293; G. W. Stewart and J. Sun, *Matrix Perturbation Theory* (1990), ch. V.
 
 use faer::linalg::solvers::Solve;
 use faer::{Mat, c64};
 
-/// `|c| |r|` below which a block stands alone: it moves a multiplier of the size of one by no more, which is less than marches leave.
+/// `|c| |r|` below which a block is decoupled: it moves a multiplier of modulus one by at most
+/// this, less than the integration error.
 const DECOUPLED_BLOCK: f64 = 1e-10;
 
-/// Rounds of balancing.
+/// Iterations of balancing.
 const BALANCING_ROUNDS: usize = 4;
 
-/// Eigenvalues of a period map, largest modulus first; `None` where they do not converge.
+/// Returns the eigenvalues of a period map, largest modulus first; `None` where they do not
+/// converge.
 pub fn multipliers(map: &Mat<f64>) -> Option<Vec<c64>> {
     let balanced = balanced(map);
     let (blocks, rest) = blocks(&balanced);
@@ -35,19 +39,21 @@ pub fn multipliers(map: &Mat<f64>) -> Option<Vec<c64>> {
     Some(values)
 }
 
-/// An eigenvalue of the diagonal block of a map with the radius about zero that no multiplier of the block leaves: the largest singular value of
-/// the block and those of the other blocks of its rows, summed.
+/// Eigenvalue of a diagonal block of a map, with a radius about zero that bounds every multiplier
+/// of the block. The radius is the sum of the largest singular values of the block and of the other
+/// blocks in its rows.
 ///
 /// Source: D. G. Feingold and R. S. Varga, Pacific J. Math. 12 (1962) 1241 (Gershgorin's discs of blocks).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct EigenvalueDisc {
-    /// The eigenvalue.
+    /// Eigenvalue.
     pub value: c64,
-    /// The radius.
+    /// Radius.
     pub radius: f64,
 }
 
-/// Discs of a map in block coordinates, in which its first `pairs` blocks have two states; one for each of them.
+/// Returns one disc for each diagonal block of a map in block coordinates; the first `pairs` blocks
+/// have two states.
 pub fn discs(map: &Mat<f64>, pairs: usize) -> Vec<EigenvalueDisc> {
     let (map, n) = (balanced(map), map.nrows());
     let blocks = (0..pairs)
@@ -61,7 +67,7 @@ pub fn discs(map: &Mat<f64>, pairs: usize) -> Vec<EigenvalueDisc> {
                 .sum::<f64>()
                 .sqrt()
         });
-        // A block turns by its even part and stretches by its odd one.
+        // The even part of a block rotates, its odd part scales.
         let (a, b, c, d) = (map[(i, i)], map[(i, j)], map[(j, i)], map[(j, j)]);
         let largest = if i == j {
             a.abs()
@@ -77,10 +83,10 @@ pub fn discs(map: &Mat<f64>, pairs: usize) -> Vec<EigenvalueDisc> {
     blocks.flat_map(of_block).collect()
 }
 
-/// Eigenvalues and eigenvectors of a period map, without the fast blocks that stand alone.
+/// Eigenvalues and eigenvectors of a period map, without the decoupled fast blocks.
 #[derive(Debug, Clone)]
 pub struct Eigenbasis {
-    /// Numbers of the states that it spans.
+    /// Indices of the states that the basis spans.
     states: Vec<usize>,
     /// Eigenvalues.
     pub values: Vec<c64>,
@@ -89,7 +95,7 @@ pub struct Eigenbasis {
 }
 
 impl Eigenbasis {
-    /// Of a map; `None` where the eigenvectors cannot be computed.
+    /// Computes the basis of a map; `None` where the eigenvectors cannot be computed.
     pub fn of(map: &Mat<f64>) -> Option<Self> {
         Self::over(map, blocks(&balanced(map)).1)
     }
@@ -107,8 +113,10 @@ impl Eigenbasis {
         })
     }
 
-    /// The couplings of the eigenvalues in another map `B`: `sqrt |C_ij C_ji|` with `C = V^-1 B V` and the eigenvectors `V`. Two equal eigenvalues split
-    /// by their coupling. `other` is the basis of `B`, `map` the map of this one. The result has the eigenvalues in its order.
+    /// Returns the couplings of the eigenvalues in another map `B`: `sqrt |C_ij C_ji|` with
+    /// `C = V^-1 B V` and the eigenvectors `V`. Two equal eigenvalues split by their coupling.
+    /// `other` is the basis of `B`, `map` the map of this basis. The rows follow the order of its
+    /// eigenvalues.
     ///
     /// Source: G. W. Stewart and J. Sun, *Matrix Perturbation Theory* (1990), ch. V.
     pub fn couplings(
@@ -116,7 +124,7 @@ impl Eigenbasis {
         map: &Mat<f64>,
         (other, beyond): (&Self, &Mat<f64>),
     ) -> Option<(Vec<c64>, Mat<f64>)> {
-        // A block that stands alone in one map need not do so in the other.
+        // A block that is decoupled in one map need not be decoupled in the other.
         let more: Vec<usize> = other
             .states
             .iter()
@@ -138,14 +146,15 @@ impl Eigenbasis {
     }
 }
 
-/// The rows and columns of some states.
+/// Returns the rows and columns of some states.
 fn part(map: &Mat<f64>, states: &[usize]) -> Mat<f64> {
     Mat::from_fn(states.len(), states.len(), |i, j| {
         map[(states[i], states[j])]
     })
 }
 
-/// The map with each state scaled by a power of two, so that its row and its column are about equally long (the diagonal left out).
+/// Returns the map with each state scaled by a power of two, so that its row and its column have
+/// about equal lengths (without the diagonal).
 fn balanced(map: &Mat<f64>) -> Mat<f64> {
     let n = map.nrows();
     let mut balanced = map.clone();
@@ -171,7 +180,7 @@ fn balanced(map: &Mat<f64>) -> Mat<f64> {
     balanced
 }
 
-/// Sums of the magnitudes in a row and in a column, the diagonal left out.
+/// Returns the sums of the magnitudes in a row and in a column, without the diagonal.
 fn lengths(map: &Mat<f64>, i: usize) -> (f64, f64) {
     let (own, n) = (map[(i, i)].abs(), map.nrows());
     let row = (0..n).map(|j| map[(i, j)].abs()).sum::<f64>() - own;
@@ -185,7 +194,8 @@ fn lengths(map: &Mat<f64>, i: usize) -> (f64, f64) {
     )
 }
 
-/// Blocks of one or two states (the same number twice is one) that stand alone, and the states that are left.
+/// Returns the decoupled blocks of one or two states (a repeated index means one), and the
+/// remaining states.
 fn blocks(map: &Mat<f64>) -> (Vec<[usize; 2]>, Vec<usize>) {
     let n = map.nrows();
     let square = |i: usize, j: usize| {
@@ -196,7 +206,7 @@ fn blocks(map: &Mat<f64>) -> (Vec<[usize; 2]>, Vec<usize>) {
         }
     };
     let mut rest: Vec<usize> = (0..n).collect();
-    // Squares of the lengths of each row and each column.
+    // Squared lengths of each row and each column.
     let mut squares: Vec<[f64; 2]> = vec![[0.0; 2]; n];
     for j in 0..n {
         for i in 0..n {
@@ -204,7 +214,7 @@ fn blocks(map: &Mat<f64>) -> (Vec<[usize; 2]>, Vec<usize>) {
             squares[j][1] += square(i, j);
         }
     }
-    // For each state the one that it is tied to most.
+    // Strongest coupled partner of each state.
     let (mut partners, mut ties): (Vec<usize>, Vec<f64>) = ((0..n).collect(), vec![0.0; n]);
     for j in 0..n {
         for i in 0..j {
@@ -252,7 +262,7 @@ fn blocks(map: &Mat<f64>) -> (Vec<[usize; 2]>, Vec<usize>) {
     }
 }
 
-/// Eigenvalues of a block.
+/// Returns the eigenvalues of a block.
 fn own(map: &Mat<f64>, [i, j]: [usize; 2]) -> Vec<c64> {
     if i == j {
         return vec![c64::new(map[(i, i)], 0.0)];
@@ -269,7 +279,8 @@ fn own(map: &Mat<f64>, [i, j]: [usize; 2]) -> Vec<c64> {
 mod tests {
     use super::*;
 
-    /// A slow pair and a fast one that dies out, weakly coupled: the characteristic polynomial at each multiplier.
+    /// A slow pair and a fast decaying one, weakly coupled: the characteristic polynomial at each
+    /// multiplier.
     #[test]
     fn a_fast_pair_is_taken_by_itself() {
         let weak = 1e-7;
@@ -302,7 +313,7 @@ mod tests {
         }
     }
 
-    /// Every multiplier lies in the union of the discs, and the fast pair keeps to its own.
+    /// Every multiplier lies in the union of the discs, and the fast pair in its own disc.
     #[test]
     fn discs_hold_the_multipliers() {
         let rows = [
@@ -331,7 +342,8 @@ mod tests {
         assert!(values.iter().all(|value| value.norm() <= widest));
     }
 
-    /// Scales of very different size change nothing: the companion matrix of `(s - 1)(s - 2)(s - 3)`.
+    /// Scales of very different size have no effect: the companion matrix of
+    /// `(s - 1)(s - 2)(s - 3)`.
     #[test]
     fn a_badly_scaled_map_keeps_its_multipliers() {
         let rows = [[6.0, -11.0, 6.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];

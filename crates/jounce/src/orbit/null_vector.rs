@@ -1,15 +1,15 @@
-//! The direction that a nearly singular matrix takes to zero.
+//! Null direction of a nearly singular matrix.
 
 use faer::Mat;
 use faer::linalg::solvers::Solve;
 
-/// Rounds of inverse iteration.
+/// Steps of inverse iteration.
 const INVERSE_ITERATIONS: usize = 3;
 
-/// Unit vector near the null space, by inverse iteration.
+/// Returns a unit vector near the null space, by inverse iteration.
 pub fn null_vector(matrix: &Mat<f64>) -> Vec<f64> {
     let n = matrix.nrows();
-    // Off the singular matrix by roundoff of its size.
+    // Shift off the singular matrix, of the size of roundoff.
     let size = (0..n).map(|i| matrix[(i, i)].abs()).fold(1.0, f64::max);
     let solver = Mat::from_fn(n, n, |i, j| {
         matrix[(i, j)] + if i == j { 1e-12 * size } else { 0.0 }

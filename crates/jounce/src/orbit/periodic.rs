@@ -1,11 +1,11 @@
-//! A periodic orbit and its stability.
+//! Periodic orbit and its stability.
 
 use faer::{ColRef, Mat, c64};
 
-/// Distance beside their size below which two states of an orbit are one.
+/// Distance, relative to the size of the states, below which two states of an orbit are identical.
 const SAME_STATE_DISTANCE: f64 = 1e-5;
 
-/// A periodic orbit as a result.
+/// Periodic orbit with its stability and its results.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Orbit {
     /// Period in drive cycles.
@@ -14,25 +14,28 @@ pub struct Orbit {
     pub strobe_states: Vec<Vec<f64>>,
     /// Mean power of all loads and rectified circuits, W.
     pub mean_power_w: f64,
-    /// Voltage of the first load or, without one, of what the first rectified circuit feeds, rms, V; NaN where nothing takes power.
+    /// Rms voltage of the first load or, without a load, of the storage or load of the first
+    /// rectified circuit, V. NaN where no element takes power.
     pub voltage_rms_v: f64,
     /// Contacts that begin in a period.
     pub contacts: u64,
-    /// Changes of regime of rectified circuits in a period.
+    /// Conduction state changes of rectified circuits in a period.
     pub switches: u64,
     /// Largest penetration, m.
     pub max_penetration_m: f64,
-    /// Half of the way between the largest and the least displacement at the first stop, m; 0 without a stop.
+    /// Half the peak-to-peak displacement at the first stop, m; 0 without a stop.
     pub displacement_peak_m: f64,
-    /// Floquet multipliers, largest modulus first; 0 for a charge that nothing lets go in the whole period; none where the motion rests
-    /// on a rigid stop, which no derivative passes.
+    /// Floquet multipliers, largest modulus first. The multiplier of a charge that is conserved
+    /// over the period is 0. The list is empty where the motion sticks to a rigid stop, because the
+    /// flow has no derivative there.
     pub multipliers: Vec<c64>,
-    /// Estimated error of the state at the start or of the mean power, relative to its size, the larger one.
+    /// Estimated error, the larger one of the state at the start and of the mean power, each
+    /// relative to its size.
     pub error_estimate: f64,
 }
 
 impl Orbit {
-    /// An orbit of some cycles of which a test sets what it looks at.
+    /// Returns an orbit of some cycles for tests that set the fields they check.
     #[cfg(test)]
     pub(crate) fn of_cycles(period_cycles: u32) -> Self {
         Self {
@@ -49,7 +52,7 @@ impl Orbit {
         }
     }
 
-    /// Largest modulus of a multiplier.
+    /// Returns the largest modulus of a multiplier.
     pub fn floquet_max_abs(&self) -> f64 {
         self.multipliers.first().map_or(0.0, |value| value.norm())
     }
@@ -59,22 +62,23 @@ impl Orbit {
         self.floquet_max_abs() < 1.0
     }
 
-    /// True when the largest modulus of a multiplier lies within the error of the orbit of one, so that it says nothing of stability.
+    /// True when the largest modulus differs from one by no more than the error of the orbit, so
+    /// that stability is undecided.
     pub fn is_stability_undecided(&self) -> bool {
         !self.multipliers.is_empty() && (self.floquet_max_abs() - 1.0).abs() <= self.error_estimate
     }
 
-    /// State at the start of the period, energy coordinates.
+    /// Returns the state at the start of the period, energy coordinates.
     pub fn start(&self) -> &[f64] {
         &self.strobe_states[0]
     }
 
-    /// Size of the state at the start of the period.
+    /// Returns the norm of the state at the start of the period.
     pub fn size(&self) -> f64 {
         ColRef::from_slice(self.start()).norm_l2()
     }
 
-    /// Difference of the state half a period on; `None` for an odd number of cycles.
+    /// Returns the change of the state over half a period; `None` for an odd number of cycles.
     pub fn halves_apart(&self) -> Option<Vec<f64>> {
         let half = self.period_cycles as usize / 2;
         (self.period_cycles.is_multiple_of(2)).then(|| {
@@ -86,12 +90,12 @@ impl Orbit {
         })
     }
 
-    /// True when the orbit is one of fewer cycles, gone through several times.
+    /// True when the orbit repeats after fewer cycles than its period.
     pub fn repeats_early(&self) -> bool {
         self.shorter_period().is_some()
     }
 
-    /// The least number of cycles, fewer than those of the period, after which the orbit repeats.
+    /// Returns the smallest number of cycles, fewer than the period, after which the orbit repeats.
     pub fn shorter_period(&self) -> Option<u32> {
         let apart =
             |look: &[f64]| (ColRef::from_slice(look) - ColRef::from_slice(self.start())).norm_l2();
@@ -103,7 +107,7 @@ impl Orbit {
             .find(repeats)
     }
 
-    /// `det(M - s I)` up to a positive factor, for `s` of modulus one.
+    /// Returns `det(M - s I)` up to a positive factor, for `s` of modulus one.
     pub fn determinant_at(&self, s: f64) -> f64 {
         self.multipliers
             .iter()
@@ -112,13 +116,13 @@ impl Orbit {
             .re
     }
 
-    /// Multipliers outside the unit circle that come in complex pairs.
+    /// Returns the number of multipliers outside the unit circle that belong to complex pairs.
     pub fn pairs_outside(&self) -> usize {
         pairs_outside(&self.multipliers)
     }
 }
 
-/// Distance to the unit circle of the complex pair that lies nearest to it; 1 without one.
+/// Returns the distance from the unit circle to the nearest complex pair; 1 without a pair.
 pub fn nearest_pair_to_circle(multipliers: &[c64]) -> f64 {
     let pairs = multipliers.iter().filter(|value| value.im > 1e-9);
     pairs
@@ -126,7 +130,7 @@ pub fn nearest_pair_to_circle(multipliers: &[c64]) -> f64 {
         .fold(1.0, f64::min)
 }
 
-/// Multipliers outside the unit circle that come in complex pairs.
+/// Returns the number of multipliers outside the unit circle that belong to complex pairs.
 pub fn pairs_outside(multipliers: &[c64]) -> usize {
     multipliers
         .iter()
@@ -134,7 +138,7 @@ pub fn pairs_outside(multipliers: &[c64]) -> usize {
         .count()
 }
 
-/// `det(M - s I)` of a period map: zero where `s` is a multiplier.
+/// Returns `det(M - s I)` of a period map: zero where `s` is a multiplier.
 pub fn determinant_at(map: &Mat<f64>, s: f64) -> f64 {
     Mat::from_fn(map.nrows(), map.ncols(), |i, j| {
         map[(i, j)] - if i == j { s } else { 0.0 }

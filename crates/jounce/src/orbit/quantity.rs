@@ -1,15 +1,16 @@
-//! Quantities of an orbit of which a user may give a level.
+//! Quantities of an orbit for which a user may specify a level.
 
 use super::ShootingEvaluation;
 use crate::integrate::Trajectory;
 
-/// Times per drive cycle at which the largest value is sought.
+/// Samples per drive cycle in the search for the largest value.
 const SAMPLES_PER_CYCLE: usize = 1024;
 
-/// Times between two of those about the largest one: the parabola through the highest three has its top within the error of a march.
+/// Samples between two coarse ones about the largest: the top of the parabola through the highest
+/// three is within the integration error.
 const REFINED_SAMPLES: usize = 32;
 
-/// A quantity of an orbit.
+/// Quantity of an orbit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum OrbitQuantity {
     /// Mean power of all loads and rectified circuits.
@@ -23,7 +24,7 @@ pub enum OrbitQuantity {
 }
 
 impl OrbitQuantity {
-    /// Its value on an orbit, SI.
+    /// Returns the value on an orbit, SI.
     pub fn of(self, shot: &ShootingEvaluation) -> f64 {
         let plant = &shot.kernel.plant;
         match self {
@@ -56,7 +57,8 @@ impl OrbitQuantity {
     }
 }
 
-/// Largest value over the period of a function of the physical state and the contact forces.
+/// Returns the largest value, over the period, of a function of the physical state and the contact
+/// forces.
 fn largest(shot: &ShootingEvaluation, value: impl Fn(&[f64], &[f64]) -> f64) -> f64 {
     let plant = &shot.kernel.plant;
     let cycle_s = shot.period_s / shot.trajectories.len() as f64;
@@ -87,7 +89,8 @@ fn largest(shot: &ShootingEvaluation, value: impl Fn(&[f64], &[f64]) -> f64) -> 
     shot.trajectories.iter().map(of_cycle).fold(0.0, f64::max)
 }
 
-/// Top of the parabola through the highest of equally spaced values and its neighbours.
+/// Returns the top of the parabola through the highest of equally spaced values and its two
+/// neighbours.
 fn parabola_top(values: &[f64]) -> f64 {
     let top = (0..values.len())
         .max_by(|a, b| values[*a].total_cmp(&values[*b]))

@@ -4,9 +4,11 @@
 //! R(u, p) = W (x(n T) - x(0)),   u = W x(0),   x = (q, q', V),   W = (w, 1, sqrt(C))
 //! ```
 //!
-//! `u` are coordinates whose squares are energies; they outlive a change of load, stop or drive, and their size at a peak is that
-//! of the motion. The derivative is that of the flow (see [`crate::integrate::FlowSensitivity`]), cycle by cycle; with respect to the
-//! parameter it is exact for drive, gap and stiffness, and a difference otherwise.
+//! `u` are coordinates whose squares are energies. They remain meaningful when a load, stop or
+//! drive changes, and their size at a peak is the size of the motion. The derivative follows from
+//! the derivative of the flow (see [`crate::integrate::FlowSensitivity`]), cycle by cycle. With
+//! respect to the parameter it is exact for drive, gap and stiffness, and a difference quotient
+//! otherwise.
 
 use super::charges::{conserved_charges, without_conserved};
 use super::{
@@ -18,23 +20,24 @@ use crate::plant::{Plant, product};
 use faer::Mat;
 use std::sync::OnceLock;
 
-/// Orbits of a harvester by shooting.
+/// Shooting method for the orbits of a harvester.
 #[derive(Debug)]
 pub struct Shooting<'h, H> {
-    /// The harvester.
+    /// Family of harvesters.
     pub harvester: &'h H,
-    /// Drive cycles of the period.
+    /// Drive cycles in the period.
     pub cycles: u32,
-    /// Relative tolerance of the march.
+    /// Relative tolerance of the integration.
     pub tolerance: f64,
     /// `W`.
     pub scale: Vec<f64>,
-    /// `u` whose charges are meant where nothing lets them go in a period; nothing was ever charged where it is empty.
+    /// `u` that fixes the charges conserved over a period; if empty, these charges are zero.
     pub charged: Vec<f64>,
 }
 
 impl<'h, H: ParametricModel> Shooting<'h, H> {
-    /// Orbits of `cycles` drive cycles; `kernel` is the harvester at any value of its parameter.
+    /// Creates the problem for orbits of `cycles` drive cycles; `kernel` is the harvester at any
+    /// value of its parameter.
     pub fn new(harvester: &'h H, kernel: &Kernel, cycles: u32, tolerance: f64) -> Self {
         let modes = &kernel.plant.system.modes;
         let drive = kernel
@@ -58,14 +61,14 @@ impl<'h, H: ParametricModel> Shooting<'h, H> {
         }
     }
 
-    /// The same at the charges of a physical state.
+    /// Fixes the conserved charges at the charges of a physical state.
     #[must_use]
     pub fn charged_as(mut self, physical: &[f64]) -> Self {
         self.charged = self.unknown(physical);
         self
     }
 
-    /// `u` of a physical state.
+    /// Returns `u` of a physical state.
     pub fn unknown(&self, physical: &[f64]) -> Vec<f64> {
         physical
             .iter()
@@ -74,7 +77,7 @@ impl<'h, H: ParametricModel> Shooting<'h, H> {
             .collect()
     }
 
-    /// The physical state of `u`.
+    /// Returns the physical state of `u`.
     pub fn physical(&self, unknown: &[f64]) -> Vec<f64> {
         unknown
             .iter()
@@ -83,7 +86,7 @@ impl<'h, H: ParametricModel> Shooting<'h, H> {
             .collect()
     }
 
-    /// Marches the period; true when the derivative with respect to the parameter is exact.
+    /// Integrates the period; true when the derivative with respect to the parameter is exact.
     pub(crate) fn shoot(
         &self,
         unknown: &[f64],
@@ -111,7 +114,8 @@ impl<'h, H: ParametricModel> Shooting<'h, H> {
         let steady = plant.steady_at(0.0);
         let mut looks = vec![unknown.to_vec()];
         let mut map: Option<Mat<f64>> = None;
-        // d y / dp: the state is held, so that its part without the steady one moves against it.
+        // d y / dp: the state is fixed, so its difference from the steady part moves opposite to
+        // the steady part.
         let mut by_parameter: Vec<f64> = change.steady.iter().map(|s| -s).collect();
         let (mut trajectories, mut contacts, mut max_penetration_m, mut loads_w) = (
             Vec::new(),
@@ -173,7 +177,8 @@ impl<'h, H: ParametricModel> Shooting<'h, H> {
 }
 
 impl<H> Shooting<'_, H> {
-    /// A period map in block coordinates with 0 in place of the multipliers 1 of charges that nothing lets go.
+    /// Returns a period map in block coordinates with 0 in place of the unit multipliers of
+    /// conserved charges.
     fn without_kept(&self, plant: &Plant, whole: &Mat<f64>, kept: &[Vec<f64>]) -> Mat<f64> {
         let (into, out) = (&plant.diagonal.from_physical, &plant.diagonal.to_physical);
         let left = Mat::from_fn(plant.len(), plant.len(), |i, j| self.scale[i] * out[(i, j)]);
@@ -183,7 +188,7 @@ impl<H> Shooting<'_, H> {
         &right * without_conserved(&left * whole * &right, kept) * &left
     }
 
-    /// `R`; charges that nothing lets go are held at those that are meant.
+    /// Returns `R`; conserved charges are fixed at the prescribed values.
     fn residual(&self, unknown: &[f64], end: &[f64], kept: &[Vec<f64>]) -> Vec<f64> {
         let mut residual: Vec<f64> = end
             .iter()
@@ -250,7 +255,7 @@ impl<H: ParametricModel> OrbitMethod for Shooting<'_, H> {
     }
 }
 
-/// `d y / dp` after a cycle whose length changes by `longer_s` per unit of the parameter.
+/// Returns `d y / dp` after a cycle whose length changes by `longer_s` per unit of the parameter.
 fn carried(cycle: &FlowSensitivity, before: &[f64], longer_s: f64) -> Vec<f64> {
     let through = product(&cycle.jacobian, before);
     (0..before.len())

@@ -1,4 +1,4 @@
-//! A period as marched from one state.
+//! Period integrated from one state.
 
 use super::block_equations::{BlockEquations, EnergyCoordinates};
 use crate::continuation::{Direction, Linearization, Metric, Position, ResidualReport, tangent};
@@ -6,44 +6,45 @@ use crate::integrate::{Kernel, Trajectory};
 use faer::Mat;
 use std::sync::OnceLock;
 
-/// A period as marched, with its derivative.
+/// Integrated period with its derivative.
 #[derive(Debug)]
 pub struct ShootingEvaluation {
-    /// The harvester.
+    /// Harvester.
     pub kernel: Kernel,
     /// `u` at the start of each cycle, and at the end of the last.
     pub strobe_states: Vec<Vec<f64>>,
     /// `R`.
     pub(super) residual: Vec<f64>,
-    /// Derivative of the state after the period by that at its start, at the charges that nothing lets go in it: block coordinates, in which
-    /// modes that the contact leaves alone stand apart.
+    /// Derivative of the state after the period by the state at its start, at fixed conserved
+    /// charges. In block coordinates, modes without contact are decoupled.
     pub block_map: Mat<f64>,
     /// `dR / dp`.
     pub(super) by_parameter: Vec<f64>,
     /// `W`.
     pub(super) scale: Vec<f64>,
-    /// What [`Self::map`] gives, made when first asked for.
+    /// Result of [`Self::map`], computed at the first call.
     pub(super) map: OnceLock<Mat<f64>>,
-    /// `R_u` with the border that was asked for first.
+    /// `R_u` factored with the first requested border.
     pub(super) equations: OnceLock<BlockEquations>,
     /// Period, s.
     pub period_s: f64,
-    /// True where nothing lets some charge go in the period: the orbit is one of a family over it.
+    /// True where a charge is conserved over the period: the orbit belongs to a family over this
+    /// charge.
     pub keeps_charge: bool,
-    /// The cycles.
+    /// Trajectories of the cycles.
     pub trajectories: Vec<Trajectory>,
-    /// Contacts that began.
+    /// Number of contacts that began.
     pub contacts: u64,
     /// Largest penetration, m.
     pub max_penetration_m: f64,
     /// Mean power of each load and then of each rectified circuit, W.
     pub loads_w: Vec<f64>,
-    /// Tolerance of the march.
+    /// Tolerance of the integration.
     pub(super) tolerance: f64,
 }
 
 impl ShootingEvaluation {
-    /// `M = d u(n T) / d u(0)` at the charges that nothing lets go in the period.
+    /// Returns `M = d u(n T) / d u(0)` at fixed conserved charges.
     pub fn map(&self) -> &Mat<f64> {
         self.map.get_or_init(|| {
             let diagonal = &self.kernel.plant.diagonal;
@@ -54,7 +55,8 @@ impl ShootingEvaluation {
         })
     }
 
-    /// The way to the curve of orbits by Newton across it, and its length relative to the state: finite at a fold too.
+    /// Returns the Newton correction to the curve of orbits, normal to it, and its length relative
+    /// to the state; finite at a fold too.
     pub(super) fn across(&self, parameter: f64, parameter_scale: f64) -> Option<(Direction, f64)> {
         let metric = Metric::at(
             &Position {
@@ -76,12 +78,13 @@ impl ShootingEvaluation {
         Some((across, length))
     }
 
-    /// Relative tolerance of the march.
+    /// Returns the relative tolerance of the integration.
     pub fn tolerance(&self) -> f64 {
         self.tolerance
     }
 
-    /// Displacement of the port of a stop, m, at `samples` equal times of the period.
+    /// Returns the displacement of the port of a stop, m, at `samples` equally spaced times of the
+    /// period.
     pub fn displacements_m(&self, stop: usize, samples: usize) -> Vec<f64> {
         let plant = &self.kernel.plant;
         let Some(port) = plant.ports.get(stop) else {
@@ -123,7 +126,7 @@ impl Linearization for ShootingEvaluation {
         &self.residual
     }
 
-    /// By mode and by electrical state.
+    /// Reports the residual by mode and by electrical state.
     fn parts(&self) -> ResidualReport {
         let modes = self.kernel.plant.system.modes.len();
         let moving = (0..modes).map(|k| {

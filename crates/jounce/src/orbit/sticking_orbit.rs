@@ -1,7 +1,8 @@
-//! A motion that rests on a rigid stop in every period.
+//! Periodic motion that sticks to a rigid stop in every period.
 //!
-//! Where a point comes to rest the flow forgets how: its derivative loses rank, and what lies before the end of an infinite sequence of
-//! impacts has none that a march could carry. Such an orbit is what a march that has settled on it goes through.
+//! Where a point comes to rest, the derivative of the flow loses rank. The end of an infinite
+//! sequence of impacts leaves no derivative that an integration could propagate. Such an orbit is
+//! the motion that an integration has settled on.
 
 use super::{Orbit, OrbitError, ParametricModel, Shooting, ShootingEvaluation};
 use crate::integrate::{Integrator, SensitivityError};
@@ -9,11 +10,11 @@ use faer::{ColRef, Mat};
 use std::sync::OnceLock;
 
 impl<H: ParametricModel> Shooting<'_, H> {
-    /// The orbit through a physical state that repeats itself, marched without its derivative: it has no multipliers, and its error
-    /// estimate is by how much it fails to close beside its size.
+    /// Returns the periodic orbit through a physical state, integrated without its derivative. It
+    /// has no multipliers, and its error estimate is the closure error relative to its size.
     ///
     /// # Errors
-    /// A harvester that cannot be made, one whose drives do not repeat themselves together, a march that fails.
+    /// The harvester cannot be built, its drives have no common period, or the integration fails.
     pub fn marched_orbit(
         &self,
         physical: &[f64],
@@ -32,7 +33,8 @@ impl<H: ParametricModel> Shooting<'_, H> {
         };
         let period_s = cycle_s * f64::from(self.cycles);
         let mut y = plant.from_physical(physical, 0.0);
-        // A march that begins at rest may strike once by roundoff; one that goes on from it does not.
+        // An integration that starts at rest may impact once by roundoff; its continuation does
+        // not.
         let mut through =
             Integrator::new(&kernel, &y, 0.0, self.tolerance).map_err(SensitivityError::March)?;
         through

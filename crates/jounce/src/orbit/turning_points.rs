@@ -1,43 +1,47 @@
-//! Turning points of the displacements of the ports: how near an orbit comes to grazing, and how far it swings.
+//! Turning points of the port displacements: the distance of an orbit from grazing, and its
+//! amplitude.
 
 use super::ShootingEvaluation;
 use crate::contact::Law;
 use crate::integrate::{Kernel, Trajectory};
 
-/// Looks per drive cycle in flight, at least, where the turning point nearest to a surface is sought, ...
+/// Minimum samples per drive cycle in flight in the search for the turning point nearest to a
+/// surface, ...
 const SAMPLES_PER_CYCLE: f64 = 512.0;
 
-/// ... and where the largest and the least displacement are: a cubic joins neighbours.
+/// ... and in the search for the largest and smallest displacement: a cubic interpolates between
+/// neighbours.
 const COARSE_SAMPLES_PER_CYCLE: f64 = 128.0;
 
-/// Looks inside a stretch in which the speed changes sign.
+/// Samples inside an interval in which the speed changes sign.
 const REFINED_SAMPLES: usize = 24;
 
-/// Turning points worth a closer look.
+/// Largest number of turning points to refine.
 const MAX_REFINED_POINTS: usize = 3;
 
-/// Part of the time between two looks by which one looks before an impact.
+/// Time before an impact of the sample there, as a fraction of the sampling interval.
 const BEFORE_IMPACT: f64 = 1e-9;
 
-/// A turning point of a port.
+/// Turning point of a port.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TurningPoint {
-    /// Number of the port.
+    /// Index of the port.
     pub port: usize,
     /// Drive cycle of the period, from 0.
     pub cycle: usize,
-    /// Time in it, s.
+    /// Time in the cycle, s.
     pub time_s: f64,
     /// Distance past the stop, m.
     pub past_m: f64,
     /// True for a maximum.
     pub is_maximum: bool,
-    /// True where an impact on a rigid stop takes the place of the turning point: the distance is that of the motion without the impact.
+    /// True where an impact on a rigid stop replaces the turning point: the distance belongs to the
+    /// motion without the impact.
     pub is_struck: bool,
 }
 
 impl TurningPoint {
-    /// The same turning point with its time and distance by more looks near it.
+    /// Returns this turning point with time and distance refined by more samples near it.
     pub fn refined(self, shot: &ShootingEvaluation) -> Self {
         if self.is_struck {
             return self;
@@ -63,8 +67,8 @@ impl TurningPoint {
     }
 }
 
-/// The turning point (maximum or minimum) of any port nearest to the surface of its stop; `None` without one. Laws that act on both
-/// sides of their surface have none.
+/// Returns the turning point (maximum or minimum) of any port nearest to the surface of its stop;
+/// `None` without one. Laws that act on both sides of their surface have no turning points.
 pub fn nearest_turn(shot: &ShootingEvaluation) -> Option<TurningPoint> {
     let cycle_s = shot.period_s / shot.trajectories.len() as f64;
     let stops = &shot.kernel.plant.system.stops;
@@ -90,9 +94,10 @@ pub fn nearest_turn(shot: &ShootingEvaluation) -> Option<TurningPoint> {
     turning.min_by(|a, b| a.past_m.abs().total_cmp(&b.past_m.abs()))
 }
 
-/// All turning points of the displacements of the ports, each by the cubic between two looks. An impact on a rigid stop stands for the maximum
-/// that the motion would have beyond the stop, so that its distance is zero at the grazing and smooth through it. Laws that act on both sides of their
-/// surface have none.
+/// Returns all turning points of the port displacements, each from the cubic between two samples.
+/// An impact on a rigid stop is replaced by the maximum of the motion without the stop: its
+/// distance is zero at grazing and smooth through it. Laws that act on both sides of their surface
+/// have no turning points.
 pub fn turns(shot: &ShootingEvaluation) -> Vec<TurningPoint> {
     let cycle_s = shot.period_s / shot.trajectories.len() as f64;
     let stops = &shot.kernel.plant.system.stops;
@@ -119,7 +124,7 @@ fn turns_of(shot: &ShootingEvaluation, port: usize, cycle_s: f64) -> Vec<Turning
         .collect();
     let mut found = Vec::new();
     for (cycle, own) in looks.iter().enumerate() {
-        // The first look of the next cycle is at the end of this one.
+        // The first sample of the next cycle is at the end of this one.
         let end = looks[(cycle + 1) % looks.len()]
             .first()
             .map(|next| (cycle_s, next.1, next.2));
@@ -149,12 +154,12 @@ fn turns_of(shot: &ShootingEvaluation, port: usize, cycle_s: f64) -> Vec<Turning
     found
 }
 
-/// Distance past the stop, m, of [`nearest_turn`].
+/// Returns the distance past the stop, m, of [`nearest_turn`].
 pub fn nearest_extremum_m(shot: &ShootingEvaluation) -> Option<f64> {
     nearest_turn(shot).map(|turn| turn.past_m)
 }
 
-/// Half of the way between the largest and the least displacement at the first stop, m; 0 without a stop.
+/// Returns half the peak-to-peak displacement at the first stop, m; 0 without a stop.
 pub fn displacement_peak_m(shot: &ShootingEvaluation) -> f64 {
     if shot.kernel.plant.system.stops.is_empty() {
         return 0.0;
@@ -198,8 +203,9 @@ pub fn displacement_peak_m(shot: &ShootingEvaluation) -> f64 {
     0.5 * (range.1 - range.0).max(0.0)
 }
 
-/// The second of two neighbouring looks as the motion comes to it, before any impact that a rigid stop makes there: the speed jumps at no
-/// other place than the start of a step, which is a look. Only where the speed changes sign does it matter.
+/// Returns the second of two neighbouring samples before any impact on a rigid stop. The speed
+/// jumps only at the start of a step, which is a sample. The impact matters only where the speed
+/// changes sign.
 fn unstruck(
     kernel: &Kernel,
     port: usize,
@@ -218,24 +224,27 @@ fn unstruck(
     (to.0, to.1, rate_m_s)
 }
 
-/// Distance beyond a rigid stop, m, at which a motion would turn that strikes it: `v^2 / (2 a)`, but no farther than half the way of a look.
+/// Returns the distance beyond a rigid stop, m, at which an impacting motion would turn:
+/// `v^2 / (2 a)`, at most half the displacement of one sampling interval.
 fn beyond(from: SampledMotion, coming: SampledMotion) -> f64 {
     let (step_s, speed_m_s) = (coming.0 - from.0, coming.2);
     let slowing_m_s2 = ((from.2 - speed_m_s) / step_s).max(speed_m_s / step_s);
     0.5 * speed_m_s * speed_m_s / slowing_m_s2
 }
 
-/// Where the cubic through two neighbouring looks turns, as a share of the way, and the distance there; the first look where it does not.
+/// Returns where the cubic through two neighbouring samples turns, as a fraction of the interval,
+/// and the distance there; the first sample where it does not turn.
 fn turn_between(from: SampledMotion, to: SampledMotion) -> (f64, f64) {
     let (step_s, [u, v]) = (to.0 - from.0, [from.2, to.2]);
     if u * v >= 0.0 {
         return (0.0, from.1);
     }
-    // The slope of the cubic in x = t / step: u + 2 b x + c x^2, with b and c from both speeds and the chord.
+    // Slope of the cubic in x = t / step: u + 2 b x + c x^2, with b and c from both speeds and the
+    // chord.
     let chord = (to.1 - from.1) / step_s;
     let (b, c) = (3.0 * chord - 2.0 * u - v, 3.0 * (u + v - 2.0 * chord));
     let root = (b * b - u * c).max(0.0).sqrt();
-    // The slope changes sign once: of both roots the one inside.
+    // The slope changes sign once: take the root inside the interval.
     let q = -(b + root.copysign(b));
     let x = [u / q, q / c]
         .into_iter()
@@ -271,7 +280,7 @@ fn turning_points(
         .collect()
 }
 
-/// Motion at the start of every step, and between those of a flight.
+/// Returns the motion at the start of every step, and at samples within a flight.
 fn sampled_motions(
     kernel: &Kernel,
     port: usize,
@@ -285,8 +294,8 @@ fn sampled_motions(
     looks
 }
 
-/// Time and distance of the turning point between two times: the speed is taken as linear between close looks, which leaves an error of
-/// second order in a place where the distance does not depend on time.
+/// Returns time and distance of the turning point between two times. The speed is taken as linear
+/// between close samples: the error is of second order, because the distance is stationary there.
 fn closer(
     kernel: &Kernel,
     port: usize,
@@ -307,12 +316,13 @@ fn closer(
         .map(|pair| (pair[0], pair[1]))
         .find(|(a, b)| a.2 * b.2 <= 0.0)?;
     let share = if a.2 == b.2 { 0.5 } else { a.2 / (a.2 - b.2) };
-    // From the nearer look with half the speed on the way.
+    // From the nearer sample, with half the speed over the interval.
     let way_s = share * (b.0 - a.0);
     Some((a.0 + way_s, a.1 + 0.5 * a.2 * way_s))
 }
 
-/// Distance past the stop, m, and its rate, m/s, of a port at a time in a drive cycle of the period.
+/// Returns the distance past the stop, m, and its rate, m/s, of a port at a time in a drive cycle
+/// of the period.
 pub(super) fn port_motion(
     shot: &ShootingEvaluation,
     port: usize,
@@ -325,7 +335,7 @@ pub(super) fn port_motion(
     found.map_or([f64::NAN; 2], |(_, past_m, rate_m_s)| [past_m, rate_m_s])
 }
 
-/// Distance past the stop and its rate.
+/// Returns time, distance past the stop and its rate.
 fn motion(kernel: &Kernel, port: usize, time_s: f64, state: &[f64]) -> Option<SampledMotion> {
     let plant = &kernel.plant;
     let (port, stop) = plant.ports.get(port).zip(plant.system.stops.get(port))?;
@@ -342,7 +352,7 @@ fn motion(kernel: &Kernel, port: usize, time_s: f64, state: &[f64]) -> Option<Sa
 mod tests {
     use super::*;
 
-    /// `sin` between two looks about its top.
+    /// `sin` between two samples about its top.
     #[test]
     fn a_cubic_finds_the_top_of_a_sine() {
         let look = |t: f64| (t, t.sin(), t.cos());

@@ -1,14 +1,15 @@
-//! The choice of instructions, once per task.
+//! Selection of the instruction set, once per task.
 
 use super::registers::{Registers, Simd};
 use pulp::{Arch, Simd as PulpSimd, WithSimd};
 
-/// Work that is generic over the instruction set. `run` must be `#[inline(always)]`, and so must what it calls.
+/// Work that is generic over the instruction set. `run` must be `#[inline(always)]`, and so must
+/// the functions that it calls.
 pub trait Task {
-    /// Its result.
+    /// Result of the task.
     type Output;
 
-    /// Does it.
+    /// Runs the task.
     fn run<W: Simd>(self, wide: W) -> Self::Output;
 }
 

@@ -1,6 +1,6 @@
 //! Eight numbers in memory.
 
-/// Numbers per lane: seven collocation nodes and the end of the step.
+/// Numbers per vector: seven collocation nodes and the end of the step.
 pub const LANES: usize = 8;
 
 /// Eight numbers on one cache line.
@@ -12,7 +12,7 @@ impl F64x8 {
     /// All zero.
     pub const ZERO: F64x8 = F64x8([0.0; LANES]);
 
-    /// `self + factor * other`.
+    /// Returns `self + factor * other`.
     pub fn add_scaled(mut self, factor: f64, other: &F64x8) -> F64x8 {
         self.0
             .iter_mut()

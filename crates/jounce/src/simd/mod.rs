@@ -1,7 +1,8 @@
-//! Eight numbers side by side: the width in which marching works.
+//! Arithmetic on eight numbers at once, the vector width of the integration.
 //!
-//! [`F64x8`] is how they lie in memory; [`Simd`] is the arithmetic on them in registers, for whatever vector instructions the
-//! machine has. A function that is generic over `Simd` and entered through [`widest`] is compiled once per instruction set.
+//! [`F64x8`] is their form in memory. [`Simd`] is the arithmetic on them in registers, for the
+//! vector instructions of the machine. A function that is generic over `Simd` and entered through
+//! [`widest`] is compiled once per instruction set.
 
 mod dispatch;
 mod f64x8;

@@ -9,65 +9,65 @@ pub trait Simd: Copy {
     /// Eight numbers in registers.
     type Register: Copy;
 
-    /// From memory.
+    /// Loads from memory.
     fn load(self, lane: &F64x8) -> Self::Register;
 
-    /// To memory.
+    /// Stores to memory.
     fn store(self, register: Self::Register) -> F64x8;
 
-    /// One number eight times.
+    /// Broadcasts one number to eight.
     fn splat(self, value: f64) -> Self::Register;
 
-    /// `a b + c`, fused where the machine can.
+    /// Returns `a b + c`, fused where the machine supports it.
     fn fma(self, a: Self::Register, b: Self::Register, c: Self::Register) -> Self::Register;
 
-    /// The same of single numbers.
+    /// Returns `a b + c` of single numbers, fused where the machine supports it.
     fn fma_one(self, a: f64, b: f64, c: f64) -> f64;
 
-    /// `a + b`.
+    /// Returns `a + b`.
     fn add(self, a: Self::Register, b: Self::Register) -> Self::Register;
 
-    /// `a - b`.
+    /// Returns `a - b`.
     fn sub(self, a: Self::Register, b: Self::Register) -> Self::Register;
 
-    /// `a b`.
+    /// Returns `a b`.
     fn mul(self, a: Self::Register, b: Self::Register) -> Self::Register;
 
-    /// The larger of each.
+    /// Returns the larger number of each pair.
     fn max(self, a: Self::Register, b: Self::Register) -> Self::Register;
 
-    /// Magnitudes.
+    /// Returns the magnitudes.
     fn abs(self, a: Self::Register) -> Self::Register;
 
-    /// Square roots.
+    /// Returns the square roots.
     fn sqrt(self, a: Self::Register) -> Self::Register;
 
-    /// Sum of the eight numbers, in the same order on every machine.
+    /// Returns the sum of the eight numbers, in the same order on every machine.
     fn sum(self, a: Self::Register) -> f64;
 
-    /// Largest of the eight numbers.
+    /// Returns the largest of the eight numbers.
     fn largest(self, a: Self::Register) -> f64;
 
-    /// Calls a function, itself `#[inline(always)]`, as code of its own with the same instructions: what several places call is
-    /// compiled once.
+    /// Calls a function, itself `#[inline(always)]`, as separate code with the same instructions:
+    /// shared code is compiled once.
     fn apart<R>(self, function: impl FnOnce() -> R) -> R;
 
-    /// Eight zeros.
+    /// Returns eight zeros.
     #[inline(always)]
     fn zero(self) -> Self::Register {
         self.splat(0.0)
     }
 }
 
-/// `N` registers of the instruction set `S` that make up eight numbers.
+/// `N` registers of the instruction set `S` that hold eight numbers.
 #[derive(Debug, Clone, Copy)]
 pub struct Registers<S, const N: usize>(pub S);
 
-/// Plain numbers, for code off the hot path.
+/// Scalar implementation, for code off the hot path.
 pub type Portable = Registers<Scalar, LANES>;
 
 impl Portable {
-    /// The one value of this type.
+    /// Returns the only value of this type.
     pub const fn new() -> Self {
         Registers(Scalar)
     }
@@ -111,7 +111,8 @@ impl<S: PulpSimd, const N: usize> Registers<S, N>
 where
     [S::f64s; N]: Pod,
 {
-    /// The first half of the registers with the second, until one is left; [`PulpSimd`] goes on like this inside it.
+    /// Combines the first half of the registers with the second, until one is left; [`PulpSimd`]
+    /// continues the reduction inside it.
     #[inline(always)]
     fn folded(
         self,
@@ -166,7 +167,7 @@ where
 
     #[inline(always)]
     fn fma_one(self, a: f64, b: f64, c: f64) -> f64 {
-        // Where no instruction does it, a library would: slower than all the rest.
+        // Without such an instruction a library call would dominate the cost.
         if S::F64_LANES >= 4 {
             a.mul_add(b, c)
         } else {
@@ -254,7 +255,8 @@ mod tests {
 
     #[test]
     fn this_machine_and_plain_numbers_agree() {
-        // Every value here is exact in binary but the roots, which are correctly rounded everywhere.
+        // Every value here is exact in binary except the roots, which are correctly rounded
+        // everywhere.
         assert_eq!(widest(Every), Every.run(Portable::new()));
         assert_eq!(Every.run(Portable::new())[5].0[..3], [-4.5, 7.0, -8.5]);
     }

@@ -1,8 +1,10 @@
-//! Ports that are too far off to be watched.
+//! Ports too far from their stops to be monitored.
 //!
-//! Blocks decay, so a port in flight never goes faster than `V = sum_k |c_k| |y_k| + sum |S| w`, `c` being the row of its velocity
-//! and `y` the state when it was last seen, and the force of another port adds no more than `G = sum_k |c_k| |b_k|` per unit of its
-//! impulse `J`. A port that was last seen at a distance `d` is clear for as long as `(V + G J) t < d`: nothing else is asked of it.
+//! Blocks decay, so that the speed of a port in flight is at most
+//! `V = sum_k |c_k| |y_k| + sum |S| w`. `c` is the row of its velocity and `y` the state at its
+//! last update. The force of another port adds at most `G = sum_k |c_k| |b_k|` per unit of its
+//! impulse `J`. A port at a distance `d` at its last update is clear as long as `(V + G J) t < d`;
+//! no further test is needed.
 
 use crate::contact::Law;
 use crate::integrate::integrator::Integrator;
@@ -13,35 +15,37 @@ use crate::integrate::state::dot_abs;
 use crate::plant::{BlockDiagonal, BlockPair, Plant, Port};
 use crate::simd::{F64x8, Simd};
 
-/// Factor on the impulse of a step as its nodes tell it: their rule is far better than a tenth on any step that is taken.
+/// Factor on the impulse of a step computed from its nodes: on any accepted step their quadrature
+/// is far more accurate than a tenth.
 const IMPULSE_MARGIN: f64 = 1.1;
 
-/// What bounds the speed of a port.
+/// Bound on the speed of a port.
 #[derive(Debug, Clone)]
 pub struct SpeedBound {
     /// Factors on the magnitudes of the state, 1/s, padded.
     row: Vec<F64x8>,
-    /// Share of the tones, m/s.
+    /// Contribution of the tones, m/s.
     tones_m_s: f64,
-    /// `G` per port that pushes, 1/kg.
+    /// `G` for each port that acts, 1/kg.
     per_impulse: Vec<f64>,
 }
 
-/// What is known of a port since it was last seen.
+/// Bounds on the motion of a port since its last update.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Clearance {
-    /// When that was, s.
+    /// Time of the update, s.
     since_s: f64,
-    /// How far it was from its stop then, m.
+    /// Distance from its stop at the update, m.
     distance_m: f64,
-    /// It has not been faster since, m/s.
+    /// Bound on the speed since the update, m/s.
     speed_m_s: f64,
-    /// Penetration and rate are those of another time.
+    /// True where penetration and rate belong to another time.
     pub is_unseen: bool,
 }
 
 impl SpeedBound {
-    /// Of a port; `None` where nothing bounds it that easily: signals, rigid stops, bridges, and blocks that grow before they decay.
+    /// Returns the bound for a port; `None` where no simple bound exists: signals, rigid stops,
+    /// bridges, and blocks that grow before they decay.
     pub fn of(plant: &Plant, layout: &StateLayout, tones: &[Phasor], port: usize) -> Option<Self> {
         let block = &plant.diagonal.block;
         let grows = |pair: &BlockPair| matches!(pair, BlockPair::Jordan { .. });
@@ -76,7 +80,7 @@ impl SpeedBound {
     }
 }
 
-/// Bound on what each state does to an output while its block decays: a pair turns.
+/// Returns bounds on the effect of each state on an output while its block decays: a pair rotates.
 fn magnitudes(block: &BlockDiagonal, row: &[f64]) -> Vec<f64> {
     let paired = 2 * block.pairs.len();
     let size = |(k, c): (usize, &f64)| {
@@ -90,7 +94,8 @@ fn magnitudes(block: &BlockDiagonal, row: &[f64]) -> Vec<f64> {
 }
 
 impl Integrator<'_> {
-    /// True when no port in flight can touch within a time, under an impulse of another port; they are left unseen.
+    /// True when no port in flight can touch within a time, under an impulse of another port; the
+    /// ports are not updated.
     #[inline(always)]
     pub(in crate::integrate) fn all_stay_clear<W: Simd>(
         &mut self,
@@ -107,7 +112,8 @@ impl Integrator<'_> {
         all
     }
 
-    /// True when a port in flight cannot touch within a time, under an impulse of another port; it is left unseen.
+    /// True when a port in flight cannot touch within a time, under an impulse of another port; the
+    /// port is not updated.
     #[inline(always)]
     pub(super) fn stays_clear<W: Simd>(
         &mut self,
@@ -146,7 +152,7 @@ impl Integrator<'_> {
         true
     }
 
-    /// Sees a port that has been left unseen.
+    /// Updates a port that has not been updated.
     #[inline(always)]
     pub(super) fn update_free_port<W: Simd>(&mut self, w: W, q: usize) {
         if std::mem::take(&mut self.ports[q].clearance.is_unseen) {
@@ -154,7 +160,7 @@ impl Integrator<'_> {
         }
     }
 
-    /// Forgets what was known of the ports in flight: they have been pushed by what was not counted.
+    /// Resets the bounds of the ports in flight after a push that was not counted.
     #[inline(always)]
     pub(super) fn forget_clearances(&mut self) {
         self.ports

@@ -1,4 +1,4 @@
-//! A joint step is taken: state, statistics, energies, record.
+//! Acceptance of a joint step: state, statistics, energies, record.
 
 use super::free_ports::nodal;
 use crate::contact::Law;
@@ -15,7 +15,8 @@ use crate::integrate::trajectory::PortForce;
 use crate::simd::{F64x8, Simd};
 
 impl Integrator<'_> {
-    /// Takes a solved step whose free motion stands in `next`; the tables tell what several ports do to each other.
+    /// Accepts a solved step whose free motion is in `next`; the tables hold the effects of several
+    /// ports on each other.
     #[inline(always)]
     pub(super) fn take_joint<W: Simd>(
         &mut self,
@@ -73,7 +74,7 @@ impl Integrator<'_> {
         self.work.contact_steps += 1;
     }
 
-    /// Every port in contact comes to the end of the step.
+    /// Sets every port in contact to the end of the step.
     #[inline(always)]
     fn arrive_all<W: Simd>(
         &mut self,
@@ -99,7 +100,7 @@ impl Integrator<'_> {
         }
     }
 
-    /// Work of the force of each port on what the forces of the others have moved.
+    /// Adds the work of the force of each port on the motion caused by the forces of the others.
     #[inline(always)]
     fn integrate_crossed<W: Simd>(&mut self, w: W, tables: &JointTables, forces: &[F64x8]) {
         for (from, force) in forces.iter().enumerate() {
@@ -117,7 +118,7 @@ impl Integrator<'_> {
     }
 }
 
-/// `felt . (push force)`.
+/// Returns `felt . (push force)`.
 #[inline(always)]
 fn work<W: Simd>(w: W, push: &[F64x8; NODES], force: &F64x8, felt: &F64x8) -> f64 {
     w.sum(w.mul(pushed(w, w.zero(), push, force), w.load(felt)))

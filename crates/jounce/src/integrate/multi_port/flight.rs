@@ -1,4 +1,4 @@
-//! All ports in flight.
+//! Flight of all ports.
 
 use crate::integrate::certificate::FlightStep;
 use crate::integrate::crossing::Crossing;
@@ -10,13 +10,13 @@ use crate::integrate::state::{dot, dot_of_magnitudes};
 use crate::integrate::step_size::LEVELS_PER_OCTAVE;
 use crate::simd::Simd;
 
-/// What became of a step for all ports together.
+/// Outcome of a step for all ports.
 pub enum StepOutcome {
     /// Free of contact.
     Clear,
-    /// Each of these ports is proved to cross, or taken to.
+    /// Each of these ports has a crossing, proved or assumed.
     Strikes(Vec<(usize, Crossing)>),
-    /// Levels to go down before the next attempt.
+    /// Levels to decrease before the next attempt.
     Unclear(i32),
 }
 
@@ -41,7 +41,7 @@ impl StepOutcome {
 }
 
 impl Integrator<'_> {
-    /// Flies until a port strikes or until the end.
+    /// Integrates the flight until a port has an impact or until the end.
     #[inline(always)]
     pub(super) fn fly<W: Simd>(&mut self, w: W, end_s: f64) -> Result<(), IntegrationError> {
         let mut grow = LEVELS_PER_OCTAVE;
@@ -56,7 +56,7 @@ impl Integrator<'_> {
             } else {
                 Kernel::length_s(level)
             };
-            // Of a step that ends early, the shortest level that bounds it from above.
+            // For a step that ends early, the shortest level that bounds it from above.
             let tight = if landing {
                 level.max(Kernel::level_within(remaining_s) - 1)
             } else {
@@ -101,7 +101,8 @@ impl Integrator<'_> {
         Ok(())
     }
 
-    /// Looks at a step: the state at its end is in `next`, the motion of each port there in `ahead`.
+    /// Evaluates a step: the state at its end is in `next`, the motion of each port there in
+    /// `ahead`.
     #[inline(always)]
     fn attempt_all<W: Simd>(
         &mut self,
@@ -138,8 +139,9 @@ impl Integrator<'_> {
         outcome
     }
 
-    /// Judges the flight of one port beside others. What is shallower than the roundoff of its displacement cannot be resolved: two
-    /// bodies that touch far from the origin have neither gap nor relative motion as a scale.
+    /// Judges the flight of one port with other ports. Distances below the roundoff of its
+    /// displacement cannot be resolved: two bodies that touch far from the origin have neither gap
+    /// nor relative motion as a scale.
     #[inline(always)]
     pub(super) fn judge_beside<W: Simd>(
         &self,
@@ -158,13 +160,13 @@ impl Integrator<'_> {
         }
     }
 
-    /// Sum of the magnitudes of what a displacement is summed from, m.
+    /// Returns the sum of the magnitudes of the terms of a displacement, m.
     #[inline(always)]
     pub(super) fn terms_m<W: Simd>(&self, w: W, p: usize) -> f64 {
         dot_of_magnitudes(w, &self.ports[p].rows.displacement, &self.y)
     }
 
-    /// Displacement and velocity of a port under the drive after a level.
+    /// Returns displacement and velocity of a port under the drive after a level.
     #[inline(always)]
     fn drive_after_level(&mut self, p: usize, level: i32) -> [f64; 2] {
         let mut drive = self.excitation.motion_after(p, Kernel::length_s(level));
@@ -176,7 +178,7 @@ impl Integrator<'_> {
         drive
     }
 
-    /// Moves to the first of several crossings.
+    /// Advances to the first of several crossings.
     #[inline(always)]
     fn strike_first<W: Simd>(&mut self, w: W, strikes: &[(usize, Crossing)]) {
         let mut first = (0, f64::INFINITY);

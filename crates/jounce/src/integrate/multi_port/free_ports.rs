@@ -15,7 +15,8 @@ use crate::integrate::state::{dot, pushed};
 use crate::simd::{F64x8, Simd};
 
 impl Integrator<'_> {
-    /// Judges the flight of every other port over a solved step; the free motion to its end is left in `next`.
+    /// Judges the flight of every other port over a solved step; the free motion to its end is left
+    /// in `next`.
     #[inline(always)]
     pub(super) fn watch<W: Simd>(
         &mut self,
@@ -50,7 +51,7 @@ impl Integrator<'_> {
         outcome
     }
 
-    /// The verdict on one port.
+    /// Returns the verdict on one port.
     #[inline(always)]
     fn watch_one<W: Simd>(
         &self,
@@ -81,7 +82,7 @@ impl Integrator<'_> {
         step.fast_bound_m += rest_m;
         step.fast_bound_m_s += rest_m_s;
         let end_m = free[0] + forced[0];
-        // A point that touches and is pushed in strikes now: in contact the law itself decides.
+        // A point that touches and is pushed in has its impact now: in contact the law decides.
         let touches = end_m > 0.0
             && self.ports[p].penetration_m.abs() <= self.touch_m(p)
             && !self.is_rigid(p)
@@ -98,7 +99,8 @@ impl Integrator<'_> {
         }
     }
 
-    /// Motion of a port in flight at the end of a solved step: distance past the stop, m, and its rate, m/s.
+    /// Returns the motion of a port in flight at the end of a solved step: distance past the stop,
+    /// m, and its rate, m/s.
     #[inline(always)]
     pub(super) fn flown<W: Simd>(
         &mut self,
@@ -128,7 +130,8 @@ impl Integrator<'_> {
         ]
     }
 
-    /// Displacement and velocity of a port under the drive at the end of a step of another one in contact.
+    /// Returns displacement and velocity of a port under the drive at the end of a step of another
+    /// one in contact.
     #[inline(always)]
     fn drive_at_end(&self, p: usize, in_contact: usize, length: StepLength) -> [f64; 2] {
         let mut drive = self.excitation.motion_after(p, length.seconds());
@@ -140,7 +143,7 @@ impl Integrator<'_> {
     }
 }
 
-/// Nodal forces, the place of the end of the step 0.
+/// Returns the nodal forces with 0 in the lane of the end of the step.
 #[inline(always)]
 pub fn nodal(force: &F64x8) -> F64x8 {
     let mut force = *force;

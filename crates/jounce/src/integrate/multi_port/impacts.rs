@@ -1,9 +1,11 @@
 //! Impacts on rigid stops of a plant with several ports.
 //!
-//! An impact is one impulse (see [`crate::integrate::rigid`]), which moves the other ports too. Stops struck at the same instant take
-//! their impulses together (see [`super::joint_impact`]). What these strike in turn, a stop at rest or one struck again, follows after
-//! them, until no touching point moves into its stop. Where Newton's law has no joint answer, stops are struck one after another in the
-//! order of the spec. Every impulse acts through the plant, so that momentum is conserved exactly whatever the order.
+//! An impact is one impulse (see [`crate::integrate::rigid`]), which moves the other ports too.
+//! Simultaneous impacts have joint impulses (see [`super::joint_impact`]). Further impacts, on a
+//! sticking stop or again on the same one, follow until no touching point moves into its stop.
+//! Where Newton's law has no joint solution, the impacts follow one after another in the order of
+//! the spec. Every impulse acts through the plant, so that momentum is conserved exactly in any
+//! order.
 
 use crate::contact::Law;
 use crate::integrate::error::IntegrationError;
@@ -11,14 +13,14 @@ use crate::integrate::integrator::Integrator;
 use crate::integrate::port_state::ContactState;
 use crate::simd::Simd;
 
-/// Speed into a stop that is roundoff, relative to the fastest strike and to the terms that it is summed from.
+/// Speed into a stop that is roundoff, relative to the largest impact speed and to its terms.
 const NEGLIGIBLE_SPEED: f64 = 1e-14;
 
-/// Most impacts at one instant.
+/// Largest number of impacts at one instant.
 const MAX_IMPACTS_PER_INSTANT: usize = 10_000;
 
 impl Integrator<'_> {
-    /// A touched rigid stop is moved into.
+    /// True where a touching point moves into a rigid stop.
     pub(super) fn hits_rigid_stop(&self) -> bool {
         self.in_regime(ContactState::Contact)
             .any(|p| self.is_rigid(p) && self.moves_in(p))
@@ -74,7 +76,7 @@ impl Integrator<'_> {
         })
     }
 
-    /// One stop by itself; the ports pushed.
+    /// Applies an impact on one stop; returns the affected ports.
     fn impact_alone(&mut self, p: usize) -> Vec<usize> {
         if let Law::Rigid(law) = self.law(p) {
             self.impact(p, law);
@@ -82,7 +84,7 @@ impl Integrator<'_> {
         vec![p]
     }
 
-    /// Points that leave fly, the others rest.
+    /// Sets points that leave to flight, and the others to sticking.
     fn settle(&mut self, touching: &[usize]) {
         for p in touching {
             let leaves = self.ports[*p].rate_m_s < -self.still_m_s(*p);

@@ -1,4 +1,4 @@
-//! The way through contacts of several ports: which step comes next, and whether it is good enough.
+//! Integration through contacts of several ports: choice and acceptance of the steps.
 
 use super::RESOLVED_DISTANCE;
 use super::flight::StepOutcome;
@@ -15,14 +15,15 @@ use crate::integrate::small_list::SmallList;
 use crate::integrate::step_size::LEVELS_PER_OCTAVE;
 use crate::simd::Simd;
 
-/// Most Newton iterations for the length of a step that ends in a strike.
+/// Largest number of Newton iterations for the length of a step that ends in an impact.
 const MAX_LANDING_ITERATIONS: u32 = 12;
 
-/// Lengths, relative to the first step of the contact that follows, at which a strike counts as met.
+/// Time error, relative to the first step of the following contact, within which an impact is
+/// located.
 const LANDING_TOLERANCE: f64 = 1e-14;
 
 impl Integrator<'_> {
-    /// Goes on until all ports fly, a rigid stop is struck, or the end is reached.
+    /// Integrates until all ports fly, a rigid stop has an impact, or the end is reached.
     #[inline(always)]
     pub(super) fn together<W: Simd>(&mut self, w: W, end_s: f64) -> Result<(), IntegrationError> {
         // On steps this short no second contact can follow the first.
@@ -86,9 +87,10 @@ impl Integrator<'_> {
         Ok(())
     }
 
-    /// The ports in contact, each with the basis of its next step.
+    /// Returns the ports in contact, each with the basis of its next step.
     fn ports_with_bases(&self) -> SmallList<(usize, ForceBasis)> {
-        // The force of a port at rest follows the others at once: their onset would have to be in its basis too.
+        // The force of a sticking port follows the others immediately: its basis would have to
+        // include their onset.
         let rests = self
             .in_regime(ContactState::Contact)
             .any(|p| self.is_rigid(p));
@@ -105,7 +107,8 @@ impl Integrator<'_> {
             .collect()
     }
 
-    /// Tries a step; taken when it is accurate for all ports in contact and clear for all in flight.
+    /// Attempts a step, accepted when it is accurate for all ports in contact and clear for all in
+    /// flight.
     #[inline(always)]
     fn joint_attempt<W: Simd>(
         &mut self,
@@ -129,7 +132,7 @@ impl Integrator<'_> {
         outcome
     }
 
-    /// Accurate and sound at every port.
+    /// True where the step is accurate and reliable at every port.
     #[inline(always)]
     pub(super) fn is_fine(
         &self,
@@ -146,7 +149,7 @@ impl Integrator<'_> {
         })
     }
 
-    /// Ends the step at the first of several strikes; false when it cannot be met.
+    /// Ends the step at the first of several impacts; false when that fails.
     #[inline(always)]
     fn land_on_first<W: Simd>(
         &mut self,
@@ -177,7 +180,7 @@ impl Integrator<'_> {
             };
             let [distance_m, speed_m_s] = self.flown(w, &joint, &solved, *striker);
             let change_s = -distance_m / speed_m_s;
-            // No time is told better than the roundoff of the distance allows.
+            // The roundoff of the distance limits the accuracy of the time.
             let roundoff_s = RESOLVED_DISTANCE * self.terms_m(w, *striker) / speed_m_s.abs();
             if change_s.abs() <= roundoff_s.max(LANDING_TOLERANCE * scale_s.max(length_s)) {
                 self.watch(w, length, &joint.steps, &solved);

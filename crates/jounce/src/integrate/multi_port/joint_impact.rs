@@ -1,15 +1,16 @@
-//! Rigid stops struck at one instant: Newton's law for all of them at once.
+//! Simultaneous impacts on rigid stops: Newton's law for all of them.
 //!
-//! Points come in at speeds `v_a > 0`. With the mobilities `M_ab` (1/kg, Delassus' matrix) and the restitutions `e_a` the impulses
-//! `p_a` (N s) and the speeds `u_a` after them obey
+//! Points move in at speeds `v_a > 0`. With the mobilities `M_ab` (1/kg, Delassus' matrix) and the
+//! restitutions `e_a` the impulses `p_a` (N s) and the speeds `u_a` after them obey
 //!
 //! ```text
 //! u_a = v_a - sum_b M_ab p_b,    p_a >= 0,    u_a <= -e_a v_a,    p_a (u_a + e_a v_a) = 0,
 //! ```
 //!
-//! a linear complementarity problem: a stop that the others throw off faster than its own law would takes no impulse. The energy
-//! lost is `sum p_a (v_a + u_a) / 2 = sum p_a (1 - e_a) v_a / 2`, never negative. Where the matrix is singular (stops that hold the
-//! same motion) the least impulses that answer are taken, so that equal stops share equally.
+//! a linear complementarity problem: a point that the others throw off faster than its own law
+//! receives no impulse. The energy lost is `sum p_a (v_a + u_a) / 2 = sum p_a (1 - e_a) v_a / 2`,
+//! never negative. Where the matrix is singular (stops that constrain the same motion) the smallest
+//! solution is taken, so that equal stops have equal impulses.
 //!
 //! Source: J. J. Moreau, Unilateral contact and dry friction in finite freedom dynamics, 1988.
 
@@ -18,13 +19,14 @@ use crate::contact::Law;
 use crate::integrate::integrator::Integrator;
 use faer::{Mat, Side};
 
-/// Most stops struck at once that are answered together: their subsets are tried.
+/// Largest number of simultaneous impacts with a joint solution: the solver enumerates their
+/// subsets.
 const MAX_SIMULTANEOUS_IMPACTS: usize = 8;
 
-/// Part of the fastest speed, or of the largest impulse, that is roundoff.
+/// Fraction of the fastest speed, or of the largest impulse, that is roundoff.
 const IMPULSE_ROUNDOFF: f64 = 1e-10;
 
-/// The problem, in the order of the stops struck.
+/// Complementarity problem, in the order of the impacts.
 struct JointImpact {
     speeds_m_s: Vec<f64>,
     rebounds: Vec<f64>,
@@ -32,7 +34,7 @@ struct JointImpact {
 }
 
 impl JointImpact {
-    /// Impulses, N s; `None` without an answer.
+    /// Returns the impulses, N s; `None` without a solution.
     fn impulses_n_s(&self) -> Option<Vec<f64>> {
         let count = self.speeds_m_s.len();
         let mut subsets: Vec<u32> = (1..1 << count).collect();
@@ -43,7 +45,7 @@ impl JointImpact {
         })
     }
 
-    /// Impulses at some stops only, where these answer for all.
+    /// Returns the impulses at some stops only, if they solve the problem for all.
     fn by(&self, chosen: &[usize]) -> Option<Vec<f64>> {
         let matrix = Mat::from_fn(chosen.len(), chosen.len(), |a, b| {
             self.mobility[(chosen[a], chosen[b])]
@@ -89,7 +91,8 @@ impl JointImpact {
 }
 
 impl Integrator<'_> {
-    /// Impacts on several stops at once; the ports that took an impulse, or `None` for fewer than two stops, and where there is no answer.
+    /// Applies simultaneous impacts; returns the ports with an impulse, or `None` for fewer than
+    /// two stops, and without a solution.
     pub(super) fn impact_together(&mut self, struck: &[usize]) -> Option<Vec<usize>> {
         if !(2..=MAX_SIMULTANEOUS_IMPACTS).contains(&struck.len()) {
             return None;

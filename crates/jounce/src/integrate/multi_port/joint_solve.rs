@@ -1,4 +1,4 @@
-//! The nodal forces of all ports in contact, found together.
+//! Joint solution for the nodal forces of all ports in contact.
 
 use super::sticking::StickingPorts;
 use crate::contact::{ContactLaw, Law};
@@ -11,15 +11,15 @@ use crate::integrate::small_list::SmallList;
 use crate::integrate::state::{columns, pushed};
 use crate::simd::{F64x8, Simd};
 
-/// A step of all ports in contact.
+/// Step of all ports in contact.
 pub struct JointStep<'t, 'k> {
-    /// Its tables.
+    /// Tables of the step.
     pub tables: &'t JointTables<'k>,
-    /// Each port on it, in the order of the tables.
+    /// Contact step of each port, in the order of the tables.
     pub steps: SmallList<ContactStep<'t>>,
 }
 
-/// One port on the way to its forces. Lanes hold the nodes and the end of the step.
+/// Iterate of one port. Vectors hold the nodes and the end of the step.
 pub struct PortIterate {
     law: Law,
     /// Motion without any contact force on the step.
@@ -34,7 +34,7 @@ pub struct PortIterate {
     last_change_n: f64,
 }
 
-/// What an iteration says of all ports.
+/// Convergence of an iteration over all ports.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Convergence {
     Converged,
@@ -43,7 +43,7 @@ enum Convergence {
 }
 
 impl<'k> Integrator<'k> {
-    /// The step laid out.
+    /// Prepares the step.
     #[inline(always)]
     pub(super) fn joint_step<'t, W: Simd>(
         &mut self,
@@ -82,7 +82,8 @@ impl<'k> Integrator<'k> {
         JointStep { tables, steps }
     }
 
-    /// Solves a step for the nodal forces of all its ports; `None` when the fixed point does not converge.
+    /// Solves a step for the nodal forces of all its ports; `None` when the fixed-point iteration
+    /// does not converge.
     #[inline(always)]
     pub(super) fn solve_joint<W: Simd>(
         &mut self,
@@ -131,7 +132,7 @@ impl<'k> Integrator<'k> {
         None
     }
 
-    /// Forces go on as they do now.
+    /// Returns the first guess: linear continuation of the forces.
     #[inline(always)]
     fn first_guess<W: Simd>(&self, w: W, joint: &JointStep) -> SmallList<PortIterate> {
         let mut iterates = SmallList::new();
@@ -171,7 +172,8 @@ impl<'k> Integrator<'k> {
                 rate: w.store(free_rate),
                 force: w.store(law.forces_n(w, penetration, free_rate)),
                 at_start_n,
-                // However far off: where the next guess is thrown out of contact again, it says that nothing has converged.
+                // Retained however far off: where the next guess leaves contact again, this shows
+                // that the iteration has not converged.
                 deepest_m: largest(w, law, penetration),
                 last_change_n: f64::INFINITY,
             });
@@ -180,7 +182,7 @@ impl<'k> Integrator<'k> {
     }
 }
 
-/// Motion of each port under the nodal forces of all.
+/// Computes the motion of each port under the nodal forces of all.
 #[inline(always)]
 fn move_under_forces<W: Simd>(w: W, joint: &JointStep, iterates: &mut [PortIterate]) {
     for place in 0..iterates.len() {
@@ -199,7 +201,7 @@ fn move_under_forces<W: Simd>(w: W, joint: &JointStep, iterates: &mut [PortItera
 }
 
 impl PortIterate {
-    /// Penetration, rate and force as they stand.
+    /// Returns penetration, rate and force of the iterate.
     #[inline(always)]
     fn registers<W: Simd>(&self, w: W) -> [W::Register; 3] {
         [
@@ -209,7 +211,7 @@ impl PortIterate {
         ]
     }
 
-    /// New forces by the law; a resting port has its forces from elsewhere.
+    /// Computes new forces by the law; the forces of a sticking port are computed elsewhere.
     #[inline(always)]
     fn renew<W: Simd>(
         &mut self,
@@ -229,7 +231,8 @@ impl PortIterate {
         );
         self.force = w.store(new);
         self.deepest_m = self.deepest_m.max(largest(w, self.law, penetration));
-        // What is still to come: at most the contraction seen so far, or foretold by the slope of the law.
+        // Remaining error: at most the contraction observed so far, or predicted by the slope of
+        // the law.
         let slopes = self.law.steepest(self.deepest_m);
         let foretold = slopes.stiffness_n_m * tables.reach_m_n(place)
             + slopes.damping_n_s_m * tables.reach_m_n_s(place);

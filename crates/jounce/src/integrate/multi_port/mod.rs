@@ -1,22 +1,26 @@
-//! Marching with several ports.
+//! Integration with several ports.
 //!
-//! A port is in flight or in contact by itself; what one does to the others goes through the plant alone.
+//! Each port is in flight or in contact. The ports act on each other only through the plant.
 //!
-//! - *All in flight*: one exact flow, one certificate per port. The step is taken when it is clear for all of them; the port
-//!   that is proved to cross first strikes.
-//! - *Some in contact*: one step for all of these, each with its own basis, the nodal forces found together. With the Duhamel
-//!   weights `D_pq` of the displacement of port `p` under the force of port `q`,
+//! - *All in flight*: one exact flow, one certificate per port. The step is accepted when it is
+//!   clear for all ports; the port with the first proved crossing has the impact.
+//! - *Some in contact*: one step for all of these, each with its own basis, with a common solution
+//!   for the nodal forces. With the Duhamel weights `D_pq` of the displacement of port `p` under
+//!   the force of port `q`,
 //!
 //!   ```text
 //!   delta_p = free_p + sum_q D_pq f_q,   f_p = F_p(delta_p, delta_p'),
 //!   ```
 //!
-//!   a fixed point that converges as that of one port does. The ports in flight are watched by the same certificate, to which the
-//!   forces add a known cubic and a bounded rest (see [`super::forced_flight`]). Where that proves neither flight nor a first crossing,
-//!   the step is shortened, down to a length on which the rest is below the resolution of the certificate.
-//!   One compliant port in contact by itself is solved as in [`super::contact_step`]; the others are watched.
-//! - *A port that is too far off* to strike within a step is not watched at all (see [`clearance`]).
-//! - *A strike during a contact* ends the step there, by Newton on its length, so that the new contact starts on its own onset.
+//!   a fixed point that converges like the one of a single port. The same certificate monitors the
+//!   ports in flight; the forces add a known cubic and a bounded remainder (see
+//!   [`super::forced_flight`]). Where this proves neither flight nor a first crossing, the step is
+//!   shortened, down to a length on which the remainder is below the resolution of the certificate.
+//!   A single compliant port in contact is solved as in [`super::contact_step`]; the others are
+//!   monitored.
+//! - *A port too far off* for an impact within a step is not monitored (see [`clearance`]).
+//! - *An impact during a contact* ends the step there, by Newton on its length, so that the new
+//!   contact starts on its own onset.
 //! - *Rigid stops*: see [`impacts`], [`joint_impact`] and [`sticking`].
 
 mod clearance;
@@ -42,17 +46,18 @@ use super::zeno_guard::ZenoGuard;
 use crate::contact::Law;
 use crate::simd::{Simd, Task};
 
-/// Share of the first step of a contact that is no time at all: a port that would strike within it strikes now.
+/// Fraction of the first step of a contact that counts as simultaneous: a port that would have its
+/// impact within it has it now.
 const SIMULTANEOUS_CONTACT: f64 = 1e-13;
 
-/// Distances, relative to what they are summed from, that cannot be told from zero.
+/// Distance, relative to its terms, below which it is roundoff.
 const RESOLVED_DISTANCE: f64 = 4.0 * f64::EPSILON;
 
-/// Carries the loop into code compiled for the vector instructions of this machine.
+/// Runs the loop in code compiled for the vector instructions of this machine.
 pub struct AdvanceMultiPort<'m, 'k> {
-    /// The march.
+    /// Integrator.
     pub integrator: &'m mut Integrator<'k>,
-    /// Its end, s.
+    /// End, s.
     pub end_s: f64,
 }
 
@@ -70,7 +75,7 @@ impl Task for AdvanceMultiPort<'_, '_> {
             let until_s = integrator.next_breakpoint(w, end_s);
             if integrator.hits_rigid_stop() {
                 integrator.collide(w)?;
-                // An impact that turns the current of a patch over is an extremum of its charge.
+                // An impact that inverts the current of a patch is an extremum of its charge.
                 integrator.switching.met = integrator.passed();
             } else if integrator.in_regime(ContactState::Contact).next().is_some() {
                 integrator.together(w, until_s)?;
@@ -83,12 +88,12 @@ impl Task for AdvanceMultiPort<'_, '_> {
 }
 
 impl Integrator<'_> {
-    /// Ports in a regime, ascending.
+    /// Iterates over the ports in a contact state, ascending.
     fn in_regime(&self, regime: ContactState) -> impl Iterator<Item = usize> {
         (0..self.kernel.plant.ports.len()).filter(move |p| self.ports[*p].regime == regime)
     }
 
-    /// Law of the stop of a port.
+    /// Returns the law of the stop of a port.
     #[inline(always)]
     fn law(&self, p: usize) -> Law {
         self.kernel.plant.system.stops[p].law
@@ -98,12 +103,13 @@ impl Integrator<'_> {
         !self.is_guard(p) && matches!(self.law(p), Law::Rigid(_))
     }
 
-    /// True for an output that is only watched.
+    /// True for an output that is only monitored.
     fn is_guard(&self, p: usize) -> bool {
         p >= self.kernel.plant.system.stops.len()
     }
 
-    /// Distance at which a point touches, m: what the fastest striker goes in no time at all.
+    /// Returns the distance at which a point touches, m: the path of the fastest impact within the
+    /// simultaneous time.
     fn touch_m(&self, p: usize) -> f64 {
         self.ports
             .iter()
@@ -112,7 +118,8 @@ impl Integrator<'_> {
             * Kernel::length_s(self.ports[p].entry_level)
     }
 
-    /// Error of an impulse that one step may make at any port, N s: a weak contact need not be better than a strong one.
+    /// Returns the impulse error of one step allowed at any port, N s: a weak contact need not be
+    /// more accurate than a strong one.
     #[inline(always)]
     fn allowed_beside_n_s(&self, steps: &[ContactStep], solved: &[SolvedStep]) -> f64 {
         let fastest = |port: &PortState| port.impact_velocity_m_s / port.rows.mobility_per_kg;
@@ -126,8 +133,8 @@ impl Integrator<'_> {
         own.fold(struck, f64::max)
     }
 
-    /// A port enters contact at the present time, and with it every other one that touches and moves in. All that fly on are seen: the
-    /// step that ended here was cut short.
+    /// Puts a port into contact at the current time, with every other one that touches and moves
+    /// in. All ports still in flight are updated, because the step that ended here was cut short.
     #[inline(always)]
     fn join<W: Simd>(&mut self, w: W, p: usize) {
         if self.is_guard(p) {
@@ -139,14 +146,16 @@ impl Integrator<'_> {
                 self.update_port(w, q);
             }
         }
-        // What is past a rigid stop by roundoff and moves out has left it, unless it is pressed back before.
+        // A point that is past a rigid stop by roundoff and moves out has left it, unless it is
+        // pressed back first.
         let motion = [self.ports[p].penetration_m, self.ports[p].rate_m_s];
         if self.is_rigid(p) && motion[1] < 0.0 && !self.is_lost(p, motion) {
             return;
         }
         self.enter(p);
         for q in 0..self.kernel.plant.system.stops.len() {
-            // Rigid stops struck together share one instant, as well as their distances tell it.
+            // Simultaneous impacts on rigid stops share one instant, within the accuracy of their
+            // distances.
             let roundoff_m = if self.is_rigid(q) {
                 RESOLVED_DISTANCE * self.terms_m(w, q)
             } else {
@@ -161,7 +170,8 @@ impl Integrator<'_> {
     }
 
     fn enter(&mut self, p: usize) {
-        // Beside a stop that is struck at the same instant, a port may be let go by roundoff and come back at once: that is one contact.
+        // With a simultaneous impact on another stop, roundoff may release a port that returns
+        // immediately: that is one contact.
         let at_once_s = (SIMULTANEOUS_CONTACT * Kernel::length_s(self.ports[p].entry_level))
             .max(RESOLVED_DISTANCE * self.time_s.abs());
         if self.time_s - self.ports[p].entered_s <= at_once_s && !self.is_rigid(p) {

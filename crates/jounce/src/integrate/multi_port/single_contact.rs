@@ -1,4 +1,5 @@
-//! One compliant port in contact by itself, the others watched: most of the time of most marches with several stops.
+//! Single compliant port in contact with the others monitored: the most frequent case with several
+//! stops.
 
 use super::flight::StepOutcome;
 use crate::integrate::error::IntegrationError;
@@ -9,7 +10,8 @@ use crate::integrate::step_size::LEVELS_PER_OCTAVE;
 use crate::simd::Simd;
 
 impl Integrator<'_> {
-    /// Goes on as if there were no other port, for as long as none of them needs to be watched; false when that is not even a step.
+    /// Integrates as if there were no other port, as long as no other port must be monitored; false
+    /// when that is less than a step.
     #[inline(always)]
     pub(super) fn stay_alone<W: Simd>(
         &mut self,
@@ -31,7 +33,8 @@ impl Integrator<'_> {
         Ok(self.time_s > start_s)
     }
 
-    /// Tries a step; taken when it is accurate for the port in contact and clear for all in flight.
+    /// Attempts a step, accepted when it is accurate for the port in contact and clear for all in
+    /// flight.
     #[inline(always)]
     pub(super) fn attempt_alone<W: Simd>(
         &mut self,

@@ -1,13 +1,13 @@
-//! Points at rest on rigid stops while other ports fly or are in contact.
+//! Points that stick to rigid stops while other ports fly or are in contact.
 //!
-//! The forces `f_a` of the ports at rest keep their relative accelerations at zero,
+//! The forces `f_a` of the sticking ports hold their relative accelerations at zero,
 //!
 //! ```text
 //! a_a . y(t) + a_drive(t) - sum_b M_ab f_b(t) = 0   for every port a at rest,
 //! ```
 //!
-//! the sum over all ports in contact, with the mobilities `M_ab` (1/kg) between ports. At the nodes of a step this is one linear
-//! system for all ports at rest, given the forces of the others.
+//! the sum over all ports in contact, with the mobilities `M_ab` (1/kg) between ports. At the nodes
+//! of a step this is one linear system for all sticking ports, given the forces of the others.
 
 use super::joint_solve::{JointStep, PortIterate};
 use crate::integrate::basis::{NODES, SMOOTH_BASIS};
@@ -24,30 +24,32 @@ use crate::simd::{F64x8, LANES, Portable, Simd};
 use faer::linalg::solvers::DenseSolveCore;
 use faer::{Mat, c64};
 
-/// Relative mismatch of a holding force at the end of a step that is still good, times the tolerance.
+/// Largest accepted relative mismatch of a holding force at the end of a step, times the tolerance.
 const HOLDING_FORCE_TOLERANCE: f64 = 1e-2;
 
-/// Mobility left to a second port at rest, relative to its own, below which both hold the same motion.
+/// Remaining mobility of a second sticking port, relative to its own, below which both constrain
+/// the same motion.
 pub(super) const MIN_RELATIVE_MOBILITY: f64 = 1e-10;
 
-/// The ports at rest on a step.
+/// Sticking ports on a step.
 pub struct StickingPorts {
-    /// Their places among the ports of the step.
+    /// Indices among the ports of the step.
     places: Vec<usize>,
-    /// Free acceleration of each at the nodes and the end, m/s^2.
+    /// Free acceleration of each port at the nodes and the end, m/s^2.
     free: Vec<F64x8>,
-    /// Answer of each to the force of each place, the direct share taken away at the nodes: `[rest][place][node of force]`.
+    /// Response of each port to the force of each port in contact, without the direct effect at the
+    /// nodes: `[sticking][contact][node of force]`.
     answers: Vec<Vec<[F64x8; NODES]>>,
-    /// Mobility between each and each place, 1/kg.
+    /// Mobility between each port and each port in contact, 1/kg.
     mobility: Vec<Vec<f64>>,
-    /// From accelerations at the nodes of all to their nodal forces, kg.
+    /// Matrix from the nodal accelerations of all ports to their nodal forces, kg.
     inverse: Mat<f64>,
-    /// Relative mismatch allowed.
+    /// Largest relative mismatch.
     allowed: f64,
 }
 
 impl StickingPorts {
-    /// For the ports at rest among those of a step.
+    /// Prepares the sticking ports among those of a step.
     pub fn new(integrator: &Integrator, tables: &JointTables) -> Self {
         let places: Vec<usize> = (0..tables.ports.len())
             .filter(|place| integrator.is_rigid(tables.ports[*place].0))
@@ -110,7 +112,7 @@ impl StickingPorts {
         self.inverse = Mat::from_fn(count, count, entry).partial_piv_lu().inverse();
     }
 
-    /// Sets the forces of the ports at rest, given those of the others.
+    /// Sets the forces of the sticking ports, given those of the others.
     pub fn hold(&self, iterates: &mut [PortIterate]) {
         let mut right = Vec::with_capacity(self.places.len() * NODES);
         for (a, free) in self.free.iter().enumerate() {
@@ -144,7 +146,8 @@ impl StickingPorts {
         }
     }
 
-    /// Marks a step as bad on which a holding force misses the end of the step, or would have to pull for a time that matters.
+    /// Rejects a step on which a holding force misses the end of the step, or would have to pull
+    /// for a significant time.
     pub fn judge(&self, integrator: &Integrator, joint: &JointStep, solved: &mut [SolvedStep]) {
         if self.places.is_empty() {
             return;
@@ -191,7 +194,7 @@ impl StickingPorts {
 }
 
 impl Integrator<'_> {
-    /// Velocity that one port loses per unit impulse at another, 1/kg.
+    /// Returns the velocity that one port loses per unit impulse at another, 1/kg.
     pub(super) fn mobility_per_kg(&self, port: usize, other: usize) -> f64 {
         let stops = &self.kernel.plant.system.stops;
         stops[port]
@@ -208,7 +211,8 @@ impl Integrator<'_> {
             .fold(0.0, |max, force| max.max(force.abs()))
     }
 
-    /// Relative acceleration of a port without any contact force on the step, at its nodes and its end, m/s^2.
+    /// Returns the relative acceleration of a port without any contact force on the step, at its
+    /// nodes and its end, m/s^2.
     fn free_acceleration(&self, sticking: &StickingTable, port: usize, length_s: f64) -> F64x8 {
         let w = Portable::new();
         let mut free = w.store(columns(
@@ -233,10 +237,10 @@ impl Integrator<'_> {
         free
     }
 
-    /// Ports at rest whose stop would have to pull go to flight, the one that pulls most first.
+    /// Releases sticking ports whose stop would have to pull, starting with the largest pull.
     ///
     /// # Errors
-    /// [`IntegrationError::RestsTwice`] where two stops hold the same motion.
+    /// [`IntegrationError::RestsTwice`] where two stops constrain the same motion.
     pub(super) fn let_go(&mut self) -> Result<(), IntegrationError> {
         loop {
             let resting: Vec<usize> = self
@@ -254,13 +258,14 @@ impl Integrator<'_> {
         }
     }
 
-    /// A holding force would have to pull: now, or, where it is roundoff, from now on.
+    /// True where a holding force would have to pull: at present, or, where it is roundoff, in the
+    /// next moment.
     fn pulls(&self, p: usize, force_n: f64) -> bool {
         let roundoff_n = self.acceleration_roundoff_m_s2(p) / self.ports[p].rows.mobility_per_kg;
         force_n < -roundoff_n || force_n <= roundoff_n && self.jerk_m_s3(p) <= 0.0
     }
 
-    /// Forces that hold the ports at rest now, N; `None` without one.
+    /// Returns the forces that hold the sticking ports at the current time, N; `None` without one.
     fn holding_forces(&self, resting: &[usize]) -> Result<Option<Vec<f64>>, IntegrationError> {
         if resting.is_empty() {
             return Ok(None);

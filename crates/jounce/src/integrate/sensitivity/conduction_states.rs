@@ -1,14 +1,16 @@
-//! The way along a recorded march through the regimes of its bridges.
+//! Linearisation of a recorded integration through the conduction states of its bridges.
 //!
 //! ```text
 //! diodes     dx+ = dx-
 //! switch     dx+ = R' dx- + (R' x'- - x'+) s,   s = -(theta . dq') / (theta . q'')
 //! ```
 //!
-//! in physical states `x = (q, q', V, i)`, which all regimes share. Where diodes change the current through them is zero, so that the rate
-//! `x'` is the same on both sides and the derivative passes as it is. A switch acts at an extremum of the charge `theta . q`; `R` is what
-//! it does to the state and `s` (s) how much later it falls. Where an impact on a rigid stop turns the current over, `s` is that of the
-//! impact; diodes that conduct at once after a switch go with it, `dx+ = dx- + (x'- - x'+) s`, for then their current jumps.
+//! in physical states `x = (q, q', V, i)`, which all conduction states share. Where diodes change,
+//! their current is zero, so that the rate `x'` is equal on both sides and the derivative is
+//! unchanged. A switch acts at an extremum of the charge `theta . q`; `R` is its reset map and `s`
+//! (s) the delay of the extremum. Where an impact on a rigid stop inverts the current, `s` is the
+//! delay of the impact. Diodes that conduct immediately after a switch share its delay,
+//! `dx+ = dx- + (x'- - x'+) s`, because their current jumps there.
 
 use super::linearization::{ConductionSegment, Linearization, LinearizedSegment};
 use super::tangents::{Tangents, scale};
@@ -20,22 +22,22 @@ use crate::plant::{SignalSample, product};
 use crate::simd::{F64x8, Portable, widest};
 use faer::{Mat, c64};
 
-/// A recorded march, and how it ended.
+/// Recorded integration with its end.
 pub struct ConductionRoute<'a> {
-    /// The kernel with all bridges blocked.
+    /// Kernel with all bridges blocked.
     pub base: &'a Kernel,
     pub drift: &'a ParameterSensitivity,
     pub trajectory: &'a Trajectory,
-    /// When it ended, s, ...
+    /// Time of the end, s, ...
     pub end_s: f64,
-    /// ... in which regime, ...
+    /// ... its conduction state, ...
     pub end_regime: usize,
-    /// ... and at which state, block coordinates of that regime.
+    /// ... and its state, block coordinates of that conduction state.
     pub end: Vec<f64>,
 }
 
 impl ConductionRoute<'_> {
-    /// The derivative of the state at the end, in the block coordinates of the base.
+    /// Returns the derivative of the state at the end, in the block coordinates of the base.
     pub fn tangents(&self) -> Result<Tangents, SensitivityError> {
         let changes = self.trajectory.changes();
         let mut tangents = Tangents::identity(self.base.plant.len());
@@ -49,7 +51,7 @@ impl ConductionRoute<'_> {
             let end = own.plant.from_physical(&change.state, change.time_s);
             let passed =
                 self.stretch(own, (from, change.after), (change.time_s, &end), tangents)?;
-            // What an impact or a switch brings about falls with it.
+            // A change caused by an impact or a switch shares its delay.
             let cause_s = passed.delay_s.or(cause.filter(|_| change.after == from));
             let next = changes
                 .get(k + 1)
@@ -72,7 +74,7 @@ impl ConductionRoute<'_> {
             .map_err(crate::integrate::IntegrationError::from)?)
     }
 
-    /// From the block coordinates of one regime to those of another.
+    /// Converts between the block coordinates of two conduction states.
     fn carry(
         &self,
         tangents: &mut Tangents,
@@ -89,7 +91,7 @@ impl ConductionRoute<'_> {
         Ok(())
     }
 
-    /// Along the steps from one number to another in one regime.
+    /// Linearises the steps from one index to another in one conduction state.
     fn stretch(
         &self,
         own: &Kernel,
@@ -98,7 +100,7 @@ impl ConductionRoute<'_> {
         tangents: Tangents,
     ) -> Result<LinearizedSegment, SensitivityError> {
         let segments = &self.trajectory.segments()[from..to];
-        // An impact after which a bridge changed belongs to the steps before it.
+        // An impact that changed a bridge belongs to the steps before it.
         let is_own = |impact: &&Impact| impact.after <= to && (impact.after > from || from == 0);
         let impacts: Vec<Impact> = self
             .trajectory
@@ -124,8 +126,9 @@ impl ConductionRoute<'_> {
         ))
     }
 
-    /// Through a change into the next regime; `cause_s` is how much later its cause falls, where it has one but itself. With how much later
-    /// the change falls, s, where it makes the rate jump.
+    /// Linearises a change into the next conduction state; `cause_s` is the delay of its cause, if
+    /// another event caused it. Also returns the delay of the change, s, where it makes the rate
+    /// jump.
     fn change(
         &self,
         mut tangents: Tangents,
@@ -166,7 +169,8 @@ impl ConductionRoute<'_> {
         Ok((tangents, Some(delay_s)))
     }
 
-    /// How much later the current of a bridge passes zero, s; `rate` is that of the physical state.
+    /// Returns the delay of the zero of the current of a bridge, s; `rate` belongs to the physical
+    /// state.
     fn delay_s(&self, tangents: &Tangents, bridge: usize, rate: &[f64]) -> Vec<F64x8> {
         let (plant, w) = (&self.base.plant, Portable::new());
         let coupling =
@@ -180,7 +184,7 @@ impl ConductionRoute<'_> {
         delay_s
     }
 
-    /// `R'`.
+    /// Returns `R'`.
     fn slopes(&self, bridge: usize, flip: &SwitchMap) -> Mat<f64> {
         let (plant, nodes) = (&self.base.plant, self.base.plant.electrical.bridges[bridge]);
         let first = 2 * plant.system.modes.len();
@@ -198,7 +202,7 @@ impl ConductionRoute<'_> {
     }
 }
 
-/// Size of each signal of a kernel at a time.
+/// Returns the sample of each signal of a kernel at a time.
 pub fn sizes(kernel: &Kernel, time_s: f64) -> Vec<SignalSample> {
     let of = |signal: &crate::plant::Signal| {
         [
@@ -212,7 +216,7 @@ pub fn sizes(kernel: &Kernel, time_s: f64) -> Vec<SignalSample> {
     kernel.plant.system.signals.iter().map(of).collect()
 }
 
-/// Rate of a physical state under the drives, the signals and the forces of stops.
+/// Returns the rate of a physical state under the drives, the signals and the forces of stops.
 pub fn rate(kernel: &Kernel, state: &[f64], time_s: f64, forces_n: &[f64]) -> Vec<f64> {
     let plant = &kernel.plant;
     let mut rate = plant

@@ -1,4 +1,4 @@
-//! One contact step, linearised, for all ports in contact at once.
+//! Linearised contact step for all ports in contact at once.
 
 use super::elimination::NodeSystem;
 use super::linearization::Linearization;
@@ -15,10 +15,10 @@ use crate::simd::{F64x8, LANES, Simd};
 /// Nodes in one pass over the tangents.
 const NODES_PER_PASS: usize = LANES / 2;
 
-/// The law of a port along a step.
+/// Law of a port along a step.
 struct LawNodes {
     driven: DrivenNodeMotion,
-    /// `J` and `J'` at the nodes, last place 0.
+    /// `J` and `J'` at the nodes, last lane 0.
     stiffness_n_m: F64x8,
     damping_n_s_m: F64x8,
     /// Force at the nodes and at the end of the step, N.
@@ -73,7 +73,7 @@ impl Linearization<'_> {
         }
     }
 
-    /// The equations of the nodes of a place.
+    /// Sets the equations of the nodes of one port, given by its index.
     #[inline(always)]
     fn rows<W: Simd>(
         &mut self,
@@ -117,7 +117,7 @@ impl Linearization<'_> {
         }
     }
 
-    /// The law at the nodes of a step of a place.
+    /// Evaluates the law at the nodes of a step of one port.
     #[inline(always)]
     fn nodes<W: Simd>(
         &mut self,
@@ -163,7 +163,7 @@ impl Linearization<'_> {
             force_n,
         };
         for i in 0..NODES {
-            // Past the surface the force is zero whatever the state.
+            // Past the surface the force is zero for every state.
             if law.acts_on_both_sides() || depth.0[i] > 0.0 {
                 let Slopes {
                     stiffness_n_m,
@@ -176,8 +176,9 @@ impl Linearization<'_> {
         nodes
     }
 
-    /// Displacement (m) and velocity (m/s) by constant signals at the places of a step. They go with the time from its start, so that a
-    /// shift of that start leaves them as they are.
+    /// Returns displacement (m) and velocity (m/s) under constant signals at the nodes and the end
+    /// of a step. They depend on the time from its start, so that a shift of that start does not
+    /// change them.
     #[inline(always)]
     fn held(&self, (port, shape): (usize, ForceBasis), length_s: f64) -> [F64x8; 2] {
         let mut held = [F64x8::ZERO; 2];
@@ -190,7 +191,7 @@ impl Linearization<'_> {
         held
     }
 
-    /// `J C dy + J' C' dy` of a place.
+    /// Adds `J C dy + J' C' dy` of one port.
     #[inline(always)]
     fn right_sides<W: Simd>(&mut self, w: W, tables: &JointTables, place: usize, nodes: &LawNodes) {
         let layout = self.kernel.layout;
@@ -208,7 +209,7 @@ impl Linearization<'_> {
             *factor = w.store(sum);
         }
         for (lane, group) in self.tangents.groups().enumerate() {
-            // All at once they would not fit into the registers of most machines.
+            // All at once they would exceed the registers of most machines.
             let sums = [
                 sums(w, &self.factors, group, 0),
                 sums(w, &self.factors, group, NODES_PER_PASS),
@@ -219,7 +220,7 @@ impl Linearization<'_> {
         }
     }
 
-    /// `dy = e^{A h} dy + B X` of the first place, and `B X` of the others.
+    /// Computes `dy = e^{A h} dy + B X` of the first port, and adds `B X` of the others.
     #[inline(always)]
     fn advance<W: Simd>(&mut self, w: W, tables: &JointTables) {
         let (layout, table) = (self.kernel.layout, tables.own(0));
@@ -267,7 +268,7 @@ impl Linearization<'_> {
     }
 }
 
-/// Sums of a group of tangents by the factors of some nodes, from `first` on.
+/// Sums a group of tangents by the factors of some nodes, from `first` on.
 #[inline(always)]
 fn sums<W: Simd>(
     w: W,
@@ -285,7 +286,7 @@ fn sums<W: Simd>(
     sums
 }
 
-/// A row of `-J D - J' D'`.
+/// Returns a row of `-J D - J' D'`.
 #[inline(always)]
 fn row(
     [displacement, velocity]: [&[F64x8; NODES]; 2],

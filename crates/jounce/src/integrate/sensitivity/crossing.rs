@@ -1,4 +1,4 @@
-//! What happens at the surface of a stop.
+//! Derivatives at events at the surface of a stop.
 
 use super::linearization::Linearization;
 use super::tangents::scale;
@@ -7,8 +7,8 @@ use crate::integrate::trajectory::{Impact, PortForce, TrajectorySegment};
 use crate::simd::{F64x8, Simd};
 
 impl Linearization<'_> {
-    /// Counts the time of the tangents from the start of a contact of a port: `Dy = dy + y' s`. Returns `s`; `None` where the point
-    /// does not move into the stop.
+    /// Shifts the time of the tangents to the start of a contact of a port: `Dy = dy + y' s`.
+    /// Returns `s`; `None` where the point does not move into the stop.
     #[inline(always)]
     pub(super) fn onset_shift<W: Simd>(
         &mut self,
@@ -32,7 +32,8 @@ impl Linearization<'_> {
         Some(shift_s)
     }
 
-    /// `y'` at a state, less what constant signals hold, under those signals and the forces of some ports.
+    /// Returns `y'` at a state without the equilibrium under constant signals, under those signals
+    /// and the forces of some ports.
     pub(super) fn rate(&self, time_s: f64, state: &[f64], forces: &[PortForce]) -> Vec<f64> {
         let plant = &self.kernel.plant;
         let mut rate = plant.diagonal.block.apply(state);
@@ -62,7 +63,7 @@ impl Linearization<'_> {
         rate
     }
 
-    /// A contact whose force starts with a jump, at the end of a step.
+    /// Passes the start of a contact whose force starts with a jump, at the end of a step.
     #[inline(always)]
     pub(super) fn strike<W: Simd>(
         &mut self,
@@ -82,7 +83,8 @@ impl Linearization<'_> {
             .add_product(w, &row.force, law.force_n(0.0, rate) / rate, &struck);
     }
 
-    /// An impact on a rigid stop after a step, given the state that follows; how much later it falls, s.
+    /// Passes an impact on a rigid stop after a step, given the state that follows; returns the
+    /// delay of the impact, s.
     #[inline(always)]
     pub(super) fn impact<W: Simd>(
         &mut self,
@@ -102,7 +104,8 @@ impl Linearization<'_> {
         let driven = self.drift.driven(plant, impact.port, time_s);
         let fast = dot(&port.velocity, &before) + driven.velocity_m_s;
         let gain = impulse / fast;
-        // Forces of compliant contacts act on both sides of the impact; those that feel the rate differ.
+        // Forces of compliant contacts act on both sides of the impact; rate-dependent forces
+        // differ.
         let forces = earlier.map_or(&[][..], |earlier| &earlier.forces);
         let (rate_before, rate_after) = (
             self.rate(time_s, &before, forces),

@@ -1,11 +1,11 @@
-//! The small linear system of one contact step, for all columns at once.
+//! Small linear system of one contact step, for all columns at once.
 
 use super::tangents::{add_scaled, scale};
 use crate::integrate::basis::NODES;
 use crate::simd::{F64x8, Simd};
 
-/// `A x = r` for the nodes of one or several ports: per node a row with its entries of `A`, one lane per port, and those of `r` in
-/// the lanes after them.
+/// `A x = r` for the nodes of one or several ports: each node has a row with its entries of `A`,
+/// one vector per port, followed by its entries of `r`.
 #[derive(Debug)]
 pub struct NodeSystem {
     ports: usize,
@@ -14,7 +14,7 @@ pub struct NodeSystem {
 }
 
 impl NodeSystem {
-    /// Room for a number of ports and right sides of a number of lanes.
+    /// Allocates for a number of ports and right sides of a number of vectors.
     pub fn new(ports: usize, width: usize) -> Self {
         Self {
             ports,
@@ -23,24 +23,24 @@ impl NodeSystem {
         }
     }
 
-    /// Number of ports.
+    /// Returns the number of ports.
     pub fn ports(&self) -> usize {
         self.ports
     }
 
-    /// Row of `A` of a node, the part that belongs to the nodes of one port.
+    /// Returns the row of `A` of a node, for the nodes of one port.
     #[inline(always)]
     pub fn matrix(&mut self, node: usize, port: usize) -> &mut F64x8 {
         &mut self.rows[node * self.stride + port]
     }
 
-    /// Right side of a node; after [`NodeSystem::solve`] its solution.
+    /// Returns the right side of a node; after [`NodeSystem::solve`] its solution.
     #[inline(always)]
     pub fn right(&mut self, node: usize) -> &mut [F64x8] {
         &mut self.rows[node * self.stride + self.ports..(node + 1) * self.stride]
     }
 
-    /// One lane of all right sides of a port, or of their solution.
+    /// Returns one vector of all right sides of a port, or of their solution.
     #[inline(always)]
     pub fn column<W: Simd>(&self, w: W, port: usize, lane: usize) -> [W::Register; NODES] {
         let mut column = [w.zero(); NODES];
@@ -50,7 +50,8 @@ impl NodeSystem {
         column
     }
 
-    /// Solves in place by elimination with row exchange; `A` is the identity less a small integration.
+    /// Solves in place by elimination with row exchange; `A` is the identity minus a small
+    /// integration operator.
     #[inline(always)]
     pub fn solve<W: Simd>(&mut self, w: W) {
         let (stride, count) = (self.stride, self.ports * NODES);

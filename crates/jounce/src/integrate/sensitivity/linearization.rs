@@ -1,4 +1,4 @@
-//! The way along a stretch of a recorded march in one regime, step by step.
+//! Linearisation along a recorded integration in one conduction state, step by step.
 
 use super::SensitivityError;
 use super::elimination::NodeSystem;
@@ -12,53 +12,54 @@ use crate::integrate::trajectory::{Impact, TrajectorySegment};
 use crate::plant::{Port, SignalSample};
 use crate::simd::{F64x8, Simd, Task};
 
-/// Steps of a march in one regime of its bridges.
+/// Steps of an integration in one conduction state of its bridges.
 #[derive(Debug, Clone, Copy)]
 pub struct ConductionSegment<'a> {
-    /// The steps.
+    /// Steps.
     pub segments: &'a [TrajectorySegment],
-    /// Steps of the march before them.
+    /// Number of steps of the integration before them.
     pub first: usize,
-    /// Impacts of the march that belong to it; those at its start belong to the stretch before.
+    /// Impacts of the segment; those at its start belong to the previous segment.
     pub impacts: &'a [Impact],
-    /// When it ends, s.
+    /// Time of its end, s.
     pub end_s: f64,
-    /// State at its end, less what signals hold.
+    /// State at its end, without the equilibrium under signals.
     pub end: &'a [f64],
 }
 
-/// A stretch to be linearised.
+/// Linearisation of a segment in progress.
 pub struct Linearization<'a> {
     pub(super) kernel: &'a Kernel,
     pub(super) drift: &'a ParameterSensitivity,
     stretch: ConductionSegment<'a>,
     pub(super) tangents: Tangents,
-    /// Of the contact step in hand.
+    /// System of the current contact step.
     pub(super) system: NodeSystem,
     /// Factors of each row of tangents in the right sides of the system.
     pub(super) factors: Vec<F64x8>,
-    /// The state at the start of the step in hand.
+    /// State at the start of the current step.
     pub(super) packed: Vec<F64x8>,
-    /// The drives.
+    /// Phasors of the drives.
     pub(super) tones: Vec<Phasor>,
-    /// Size of each signal: they are constant.
+    /// Sample of each signal: they are constant.
     pub(super) sizes: Vec<SignalSample>,
-    /// Per port: what it reads of the signals, from the start of a step on.
+    /// For each port, its motion forced by signals, from the start of a step on.
     pub(super) forced: Vec<ExcitationSeries>,
     /// Flight not yet applied, s.
     pending_s: f64,
 }
 
-/// What a stretch leaves.
+/// Result of the linearisation of a segment.
 pub struct LinearizedSegment {
-    /// Derivatives of the state at its end.
+    /// Derivatives of the state at the end of the segment.
     pub tangents: Tangents,
-    /// Of an impact at the very end: how much later it falls, s.
+    /// Delay of an impact at the end of the segment, s.
     pub delay_s: Option<Vec<F64x8>>,
 }
 
 impl<'a> Linearization<'a> {
-    /// On with the derivatives of the state at the start of a stretch; `sizes` are those of the signals.
+    /// Continues with the derivatives of the state at the start of a segment; `sizes` are the
+    /// signal samples.
     pub fn new(
         kernel: &'a Kernel,
         drift: &'a ParameterSensitivity,
@@ -144,13 +145,13 @@ impl<'a> Linearization<'a> {
         Ok(())
     }
 
-    /// Law of the stop of a port.
+    /// Returns the law of the stop of a port.
     #[inline(always)]
     pub(super) fn law(&self, port: usize) -> Law {
         self.kernel.plant.system.stops[port].law
     }
 
-    /// Applies the flight that has gathered.
+    /// Applies the accumulated flight.
     #[inline(always)]
     pub(super) fn fly<W: Simd>(&mut self, w: W) {
         if self.pending_s == 0.0 {
@@ -167,7 +168,8 @@ impl<'a> Linearization<'a> {
         self.pending_s = 0.0;
     }
 
-    /// Passes the impacts after a number of steps of the march, given the state after them; how much later they fall, s.
+    /// Passes the impacts after a number of steps of the integration, given the state after them;
+    /// returns their delay, s.
     #[inline(always)]
     fn impacts<W: Simd>(
         &mut self,

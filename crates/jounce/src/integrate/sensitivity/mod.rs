@@ -1,4 +1,4 @@
-//! Derivative of the flow of a march with respect to its start and to one parameter.
+//! Derivative of the flow of an integration with respect to its start and to one parameter.
 //!
 //! ```text
 //! flight       dy1 = e^{A h} dy
@@ -8,21 +8,28 @@
 //! impact       dy+ = dy- + b m (c' dy + dv) - (b m a - A b p) (c dy + dw) / v,   m = (1 + e) / M
 //! ```
 //!
-//! `J`, `J'` are the slopes of the law at the nodes of the step (N/m, N s/m), `D`, `D'` the Duhamel weights of displacement and
-//! velocity, `C`, `C'` their columns, `B` the push to the end of the step: the linearisation of the very equations that the
-//! march has solved; with several ports in contact it is one system for all their nodes. `b`, `c`, `c'` are the force column and the rows of the port, `v` the speed at which the stop is struck, `a`
-//! the acceleration before it, `p` the impulse. `dw`, `dv` (m, m/s per unit of the parameter) is what a parameter does to the
-//! port at a fixed state, `k` what it does to the force, relative to it (see [`ParameterSensitivity`]).
+//! `J`, `J'` are the slopes of the law at the nodes of the step (N/m, N s/m). `D`, `D'` are the
+//! Duhamel weights of displacement and velocity, and `C`, `C'` their columns. `B` is the effect of
+//! the nodal forces on the end of the step. This is the linearisation of the equations that the
+//! integration has solved; with several ports in contact it is one system for all their nodes. `b`,
+//! `c`, `c'` are the force column and the rows of the port, `v` the impact speed, `a` the
+//! acceleration before the impact, `p` the impulse. `dw`, `dv` (m, m/s per unit of the parameter)
+//! are the derivatives of the motion of the port by the parameter at a fixed state. `k` is the
+//! relative derivative of the force (see [`ParameterSensitivity`]).
 //!
-//! A contact that starts like `t^1.5` varies like `t^0.5` at a fixed time, which its basis cannot follow, but like `t^1.5` again
-//! when the time is counted from its own start: hence the shift `s` (s) of the time of the first step.
+//! The derivative of a contact that starts like `t^1.5` varies like `t^0.5` at a fixed time, which
+//! its basis cannot represent. It varies like `t^1.5` when the time is counted from the start of
+//! the contact: hence the shift `s` (s) of the time of the first step.
 //!
-//! Diodes and switches: see [`conduction_states`]. What a parameter does is known in one regime only: behind them [`ParameterSensitivity`] stays empty.
+//! Diodes and switches: see [`conduction_states`]. The derivatives by a parameter are known in one
+//! conduction state only: with rectifiers [`ParameterSensitivity`] stays empty.
 //!
-//! Limits: signals are constant, as gravity is. Of contacts that start at the same instant the first gives the shift, and the basis of the others follows their variation
-//! only roughly. Impacts on several rigid stops at the same instant are refused.
+//! Limits: signals are constant, such as gravity. The shift belongs to the first of contacts that
+//! start at the same instant; the basis of the others represents their variation only
+//! approximately. Impacts on several rigid stops at the same instant are refused.
 //!
-//! Validation: `tests/march/variation.rs` compares with differences of the flow, with its determinant and with closed forms.
+//! Validation: `tests/march/variation.rs` compares with difference quotients of the flow, with its
+//! determinant and with closed forms.
 
 mod conduction_states;
 mod contact;
@@ -42,7 +49,7 @@ use super::trajectory::Trajectory;
 use conduction_states::ConductionRoute;
 use faer::Mat;
 
-/// A marched stretch with its derivative.
+/// Integrated interval with its derivative.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FlowSensitivity {
     /// State at the end, block coordinates.
@@ -53,21 +60,21 @@ pub struct FlowSensitivity {
     pub drift: Vec<f64>,
     /// `d end / d duration`, 1/s.
     pub rate: Vec<f64>,
-    /// Contacts on the way.
+    /// Contact statistics of the interval.
     pub statistics: ContactStatistics,
     /// Energy delivered to each load and then to each rectified circuit, J.
     pub delivered_j: Vec<f64>,
-    /// The march itself.
+    /// Trajectory of the integration.
     pub trajectory: Trajectory,
 }
 
-/// A derivative that does not exist or could not be had.
+/// Error of a derivative that does not exist or cannot be computed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum SensitivityError {
-    /// The march itself.
+    /// The integration failed.
     #[error(transparent)]
     March(#[from] IntegrationError),
-    /// Rest on a rigid stop.
+    /// The motion sticks to a rigid stop.
     #[error(
         "at t = {time_s} s the point comes to rest on the rigid stop `{stop}`, where the derivative of the flow loses rank; use a compliant law or a larger restitution"
     )]
@@ -77,9 +84,9 @@ pub enum SensitivityError {
         /// Time, s.
         time_s: f64,
     },
-    /// Several impacts on rigid stops at one instant.
+    /// Several impacts on rigid stops occur at one instant.
     #[error(
-        "at t = {time_s} s several rigid stops are struck at the same instant, where the derivative of the flow depends on the direction; use a compliant law or different gaps"
+        "at t = {time_s} s several rigid stops have impacts at the same instant, where the derivative of the flow depends on the direction; use a compliant law or different gaps"
     )]
     StruckTogether {
         /// Time, s.
@@ -88,7 +95,8 @@ pub enum SensitivityError {
 }
 
 impl FlowSensitivity {
-    /// Marches from block coordinates `start` at `start_s` and linearises the flow along the way.
+    /// Integrates from block coordinates `start` at `start_s` and linearises the flow along the
+    /// trajectory.
     ///
     /// # Errors
     /// [`SensitivityError`].

@@ -1,4 +1,4 @@
-//! The ports at a fixed state: their motion under the drive, and what a parameter does to them.
+//! Ports at a fixed state: their motion under the drive, and their derivatives by a parameter.
 
 use super::linearization::Linearization;
 use crate::integrate::joint_tables::StepLength;
@@ -9,30 +9,32 @@ use crate::plant::Plant;
 use crate::simd::{F64x8, Simd};
 use faer::c64;
 
-/// What a parameter does at a fixed state `y`, per unit of the parameter.
+/// Derivatives by a parameter at a fixed state `y`.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ParameterSensitivity {
-    /// Per tone: change of the complex displacement of each port (m) and of the angular frequency (rad/s).
+    /// For each tone, the change of the complex displacement of each port (m) and of the angular
+    /// frequency (rad/s).
     pub tones: Vec<(Vec<c64>, f64)>,
-    /// Change of the gap of each port, m; none where it is left out.
+    /// Change of the gap of each port, m; zero for omitted ports.
     pub gap_m: Vec<f64>,
-    /// Change of the contact force of each port, relative to it; none where it is left out.
+    /// Change of the contact force of each port, relative to it; zero for omitted ports.
     pub force_relative: Vec<f64>,
 }
 
-/// The share of the drives in the motion of the port at a time, and its change with the parameter.
+/// Contribution of the drives to the motion of the port at a time, and its derivative by the
+/// parameter.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct DrivenMotion {
     pub displacement_m: f64,
     pub velocity_m_s: f64,
     pub acceleration_m_s2: f64,
-    /// Per unit of the parameter: penetration, m.
+    /// Derivative of the penetration by the parameter, m.
     pub penetration_drift_m: f64,
-    /// Per unit of the parameter: its rate, m/s.
+    /// Derivative of the rate by the parameter, m/s.
     pub rate_drift_m_s: f64,
 }
 
-/// The same at the nodes of a step and at its end.
+/// Contribution of the drives to the motion at the nodes of a step and at its end.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct DrivenNodeMotion {
     pub displacement_m: F64x8,
@@ -43,7 +45,7 @@ pub(super) struct DrivenNodeMotion {
 }
 
 impl Linearization<'_> {
-    /// A port under the drives along a step, of a level or of any length.
+    /// Evaluates a port under the drives along a step, of a level or of any length.
     #[inline(always)]
     pub(super) fn driven<W: Simd>(
         &mut self,
@@ -98,7 +100,8 @@ impl Linearization<'_> {
 }
 
 impl ParameterSensitivity {
-    /// Change of the complex displacement of a port under a tone (m) and of the tone's angular frequency (rad/s).
+    /// Returns the change of the complex displacement of a port under a tone (m) and of the angular
+    /// frequency of the tone (rad/s).
     pub fn tone_of(&self, tone: usize, port: usize) -> Option<(c64, f64)> {
         self.tones.get(tone).map(|(displaced_m, frequency)| {
             (
@@ -108,17 +111,17 @@ impl ParameterSensitivity {
         })
     }
 
-    /// Change of the gap of a port, m.
+    /// Returns the change of the gap of a port, m.
     pub fn gap_of(&self, port: usize) -> f64 {
         self.gap_m.get(port).copied().unwrap_or(0.0)
     }
 
-    /// Change of the contact force of a port, relative to it.
+    /// Returns the change of the contact force of a port, relative to it.
     pub fn force_relative_of(&self, port: usize) -> f64 {
         self.force_relative.get(port).copied().unwrap_or(0.0)
     }
 
-    /// A port under the drives of a plant.
+    /// Evaluates a port under the drives of a plant.
     pub(super) fn driven(&self, plant: &Plant, port: usize, time_s: f64) -> DrivenMotion {
         let mut driven = DrivenMotion {
             penetration_drift_m: -self.gap_of(port),

@@ -3,20 +3,21 @@
 use crate::simd::{F64x8, LANES, Simd};
 use faer::MatRef;
 
-/// Columns in groups of eight, one after the other: in each group one lane per state. The columns belong to the start states, the one
-/// after them to the parameter.
+/// Columns in groups of eight, one after the other: each group has one vector per state. The first
+/// columns belong to the start states, the next one to the parameter.
 ///
-/// Loops over lanes are written out: a closure inside an iterator would be compiled without the vector instructions.
+/// Loops over vectors are written out: a closure inside an iterator would be compiled without the
+/// vector instructions.
 #[derive(Debug)]
 pub struct Tangents {
     states: usize,
-    /// Groups.
+    /// Number of groups.
     pub width: usize,
     lanes: Vec<F64x8>,
 }
 
 impl Tangents {
-    /// Those of the start itself.
+    /// Returns the tangents of the start state.
     pub fn identity(states: usize) -> Self {
         let width = (states + 1).div_ceil(LANES);
         let mut lanes = vec![F64x8::ZERO; states * width];
@@ -28,28 +29,28 @@ impl Tangents {
         }
     }
 
-    /// Derivative of a state by a start state, or by the parameter.
+    /// Returns the derivative of a state by a start state, or by the parameter.
     pub fn entry(&self, state: usize, column: usize) -> f64 {
         self.lanes[column / LANES * self.states + state].0[column % LANES]
     }
 
-    /// The groups, one lane per state in each.
+    /// Returns the groups, one vector per state in each.
     pub fn groups(&self) -> std::slice::ChunksExact<'_, F64x8> {
         self.lanes.chunks_exact(self.states.max(1))
     }
 
-    /// The same, to be changed.
+    /// Returns the mutable groups.
     pub fn groups_mut(&mut self) -> std::slice::ChunksExactMut<'_, F64x8> {
         self.lanes.chunks_exact_mut(self.states.max(1))
     }
 
-    /// Adds to the number of the parameter in a row.
+    /// Adds to the parameter column of a row.
     #[inline(always)]
     pub fn drift(&self, row: &mut [F64x8], by: f64) {
         row[self.states / LANES].0[self.states % LANES] += by;
     }
 
-    /// `row . dy` for every column, and what the parameter adds to it.
+    /// Computes `row . dy` for every column, plus the contribution of the parameter.
     #[inline(always)]
     pub fn along<W: Simd>(&self, w: W, row: &[f64], drift: f64) -> Vec<F64x8> {
         let mut sums = Vec::with_capacity(self.width);
@@ -64,7 +65,7 @@ impl Tangents {
         sums
     }
 
-    /// `dy += factor column (x) row`.
+    /// Computes `dy += factor column (x) row`.
     #[inline(always)]
     pub fn add_product<W: Simd>(&mut self, w: W, column: &[f64], factor: f64, row: &[F64x8]) {
         for (group, lane) in self.lanes.chunks_exact_mut(self.states.max(1)).zip(row) {
@@ -75,7 +76,7 @@ impl Tangents {
         }
     }
 
-    /// Turns the two rows of pair `k`.
+    /// Rotates the two rows of pair `k`.
     #[inline(always)]
     pub fn turn<W: Simd>(&mut self, w: W, k: usize, entries: [f64; 4]) {
         let [a, b, c, d] = [
@@ -91,7 +92,7 @@ impl Tangents {
         }
     }
 
-    /// `dy = matrix dy`.
+    /// Computes `dy = matrix dy`.
     pub fn transform(&mut self, matrix: MatRef<f64>) {
         let mut before = vec![F64x8::ZERO; self.states];
         for group in self.lanes.chunks_exact_mut(self.states.max(1)) {
@@ -104,7 +105,7 @@ impl Tangents {
         }
     }
 
-    /// Shrinks the row of a real state.
+    /// Scales the row of a real state.
     #[inline(always)]
     pub fn decay<W: Simd>(&mut self, w: W, state: usize, factor: f64) {
         for group in self.lanes.chunks_exact_mut(self.states.max(1)) {
@@ -113,7 +114,7 @@ impl Tangents {
     }
 }
 
-/// `sum += factor values`.
+/// Computes `sum += factor values`.
 #[inline(always)]
 pub fn add_scaled<W: Simd>(w: W, sum: &mut [F64x8], factor: f64, values: &[F64x8]) {
     let factor = w.splat(factor);
@@ -122,7 +123,7 @@ pub fn add_scaled<W: Simd>(w: W, sum: &mut [F64x8], factor: f64, values: &[F64x8
     }
 }
 
-/// `row *= factor`.
+/// Computes `row *= factor`.
 #[inline(always)]
 pub fn scale<W: Simd>(w: W, row: &mut [F64x8], factor: f64) {
     for lane in row {

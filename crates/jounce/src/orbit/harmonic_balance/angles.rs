@@ -1,15 +1,15 @@
-//! Sums of harmonics at many angles, eight at once.
+//! Sums of harmonics at many angles, eight per SIMD vector.
 //!
 //! ```text
 //! values   d_q = Re sum_n c_n e^(i n x_q)        moments   m_n = sum_q w_q e^(i n x_q)
 //! ```
 //!
-//! Both run through powers of `e^(i x)`, whose roundoff grows with `n`: some 1e-14 at a hundred harmonics.
+//! Both use powers of `e^(i x)`, whose roundoff grows with `n`: about 1e-14 at a hundred harmonics.
 
 use crate::simd::{F64x8, LANES, Simd, Task, widest};
 use faer::c64;
 
-/// Angles by their cosines and sines; the last lane is filled up with zero angles.
+/// Angles by their cosines and sines; the last vector is padded with zero angles.
 #[derive(Debug)]
 pub struct Angles {
     count: usize,
@@ -17,7 +17,7 @@ pub struct Angles {
     sin: Vec<F64x8>,
 }
 
-/// Numbers in lanes, filled up with zeros.
+/// Packs numbers into vectors, padded with zeros.
 pub fn lanes(values: &[f64]) -> Vec<F64x8> {
     let lane = |values: &[f64]| {
         F64x8(std::array::from_fn(|i| {
@@ -28,7 +28,7 @@ pub fn lanes(values: &[f64]) -> Vec<F64x8> {
 }
 
 impl Angles {
-    /// Of angles in rad.
+    /// Creates the set from angles in rad.
     pub fn new(angles: &[f64]) -> Self {
         let mut turns = Self {
             count: angles.len(),
@@ -44,7 +44,7 @@ impl Angles {
         turns
     }
 
-    /// Values of several sums of as many harmonics each.
+    /// Returns the values of several sums with equal numbers of harmonics.
     pub fn values<const K: usize>(&self, sums: [&[c64]; K]) -> [Vec<f64>; K] {
         let mut values = widest(HarmonicSums { angles: self, sums });
         values
@@ -53,7 +53,7 @@ impl Angles {
         values
     }
 
-    /// Moments `n = 0..=highest` of weights, one for each angle.
+    /// Returns the moments `n = 0..=highest` of weights, one weight for each angle.
     pub fn moments(&self, weights: &[f64], highest: usize) -> Vec<c64> {
         widest(AngleMoments {
             angles: self,
@@ -63,7 +63,7 @@ impl Angles {
     }
 }
 
-/// Horner's rule for all sums, eight angles at once.
+/// Horner's rule for all sums, eight angles per vector.
 struct HarmonicSums<'a, const K: usize> {
     angles: &'a Angles,
     sums: [&'a [c64]; K],
@@ -96,7 +96,7 @@ impl<const K: usize> Task for HarmonicSums<'_, K> {
     }
 }
 
-/// Powers of all angles, their moments gathered in lanes.
+/// Powers of all angles, with their moments summed per lane.
 struct AngleMoments<'a> {
     angles: &'a Angles,
     weights: Vec<F64x8>,

@@ -1,10 +1,10 @@
-//! The plant between its ports: what every force moves.
+//! Compliance between the ports: displacements under the contact forces.
 //!
 //! ```text
 //! d^a_n = sum_b G^ab_n f^b_n
 //! ```
 //!
-//! `a` and `b` number the stops. Harmonics of all ports stand one port after the other.
+//! `a` and `b` number the stops. The harmonics are ordered port by port.
 
 use super::compliance_table::ComplianceTable;
 use super::motion::{complex, real};
@@ -15,15 +15,15 @@ use faer::c64;
 /// `G` of every pair of ports.
 #[derive(Debug)]
 pub struct PortCompliance {
-    /// Ports; one that nothing moves where there is no stop.
+    /// Number of ports; without a stop, one port that does not move.
     count: usize,
     harmonics: usize,
-    /// Row by row: the displacement of `a` under the force of `b`.
+    /// Transfer functions row by row: the displacement of `a` under the force of `b`.
     transfers: Vec<TransferFunction>,
 }
 
 impl PortCompliance {
-    /// Up to a harmonic of the period; `step_rad_s` is `w / p`.
+    /// Computes the compliance up to a harmonic of the period; `step_rad_s` is `w / p`.
     pub fn new(plant: &Plant, step_rad_s: f64, harmonics: usize) -> Self {
         let stops = plant.system.stops.len();
         let ports = &plant.ports[..stops];
@@ -43,12 +43,13 @@ impl PortCompliance {
         }
     }
 
-    /// Harmonics of the displacements under those of the forces.
+    /// Returns the harmonics of the displacements under given harmonics of the forces.
     pub fn apply(&self, forces: &[Vec<c64>]) -> Vec<f64> {
         self.summed(forces, |transfer, n| transfer.values[n])
     }
 
-    /// Their change where the frequency `w / p` changes by a rate (rad/s), the harmonics of the forces being held.
+    /// Returns the change of the displacements where the frequency `w / p` changes at a rate
+    /// (rad/s) and the harmonics of the forces are fixed.
     pub fn frequency_derivative(&self, forces: &[Vec<c64>], rate_rad_s: f64) -> Vec<f64> {
         self.summed(forces, |transfer, n| {
             transfer.slopes[n] * c64::new(0.0, n as f64 * rate_rad_s)
@@ -75,7 +76,8 @@ impl PortCompliance {
         moved
     }
 
-    /// The transpose of [`Self::apply`]: `c_n` that a row over all displacements gives at the port of each force.
+    /// Applies the transpose of [`Self::apply`]: the `c_n` that a row over all displacements gives
+    /// at the port of each force.
     pub fn apply_adjoint(&self, row: &[f64]) -> Vec<Vec<c64>> {
         let rows: Vec<Vec<c64>> = row
             .chunks_exact(row.len() / self.count)
@@ -94,7 +96,7 @@ impl PortCompliance {
         (0..self.transfers.len() / self.count).map(back).collect()
     }
 
-    /// Tables of the responses, row by row.
+    /// Returns the tables of the responses, row by row.
     pub fn responses(&self, grid: &FourierGrid) -> Vec<ComplianceTable> {
         self.transfers
             .iter()
@@ -102,12 +104,12 @@ impl PortCompliance {
             .collect()
     }
 
-    /// Harmonics of one port, as real numbers.
+    /// Returns the number of real harmonics of one port.
     pub fn size(&self) -> usize {
         2 * self.harmonics + 1
     }
 
-    /// Highest harmonic.
+    /// Returns the highest harmonic.
     pub fn harmonics(&self) -> usize {
         self.harmonics
     }

@@ -1,11 +1,12 @@
-//! The displacement under a unit of force at another angle of the period, by a table.
+//! Tabulated displacement under a unit of force at another angle of the period.
 //!
 //! ```text
 //! K(x) = sum_(|n| <= N) G_n e^(i n x) = sum_r K^(r)(x_j) (x - x_j)^r / r!
 //! ```
 //!
-//! by Taylor's series about the nearest place of a grid. On four places per harmonic its last term leaves `(pi / 4)^6 / 6! = 3e-4` of
-//! the highest harmonic, which is itself the smallest: enough for Newton, whose residual does not come from here.
+//! Taylor's series about the nearest grid point interpolates the table. On four points per harmonic
+//! its last term leaves `(pi / 4)^6 / 6! = 3e-4` of the highest harmonic, which is the smallest.
+//! That is enough for Newton, because the residual is computed separately.
 
 use crate::orbit::compliance::FourierGrid;
 use crate::simd::{Simd, Task, widest};
@@ -18,14 +19,15 @@ const SERIES_TERMS: usize = 6;
 /// `K` on a grid.
 #[derive(Debug)]
 pub struct ComplianceTable {
-    /// Coefficients of the series in shares of the width, at each place, and at the first once more.
+    /// Coefficients of the series in powers of the distance by the grid width, at each point; the
+    /// first point is repeated at the end.
     places: Vec<[f64; SERIES_TERMS]>,
-    /// Places per radian.
+    /// Grid points per radian.
     per_radian: f64,
 }
 
 impl ComplianceTable {
-    /// Of a compliance up to its last harmonic; the grid must have four places per harmonic.
+    /// Tabulates a compliance up to its last harmonic; the grid must have four points per harmonic.
     pub fn new(compliance: &[c64], grid: &FourierGrid) -> Self {
         let width = TAU / grid.samples as f64;
         let mut spectrum = compliance.to_vec();
@@ -50,12 +52,12 @@ impl ComplianceTable {
         }
     }
 
-    /// An angle counted in places, within the period.
+    /// Converts an angle to grid points within the period.
     pub fn place(&self, angle: f64) -> f64 {
         (angle / TAU).rem_euclid(1.0) * self.count()
     }
 
-    /// What a unit of force at a place makes a stop feel at its nodes, times a factor.
+    /// Computes the force of a stop at its nodes under a unit of force at an angle, times a factor.
     pub fn column(&self, force: f64, factor: f64, nodes: &NodePlaces, column: &mut [f64]) {
         widest(ComplianceColumn {
             response: self,
@@ -70,7 +72,7 @@ impl ComplianceTable {
         (self.places.len() - 1) as f64
     }
 
-    /// The series of the nearest place, and the way from there, in widths.
+    /// Returns the series of the nearest grid point, and the distance from there in grid widths.
     #[inline(always)]
     fn near(&self, apart: f64) -> (&[f64; SERIES_TERMS], f64) {
         let apart = if apart < 0.0 {
@@ -86,18 +88,18 @@ impl ComplianceTable {
     }
 }
 
-/// The nodes of a stop as [`ComplianceTable`] counts them, with the slopes of its law.
+/// Nodes of a stop in grid points of [`ComplianceTable`], with the slopes of its law.
 #[derive(Debug)]
 pub struct NodePlaces {
-    /// Where they lie.
+    /// Positions in grid points.
     pub at: Vec<f64>,
     /// `J`, N/m.
     pub stiffness_n_m: Vec<f64>,
-    /// `J' w / p`, N/m, of a rate per rad; empty where the law asks for no rate.
+    /// `J' w / p`, N/m, by a rate per rad; empty where the law does not depend on the rate.
     pub damping_n_m: Vec<f64>,
 }
 
-/// One column of the nodes.
+/// One column over the nodes.
 struct ComplianceColumn<'a> {
     response: &'a ComplianceTable,
     force: f64,
@@ -122,7 +124,7 @@ impl Task for ComplianceColumn<'_> {
             column.iter_mut().zip(&nodes.at).zip(&nodes.stiffness_n_m)
         {
             let ([a, b, c, d, e, f], x) = response.near(place - force);
-            // In pairs: a chain of six would wait for every link.
+            // In pairs, which shortens the chain of dependent operations.
             let (first, second, third) = (
                 w.fma_one(*b, x, *a),
                 w.fma_one(*d, x, *c),

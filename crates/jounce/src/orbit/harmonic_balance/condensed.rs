@@ -1,4 +1,4 @@
-//! Newton's linear system, condensed to the nodes in contact.
+//! Linear system of Newton, condensed to the nodes in contact.
 
 use super::compliance::PortCompliance;
 use super::compliance_table::{ComplianceTable, NodePlaces};
@@ -8,35 +8,36 @@ use crate::orbit::border::{Border, BorderedSolution};
 use crate::orbit::lu_factors::LuFactors;
 use faer::Mat;
 
-/// `I - J K w - J' K' w` at the nodes with the border that was asked for first, factored.
+/// `I - J K w - J' K' w` at the nodes with the first requested border, factored.
 #[derive(Debug)]
 pub struct Condensed {
     factors: LuFactors,
-    /// The border as it was given.
+    /// First border, unscaled.
     first: Border,
-    /// Sizes of its row and its column: it has units of its own.
+    /// Sizes of its row and its column, because the border has its own units.
     row_size: f64,
     column_size: f64,
 }
 
-/// The nodes and the plant between them. Values at the nodes stand one stop after the other.
+/// Nodes of all stops with the compliance between them. Values at the nodes are ordered stop by
+/// stop.
 #[derive(Debug, Clone, Copy)]
 pub struct CoupledNodes<'b> {
-    /// The nodes of each stop.
+    /// Nodes of each stop.
     pub each: &'b [ContactQuadrature],
-    /// Up to the last harmonic.
+    /// Compliance up to the last harmonic.
     pub between: &'b PortCompliance,
     /// `w / p`, rad/s.
     pub step_rad_s: f64,
 }
 
 impl CoupledNodes<'_> {
-    /// Nodes of all stops.
+    /// Returns the number of nodes of all stops.
     fn count(&self) -> usize {
         self.each.iter().map(|side| side.nodes.len()).sum()
     }
 
-    /// Forces at the nodes per harmonics of the displacements, `J phi + J' phi'`.
+    /// Returns the forces at the nodes for harmonics of the displacements, `J phi + J' phi'`.
     fn felt(&self, harmonics: &[f64]) -> Vec<f64> {
         let mut felt = Vec::with_capacity(self.count());
         for (side, own) in self
@@ -61,7 +62,7 @@ impl CoupledNodes<'_> {
         felt
     }
 
-    /// The nodes of a stop as a response counts them.
+    /// Returns the nodes of a stop in grid points of a response.
     fn places(&self, side: &ContactQuadrature, response: &ComplianceTable) -> NodePlaces {
         let damped = if is_damped(side) {
             &side.nodes[..]
@@ -86,7 +87,7 @@ impl CoupledNodes<'_> {
         }
     }
 
-    /// Harmonics of the displacements per forces at the nodes, `G phi^T w`.
+    /// Returns the harmonics of the displacements for forces at the nodes, `G phi^T w`.
     fn apply(&self, mut forces_n: impl Iterator<Item = f64>) -> Vec<f64> {
         let mut own = |side: &ContactQuadrature| {
             let weights: Vec<f64> = side
@@ -101,7 +102,7 @@ impl CoupledNodes<'_> {
             .apply(&self.each.iter().map(&mut own).collect::<Vec<_>>())
     }
 
-    /// The transpose of [`Self::apply`].
+    /// Applies the transpose of [`Self::apply`].
     fn apply_adjoint(&self, row: &[f64]) -> Vec<f64> {
         let mut pulled = Vec::with_capacity(self.count());
         for (side, back) in self.each.iter().zip(self.between.apply_adjoint(row)) {
@@ -125,8 +126,8 @@ fn is_damped(side: &ContactQuadrature) -> bool {
 }
 
 impl Condensed {
-    /// At nodes between which the plant responds by tables of every pair of ports, row by row, with the border `[R_u by; row corner]`;
-    /// `None` where that is not finite.
+    /// Factors the system at nodes with tabulated responses of every pair of ports, row by row, and
+    /// the border `[R_u by; row corner]`; `None` where the matrix is not finite.
     pub fn new(
         sides: CoupledNodes<'_>,
         responses: &[ComplianceTable],
@@ -185,7 +186,7 @@ impl Condensed {
 
     /// Solves `[R_u by; row corner] (du, dp) = (right, last)` with `R_u = push feel^T - I`.
     ///
-    /// The factors are those of the border that came first.
+    /// The factors belong to the first border.
     pub fn bordered(
         &self,
         sides: CoupledNodes<'_>,

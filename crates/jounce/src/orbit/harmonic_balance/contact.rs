@@ -1,38 +1,38 @@
-//! Where a motion is in contact: edges as roots of the trigonometric polynomial.
+//! Contact intervals of a motion: their edges are roots of the trigonometric polynomial.
 
 use super::super::compliance::FourierGrid;
 use super::motion::PortMotion;
 use faer::c64;
 use std::f64::consts::TAU;
 
-/// Looks per harmonic of the motion.
+/// Samples per harmonic of the motion.
 const SAMPLES_PER_HARMONIC: usize = 4;
 
-/// Bisections that take an edge from one look to rounding.
+/// Bisections that refine an edge from one sampling interval to roundoff.
 const BISECTIONS: u32 = 52;
 
-/// A stretch in contact, rad; `to` may lie beyond the end of the period.
+/// Interval in contact, rad; `to` may lie beyond the end of the period.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ContactInterval {
-    /// Where it begins.
+    /// Start.
     pub from: f64,
-    /// Where it ends.
+    /// End.
     pub to: f64,
 }
 
-/// A place that was looked at.
+/// Sample of the motion.
 #[derive(Debug, Clone, Copy)]
 struct MotionSample {
     angle: f64,
     touches: bool,
 }
 
-/// A grid on which a motion of some harmonics is looked at.
+/// Returns the grid on which a motion of some harmonics is sampled.
 pub fn grid(harmonics: usize) -> FourierGrid {
     FourierGrid::new(SAMPLES_PER_HARMONIC * harmonics)
 }
 
-/// All contacts of a period.
+/// Returns all contacts of a period.
 pub fn contacts(motion: &PortMotion, grid: &FourierGrid) -> Vec<ContactInterval> {
     let looks = motion_samples(motion, grid);
     let Some(first) = looks.iter().position(|look| !look.touches) else {
@@ -62,7 +62,7 @@ pub fn contacts(motion: &PortMotion, grid: &FourierGrid) -> Vec<ContactInterval>
     found
 }
 
-/// The same contact, beginning in the period.
+/// Shifts a contact so that it begins in the period.
 fn within(contact: ContactInterval) -> ContactInterval {
     let turns = if contact.from >= TAU { TAU } else { 0.0 };
     ContactInterval {
@@ -71,7 +71,7 @@ fn within(contact: ContactInterval) -> ContactInterval {
     }
 }
 
-/// Looks on the grid, and at the turning points between them that may reach through the surface.
+/// Returns samples on the grid, and at the turning points between them that may pass the surface.
 fn motion_samples(motion: &PortMotion, grid: &FourierGrid) -> Vec<MotionSample> {
     let mut spectrum: Vec<c64> = motion.depth.iter().map(|c| c * 0.5).collect();
     spectrum[0] *= 2.0;
@@ -105,7 +105,8 @@ fn motion_samples(motion: &PortMotion, grid: &FourierGrid) -> Vec<MotionSample> 
     looks
 }
 
-/// The turning point between two angles at which the rates differ in sign, near enough for a look (Illinois).
+/// Returns the turning point between two angles with rates of opposite sign, precise enough for a
+/// sample (Illinois method).
 fn turning(motion: &PortMotion, mut low: f64, mut high: f64) -> f64 {
     let (mut at_low, mut at_high) = (motion.at(low).1, motion.at(high).1);
     let mut angle = 0.5 * (low + high);
@@ -121,7 +122,8 @@ fn turning(motion: &PortMotion, mut low: f64, mut high: f64) -> f64 {
     angle
 }
 
-/// The edge between an angle out of contact and one in contact: a root of the depth, unless the law lets go before.
+/// Returns the edge between an angle out of contact and one in contact: a root of the depth, unless
+/// the law releases earlier.
 fn edge(motion: &PortMotion, out: f64, inside: f64) -> f64 {
     let (mut out, mut inside) = (out, inside);
     let mut guess = 0.5 * (out + inside);

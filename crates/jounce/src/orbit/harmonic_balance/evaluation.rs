@@ -1,4 +1,4 @@
-//! The balance at one place of a curve.
+//! Harmonic balance at one point of a curve.
 
 use super::compliance::PortCompliance;
 use super::condensed::{Condensed, CoupledNodes};
@@ -14,24 +14,25 @@ use faer::c64;
 use std::cell::OnceCell;
 use std::f64::consts::TAU;
 
-/// Highest harmonic at which modes are told apart from rest at the start of the period: a force that starts like `t^1.5` and lasts
-/// a tenth of the period moves a faster one by less than `(0.2 pi 512)^-2.5 = 6e-7` of its impulse.
+/// Highest harmonic of the modes that are not taken at rest at the start of the period. A force
+/// that starts like `t^1.5` and lasts a tenth of the period moves a faster mode by less than
+/// `(0.2 pi 512)^-2.5 = 6e-7` of its impulse.
 const MAX_MODE_HARMONIC: f64 = 512.0;
 
-/// The balance at one place.
+/// Harmonic balance at one point.
 #[derive(Debug)]
 pub struct BalanceEvaluation {
     /// Value of the parameter.
     pub(super) parameter: f64,
-    /// The harvester there.
+    /// Harvester at this parameter.
     pub(super) kernel: Kernel,
     /// Harmonics of the force of each stop, `c_n` in N.
     pub(super) forces: Vec<Vec<c64>>,
     /// `w / p`, rad/s.
     pub(super) step_rad_s: f64,
-    /// The period marched from the state that the forces give.
+    /// Period integrated from the state that the forces give.
     pub(super) shot: OnceCell<ShootingEvaluation>,
-    /// Distance from the curve of the exact flow, beside the one allowed.
+    /// Distance from the curve of the exact flow, relative to the allowed one.
     pub(super) excess: OnceCell<f64>,
     pub(super) by_parameter: Vec<f64>,
     unknown: Vec<f64>,
@@ -43,7 +44,8 @@ pub struct BalanceEvaluation {
 }
 
 impl BalanceEvaluation {
-    /// With the harmonics of the displacement of each port, over a period of `cycles` of the drive.
+    /// Evaluates the harmonics of the displacement of each port, over a period of `cycles` drive
+    /// cycles.
     pub(super) fn new(
         kernel: Kernel,
         parameter: f64,
@@ -103,13 +105,13 @@ impl BalanceEvaluation {
         }
     }
 
-    /// Nodes in contact: the size of Newton's linear system.
+    /// Returns the number of nodes in contact, which is the size of Newton's linear system.
     pub fn nodes(&self) -> usize {
         self.sides.iter().map(|side| side.nodes.len()).sum()
     }
 
-    /// `dR / dp` at fixed harmonics of the displacements, where the change is known: of the drive, of the compliance with its
-    /// frequency, and of the force at each node.
+    /// Sets `dR / dp` at fixed harmonics of the displacements, where the change is known: changes
+    /// of the drive, of the compliance with its frequency, and of the force at each node.
     pub(super) fn changed(&mut self, change: &ParameterDerivatives, cycles: u32) {
         let (drift, highest) = (&change.drift, self.between.harmonics());
         let frequency_rad_s = drift
@@ -145,13 +147,15 @@ impl BalanceEvaluation {
         self.by_parameter = moved;
     }
 
-    /// The periodic state at the start of the period, block coordinates without the steady part:
+    /// Returns the periodic state at the start of the period, block coordinates without the steady
+    /// part:
     ///
     /// ```text
     /// y = y_0 + (I - e^(A T))^-1 int_0^T e^(A (T - t)) sum_b b F(t) dt
     /// ```
     ///
-    /// `y_0` is where gravity alone holds the plant. All harmonics of the force are in it, those of fast modes too, which `d` may leave out because it hardly moves there.
+    /// `y_0` is the equilibrium under gravity. The sum includes all harmonics of the force, also at
+    /// fast modes. `d` may omit these, because such modes hardly move there.
     pub(super) fn state(&self, rules: &QuadratureRules) -> Vec<f64> {
         let plant = &self.kernel.plant;
         let block = &plant.diagonal.block;
@@ -230,7 +234,7 @@ impl BalanceEvaluation {
     }
 }
 
-/// Number, port and harmonics of each stop.
+/// Returns the index, port and harmonics of each stop.
 fn own_of<'h>(
     ports: &'h [Port],
     harmonics: &'h mut [f64],
@@ -249,7 +253,7 @@ impl Linearization for BalanceEvaluation {
         &self.residual
     }
 
-    /// By harmonic of the drive, m rms.
+    /// Reports the residual by harmonic of the drive, m rms.
     fn parts(&self) -> ResidualReport {
         let plant = &self.kernel.plant;
         let cycles = plant.tones.first().map_or(1.0, |tone| {

@@ -1,22 +1,24 @@
-//! What many impulses leave of themselves at the end of a period.
+//! State at the end of a period after many impulses.
 //!
 //! ```text
 //! y = sum_q I_q e^(A t_q) b
 //! ```
 //!
-//! `t_q` is the time that is left (s), `I_q` the impulse (N s). A complex pair of `A` turns as one number, so that its share is
-//! `(b_u + i b_v) sum_q I_q e^(s t_q)`, eight terms at once: Taylor's series of `e^(s t / 2^k)`, squared `k` times. Each squaring doubles
-//! what roundoff has left: 1e-12 in a turn of 2^10 rad.
+//! `t_q` is the remaining time (s), `I_q` the impulse (N s). A complex pair of `A` rotates as one
+//! number, so that its part is `(b_u + i b_v) sum_q I_q e^(s t_q)`, eight terms per vector. Each
+//! term is Taylor's series of `e^(s t / 2^k)`, squared `k` times. Each squaring doubles the
+//! roundoff: 1e-12 at a rotation of 2^10 rad.
 
 use super::angles::lanes;
 use crate::plant::{BlockDiagonal, BlockPair};
 use crate::simd::{F64x8, Simd, Task, widest};
 use faer::c64;
 
-/// Terms of the series: on `1/8` they leave `(1/8)^11 / 11! = 3e-18`.
+/// Terms of the series: at an argument of `1/8` the remainder is `(1/8)^11 / 11! = 3e-18`.
 const SERIES_TERMS: usize = 10;
 
-/// Block coordinates after the impulses on a column `b`; 0 for pairs that turn faster than `fastest_rad_s`.
+/// Returns the block coordinates after the impulses on a column `b`; 0 for pairs that rotate faster
+/// than `fastest_rad_s`.
 pub fn after_impulses(
     block: &BlockDiagonal,
     column: &[f64],
@@ -115,7 +117,8 @@ impl Task for ImpulseSum<'_> {
 mod tests {
     use super::*;
 
-    /// Against the exact flow of every kind of block, from a slow one to one that turns a thousand radians.
+    /// Compares with the exact flow of every kind of block, from a slow one to one that rotates by
+    /// a thousand radians.
     #[test]
     fn impulses_flow_as_the_blocks_do() {
         let oscillatory = |decay: f64, frequency: f64| BlockPair::Oscillatory { decay, frequency };

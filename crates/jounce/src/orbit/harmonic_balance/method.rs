@@ -14,32 +14,33 @@ use crate::orbit::{
 use faer::c64;
 use std::sync::Arc;
 
-/// Most harmonics of a drive cycle.
+/// Largest number of harmonics of a drive cycle.
 const MAX_HARMONICS: usize = 1024;
 
-/// Fewest harmonics of a drive cycle to which their number shrinks.
+/// Smallest number of harmonics of a drive cycle after a reduction.
 const MIN_HARMONICS: usize = 16;
 
-/// How much farther from the curve the state may lie than the mean power: most of its distance is in fast modes that carry none.
+/// Ratio of the allowed errors of the state and the mean power: most of the state error is in fast
+/// modes without power.
 const STATE_ERROR_FACTOR: f64 = 30.0;
 
 /// Orbits of a harvester by harmonic balance.
 #[derive(Debug)]
 pub struct HarmonicBalance<'h, H> {
-    /// Shooting on the same harvesters, for stability and for the error.
+    /// Shooting problem of these harvesters, for stability and for the error.
     pub shooting: Shooting<'h, H>,
     /// Harmonics of the period.
     pub harmonics: usize,
-    /// Error of the mean power, relative to it, above which there are too few.
+    /// Relative error of the mean power above which the number of harmonics is too small.
     pub accuracy: f64,
-    /// Stops, or one without effect where there is none.
+    /// Number of stops; one without effect where the harvester has none.
     stops: usize,
     grid: FourierGrid,
     rules: Arc<QuadratureRules>,
 }
 
 impl<'h, H: ParametricModel> HarmonicBalance<'h, H> {
-    /// With `harmonics` of the period to begin with.
+    /// Creates the problem with an initial number of harmonics of the period.
     ///
     /// # Errors
     /// [`OrbitError::Rectified`], [`OrbitError::Impulsive`] for a rigid stop, [`OrbitError::Free`].
@@ -96,7 +97,7 @@ impl<'h, H: ParametricModel> HarmonicBalance<'h, H> {
         }
     }
 
-    /// The same with other harmonics.
+    /// Returns this method with another number of harmonics.
     fn with(&self, harmonics: usize) -> Self {
         let Shooting {
             harvester,
@@ -122,7 +123,8 @@ impl<'h, H: ParametricModel> HarmonicBalance<'h, H> {
         }
     }
 
-    /// Of the mean power beside the accuracy, or of the state beside `STATE_ERROR_FACTOR` times that, the larger one.
+    /// Returns the larger of two errors: the error of the mean power relative to the accuracy, and
+    /// the error of the state relative to `STATE_ERROR_FACTOR` times the accuracy.
     fn excess_of(
         &self,
         local: &BalanceEvaluation,
@@ -148,7 +150,8 @@ impl<'h, H: ParametricModel> HarmonicBalance<'h, H> {
         Ok(state.max(apart_w / (self.accuracy * exact_w.abs()).max(f64::MIN_POSITIVE)))
     }
 
-    /// Mean power of each load, W: `sum_n |V_n|^2 / R` over all harmonics of the voltage.
+    /// Returns the mean power of each load, W: `sum_n |V_n|^2 / R` over all harmonics of the
+    /// voltage.
     fn loads_w(&self, local: &BalanceEvaluation) -> Vec<f64> {
         let plant = &local.kernel.plant;
         let cycles = self.shooting.cycles;

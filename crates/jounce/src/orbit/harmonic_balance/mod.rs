@@ -4,14 +4,18 @@
 //! R^a_n = S^a_n + sum_b G^ab_n f^b_n - d^a_n,   f_n = 1/T int F(d - gap, d') e^(-i n w t / p) dt,   |n| <= N
 //! ```
 //!
-//! The unknowns are the harmonics of the displacements of the ports, one after the other; the plant enters by its exact compliance `G`
-//! between them alone ([`compliance`]), however many modes it has. `S` holds the drive and, at `n = 0`, the sag under gravity. A force that starts like `t^(3/2)` and lasts a small part of the period must not be sampled at equal times:
-//! its samples enter and leave the contact one by one, and every one bends the residual. Here the edges of each contact are roots
-//! of the trigonometric polynomial `d` ([`contact`]), and the integral runs between them by a rule that converges fast for every
-//! law ([`nodes`]). What is left out are the harmonics above `N`, and `N` grows until the error asked for is met.
+//! The unknowns are the harmonics of the displacements of the ports, one after the other. The plant
+//! enters only by its exact compliance `G` between the ports ([`compliance`]), whatever the number
+//! of modes. `S` holds the drive and, at `n = 0`, the static deflection under gravity. A force that
+//! starts like `t^(3/2)` and lasts a small fraction of the period must not be sampled at equal
+//! times: each sample that enters or leaves the contact bends the residual. Here the edges of each
+//! contact are roots of the trigonometric polynomial `d` ([`contact`]), and the integral between
+//! them uses a quadrature that converges fast for every law ([`nodes`]). The harmonics above `N`
+//! are omitted, and `N` grows until the requested error is met.
 //!
-//! With `J`, `J'` the slopes of the law at the nodes, `w` their weights and `K(t)` the response to an impulse in these harmonics,
-//! Newton's linear system is one for the forces `x` at the nodes of all stops ([`condensed`]), `K` being tabulated for each pair of them
+//! `J`, `J'` are the slopes of the law at the nodes, `w` their weights and `K(t)` the response to
+//! an impulse in these harmonics. Newton's linear system then has as unknowns the forces `x` at the
+//! nodes of all stops ([`condensed`]), with `K` tabulated for each pair of stops
 //! ([`compliance_table`]):
 //!
 //! ```text
@@ -20,14 +24,16 @@
 //!
 //! with `q` at stop `a` and `p` at stop `b`.
 //!
-//! The error estimate comes from outside: the exact flow is marched over a period from the state that the forces give, and the
-//! Newton correction of that flow is the distance to the orbit; the mean power marched from there is held against that of the
-//! harmonics. It sees truncation and quadrature at once, whatever the law makes of the tail of the spectrum (`n^-2.5` for Hertz,
+//! The error estimate is independent: the exact flow is integrated over a period from the state
+//! that the forces give. The Newton correction of that flow is the distance to the orbit, and the
+//! mean power integrated there is compared with the mean power of the harmonics. The estimate
+//! includes truncation and quadrature, whatever the decay of the spectrum (`n^-2.5` for Hertz,
 //! where an estimate that expects geometric decay would be wrong).
 //!
-//! Limits: rigid stops, diodes, and bodies that nothing brings back, whose compliance at rest is infinite.
+//! Limits: rigid stops, diodes, and free bodies, whose compliance at frequency zero is infinite.
 //!
-//! Validation: `tests/orbits/balance.rs` compares with shooting, `tests/orbits/several.rs` over several stops and under gravity.
+//! Validation: `tests/orbits/balance.rs` compares with shooting, `tests/orbits/several.rs` does so
+//! for several stops and under gravity.
 
 mod angles;
 mod compliance;

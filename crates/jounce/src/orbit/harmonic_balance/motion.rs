@@ -1,4 +1,4 @@
-//! The motion of the port as a sum of harmonics.
+//! Motion of a port as a sum of harmonics.
 //!
 //! ```text
 //! d(x) = u_0 + sqrt(2) sum_n (u_(2n-1) cos n x + u_(2n) sin n x),   x = w t / p
@@ -11,19 +11,19 @@ use crate::contact::{ContactLaw, Law};
 use faer::c64;
 use std::f64::consts::SQRT_2;
 
-/// The port against its stop.
+/// Motion of the port relative to its stop.
 #[derive(Debug)]
 pub struct PortMotion {
-    /// `c_n` of `d = Re sum c_n e^(i n x)`, the gap taken off: penetration.
+    /// `c_n` of `d = Re sum c_n e^(i n x)` without the gap: penetration.
     pub depth: Vec<c64>,
     /// `w / p`, rad/s.
     pub step_rad_s: f64,
-    /// What it strikes.
+    /// Contact law of the stop.
     pub law: Law,
 }
 
 impl PortMotion {
-    /// From the harmonics of the displacement.
+    /// Creates the motion from the harmonics of the displacement.
     pub fn new(unknown: &[f64], step_rad_s: f64, gap_m: f64, law: Law) -> Self {
         let mut depth = complex(unknown);
         depth[0].re -= gap_m;
@@ -34,7 +34,7 @@ impl PortMotion {
         }
     }
 
-    /// Penetration, m, and its rate, m/s.
+    /// Returns penetration, m, and its rate, m/s.
     pub fn at(&self, angle: f64) -> (f64, f64) {
         let z = c64::cis(angle);
         let (mut value, mut slope) = (c64::new(0.0, 0.0), c64::new(0.0, 0.0));
@@ -45,7 +45,8 @@ impl PortMotion {
         (value.re, -slope.im * self.step_rad_s)
     }
 
-    /// Penetration, m, and its rate, m/s, at many angles; the rate is 0 where the law does not ask for it.
+    /// Returns penetration, m, and its rate, m/s, at many angles; the rate is 0 where the law does
+    /// not depend on it.
     pub fn along(&self, angles: &Angles) -> [Vec<f64>; 2] {
         if self.law.is_rate_dependent() {
             return angles.values([&self.depth, &turned(&self.depth, self.step_rad_s)]);
@@ -61,7 +62,7 @@ impl PortMotion {
     }
 }
 
-/// `c_n` of real harmonics.
+/// Returns the `c_n` of real harmonics.
 pub fn complex(unknown: &[f64]) -> Vec<c64> {
     let pairs = unknown[1..]
         .chunks_exact(2)
@@ -71,7 +72,7 @@ pub fn complex(unknown: &[f64]) -> Vec<c64> {
         .collect()
 }
 
-/// Real harmonics of `c_n`.
+/// Returns the real harmonics of `c_n`.
 pub fn real(coefficients: &[c64]) -> Vec<f64> {
     let pairs = coefficients[1..]
         .iter()
@@ -79,7 +80,7 @@ pub fn real(coefficients: &[c64]) -> Vec<f64> {
     std::iter::once(coefficients[0].re).chain(pairs).collect()
 }
 
-/// `c_n` of a density with the moments `m_n = 1/T int F e^(i n x) dt`.
+/// Returns the `c_n` of a density with the moments `m_n = 1/T int F e^(i n x) dt`.
 pub fn harmonics(moments: &[c64]) -> Vec<c64> {
     moments
         .iter()
@@ -88,7 +89,7 @@ pub fn harmonics(moments: &[c64]) -> Vec<c64> {
         .collect()
 }
 
-/// `c_n` of the rate, per second.
+/// Returns the `c_n` of the rate, per second.
 pub fn turned(coefficients: &[c64], step_rad_s: f64) -> Vec<c64> {
     coefficients
         .iter()

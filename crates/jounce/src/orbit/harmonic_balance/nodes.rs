@@ -1,4 +1,4 @@
-//! The force of a stop at the nodes of all its contacts.
+//! Force of a stop at the nodes of all its contacts.
 
 use super::angles::Angles;
 use super::contact::{ContactInterval, contacts};
@@ -10,43 +10,45 @@ use crate::plant::{Plant, Stop};
 use faer::c64;
 use std::f64::consts::TAU;
 
-/// Nodes per radian that the highest harmonic of interest turns through in a contact: five eighths are the least that can tell
-/// it from a lower one, `dx / ds` being 5/4 in the middle of the rule.
+/// Nodes per radian that the highest harmonic of interest rotates in a contact. Five eighths is the
+/// minimum that distinguishes it from a lower one, because `dx / ds` is 5/4 in the middle of the
+/// rule.
 const NODES_PER_RADIAN: f64 = 0.64;
 
-/// Nodes beside that, for the force itself.
+/// Additional nodes for the force.
 const MIN_NODES: f64 = 16.0;
 
-/// A node.
+/// Quadrature node in contact.
 #[derive(Debug, Clone, Copy)]
 pub struct ContactNode {
     /// Angle of the period, rad.
     pub angle: f64,
     /// Weight in the mean over a period.
     pub share: f64,
-    /// Rate of the penetration, m/s; 0 where the law does not ask for it.
+    /// Rate of the penetration, m/s; 0 where the law does not depend on it.
     pub rate_m_s: f64,
     /// Force, N.
     pub force_n: f64,
-    /// Its slopes.
+    /// Slopes of the force.
     pub slopes: Slopes,
 }
 
 /// Nodes of every contact with one stop, and their angles.
 #[derive(Debug)]
 pub struct ContactQuadrature {
-    /// The nodes.
+    /// Nodes.
     pub nodes: Vec<ContactNode>,
-    /// Their angles.
+    /// Angles of the nodes.
     pub angles: Angles,
 }
 
 impl ContactQuadrature {
-    /// Of a motion, by nodes which tell apart harmonics of the force up to `highest`.
+    /// Creates the nodes of a motion, dense enough for harmonics of the force up to `highest`.
     fn new(motion: &PortMotion, grid: &FourierGrid, rules: &QuadratureRules, highest: f64) -> Self {
         let (mut places, mut entries) = (Vec::new(), Vec::new());
         for contact in contacts(motion, grid) {
-            // The state at the start of the period sums what came before it: the rule must not run across.
+            // The state at the start of the period sums the force before it: the rule must not
+            // extend across.
             let parts = if contact.to > TAU {
                 vec![(contact.from, TAU), (TAU, contact.to)]
             } else {
@@ -84,7 +86,8 @@ impl ContactQuadrature {
         Self { nodes, angles }
     }
 
-    /// Those of every stop of a plant, at the harmonics of the displacements of their ports; `step_rad_s` is `w / p`.
+    /// Returns the nodes of every stop of a plant, at the harmonics of the displacements of the
+    /// ports; `step_rad_s` is `w / p`.
     pub fn all(
         plant: &Plant,
         unknown: &[f64],
@@ -105,7 +108,7 @@ impl ContactQuadrature {
         stops.iter().zip(own).map(side).collect()
     }
 
-    /// `c_n` of a force given at the nodes.
+    /// Returns the `c_n` of a force given at the nodes.
     pub fn harmonics(&self, highest: usize, force_n: impl Fn(&ContactNode) -> f64) -> Vec<c64> {
         self.gathered(
             &self
@@ -117,13 +120,13 @@ impl ContactQuadrature {
         )
     }
 
-    /// The same of a force given at the nodes with their shares in it.
+    /// Returns the `c_n` of a force given at the nodes with their weights included.
     pub fn gathered(&self, weights: &[f64], highest: usize) -> Vec<c64> {
         motion::harmonics(&self.angles.moments(weights, highest))
     }
 }
 
-/// Angles of the nodes of a stretch, with their shares.
+/// Returns the angles of the nodes of an interval, with their weights.
 fn between(
     (from, to): (f64, f64),
     rules: &QuadratureRules,
@@ -137,7 +140,8 @@ fn between(
         .map(move |(place, weight)| (from + half * (1.0 + place), half * weight / TAU))
 }
 
-/// A force that starts with a jump moves with its edge: `dF = F(0, v) dd / v` per unit of time, all of it at the edge.
+/// Returns the node for the edge of a force that starts with a jump: `dF = F(0, v) dd / v` per unit
+/// of time, all at the edge.
 fn entry(motion: &PortMotion, contact: ContactInterval) -> Option<ContactNode> {
     let (_, rate_m_s) = motion.at(contact.from);
     let jump_n = motion.law.force_n(0.0, rate_m_s);

@@ -4,25 +4,26 @@
 //! int_a^b F(x) dx = (b - a) / 2 int_-1^1 F(m + (b - a) / 2 g(s)) g'(s) ds,   g = 5/4 (s - s^5 / 5),   m = (a + b) / 2
 //! ```
 //!
-//! by Gauss-Legendre in `s`. At an edge `x - a ~ (s + 1)^2`, so that a force that starts like `(x - a)^(3/2)`, one that starts like
-//! `x - a` and one that starts with a jump all become smooth in `s`; in the middle `x` goes on evenly, as high harmonics ask for.
+//! by Gauss-Legendre in `s`. At an edge `x - a ~ (s + 1)^2`. A force that starts like
+//! `(x - a)^(3/2)`, like `x - a` or with a jump thus becomes smooth in `s`. In the middle `x`
+//! advances evenly, as high harmonics need.
 //!
 //! Source: P. J. Davis and P. Rabinowitz, *Methods of Numerical Integration* (1984), sections 2.7 and 2.9.
 
 use std::f64::consts::PI;
 use std::sync::OnceLock;
 
-/// Nodes come in such lots, so that their number seldom changes along a curve.
+/// The number of nodes is a multiple of this, so that it seldom changes along a curve.
 const NODES_PER_LOT: usize = 8;
 
-/// Most lots.
+/// Largest number of such multiples.
 const MAX_LOTS: usize = 512;
 
-/// Rules of all lengths, each made when first used.
+/// Rules of all lengths, each computed at its first use.
 #[derive(Debug)]
 pub struct QuadratureRules(Vec<OnceLock<QuadratureRule>>);
 
-/// Places on `[-1, 1]` and weights of sum about two.
+/// Points on `[-1, 1]` and weights with a sum of about two.
 #[derive(Debug)]
 pub struct QuadratureRule {
     /// `g`.
@@ -38,7 +39,7 @@ impl Default for QuadratureRules {
 }
 
 impl QuadratureRules {
-    /// The rule of at least `nodes`.
+    /// Returns the rule with at least `nodes` nodes.
     pub fn at_least(&self, nodes: f64) -> &QuadratureRule {
         let lot = ((nodes / NODES_PER_LOT as f64) as usize).min(MAX_LOTS - 1);
         self.0[lot].get_or_init(|| QuadratureRule::new((lot + 1) * NODES_PER_LOT))
@@ -60,7 +61,7 @@ impl QuadratureRule {
     }
 }
 
-/// Node and weight of Gauss-Legendre: Newton from Tricomi's guess, down to what roundoff leaves.
+/// Returns node and weight of Gauss-Legendre: Newton from Tricomi's guess, down to roundoff.
 fn gauss(count: usize, i: usize) -> (f64, f64) {
     let n = count as f64;
     let mut x = -(PI * (i as f64 + 0.75) / (n + 0.5)).cos();

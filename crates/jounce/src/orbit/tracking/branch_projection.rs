@@ -1,4 +1,4 @@
-//! The orbit across from a place of the surface of orbits, at the same second parameter.
+//! Projection of a point onto the surface of orbits, at the same second parameter.
 
 use super::extended_problem::ExtendedProblem;
 use super::two_parameter_problem::TwoParameterProblem;
@@ -6,14 +6,15 @@ use crate::orbit::border::solve_bordered;
 use crate::orbit::{OrbitError, ParametricModel, ShootingEvaluation, null_vector};
 use faer::{ColRef, Mat};
 
-/// Newton steps to it, and the residual beside the size of the state below which none is taken.
+/// Newton steps of the projection, and the residual, relative to the size of the state, below which
+/// no step is made.
 const MAX_NEWTON_STEPS: usize = 2;
 const NEWTON_TOLERANCE: f64 = 1e-13;
 
-/// Way to both sides of the first parameter, in its differences.
+/// Reach to both sides of the first parameter, in steps of its difference quotient.
 const FIRST_PARAMETER_REACH: f64 = 10.0;
 
-/// The orbit across from a place.
+/// Projection of a point onto the surface of orbits.
 pub(super) struct BranchProjection {
     pub start: Vec<f64>,
     pub parameter: f64,
@@ -21,7 +22,7 @@ pub(super) struct BranchProjection {
     pub tangent: LinearizedOrbit,
 }
 
-/// The line through a place, linearised.
+/// Line through a point, linearised.
 pub(super) struct LinearizedOrbit {
     matrix: Mat<f64>,
     column: Vec<f64>,
@@ -58,7 +59,7 @@ impl LinearizedOrbit {
         })
     }
 
-    /// The shortest change that changes the residual by `right`.
+    /// Returns the shortest change that changes the residual by `right`.
     pub fn across(&self, right: &[f64]) -> Option<Vec<f64>> {
         let n = right.len();
         let (mut change, last) = solve_bordered(
@@ -76,14 +77,14 @@ pub(super) type TrackingError<P> =
     OrbitError<<<P as TwoParameterProblem>::Line as ParametricModel>::Error>;
 
 impl BranchProjection {
-    /// Size of the state.
+    /// Returns the size of the state.
     pub fn size(&self) -> f64 {
         ColRef::from_slice(&self.start).norm_l2()
     }
 }
 
 impl<P: TwoParameterProblem> ExtendedProblem<'_, P> {
-    /// The orbit across from a place, at the same second parameter.
+    /// Projects a point onto the surface of orbits, at the same second parameter.
     pub(super) fn foot(
         &self,
         (start, parameter, parameter_2): (&[f64], f64, f64),
@@ -115,8 +116,8 @@ impl<P: TwoParameterProblem> ExtendedProblem<'_, P> {
         Ok(None)
     }
 
-    /// A shot with its derivative by the first parameter to second order: what the tangent is off by, the slope of the power along it is off by
-    /// many times.
+    /// Shoots with the derivative by the first parameter to second order: an error of the tangent
+    /// is amplified many times in the slope of the power along it.
     fn shot_with_slopes(
         &self,
         line: &P::Line,

@@ -1,4 +1,4 @@
-//! What is zero at a bifurcation.
+//! Scalar conditions that define a bifurcation.
 
 use super::fold_flip::CriticalMultiplier;
 use super::grazing::GrazingPoint;
@@ -6,18 +6,20 @@ use super::level;
 use super::neimark_sacker;
 use crate::orbit::{OrbitQuantity, ShootingEvaluation};
 
-/// The condition of a bifurcation.
+/// Condition of a bifurcation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Condition {
-    /// A multiplier of this value: +1 at a fold, -1 at a doubling.
+    /// A multiplier has this value: +1 at a fold, -1 at a period doubling.
     Multiplier(f64),
-    /// A complex pair of multipliers on the unit circle; past a strong resonance two real ones whose product is one.
+    /// A complex pair of multipliers lies on the unit circle; past a strong resonance, two real
+    /// ones with the product one.
     Circle,
-    /// A turning point of a port on the surface of its stop; where a curve begins.
+    /// A turning point of a port lies on the surface of its stop, as found at the start of the
+    /// curve.
     Touching(GrazingPoint),
-    /// A quantity of the orbit at a level.
+    /// A quantity of the orbit has a given level.
     Level(OrbitQuantity, f64),
-    /// Mean power stationary along the curve over the first parameter.
+    /// The mean power is stationary along the curve over the first parameter.
     Peak,
 }
 
@@ -26,20 +28,21 @@ pub enum Condition {
 pub struct Gradient {
     /// `g`.
     pub value: f64,
-    /// By the state at the start.
+    /// Derivative by the state at the start.
     pub by_unknown: Vec<f64>,
-    /// By the two parameters.
+    /// Derivatives by the two parameters.
     pub by_parameters: [f64; 2],
-    /// By the time of a turning point, drive cycles.
+    /// Derivative by the time of a turning point, drive cycles.
     pub by_phase: f64,
-    /// At a peak, second derivative of the power along the curve, beside the power: negative at a maximum.
+    /// At a peak, second derivative of the power along the curve, relative to the power: negative
+    /// at a maximum.
     pub power_curvature: Option<f64>,
     /// True where a pair on the circle has met on the real axis.
     pub is_resonant: bool,
 }
 
 impl Gradient {
-    /// Of a condition that does not exist at a place.
+    /// Returns the gradient for a condition that does not exist at a point.
     pub fn none(states: usize) -> Self {
         let by_unknown = vec![0.0; states];
         Self {
@@ -54,10 +57,12 @@ impl Gradient {
 }
 
 impl Condition {
-    /// `g` at a shot, for a condition on its multipliers or a level. `moved` shoots from a start moved by a vector, `aside` are shots at
-    /// parameters moved by `differences`.
+    /// Returns `g` at a shooting evaluation, for a condition on its multipliers or on a level.
+    /// `moved` shoots from a start moved by a vector; `aside` are evaluations at parameters moved
+    /// by `differences`.
     ///
-    /// `None` where there is no such condition: a singular border, no complex pair, or a condition of another kind.
+    /// `None` where the condition does not exist: a singular border, no complex pair, or a
+    /// condition of another kind.
     pub fn gradient<E>(
         self,
         shot: &ShootingEvaluation,

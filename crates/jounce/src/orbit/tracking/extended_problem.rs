@@ -1,4 +1,4 @@
-//! The extended problem as a family over the second parameter.
+//! Extended problem as a family over the second parameter.
 
 use super::condition::{Condition, Gradient};
 use super::grazing::{self, GrazingPoint};
@@ -8,54 +8,56 @@ use crate::orbit::border::solve_bordered;
 use crate::orbit::{OrbitError, ParametricModel, Shooting, ShootingEvaluation};
 use faer::Mat;
 
-/// Tolerance of the marches beside that of the curve: what is zero on it is a derivative of the flow, and the slopes of Newton are
-/// differences of that.
+/// Integration tolerance relative to the tolerance of the curve. The condition is a derivative of
+/// the flow, and the slopes of Newton are difference quotients of it.
 const INTEGRATION_TOLERANCE_FACTOR: f64 = 1e-2;
 
-/// Least tolerance of the marches that they are made finer to.
+/// Smallest integration tolerance used.
 const MIN_INTEGRATION_TOLERANCE: f64 = 1e-12;
 
-/// A bifurcation of orbits to be followed through a plane.
+/// Bifurcation of orbits, continued in two parameters.
 #[derive(Debug)]
 pub struct ExtendedProblem<'p, P> {
-    /// The harvesters.
+    /// Harvesters over the two parameters.
     pub plane: &'p P,
-    /// What is zero.
+    /// Condition of the bifurcation.
     pub condition: Condition,
-    /// Drive cycles of the period.
+    /// Drive cycles in the period.
     pub cycles: u32,
-    /// Relative tolerance of the curve; the marches are finer.
+    /// Relative tolerance of the curve; the integration tolerance is finer.
     pub tolerance: f64,
     /// `W` of shooting.
     pub scale: Vec<f64>,
     /// Value of the first parameter where its unknown is zero ...
     pub origin: f64,
-    /// ... and the change of it that counts like a change of the state by one.
+    /// ... and its change that is scaled like a unit change of the state.
     pub unit: f64,
 }
 
-/// The extended problem at one place.
+/// Extended problem evaluated at one point.
 #[derive(Debug)]
 pub struct ExtendedEvaluation {
-    /// The orbit.
+    /// Orbit.
     pub shot: ShootingEvaluation,
-    /// At a peak, second derivative of the power along the curve, beside the power: negative at a maximum.
+    /// At a peak, second derivative of the power along the curve, relative to the power: negative
+    /// at a maximum.
     pub power_curvature: Option<f64>,
-    /// True where a pair on the circle has met on the real axis: tori have ended.
+    /// True where a pair on the circle has met on the real axis, so that the tori have ended.
     pub is_resonant: bool,
     residual: Vec<f64>,
-    /// Rows of `R`; those of the condition come after them.
+    /// Number of rows of `R`; the rows of the condition follow.
     states: usize,
-    /// By the unknown: `u`, the first parameter and, of a turning point, its time.
+    /// Derivative by the unknown: `u`, the first parameter and, at a grazing, the time of the
+    /// turning point.
     matrix: Mat<f64>,
-    /// By the second parameter.
+    /// Derivative by the second parameter.
     by_parameter: Vec<f64>,
 }
 
 type LineError<P> = <<P as TwoParameterProblem>::Line as ParametricModel>::Error;
 
 impl<P: TwoParameterProblem> ExtendedProblem<'_, P> {
-    /// Shooting along one line.
+    /// Returns the shooting problem along one line.
     pub fn shooting<'l>(&self, line: &'l P::Line) -> Shooting<'l, P::Line> {
         Shooting {
             harvester: line,
@@ -72,17 +74,17 @@ impl<P: TwoParameterProblem> ExtendedProblem<'_, P> {
             .min(self.tolerance)
     }
 
-    /// The first parameter of an unknown.
+    /// Returns the first parameter of an unknown.
     pub fn parameter(&self, unknown: &[f64]) -> f64 {
         self.origin + self.unit * unknown[self.place_of_parameter()]
     }
 
-    /// Number of the unknown that is the first parameter: the state comes before it.
+    /// Returns the index of the first parameter in the unknown: it follows the state.
     pub fn place_of_parameter(&self) -> usize {
         self.scale.len()
     }
 
-    /// The unknown of an orbit at a value of the first parameter.
+    /// Returns the unknown of an orbit at a value of the first parameter.
     pub fn unknown(&self, start: &[f64], parameter: f64) -> Vec<f64> {
         let phase = matches!(self.condition, Condition::Touching(_)).then_some(0.0);
         start
@@ -95,10 +97,11 @@ impl<P: TwoParameterProblem> ExtendedProblem<'_, P> {
 }
 
 impl<P: TwoParameterProblem> ExtendedProblem<'_, P> {
-    /// Distance of the nearest turning point past its surface, beside the scale of the motion, with its gradient; `None` without one.
+    /// Returns the distance of the nearest turning point past its surface, relative to the scale of
+    /// the motion, with its gradient; `None` without one.
     ///
     /// # Errors
-    /// As [`Problem::at`].
+    /// See [`Problem::at`].
     pub fn past(
         &self,
         unknown: &[f64],
@@ -186,7 +189,8 @@ impl<P: TwoParameterProblem> Problem for ExtendedProblem<'_, P> {
                 .gradient(&shot, [&ahead, &aside], differences, moved)?
                 .map(|found| vec![found]),
         };
-        // Without the condition there is no bifurcation: a residual that no correction meets.
+        // Without the condition no bifurcation exists: the residual stays finite under every
+        // correction.
         let gradients = found.unwrap_or_else(|| vec![Gradient::none(n)]);
         let phase_unit = if let Condition::Touching(touch) = self.condition {
             touch.unit_cycles
@@ -232,8 +236,9 @@ impl<P: TwoParameterProblem> Problem for ExtendedProblem<'_, P> {
 }
 
 impl ExtendedEvaluation {
-    /// Smallest singular value of the equations of the orbit, by its state and the first parameter, over the next larger one: nothing where
-    /// the branch over the first parameter is a point, as an isolated one is where it is born.
+    /// Returns the ratio of the smallest singular value of the equations of the orbit (by its state
+    /// and the first parameter) to the next larger one. It is zero where the branch over the first
+    /// parameter is a point, such as an isolated branch at its birth.
     pub fn share_of_branch(&self) -> Option<f64> {
         let equations = self
             .matrix
@@ -258,7 +263,7 @@ impl Linearization for ExtendedEvaluation {
         right: &[f64],
         last: f64,
     ) -> Option<(Vec<f64>, f64)> {
-        // Any multiple of the condition is the same condition: it takes the size of the rows above it.
+        // The condition may be scaled freely: it takes the size of the rows above it.
         let n = row.len();
         let size = |i: usize| {
             (0..n)

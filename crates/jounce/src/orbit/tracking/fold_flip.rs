@@ -1,11 +1,13 @@
-//! A multiplier on the unit circle, as a scalar that is zero there.
+//! Scalar condition of a multiplier +1 or -1.
 //!
 //! ```text
 //! [A b; c' 0] (v, g) = (0, 1),   [A' c; b' 0] (w, g) = (0, 1),   A = M - s I,   dg = -w' dA v
 //! ```
 //!
-//! `b` and `c` are near the null vectors of `A'` and `A`, so that the border is regular. `M` is the derivative of a flow, whose second
-//! derivative is symmetric: `w' dM v` for a change `du` is the change of `w' M` along `v`, applied to `du`; one more shot gives it all.
+//! `b` and `c` are near the null vectors of `A'` and `A`, so that the border is regular. `M` is the
+//! derivative of a flow, whose second derivative is symmetric. `w' dM v` for a change `du`
+//! therefore equals the change of `w' M` along `v`, applied to `du`. One more shooting evaluation
+//! gives the gradient.
 //!
 //! Source: W. Govaerts, Numerical Methods for Bifurcations of Dynamical Equilibria (SIAM, 2000), ch. 3.
 
@@ -14,7 +16,7 @@ use crate::orbit::border::solve_bordered;
 use crate::orbit::{ShootingEvaluation, null_vector};
 use faer::{ColRef, Mat};
 
-/// Move along `v` for the second derivative, beside the size of the state.
+/// Step along `v` for the second derivative, relative to the size of the state.
 const DIFFERENCE_STEP: f64 = 1e-5;
 
 /// `A` with its border.
@@ -26,7 +28,7 @@ pub struct CriticalMultiplier {
 }
 
 impl CriticalMultiplier {
-    /// For the multiplier `s` of a period map; `None` where the border is singular.
+    /// Solves for the multiplier `s` of a period map; `None` where the border is singular.
     pub fn of(map: &Mat<f64>, s: f64) -> Option<Self> {
         let n = map.nrows();
         let shifted = Mat::from_fn(n, n, |i, j| map[(i, j)] - if i == j { s } else { 0.0 });
@@ -38,7 +40,7 @@ impl CriticalMultiplier {
         Some(Self { v, w, g })
     }
 
-    /// `g` with its gradient; see [`super::Condition::gradient`].
+    /// Returns `g` with its gradient; see [`super::Condition::gradient`].
     pub fn gradient<E>(
         &self,
         shot: &ShootingEvaluation,
@@ -82,7 +84,8 @@ impl CriticalMultiplier {
 mod tests {
     use super::*;
 
-    /// `g` vanishes with the distance of the multiplier, and is about that distance for orthogonal null vectors.
+    /// `g` vanishes with the distance of the multiplier, and is about equal to it for orthogonal
+    /// null vectors.
     #[test]
     fn g_is_zero_with_the_multiplier_at_s() {
         let map = |multiplier: f64| {

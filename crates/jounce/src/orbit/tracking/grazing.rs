@@ -1,12 +1,14 @@
-//! A turning point on the surface of the stop, by the place and the speed of the port at its time, which is an unknown of its own.
+//! Grazing condition: displacement and speed of the port at the time of a turning point, which is
+//! an additional unknown.
 //!
 //! ```text
 //! c . x(t) - gap = 0,   c' . x(t) = 0,   d/du = c Phi(t),   d/dt = the speed and the acceleration
 //! ```
 //!
-//! `Phi` is the derivative of the flow up to that time. Where two turning points of the motion meet on the surface, the curve has a cusp
-//! over the parameters, at which any distance of a turning point as such ends; with the time as an unknown it is smooth there, and goes on as
-//! the curve of the other turning point.
+//! `Phi` is the derivative of the flow up to that time. Where two turning points of the motion meet
+//! on the surface, the curve has a cusp over the parameters, and the distance of a turning point
+//! ceases to exist. With the time as an unknown the curve is smooth there, and continues as the
+//! curve of the other turning point.
 //!
 //! Source: A. B. Nordmark, J. Sound Vib. 145 (1991) 279 (grazing); V. I. Arnold, Catastrophe Theory (Springer, 1992), ch. 2 (cusps).
 
@@ -16,25 +18,25 @@ use crate::orbit::turning_points::port_motion;
 use crate::orbit::{ShootingEvaluation, nearest_turn};
 use faer::{ColRef, Mat};
 
-/// Half of the width of the difference that gives the acceleration, drive cycles.
+/// Half width of the difference quotient for the acceleration, drive cycles.
 const HALF_DIFFERENCE_CYCLES: f64 = 1e-5;
 
-/// Change of the time that counts like a change of the state by its size, drive cycles.
+/// Change of the time that is scaled like a change of the state by its size, drive cycles.
 const TIME_SCALE_CYCLES: f64 = 0.1;
 
-/// A turning point that touches.
+/// Turning point on the surface of a stop.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GrazingPoint {
-    /// Number of the port.
+    /// Index of the port.
     pub port: usize,
-    /// Its time in the period, drive cycles.
+    /// Time in the period, drive cycles.
     pub phase_cycles: f64,
-    /// The change of that which counts like a change of the state by one.
+    /// Change of the time that is scaled like a unit change of the state.
     pub unit_cycles: f64,
 }
 
 impl GrazingPoint {
-    /// The turning point of an orbit that is nearest to a surface; `None` without one.
+    /// Returns the turning point of an orbit nearest to a surface; `None` without one.
     pub fn of(shot: &ShootingEvaluation) -> Option<Self> {
         let cycle_s = shot.period_s / shot.trajectories.len() as f64;
         let unit_cycles = TIME_SCALE_CYCLES / ColRef::from_slice(&shot.strobe_states[0]).norm_l2();
@@ -45,7 +47,7 @@ impl GrazingPoint {
         })
     }
 
-    /// The same at another value of the unknown, which is zero here.
+    /// Returns the grazing point at another value of its unknown, which is zero here.
     pub(super) fn moved(self, unknown: f64) -> Self {
         Self {
             phase_cycles: self.phase_cycles + unknown * self.unit_cycles,
@@ -54,8 +56,9 @@ impl GrazingPoint {
     }
 }
 
-/// Place and speed at a time, beside the scale of the motion and by drive cycles, with their gradients, those by the parameters with
-/// differences. `scale` is that of shooting.
+/// Returns displacement relative to the scale of the motion and speed per drive cycle at a time,
+/// with their gradients. The derivatives by the parameters are difference quotients. `scale`
+/// belongs to shooting.
 pub fn gradients(
     touch: GrazingPoint,
     shot: &ShootingEvaluation,
@@ -113,7 +116,7 @@ pub fn gradients(
     Ok(vec![gradient(0), gradient(1)])
 }
 
-/// Derivative of the state at a time by the state at the start of the period.
+/// Returns the derivative of the state at a time by the state at the start of the period.
 fn flow_until(
     touch: GrazingPoint,
     shot: &ShootingEvaluation,

@@ -1,10 +1,11 @@
-//! A quantity of the orbit at a level, as a scalar that is zero there.
+//! Scalar condition of a quantity of the orbit at a level.
 //!
 //! ```text
 //! g = Q / L - 1
 //! ```
 //!
-//! The largest value over a period has no derivative in closed form. The gradient is a difference quotient with one shot for each state.
+//! The largest value over a period has no derivative in closed form. The gradient is a difference
+//! quotient with one shooting evaluation for each state.
 
 use super::condition::Gradient;
 use crate::orbit::{OrbitQuantity, ShootingEvaluation};
@@ -13,7 +14,7 @@ use faer::ColRef;
 /// Step of the difference quotient, relative to the norm of the state.
 const RELATIVE_STEP: f64 = 1e-6;
 
-/// `g` with its gradient. See [`super::Condition::gradient`].
+/// Returns `g` with its gradient. See [`super::Condition::gradient`].
 pub fn gradient<E>(
     (quantity, value): (OrbitQuantity, f64),
     shot: &ShootingEvaluation,

@@ -1,12 +1,14 @@
-//! Bifurcations, and peaks of power, followed through two parameters.
+//! Bifurcations and peaks of power, continued in two parameters.
 //!
 //! ```text
 //! R(u, p, p2) = 0,   g(u, p, p2) = 0
 //! ```
 //!
-//! `R` is that of shooting, `g` is zero at the place that is followed: a multiplier +1 (fold) or -1 (doubling), a complex pair on the
-//! unit circle (Neimark-Sacker), a turning point on the surface of the stop (grazing), a quantity at a level, or power
-//! stationary along the curve (peak). Unknown are `u` and `p`; `p2` is the parameter of the curve, which continuation follows through its own folds.
+//! `R` is the residual of shooting; `g` is zero at the point that is continued. At a fold (or
+//! period doubling) a multiplier is +1 (or -1); at a Neimark-Sacker point a complex pair is on the
+//! unit circle. At a grazing a turning point is on the surface of the stop. A quantity has a given
+//! level, or the power is stationary along the curve (peak). The unknowns are `u` and `p`. `p2` is
+//! the parameter of the curve; continuation passes through its folds.
 
 mod branch_projection;
 mod condition;

@@ -1,26 +1,27 @@
-//! Two multipliers that are a complex pair, or have just met on the real axis, with the planes they belong to.
+//! Two multipliers that are a complex pair, or have just met on the real axis, with their invariant
+//! planes.
 
 use faer::linalg::solvers::Solve;
 use faer::{Mat, c64};
 
-/// Ratio of two real multipliers up to which they may be a pair that has met.
+/// Largest ratio of two real multipliers that can be a pair that has met.
 const MAX_REAL_RATIO: f64 = 1.5;
 
-/// A pair of multipliers.
+/// Pair of multipliers.
 #[derive(Debug)]
 pub struct MultiplierPair {
-    /// Whether it is complex.
+    /// True where the pair is complex.
     pub is_complex: bool,
-    /// Orthonormal basis of the plane of the map, `n x 2`.
+    /// Orthonormal basis of the invariant plane of the map, `n x 2`.
     pub right: Mat<f64>,
-    /// Basis of the plane of the transposed map, dual to it, `n x 2`.
+    /// Basis of the invariant plane of the transposed map, dual to it, `n x 2`.
     pub left: Mat<f64>,
     /// `B`.
     block: [[f64; 2]; 2],
 }
 
 impl MultiplierPair {
-    /// The pair whose product is nearest to one.
+    /// Returns the pair with the product nearest to one.
     pub fn of(map: &Mat<f64>) -> Option<Self> {
         let (right, values) = plane(map, |[a, b]| ((a * b).re - 1.0).abs())?;
         let (sum, product) = ((values[0] + values[1]).re, (values[0] * values[1]).re);
@@ -44,18 +45,18 @@ impl MultiplierPair {
         })
     }
 
-    /// `det B`, the product of the two.
+    /// Returns `det B`, the product of the two multipliers.
     pub fn product(&self) -> f64 {
         self.block[0][0] * self.block[1][1] - self.block[0][1] * self.block[1][0]
     }
 
-    /// Change of the product for a change of `B`.
+    /// Returns the change of the product for a change of `B`.
     pub fn change(&self, by: impl Fn(usize, usize) -> f64) -> f64 {
         let [[a, b], [c, d]] = self.block;
         d * by(0, 0) + a * by(1, 1) - c * by(0, 1) - b * by(1, 0)
     }
 
-    /// An entry of `W' D V` for a change `D` of the map.
+    /// Returns an entry of `W' D V` for a change `D` of the map.
     pub fn between(&self, row: usize, column: usize, change: impl Fn(usize, usize) -> f64) -> f64 {
         let n = self.right.nrows();
         let along = |i: usize| {
@@ -67,7 +68,8 @@ impl MultiplierPair {
     }
 }
 
-/// Orthonormal basis of the plane of the two eigenvalues that are the least by a measure, and these.
+/// Returns an orthonormal basis of the plane of the two eigenvalues that are smallest by a measure,
+/// and these eigenvalues.
 fn plane(map: &Mat<f64>, measure: impl Fn([c64; 2]) -> f64) -> Option<(Mat<f64>, [c64; 2])> {
     let n = map.nrows();
     let eigen = map.eigen().ok()?;
@@ -127,7 +129,7 @@ mod tests {
     #![allow(clippy::unwrap_used, reason = "tests")]
     use super::*;
 
-    /// A plane of known trace and determinant, beside a real multiplier.
+    /// A plane of known trace and determinant, with a further real multiplier.
     fn map(trace: f64, determinant: f64) -> Mat<f64> {
         let rows = [
             [trace, -determinant, 0.3],
@@ -137,7 +139,8 @@ mod tests {
         Mat::from_fn(3, 3, |i, j| rows[i][j])
     }
 
-    /// Complex, met at a distance of 1e-8, and apart on the real axis: the product moves with the determinant and not with the trace.
+    /// Complex, met at a distance of 1e-8, and separate on the real axis: the product changes with
+    /// the determinant, not with the trace.
     #[test]
     fn the_product_and_its_change_are_those_of_the_closed_form() {
         let determinant = 1.0;

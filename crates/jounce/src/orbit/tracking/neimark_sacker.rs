@@ -1,14 +1,16 @@
-//! A pair of multipliers on the unit circle, as a scalar that is zero there.
+//! Scalar condition of a pair of multipliers on the unit circle.
 //!
 //! ```text
 //! g = det B - 1,   B = W' M V,   M V = V B,   W' M = B W',   W' V = I,   dg = det B tr(B^-1 dB),   dB = W' dM V
 //! ```
 //!
-//! The columns of `V` span the plane of the pair, those of `W` that of the transposed map. Planes, unlike eigenvectors, stay apart where
-//! the pair meets on the real axis (strong resonance), so that `g` is smooth there; beyond, its product stays one without a torus, and
-//! the curve of tori has ended.
+//! The columns of `V` span the plane of the pair, the columns of `W` the plane in the transposed
+//! map. Planes, unlike eigenvectors, remain well defined where the pair meets on the real axis
+//! (strong resonance), so that `g` is smooth there. Beyond it the product remains one without a
+//! torus: the curve of tori has ended.
 //!
-//! `M` is the derivative of a flow, whose second derivative is symmetric: two shots, along the columns of `V`, give the whole gradient.
+//! `M` is the derivative of a flow, whose second derivative is symmetric: two shooting evaluations,
+//! along the columns of `V`, give the gradient.
 //!
 //! Source: Y. A. Kuznetsov, Elements of Applied Bifurcation Theory (Springer, 2004), ch. 4, 5 and 10.
 
@@ -17,10 +19,10 @@ use super::multiplier_pair::MultiplierPair;
 use crate::orbit::ShootingEvaluation;
 use faer::ColRef;
 
-/// Move along a vector of the plane for the second derivative, beside the size of the state.
+/// Step along a vector of the plane for the second derivative, relative to the size of the state.
 const DIFFERENCE_STEP: f64 = 1e-5;
 
-/// `g` with its gradient; `None` without a pair. See [`super::Condition::gradient`].
+/// Returns `g` with its gradient; `None` without a pair. See [`super::Condition::gradient`].
 pub fn gradient<E>(
     shot: &ShootingEvaluation,
     aside: [&ShootingEvaluation; 2],

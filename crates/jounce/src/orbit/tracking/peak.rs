@@ -1,14 +1,17 @@
-//! Power that is stationary along the curve of orbits over the first parameter, as a scalar.
+//! Scalar condition of power stationary along the curve of orbits over the first parameter.
 //!
 //! ```text
 //! g = (L / P) dP/ds,   s the length along the curve of (u, (p - p0) / unit),   L = |u|
 //! ```
 //!
-//! Slopes along the tangent are differences of fourth order; what moves off the curve by its bend does so alike on both sides and cancels. Off the surface of orbits `g` is that of the orbit across from there, so
-//! that its gradient has two directions only: along the curve (`d2P/ds2`, with the bend of the curve put back by one shot more), and to
+//! Slopes along the tangent are differences of fourth order; the offset from the curve by its
+//! curvature is equal on both sides and cancels. Off the surface of orbits `g` is evaluated at the
+//! projection onto it, so that its gradient has two directions only. The first is along the curve
+//! (`d2P/ds2`, with the curvature corrected by one more shooting evaluation). The second leads to
 //! the neighbouring curve at another second parameter.
 //!
-//! Validation: `tests/orbits/peaks.rs` compares peaks and optimal loads with the closed forms of a harvester that never touches.
+//! Validation: `tests/orbits/peaks.rs` compares peaks and optimal loads with the closed forms of a
+//! harvester without contact.
 
 use super::branch_projection::{BranchProjection, TrackingError};
 use super::condition::Gradient;
@@ -17,19 +20,20 @@ use super::two_parameter_problem::TwoParameterProblem;
 use crate::orbit::{OrbitError, ShootingEvaluation};
 use faer::ColRef;
 
-/// Width of a difference along the curve, beside the size of the state.
+/// Width of a difference along the curve, relative to the size of the state.
 const DIFFERENCE_WIDTH: f64 = 3e-3;
 
-/// A way that is off by less than this factor is taken as it is.
+/// A step length is accepted if it differs from the wanted one by less than this factor.
 const ACCEPTED_WAY_RATIO: f64 = 3.0;
 
-/// Way to the neighbouring curve that is tried first, in differences of the second parameter, ...
+/// First step to the neighbouring curve, in difference steps of the second parameter, ...
 const FIRST_WAY: f64 = 10.0;
 
-/// ... the change of `g` that it should make: over a shorter way roundoff counts, over a longer one `g` bends, ...
+/// ... the wanted change of `g`: over a shorter step roundoff matters, over a longer one the
+/// curvature of `g`, ...
 const WANTED_CHANGE: f64 = 1e-3;
 
-/// ... and the farthest that the state may go on it, beside its size.
+/// ... and the largest change of the state over the step, relative to its size.
 const MAX_STATE_CHANGE: f64 = 3e-3;
 
 fn power_w(shot: &ShootingEvaluation) -> f64 {
@@ -39,12 +43,12 @@ fn power_w(shot: &ShootingEvaluation) -> f64 {
 /// `g` and its slope along the curve.
 struct PowerSlopes {
     first: f64,
-    /// By the length.
+    /// Derivative by the arc length.
     second: f64,
 }
 
 impl<P: TwoParameterProblem> ExtendedProblem<'_, P> {
-    /// `g` with its gradient.
+    /// Returns `g` with its gradient.
     pub(super) fn peak(
         &self,
         (start, parameter, parameter_2): (&[f64], f64, f64),
@@ -91,7 +95,7 @@ impl<P: TwoParameterProblem> ExtendedProblem<'_, P> {
         }))
     }
 
-    /// By shots once and twice a width off, on both sides along the curve.
+    /// Computes the slopes from evaluations at one and two widths, on both sides along the curve.
     fn slopes(
         &self,
         line: &P::Line,
@@ -100,7 +104,7 @@ impl<P: TwoParameterProblem> ExtendedProblem<'_, P> {
     ) -> Result<Option<PowerSlopes>, TrackingError<P>> {
         let (own_w, residual) = (power_w(&foot.shot), &foot.shot.residual);
         let sides = self.sides(line, foot, width)?;
-        // Half-way between the two sides the straight way has left the curve by the bend.
+        // The mean of the two sides differs from the curve by the curvature.
         let left = |i: usize, pair: usize| {
             0.5 * (sides[pair][0].residual[i] + sides[pair][1].residual[i]) - residual[i]
         };
@@ -120,7 +124,7 @@ impl<P: TwoParameterProblem> ExtendedProblem<'_, P> {
         }))
     }
 
-    /// `g` on the neighbouring curve.
+    /// Returns `g` on the neighbouring curve.
     fn first_aside(
         &self,
         (foot, parameter_2): (&BranchProjection, f64),
@@ -164,7 +168,7 @@ impl<P: TwoParameterProblem> ExtendedProblem<'_, P> {
         Ok([[off(-1.0)?, off(1.0)?], [off(-2.0)?, off(2.0)?]])
     }
 
-    /// A shot off a place by a change of `(u, (p - p0) / unit)`.
+    /// Shoots from a point changed by `(u, (p - p0) / unit)`.
     fn shoot_off(
         &self,
         line: &P::Line,
@@ -188,7 +192,8 @@ impl<P: TwoParameterProblem> ExtendedProblem<'_, P> {
     }
 }
 
-/// Slope of the power along a curve, W per length, from the shots beside a place.
+/// Returns the slope of the power along a curve, W per length, from the evaluations on both sides
+/// of a point.
 fn first_w(sides: &[[ShootingEvaluation; 2]; 2], width: f64) -> f64 {
     let across = |[before, after]: &[ShootingEvaluation; 2]| power_w(after) - power_w(before);
     (8.0 * across(&sides[0]) - across(&sides[1])) / (12.0 * width)
