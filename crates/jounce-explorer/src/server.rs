@@ -246,13 +246,13 @@ async fn answer(
         Err(RequestRefusal::Host) => {
             return refused(
                 StatusCode::MISDIRECTED_REQUEST,
-                "the request names another host; use the address that `jounce explore` printed"
+                "the request names another host; use the address that `jounce explore` printed",
             );
         }
         Err(RequestRefusal::Origin) => {
             return refused(
                 StatusCode::FORBIDDEN,
-                "this server accepts requests of its own page only"
+                "this server accepts requests of its own page only",
             );
         }
         Err(RequestRefusal::Token) => {

@@ -132,7 +132,8 @@ impl Session {
                 Ok(Ok(())) => None,
                 Ok(Err(wrong)) => Some(wrong),
                 Err(_) => Some(DesignFault::Text(
-                    "the computation failed unexpectedly; please report the spec that caused it".to_owned(),
+                    "the computation failed unexpectedly; please report the spec that caused it"
+                        .to_owned(),
                 )),
             };
             if let Some(wrong) =

@@ -112,8 +112,9 @@ impl BifurcationCurve {
             .count();
         self.points.truncate(turn + 1);
         let at = self.points.last().map_or(f64::NAN, |last| last.parameter_2);
-        self.failures
-            .push(format!("from {at} the curve turned back over its own points"));
+        self.failures.push(format!(
+            "from {at} the curve turned back over its own points"
+        ));
     }
 
     /// True when another curve has the same kind and period.

@@ -295,9 +295,9 @@ fn comes_home(
 fn is_left(curve: &mut BifurcationCurve, parameter_2: f64) -> bool {
     let is_long = curve.points.len() >= MAX_CURVE_POINTS;
     if is_long {
-        curve
-            .failures
-            .push(format!("after the limit of {MAX_CURVE_POINTS} points, at {parameter_2}"));
+        curve.failures.push(format!(
+            "after the limit of {MAX_CURVE_POINTS} points, at {parameter_2}"
+        ));
     }
     is_long
 }

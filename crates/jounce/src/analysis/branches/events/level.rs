@@ -49,10 +49,9 @@ impl QuantityLevel {
             Some(unit) => unit
                 .read(value_text.trim())
                 .map_err(|error| format!("{text}: {error}"))?,
-            None => value_text
-                .trim()
-                .parse()
-                .map_err(|_| format!("{text}: a strain is a number without a unit, such as 3e-4"))?,
+            None => value_text.trim().parse().map_err(|_| {
+                format!("{text}: a strain is a number without a unit, such as 3e-4")
+            })?,
         };
         if value > 0.0 && f64::is_finite(value) {
             Ok(Self {
