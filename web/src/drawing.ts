@@ -43,7 +43,7 @@ export class Drawing {
         const whole = new DOMParser().parseFromString(drawn.svg, "image/svg+xml").documentElement;
         const sheets = [drawn.side, ...drawn.cells].map((box) => sheet(whole, box));
         sheets[0].view.setAttribute("aria-label", "Side view to scale");
-        sheets.slice(1).forEach(({ view }) => view.setAttribute("aria-label", "Circuit or closer look"));
+        sheets.slice(1).forEach(({ view }) => view.setAttribute("aria-label", "Circuit or close-up"));
         for (const grip of drawn.grips) {
             const inside = sheets.find((_, k) => holds([drawn.side, ...drawn.cells][k], grip.at)) ?? sheets[0];
             this.offer(inside.page, grip, inside === sheets[0], before);

@@ -28,7 +28,7 @@ interface Shown {
 }
 
 const SVG = "http://www.w3.org/2000/svg";
-const WORDS = { start: "Start of patch", end: "End of patch", place: "Place of stop", gap: "Gap of stop" };
+const WORDS = { start: "Start of patch", end: "End of patch", place: "Position of stop", gap: "Gap of stop" };
 /** Step of an arrow key, drawing units. */
 const STEP = 2;
 

@@ -134,7 +134,7 @@ const act: Record<string, () => void> = {
     pin: () => pins.add(),
     share: () => {
         address();
-        navigator.clipboard?.writeText(location.href).then(() => say("the link is on the clipboard"), () => say("the address bar holds the link"));
+        navigator.clipboard?.writeText(location.href).then(() => say("the link was copied"), () => say("copy the link from the address bar"));
     },
     export: () => axes.view && wire.ask("export", { set: design.pairs, ...axes.view }),
 };

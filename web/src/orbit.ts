@@ -67,9 +67,9 @@ export class Orbit {
         this.force.show(seconds, { words: "Force", unit: "N" }, own("force").map((curve) => ({ x: time, ...curve, colour: colour("vermilion") })));
         const lines = frame.array("spectrum.amplitude");
         const most = lines.reduce((high, value) => Math.max(high, value), 1e-12);
-        this.spectrum.show({ words: "Frequency", unit: "Hz" }, { words: "Volt, peak", unit: "V", log: true, ends: [1e-5 * most, 2 * most] }, [{ x: frame.array("spectrum.frequency"), y: lines.map((value) => Math.max(value, 1e-6 * most)), colour: colour("purple"), stems: true }]);
+        this.spectrum.show({ words: "Frequency", unit: "Hz" }, { words: "Voltage, peak", unit: "V", log: true, ends: [1e-5 * most, 2 * most] }, [{ x: frame.array("spectrum.frequency"), y: lines.map((value) => Math.max(value, 1e-6 * most)), colour: colour("purple"), stems: true }]);
         this.circle(frame);
-        this.label(this.displacement, `Displacement towards the stop over one period: ${contacts}, deepest ${quantity(head.max_penetration_m, "m")}`);
+        this.label(this.displacement, `Displacement towards the stop over one period: ${contacts}, largest penetration ${quantity(head.max_penetration_m, "m")}`);
         this.label(this.phase, "Phase portrait: velocity over displacement, with the stop as a line");
         this.label(this.voltage, `Voltage over one period: ${quantity(head.voltage_rms_v, "V")} rms`);
         this.label(this.force, `Contact force over one period: ${contacts}`);

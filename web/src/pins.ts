@@ -27,7 +27,7 @@ export class Pins {
                 item.dataset.colour = String((k + 2) % 6);
                 const back = document.createElement("button");
                 back.textContent = pin.words;
-                back.title = "Back to this design";
+                back.title = "Restore this design";
                 back.onclick = () => {
                     this.design.begin(pin.pairs);
                     this.design.onChange(false);

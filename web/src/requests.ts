@@ -166,12 +166,12 @@ export class Requests {
         if (head.stage === "point") {
             this.response.swept.push({ x: head.x, up: head.up, values: { power: head.power, voltage: head.voltage, penetration: head.penetration } });
             this.response.draw();
-            this.hears.say(`${head.index + 1} of ${head.of} values marched`);
+            this.hears.say(`${head.index + 1} of ${head.of} values computed`);
             return;
         }
         this.sweeping = false;
         document.getElementById("sweep")!.textContent = "Sweep";
-        this.hears.say(head.stage === "fault" ? head.faults[0]?.message : "sweep done");
+        this.hears.say(head.stage === "fault" ? head.faults[0]?.message : "sweep finished");
     }
 
     private patience(): void {
@@ -183,6 +183,6 @@ export class Requests {
 }
 
 function found(branches: number, ms: number): string {
-    if (branches === 0) return "no branch of periodic answers was found in this range; Sweep shows what the harvester does there";
+    if (branches === 0) return "no branch of periodic orbits was found in this range; use Sweep to integrate over it";
     return `${branches} ${branches === 1 ? "branch" : "branches"}, ${Math.round(ms)} ms`;
 }

@@ -114,12 +114,12 @@ export class Response {
         const parts: string[] = [];
         if (this.widths?.peak) {
             parts.push(`Peak ${quantity(this.widths.peak.mean_power_w, "W")} at ${at(this.widths.peak.parameter)}.`);
-            parts.push(`Half of that over ${at(this.widths.width)}.`);
+            parts.push(`Half-power bandwidth ${at(this.widths.width)}.`);
         }
         const jumps = answer.bifurcations.map((found) => `${found.kind} ${at(found.x)}`);
         const shown = [...new Set(jumps)].slice(0, 8);
         if (shown.length > 0) parts.push(`${shown.join(", ")}${jumps.length > shown.length ? ", …" : ""}.`);
-        if (answer.branches.length === 0) parts.push("No periodic answer was found in this range.");
+        if (answer.branches.length === 0) parts.push("No periodic orbit was found in this range.");
         const text = parts.join(" ");
         if (this.readout.textContent !== text) this.readout.textContent = text;
         const count = answer.branches.length;
