@@ -1,4 +1,4 @@
-// Where starts end: the plane of displacement and velocity, coloured by attractor, with shares and the power to be expected.
+// Basins of attraction: plane of displacement and velocity, coloured by attractor, with fractions and expected power.
 
 import { Chart } from "./chart";
 import type { Design } from "./design";

@@ -1,4 +1,4 @@
-// Mean power against the load: marched points as they come, beside the harvester that never strikes.
+// Mean power over the load: integrated points as they arrive, and the harvester without contact.
 
 import { Chart } from "./chart";
 import type { Controls } from "./controls";

@@ -1,4 +1,4 @@
-// The orbit behind the chosen point: histories, phase portrait, spectrum, force, multipliers, and the beam in motion.
+// Orbit of the selected point: histories, phase portrait, spectrum, force, multipliers, and the motion of the beam.
 
 import { AROUND, Chart } from "./chart";
 import type { Frame } from "./frame";
@@ -81,7 +81,7 @@ export class Orbit {
         const [re, im] = [frame.array("multiplier.re"), frame.array("multiplier.im")];
         const host = this.multipliers.host;
         const reach = Math.max(1.15, 1.1 * frame.head.floquet_max_abs);
-        // The circle is to be round.
+        // Equal scales make the circle round.
         const wide = (reach * Math.max(20, host.clientWidth - AROUND[0])) / Math.max(20, host.clientHeight - AROUND[1]);
         const marks = Array.from(re, (x, k) => ({ x, y: im[k], colour: colour(Math.hypot(x, im[k]) < 1 ? "blue" : "vermilion"), shape: "circle" as const, size: 3 }));
         this.multipliers.show({ words: "Multipliers, real", unit: "", ends: [-wide, wide] }, { words: "imaginary", unit: "", ends: [-reach, reach] }, [], marks, [], true);
@@ -92,7 +92,7 @@ export class Orbit {
     }
 }
 
-/** A closed curve ends where it began. */
+/** Appends the first value to close a curve. */
 function closed(values: Float64Array): number[] {
     return [...values, values[0]];
 }

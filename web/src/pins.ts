@@ -1,4 +1,4 @@
-// Pinned designs: their responses stay on the picture.
+// Pinned designs: their responses remain on the chart.
 
 import type { Design } from "./design";
 import type { Response } from "./response";

@@ -1,4 +1,4 @@
-// The harvester under noise, or under a recording that was dropped onto the page.
+// Response under noise, or under a recording dropped onto the page.
 
 import { Chart } from "./chart";
 import type { Controls } from "./controls";
@@ -44,7 +44,7 @@ export class Shake {
         });
     }
 
-    /** Offers noise of the power of the first sinusoid in the octave and a half about it. */
+    /** Offers noise with the power of the first sinusoid in an octave and a half around it. */
     offer(): void {
         const value = (name: string) => this.controls.all.find(({ key }) => new RegExp(`^drive\\.[^.]+\\.${name}$`).test(key))?.value;
         const [amplitude, hertz] = [value("amplitude"), value("frequency")];
@@ -125,7 +125,7 @@ export class Shake {
 function base64(file: File): Promise<string> {
     return new Promise((resolve, reject) => {
         const reader = new FileReader();
-        // What stands before the comma tells the kind of the file.
+        // The prefix before the comma specifies the kind of the file.
         reader.onload = () => resolve((reader.result as string).split(",")[1] ?? "");
         reader.onerror = () => reject(reader.error);
         reader.readAsDataURL(file);
