@@ -98,7 +98,7 @@ function sheet(whole: Element, [left, top, wide, high]: Box): { view: SVGSVGElem
         page.setAttribute(name, String(value));
     }
     page.removeAttribute("role");
-    // Elements of other parts are invisible here and must be hidden from screen readers too.
+    // Elements of other parts are invisible here; they are removed for screen readers.
     for (const part of [...page.children]) {
         const place = beginning(part);
         if (!place || !holds([x, y, width, height], place)) part.remove();

@@ -26,7 +26,7 @@ pub enum AnalysisError {
     /// The spec does not allow this value of the swept key.
     #[error("{0}")]
     Value(#[from] crate::spec::Fault),
-    /// The drive never repeats itself, but the analysis needs a periodic response.
+    /// The drive is aperiodic, but the analysis needs a periodic response.
     #[error(
         "drive `{drive}` is not periodic, so there is no periodic response to find; use `jounce run` for one integration, or `jounce ensemble` for many realisations of noise"
     )]

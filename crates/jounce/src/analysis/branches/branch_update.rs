@@ -78,7 +78,7 @@ impl BranchUpdate<'_> {
         };
         let mut carried = UpdatedBranches::default();
         for (index, branch) in known.iter().enumerate() {
-            // After a branch was cut or lost, the indices no longer match.
+            // After a branch was cut or lost, the indices do not match.
             let trend = self.trend.filter(|trend| trend.before.len() == known.len());
             let likely = trend.and_then(|trend| trend.likely(index, branch));
             self.carry(&following, branch, likely.as_deref(), &mut carried);

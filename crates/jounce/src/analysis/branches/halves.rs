@@ -6,8 +6,9 @@
 //! ```
 //!
 //! The difference `d` of the halves is an odd function of the distance `s` along the curve from the
-//! merging point: beyond it the branch is its own copy, shifted by half a period. So the chord of
-//! `d` over a short step passes through zero there. A difference that only rotates does not.
+//! merging point, since beyond it the branch is its own copy, shifted by half a period. So the
+//! chord of `d` over a short step passes through zero there. A difference that only rotates does
+//! not.
 
 use super::branch::{Bifurcation, Branch, BranchKind};
 use super::orbit_point::OrbitPoint;

@@ -18,7 +18,7 @@ use std::rc::Rc;
 /// Relative distance below which two orbits are the same.
 const SAME_ORBIT_DISTANCE: f64 = 1e-4;
 
-/// The same distance in tolerances of Newton's method; the larger one counts.
+/// This distance in tolerances of Newton's method; the larger one counts.
 const SAME_ORBIT_GOALS: f64 = 10.0;
 
 /// Largest distance of the curve from its chord, relative to the chord; a right-angled corner

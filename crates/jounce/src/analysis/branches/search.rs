@@ -1,11 +1,11 @@
 //! Search for all branches of a spec over a range of one key.
 //!
-//! The search first follows the branches on which integrations settle. They start at both ends of
-//! the range and at values between: from rest, from the steady state without the stop, from a large
-//! initial velocity and from a stronger drive. It then follows the branches that leave these at
-//! period doublings, shorter periods first. Among branches of one period it takes the parent with
-//! the largest area below its power first. Integrations run in parallel; the order of the rest is
-//! fixed. The search ends when its budget is spent.
+//! The search first follows the branches on which integrations settle. These start at both ends of
+//! the range and at values between. The initial states are rest, the steady state without the stop,
+//! a large initial velocity and the end of a ramp down from a stronger drive. The search then
+//! follows the branches that leave these at period doublings, shorter periods first. Among branches
+//! of one period it takes the parent with the largest area below its power first. Integrations run
+//! in parallel; the order of the rest is fixed. The search ends when its budget is spent.
 
 use super::branch::{Branch, BranchKind, BranchPoint};
 use super::known::is_end_of_one;

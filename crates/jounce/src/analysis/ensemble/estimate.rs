@@ -103,8 +103,8 @@ impl Estimate {
     }
 
     /// Ratio of the sum of the first to the sum of the second numbers of independent pairs, with
-    /// the jackknife interval; 0 with an infinite interval where the second numbers are all 0.
-    /// Source: B. Efron, C. Stein, Ann. Stat. 9 (1981) 586.
+    /// its jackknife interval. It is 0 with an infinite interval where the second numbers are all
+    /// 0. Source: B. Efron, C. Stein, Ann. Stat. 9 (1981) 586.
     pub(super) fn of_ratio(pairs: &[[f64; 2]], interval: IntervalOver) -> Self {
         let [above, below] = pairs
             .iter()

@@ -1,11 +1,12 @@
 //! Recognition of the attractor that an integration reaches.
 //!
-//! A start belongs to a periodic orbit when its motion has entered the ball in which the derivative
-//! of the orbit proves attraction (see [`AttractingOrbit`]), and contracts there as the bound
-//! requires. Orbits are found from the return times of the motion: Newton's method starts from the
-//! last state, over the period after which the motion returns nearest. A motion that reaches no
-//! orbit is a torus if its averages converge and its largest exponent is zero. It is chaos if that
-//! exponent is positive after all permitted cycles, and undecided otherwise.
+//! A start belongs to a periodic orbit when its motion has entered a ball around it (see
+//! [`AttractingOrbit`]) and contracts there as the bound requires. The derivative of the orbit
+//! proves attraction in this ball. Orbits are found from the return times of the motion: Newton's
+//! method starts from the last state, over the period after which the motion returns nearest. A
+//! motion that reaches no orbit is a torus if its averages converge and its largest exponent is
+//! zero. It is chaos if that exponent is positive after all permitted cycles, and undecided
+//! otherwise.
 
 mod adapted_norm;
 mod attracting_orbit;

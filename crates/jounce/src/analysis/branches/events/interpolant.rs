@@ -7,7 +7,7 @@
 //! ```
 //!
 //! `p` and `q` are the slopes at the two ends times the length of the step. The first part of `E`
-//! is the height of `H` above its chord: the function may bend twice as far as the cubic, for
+//! is the height of `H` above its chord. So the function may bend twice as far as the cubic, for
 //! example at a kink in the middle of the step. The second part is the distance of `H` from the
 //! parabolas that omit one of the slopes.
 //!

@@ -89,7 +89,7 @@ pub(super) fn between(
     }
 }
 
-/// True where the blocks of the group keep it inside the unit circle on the step. Their discs lie
+/// True where the blocks of the group hold it inside the unit circle on the step. Their discs lie
 /// inside it at both ends, and remain inside if they change by the same amount again.
 pub(super) fn is_enclosed([a, b]: [StepEnd; 2], group: &MultiplierGroup) -> bool {
     let radius = |end: StepEnd, own: &[usize]| {
