@@ -106,7 +106,7 @@ def test_what_cannot_be_served_is_told(harvester, tmp_path):
             wrong()
     with pytest.raises(jounce.FileError, match="does not exist"):
         jounce.explore(tmp_path / "none.toml", browser=False)
-    with socket.create_server(("127.0.0.1", 0)) as taken, pytest.raises(jounce.ExploreError, match="cannot be listened on"):
+    with socket.create_server(("127.0.0.1", 0)) as taken, pytest.raises(jounce.ExploreError, match="cannot listen on"):
         jounce.explore(harvester, browser=False, listen=f"127.0.0.1:{taken.getsockname()[1]}")
     with jounce.explore(harvester, browser=False) as explorer, pytest.raises(TypeError):
         pickle.dumps(explorer)

@@ -1,4 +1,4 @@
-// What the response goes over: a key and its range, in the unit of its control.
+// Range of the response: a key with both ends, in the unit of its control.
 
 import type { Control, Controls } from "./controls";
 import type { View } from "./design";
@@ -13,7 +13,7 @@ export class Axes {
     private readonly unit = find("over-unit");
     view: View | undefined;
     onChange: () => void = () => {};
-    /** Hears what is wrong with a range. */
+    /** Called with the error of a range. */
     onWrong: (words: string) => void = () => {};
 
     constructor(private readonly controls: Controls) {
@@ -21,7 +21,7 @@ export class Axes {
         this.from.onchange = this.to.onchange = () => this.read();
     }
 
-    /** Offers the keys of a design; the first sinusoidal drive's frequency at the beginning. */
+    /** Offers the keys of a design; initially the frequency of the first sinusoidal drive. */
     offer(): void {
         const keys = this.controls.all.filter((control) => !control.count).map((control) => control.key);
         if (keys.join() !== [...this.over.options].map((option) => option.value).join()) {

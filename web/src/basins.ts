@@ -1,4 +1,4 @@
-// Where starts end: the plane of displacement and velocity, coloured by attractor, with shares and the power to be expected.
+// Basins of attraction: plane of displacement and velocity, coloured by attractor, with fractions and expected power.
 
 import { Chart } from "./chart";
 import type { Design } from "./design";
@@ -33,7 +33,7 @@ export class Basins {
         const side = Number(find<HTMLSelectElement>("basins-side").value);
         this.set(this.wire.ask("basins", { set: this.design.pairs, side }) !== 0);
         this.bar.value = 0;
-        this.words.textContent = "marching";
+        this.words.textContent = "integrating";
     }
 
     private stop(): void {
@@ -45,7 +45,7 @@ export class Basins {
     private set(running: boolean): void {
         this.running = running;
         this.bar.hidden = !running;
-        find("basins-run").textContent = running ? "Stop" : "March";
+        find("basins-run").textContent = running ? "Stop" : "Run";
     }
 
     private take(frame: Frame): void {
@@ -61,7 +61,7 @@ export class Basins {
             this.set(false);
             this.frame = frame;
             const expected = quantity(head.expected_power_w, "W");
-            this.words.textContent = `at ${quantity(head.frequency_hz, "Hz")}: expected power ${expected}${head.lost > 0 ? `, ${head.lost} marches failed` : ""}`;
+            this.words.textContent = `at ${quantity(head.frequency_hz, "Hz")}: expected power ${expected}${head.lost > 0 ? `, ${head.lost} runs failed` : ""}`;
             this.redraw();
         }
     }
@@ -85,6 +85,6 @@ export class Basins {
             return item;
         });
         find("attractors").replaceChildren(...told);
-        this.chart.host.setAttribute("aria-label", `Where ${x.length} starts end. ${told.map((item) => item.textContent).join("; ")}`);
+        this.chart.host.setAttribute("aria-label", `Attractors of ${x.length} starts. ${told.map((item) => item.textContent).join("; ")}`);
     }
 }

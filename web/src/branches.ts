@@ -1,4 +1,4 @@
-// A response as it was answered: branches, bifurcations, the linear harvester.
+// Data of a response: branches, bifurcations, the linear harvester.
 
 import type { Frame } from "./frame";
 
@@ -69,7 +69,7 @@ export function best(answer: Answer): Place | undefined {
     return found;
 }
 
-/** The point of a new answer that lies nearest to a point of an old one. */
+/** The point of a new response nearest to a point of an old one. */
 export function nearest(answer: Answer, x: number, power: number, span: number): Place | undefined {
     let found: Place | undefined;
     let least = Infinity;

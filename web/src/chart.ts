@@ -1,4 +1,4 @@
-// A picture of curves on axes: uPlot lays out axes, grid and scales.
+// Chart of curves on axes: uPlot draws axes, grid and scales.
 
 import uPlot from "uplot";
 import { type Curve, type Mark, type Rule, unitCircle, drawCurve, drawMark, drawRule } from "./paint";
@@ -9,11 +9,11 @@ export interface Axis {
     words: string;
     unit: string;
     log?: boolean;
-    /** Fixed ends; otherwise those of the curves. */
+    /** Fixed ends; by default those of the curves. */
     ends?: [number, number];
 }
 
-/** Pixels of a small picture that its axes and edges take, across and up. */
+/** Pixels of axes and margins in a small chart, horizontally and vertically. */
 export const AROUND = [56, 38];
 
 export class Chart {
@@ -54,7 +54,7 @@ export class Chart {
         if (this.curves.length + this.marks.length > 0) this.show(this.x, this.y, this.curves, this.marks, this.rules, this.round);
     }
 
-    /** Place of a point in CSS pixels of the plotting area. */
+    /** Position of a point in CSS pixels of the plotting area. */
     place(x: number, y: number): [number, number] {
         if (!this.plot) return [Number.NaN, Number.NaN];
         return [this.plot.valToPos(x, "x"), this.plot.valToPos(y, "y")];
@@ -112,7 +112,7 @@ export class Chart {
             stroke: colour("ink"),
             grid: { stroke: colour("grid"), width: 1 },
             ticks: { show: false },
-            // uPlot 1.6.32 counts for ever where a logarithmic axis begins just below a power of ten.
+            // uPlot 1.6.32 loops forever where a logarithmic axis begins just below a power of ten.
             ...(axis.log ? { splits: (_: uPlot, __: number, low: number, high: number) => decades(low, high) } : {}),
             values: (_, splits) => splits.map((value) => (value === null || !told(value, axis) ? "" : digits(value / step, 5))),
         };
@@ -158,7 +158,7 @@ export class Chart {
     }
 }
 
-/** Places of the lines of a logarithmic grid: 1 to 9 in each decade, only 1 where decades are many. */
+/** Positions of the lines of a logarithmic grid: 1 to 9 in each decade, only 1 over many decades. */
 function decades(low: number, high: number): number[] {
     const factors = high / low > 1e4 ? [1] : [1, 2, 3, 4, 5, 6, 7, 8, 9];
     const found: number[] = [];
@@ -171,7 +171,7 @@ function decades(low: number, high: number): number[] {
     return found;
 }
 
-/** Ends between which an axis can be divided: finite, apart by more than roundoff, and not too many decades. */
+/** Ends between which an axis can be divided: finite, further apart than roundoff, and not over too many decades. */
 function drawable([low, high]: [number, number], log = false): [number, number] {
     if (!Number.isFinite(low) || !Number.isFinite(high)) return log ? [0.1, 1] : [0, 1];
     if (log) {
@@ -182,7 +182,7 @@ function drawable([low, high]: [number, number], log = false): [number, number] 
     return high - low > least ? [low, high] : [low - 1e3 * least, low + 1e3 * least];
 }
 
-/** On a logarithmic axis 1, 2 and 5 have a label, and only 1 where decades are many. */
+/** On a logarithmic axis 1, 2 and 5 have a label, and only 1 over many decades. */
 function told(value: number, { log, ends }: Axis): boolean {
     if (!log) return true;
     const mantissa = Math.round((1e6 * value) / 10 ** Math.floor(Math.log10(value) + 1e-9)) / 1e6;

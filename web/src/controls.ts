@@ -1,4 +1,4 @@
-// Sliders and fields for every number of the spec; a fault stands beside its control.
+// Sliders and fields for every number of the spec; a fault is shown next to its control.
 
 import type { Design } from "./design";
 import type { Fault } from "./frame";
@@ -19,7 +19,7 @@ export interface Control {
 }
 
 const STEPS = 1000;
-/** Groups that are open at first. */
+/** Groups that are initially open. */
 const OPEN = /^(stop|circuit|drive)\./;
 
 interface Row {
@@ -45,7 +45,7 @@ export class Controls {
         return this.rows.get(key)?.control;
     }
 
-    /** Takes the controls of a design: rows are kept where the keys are the same, so that a held slider stays held. */
+    /** Shows the controls of a design; rows with equal keys are reused, so that a held slider remains held. */
     take(list: Control[]): void {
         const same = list.length === this.list.length && list.every((control, k) => control.key === this.list[k].key);
         this.list = list;
@@ -53,7 +53,7 @@ export class Controls {
         for (const control of list) this.put(control);
     }
 
-    /** A value in SI as the words that the spec would have. */
+    /** Formats a value in SI as in the spec. */
     words(key: string, si: number): string {
         const control = this.find(key);
         if (!control) return String(si);
@@ -61,7 +61,7 @@ export class Controls {
         return control.count ? String(Math.round(si)) : control.unit ? `${number} ${control.unit}` : number;
     }
 
-    /** Faults beside their controls; those without one above all. */
+    /** Shows faults next to their controls; those without a control above all. */
     tell(faults: Fault[]): void {
         const beside = new Map<string, string>();
         const rest: string[] = [];
@@ -148,7 +148,7 @@ export class Controls {
         return row;
     }
 
-    /** Shows a value; the range of a slider stays while the value is inside it. */
+    /** Shows a value; the range of a slider remains while the value is inside it. */
     private put(control: Control): void {
         const row = this.rows.get(control.key)!;
         const { from, to, scale, unit, factor } = row.control;

@@ -1,4 +1,4 @@
-// The design: overrides of the file, with undo, redo and a link that holds them all.
+// The design: overrides of the file, with undo, redo and a link that stores them all.
 
 export type Overrides = ReadonlyMap<string, string>;
 
@@ -32,14 +32,14 @@ export class Design {
         return this.future.length > 0;
     }
 
-    /** Begins anew, without a past. */
+    /** Starts with an empty history. */
     begin(pairs: [string, string][]): void {
         this.present = new Map(pairs);
         this.settled = new Map(pairs);
         this.past.length = this.future.length = 0;
     }
 
-    /** Sets a key; while `moving` nothing is kept for undo. */
+    /** Sets a key; while `moving` nothing is stored for undo. */
     set(key: string, value: string, moving = false): void {
         this.setAll([[key, value]], moving);
     }
@@ -85,7 +85,7 @@ export class Design {
     }
 }
 
-/** The fragment that holds a design and what is shown of it. */
+/** The fragment with a design and its view. */
 export function toFragment(pairs: [string, string][], view: View | undefined): string {
     const words = new URLSearchParams();
     for (const [key, value] of pairs) words.append("set", `${key}=${value}`);
@@ -97,7 +97,7 @@ export function toFragment(pairs: [string, string][], view: View | undefined): s
     return words.toString();
 }
 
-/** The design in a fragment, if there is one. */
+/** The design in a fragment, if it has one. */
 export function fromFragment(fragment: string): { pairs: [string, string][]; view: View | undefined } | undefined {
     const words = new URLSearchParams(fragment.replace(/^#/, ""));
     const pairs = words.getAll("set").filter((text) => text.includes("=")).map((text): [string, string] => {

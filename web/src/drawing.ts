@@ -15,11 +15,11 @@ interface Drawn {
 }
 
 const SVG = "http://www.w3.org/2000/svg";
-/** Free edge around what is shown of the sheet. */
+/** Margin around the visible part of the sheet. */
 const EDGE = 8;
-/** Width and height of what can be caught, drawing units. */
+/** Width and height of the area of a handle, drawing units. */
 const CATCH = { start: [14, 44], end: [14, 44], place: [20, 26], gap: [60, 40] };
-/** The same for a gap in the side view, where the place of the stop is near. */
+/** Size for a gap in the side view, where the handle of the stop's position is near. */
 const CATCH_BESIDE = [40, 12];
 
 export class Drawing {
@@ -43,7 +43,7 @@ export class Drawing {
         const whole = new DOMParser().parseFromString(drawn.svg, "image/svg+xml").documentElement;
         const sheets = [drawn.side, ...drawn.cells].map((box) => sheet(whole, box));
         sheets[0].view.setAttribute("aria-label", "Side view to scale");
-        sheets.slice(1).forEach(({ view }) => view.setAttribute("aria-label", "Circuit or closer look"));
+        sheets.slice(1).forEach(({ view }) => view.setAttribute("aria-label", "Circuit or close-up"));
         for (const grip of drawn.grips) {
             const inside = sheets.find((_, k) => holds([drawn.side, ...drawn.cells][k], grip.at)) ?? sheets[0];
             this.offer(inside.page, grip, inside === sheets[0], before);
@@ -54,7 +54,7 @@ export class Drawing {
         if (focused instanceof SVGElement && focused.isConnected) focused.focus();
     }
 
-    /** Gives a grip its handle, where its key has a control. */
+    /** Creates the handle of a grip, if its key has a control. */
     private offer(page: SVGSVGElement, grip: Grip, beside: boolean, before: Map<string, Handle>): void {
         const { kind, key } = grip;
         const value = this.controls.find(key)?.value;
@@ -73,7 +73,7 @@ export class Drawing {
         };
         const move = moves[kind];
         if (!move) return;
-        // A handle outlives the drawing that it lies on: who holds it, or stands on it with the keyboard, does not lose it.
+        // A handle outlives its drawing: a held or focused handle remains so.
         const name = `${kind} ${key} ${beside}`;
         const handle = before.get(name) ?? new Handle((held) => (this.held = held));
         handle.show(page, grip, kind === "gap" && beside ? CATCH_BESIDE : CATCH[kind], { words: this.controls.words(key, value), value, move });
@@ -87,7 +87,7 @@ export class Drawing {
     }
 }
 
-/** A part of the sheet by itself: `page` has the coordinates of the sheet. */
+/** A single part of the sheet; `page` has the coordinates of the sheet. */
 function sheet(whole: Element, [left, top, wide, high]: Box): { view: SVGSVGElement; page: SVGSVGElement } {
     const view = document.createElementNS(SVG, "svg");
     const page = document.importNode(whole, true) as unknown as SVGSVGElement;
@@ -98,7 +98,7 @@ function sheet(whole: Element, [left, top, wide, high]: Box): { view: SVGSVGElem
         page.setAttribute(name, String(value));
     }
     page.removeAttribute("role");
-    // What begins elsewhere on the sheet is not seen here, and must not be read either.
+    // Elements of other parts are invisible here; they are removed for screen readers.
     for (const part of [...page.children]) {
         const place = beginning(part);
         if (!place || !holds([x, y, width, height], place)) part.remove();
@@ -107,7 +107,7 @@ function sheet(whole: Element, [left, top, wide, high]: Box): { view: SVGSVGElem
     return { view, page };
 }
 
-/** Where an element begins on the sheet; nothing for the title and the paper. */
+/** Start of an element on the sheet; undefined for the title and the paper. */
 function beginning(part: Element): [number, number] | undefined {
     const words = part.getAttribute("d")?.match(/-?[\d.]+/g) ?? [part.getAttribute("x"), part.getAttribute("y")];
     return words[0] === null || part.classList.contains("jounce-paper") && !part.hasAttribute("stroke") ? undefined : [Number(words[0]), Number(words[1])];

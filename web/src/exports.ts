@@ -1,4 +1,4 @@
-// Takes the design away: spec, table, pictures, and the lines that give the same answer.
+// Export of the design: spec, table, pictures, and the commands that give the same response.
 
 import { type Answer, isStable } from "./branches";
 import type { Drawing } from "./drawing";
@@ -21,7 +21,7 @@ export class Exports {
         find("export-picture").onclick = () => this.picture();
     }
 
-    /** Opens the dialog with what the server gave. */
+    /** Opens the dialog with the data of the server. */
     open(head: Head, file: string): void {
         this.spec = head.spec;
         this.stem = file.split(/[\\/]/).pop()!.replace(/\.[^.]*$/, "") || "harvester";
@@ -43,7 +43,7 @@ export class Exports {
     }
 }
 
-/** The columns of `jounce branch --out`, as far as the page has them. */
+/** The columns of `jounce branch --out` that the page has. */
 export function table(answer: Answer): string {
     const lines = ["branch,period_cycles,parameter,mean_power_w,voltage_rms_v,stable,floquet_max_abs,contacts_per_period,max_penetration_m"];
     answer.branches.forEach((branch, k) => {

@@ -1,4 +1,4 @@
-// Answers of the server: a head in JSON and arrays of Float64, see crates/jounce-explorer/src/lib.rs.
+// Responses of the server: a head in JSON and arrays of Float64, see crates/jounce-explorer/src/lib.rs.
 
 export interface Fault {
     key: string;
@@ -6,7 +6,7 @@ export interface Fault {
     message: string;
 }
 
-// The head differs from answer to answer; each module reads its own part.
+// The head differs between responses; each module reads its own part.
 // eslint-disable-next-line @typescript-eslint/no-explicit-any
 export type Head = Record<string, any> & { id: number; ask: string; stage: string };
 
@@ -22,7 +22,7 @@ export class Frame {
         }
     }
 
-    /** An array of the answer; empty where it has none of that name. */
+    /** An array of the response; empty where it has no array of that name. */
     array(name: string): Float64Array {
         return this.arrays.get(name) ?? new Float64Array(0);
     }

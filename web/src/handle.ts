@@ -1,19 +1,19 @@
-// What can be caught in the drawing, with the mouse or with the arrow keys.
+// Handles of the drawing, moved with the mouse or with the arrow keys.
 
 export interface Grip {
     kind: "start" | "end" | "place" | "gap";
     name: string;
-    /** The key that the grip moves; a start moves the length of its patch too, so that the far end stays. */
+    /** Key that the grip moves; a start also changes the length of its patch, so that the far end is fixed. */
     key: string;
     length?: string;
     at: [number, number];
     px_per_m: [number, number];
 }
 
-/** Moves a grip by metres from where it was caught. */
+/** Moves a grip by metres from its initial position. */
 export type Move = (metres: number, moving: boolean) => void;
 
-/** What is held, where it was caught, and the metres of a pixel in each direction. */
+/** Held grip, its initial position, and the metres of a pixel in each direction. */
 export interface Held {
     move: Move;
     x: number;
@@ -28,7 +28,7 @@ interface Shown {
 }
 
 const SVG = "http://www.w3.org/2000/svg";
-const WORDS = { start: "Start of patch", end: "End of patch", place: "Place of stop", gap: "Gap of stop" };
+const WORDS = { start: "Start of patch", end: "End of patch", place: "Position of stop", gap: "Gap of stop" };
 /** Step of an arrow key, drawing units. */
 const STEP = 2;
 
@@ -57,7 +57,7 @@ export class Handle {
         });
     }
 
-    /** Lies on a page at the place of its grip. */
+    /** Places the handle at the position of its grip on a page. */
     show(page: SVGSVGElement, grip: Grip, [width, height]: number[], { words, value, move }: Shown): void {
         const orientation = grip.kind === "gap" ? "vertical" : "horizontal";
         const name = `${WORDS[grip.kind]} ${grip.name}`;

@@ -1,4 +1,4 @@
-// Mean power against the load: marched points as they come, beside the harvester that never strikes.
+// Mean power over the load: integrated points as they arrive, and the harvester without contact.
 
 import { Chart } from "./chart";
 import type { Controls } from "./controls";
@@ -38,7 +38,7 @@ export class Load {
         }
         this.points = [];
         this.set(this.wire.ask("load", { set: this.design.pairs, over: this.over.value, points: POINTS }) !== 0);
-        this.words.textContent = "marching";
+        this.words.textContent = "integrating";
     }
 
     private stop(): void {
@@ -49,7 +49,7 @@ export class Load {
 
     private set(running: boolean): void {
         this.running = running;
-        find("load-run").textContent = running ? "Stop" : "March";
+        find("load-run").textContent = running ? "Stop" : "Run";
     }
 
     private take(frame: Frame): void {
@@ -61,11 +61,11 @@ export class Load {
             this.linear = [frame.array("linear.x"), frame.array("linear.power")];
         } else if (head.stage === "point") {
             this.points.push([head.x, head.power]);
-            this.words.textContent = `${this.points.length} of ${head.of} values marched`;
+            this.words.textContent = `${this.points.length} of ${head.of} values computed`;
         } else {
             this.set(false);
             const [ohm, watt] = this.points.reduce((most, point) => (point[1] > most[1] ? point : most), [0, 0]);
-            this.words.textContent = `most power: ${quantity(watt, "W")} at ${quantity(ohm, "ohm")}`;
+            this.words.textContent = `largest power: ${quantity(watt, "W")} at ${quantity(ohm, "ohm")}`;
         }
         this.redraw();
     }

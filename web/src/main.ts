@@ -1,4 +1,4 @@
-// The page: one design, one socket, and what follows them.
+// The page: one design, one socket, and the views that follow them.
 
 import { Axes } from "./axes";
 import { Basins } from "./basins";
@@ -20,7 +20,7 @@ import { Wire } from "./wire";
 
 const find = <T extends HTMLElement>(id: string) => document.getElementById(id) as T;
 
-/** The address follows a design that has rested so long. */
+/** Time without changes after which the address is updated. */
 const ADDRESS_RESTS_MS = 250;
 
 const wire = new Wire();
@@ -52,7 +52,7 @@ const requests = new Requests(wire, design, axes, response, {
     },
 });
 
-// A browser takes long for a new address, and allows few of them in a while: one when the design rests.
+// A browser is slow to set an address, and limits their rate: one when the design rests.
 let resting = 0;
 const address = () => {
     clearTimeout(resting);
@@ -134,7 +134,7 @@ const act: Record<string, () => void> = {
     pin: () => pins.add(),
     share: () => {
         address();
-        navigator.clipboard?.writeText(location.href).then(() => say("the link is on the clipboard"), () => say("the address bar holds the link"));
+        navigator.clipboard?.writeText(location.href).then(() => say("the link was copied"), () => say("copy the link from the address bar"));
     },
     export: () => axes.view && wire.ask("export", { set: design.pairs, ...axes.view }),
 };

@@ -1,4 +1,4 @@
-// The beam in slow motion, striking its stop.
+// Slow motion of the beam with its impacts.
 
 import { colour } from "./theme";
 import type { Frame } from "./frame";
@@ -27,9 +27,9 @@ export class Motion {
     private last = 0;
     private held = false;
     private largest = 1;
-    /** How much slower than life. */
+    /** Factor of the slow motion. */
     slower = 40;
-    /** Hears the share of the period that is shown. */
+    /** Called with the fraction of the period that is shown. */
     onPhase: (phase: number) => void = () => {};
     readonly frames: number[] = [];
 
@@ -103,7 +103,7 @@ export class Motion {
         ctx.strokeStyle = colour("grid");
         ctx.lineWidth = ratio;
         line(ctx, left, zero, right, zero);
-        // Where the beam has been.
+        // Earlier positions of the beam.
         ctx.strokeStyle = colour("blue");
         ctx.globalAlpha = 0.12;
         for (let picture = 0; picture < this.pictures; picture += 12) this.bent(ctx, (k) => [x(beam.places[k]), zero - scale * beam.motion[picture * count + k]], count);

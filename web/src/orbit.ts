@@ -1,4 +1,4 @@
-// The orbit behind the chosen point: histories, phase portrait, spectrum, force, multipliers, and the beam in motion.
+// Orbit of the selected point: histories, phase portrait, spectrum, force, multipliers, and the motion of the beam.
 
 import { AROUND, Chart } from "./chart";
 import type { Frame } from "./frame";
@@ -67,9 +67,9 @@ export class Orbit {
         this.force.show(seconds, { words: "Force", unit: "N" }, own("force").map((curve) => ({ x: time, ...curve, colour: colour("vermilion") })));
         const lines = frame.array("spectrum.amplitude");
         const most = lines.reduce((high, value) => Math.max(high, value), 1e-12);
-        this.spectrum.show({ words: "Frequency", unit: "Hz" }, { words: "Volt, peak", unit: "V", log: true, ends: [1e-5 * most, 2 * most] }, [{ x: frame.array("spectrum.frequency"), y: lines.map((value) => Math.max(value, 1e-6 * most)), colour: colour("purple"), stems: true }]);
+        this.spectrum.show({ words: "Frequency", unit: "Hz" }, { words: "Voltage, peak", unit: "V", log: true, ends: [1e-5 * most, 2 * most] }, [{ x: frame.array("spectrum.frequency"), y: lines.map((value) => Math.max(value, 1e-6 * most)), colour: colour("purple"), stems: true }]);
         this.circle(frame);
-        this.label(this.displacement, `Displacement towards the stop over one period: ${contacts}, deepest ${quantity(head.max_penetration_m, "m")}`);
+        this.label(this.displacement, `Displacement towards the stop over one period: ${contacts}, largest penetration ${quantity(head.max_penetration_m, "m")}`);
         this.label(this.phase, "Phase portrait: velocity over displacement, with the stop as a line");
         this.label(this.voltage, `Voltage over one period: ${quantity(head.voltage_rms_v, "V")} rms`);
         this.label(this.force, `Contact force over one period: ${contacts}`);
@@ -81,7 +81,7 @@ export class Orbit {
         const [re, im] = [frame.array("multiplier.re"), frame.array("multiplier.im")];
         const host = this.multipliers.host;
         const reach = Math.max(1.15, 1.1 * frame.head.floquet_max_abs);
-        // The circle is to be round.
+        // Equal scales make the circle round.
         const wide = (reach * Math.max(20, host.clientWidth - AROUND[0])) / Math.max(20, host.clientHeight - AROUND[1]);
         const marks = Array.from(re, (x, k) => ({ x, y: im[k], colour: colour(Math.hypot(x, im[k]) < 1 ? "blue" : "vermilion"), shape: "circle" as const, size: 3 }));
         this.multipliers.show({ words: "Multipliers, real", unit: "", ends: [-wide, wide] }, { words: "imaginary", unit: "", ends: [-reach, reach] }, [], marks, [], true);
@@ -92,7 +92,7 @@ export class Orbit {
     }
 }
 
-/** A closed curve ends where it began. */
+/** Appends the first value to close a curve. */
 function closed(values: Float64Array): number[] {
     return [...values, values[0]];
 }

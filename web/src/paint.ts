@@ -1,4 +1,4 @@
-// What lies on the axes of a picture: curves, which may turn back in x, rules and marks.
+// Elements on the axes of a chart: curves, which may turn back in x, rules and marks.
 
 import type uPlot from "uplot";
 import { colour } from "./theme";
@@ -9,7 +9,7 @@ export interface Curve {
     colour: string;
     width?: number;
     alpha?: number;
-    /** Pieces from point to point that are dashed. */
+    /** Segments between points that are dashed. */
     dashed?: (from: number) => boolean;
     /** Points instead of a line. */
     dots?: number;
@@ -33,7 +33,7 @@ export interface Rule {
 
 const DASH = [6, 5];
 
-/** The circle of multipliers of modulus one. */
+/** Unit circle of the multipliers. */
 export function unitCircle(plot: uPlot, ratio: number): void {
     const { ctx } = plot;
     ctx.strokeStyle = colour("grey");
@@ -88,7 +88,7 @@ export function drawCurve(plot: uPlot, curve: Curve, ratio: number): void {
     ctx.globalAlpha = 1;
 }
 
-/** One path for each run of pieces of one kind. */
+/** One path for each run of segments of one kind. */
 function line(ctx: CanvasRenderingContext2D, curve: Curve, at: (k: number) => [number, number], ratio: number): void {
     let before: boolean | undefined;
     for (let k = 0; k + 1 < curve.x.length; k++) {

@@ -1,4 +1,4 @@
-// Pinned designs: their responses stay on the picture.
+// Pinned designs: their responses remain on the chart.
 
 import type { Design } from "./design";
 import type { Response } from "./response";
@@ -27,7 +27,7 @@ export class Pins {
                 item.dataset.colour = String((k + 2) % 6);
                 const back = document.createElement("button");
                 back.textContent = pin.words;
-                back.title = "Back to this design";
+                back.title = "Restore this design";
                 back.onclick = () => {
                     this.design.begin(pin.pairs);
                     this.design.onChange(false);

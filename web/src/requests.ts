@@ -1,4 +1,4 @@
-// What is asked when: one coarse response is under way at a time, the newest position waits for it, and nothing older is asked again.
+// Order of requests: one coarse response is computed at a time, only the newest position waits for it, older ones are dropped.
 
 import type { Answer, Place } from "./branches";
 import type { Axes } from "./axes";
@@ -13,14 +13,14 @@ interface Hears {
     fault: (faults: Fault[]) => void;
 }
 
-/** After this long without an answer the page says that it computes. */
+/** Time without a response after which the page shows that it computes. */
 const PATIENCE_MS = 333;
-/** After this long a newer position stops the computation of an older one. */
+/** Time after which a newer position cancels the computation of an older one. */
 const STALE_MS = 4000;
 const SWEEP_POINTS = 61;
 
 export class Requests {
-    /** Times of changes that wait to be asked. */
+    /** Times of changes that are not requested yet. */
     private designWaits: number | undefined;
     private waiting: number | undefined;
     private designAsked = false;
@@ -31,7 +31,7 @@ export class Requests {
     private clicked = 0;
     private orbitWaiting: Place | undefined;
     private sweeping = false;
-    /** A fine response is still to come. */
+    /** True while a fine response is expected. */
     private refining = false;
     private readonly busy = document.getElementById("busy")!;
 
@@ -41,13 +41,13 @@ export class Requests {
         setInterval(() => this.patience(), 100);
     }
 
-    /** The design changed at a time of `performance.now()`. */
+    /** Registers a change of the design at a time of `performance.now()`. */
     change(time: number): void {
         this.waiting = this.designWaits = time;
         this.pump();
     }
 
-    /** The connection is gone, and with it all that was asked. */
+    /** Clears all requests after the connection is lost. */
     forget(): void {
         this.designAsked = this.coarseAsked = this.refining = this.orbitAsked = this.sweeping = false;
         this.busy.textContent = "";
@@ -60,7 +60,7 @@ export class Requests {
             this.designWaits = undefined;
             this.designAsked = this.wire.ask("design", { set }) !== 0;
         }
-        // A computation that takes long makes way; a short one is let to its end, so that the curve follows a moving slider.
+        // A long computation is cancelled; a short one is completed, so that the curve follows a moving slider.
         const late = performance.now() - this.asked > STALE_MS;
         if (this.waiting !== undefined && this.axes.view && (!this.coarseAsked || late)) {
             this.since = this.waiting;
@@ -75,7 +75,7 @@ export class Requests {
         this.refining = this.coarseAsked = this.wire.ask("response", { set: this.design.pairs, ...this.axes.view }) !== 0;
     }
 
-    /** Says what is still to come, to who cannot see it change. */
+    /** Marks the busy parts for screen readers. */
     private mark(): void {
         const due = {
             drawing: this.designAsked || this.designWaits !== undefined,
@@ -88,7 +88,7 @@ export class Requests {
     designTaken(): void {
         this.designAsked = false;
         this.hears.fault([]);
-        // The first design tells what the response goes over.
+        // The first design specifies the range of the response.
         this.pump();
     }
 
@@ -111,7 +111,7 @@ export class Requests {
         if (chosen) this.orbit(chosen);
         if (head.stage === "coarse") {
             const since = this.since;
-            // Measured to the frame in which the branch is seen; the server's own time beside it.
+            // Measured to the frame that shows the branch, with the server's own time.
             requestAnimationFrame(() => performance.measure("slider-to-branch", { start: since, detail: head.ms }));
             this.coarseAsked = false;
             this.busy.textContent = this.waiting === undefined ? "refining" : "";
@@ -124,7 +124,7 @@ export class Requests {
         }
     }
 
-    /** The orbit of a point; the newest one waits for the one under way. */
+    /** Requests the orbit of a point; the newest request waits for the running one. */
     orbit(place: Place): void {
         if (this.orbitAsked) {
             this.orbitWaiting = place;
@@ -166,12 +166,12 @@ export class Requests {
         if (head.stage === "point") {
             this.response.swept.push({ x: head.x, up: head.up, values: { power: head.power, voltage: head.voltage, penetration: head.penetration } });
             this.response.draw();
-            this.hears.say(`${head.index + 1} of ${head.of} values marched`);
+            this.hears.say(`${head.index + 1} of ${head.of} values computed`);
             return;
         }
         this.sweeping = false;
         document.getElementById("sweep")!.textContent = "Sweep";
-        this.hears.say(head.stage === "fault" ? head.faults[0]?.message : "sweep done");
+        this.hears.say(head.stage === "fault" ? head.faults[0]?.message : "sweep finished");
     }
 
     private patience(): void {
@@ -183,6 +183,6 @@ export class Requests {
 }
 
 function found(branches: number, ms: number): string {
-    if (branches === 0) return "no branch of periodic answers was found in this range; Sweep shows what the harvester does there";
+    if (branches === 0) return "no branch of periodic orbits was found in this range; use Sweep to integrate over it";
     return `${branches} ${branches === 1 ? "branch" : "branches"}, ${Math.round(ms)} ms`;
 }

@@ -1,4 +1,4 @@
-// The response over a key: branches, bifurcations, swept points, pins; a click or the arrow keys choose a point.
+// Response over a key: branches, bifurcations, swept points, pins; a click or the arrow keys select a point.
 
 import { type Answer, type Place, QUANTITIES, type Quantity, best, isStable, nearest } from "./branches";
 import { Chart } from "./chart";
@@ -10,7 +10,7 @@ import { digits, quantity } from "./units";
 const SHAPES: Record<string, Mark["shape"]> = {
     fold: "circle", "period-doubling": "diamond", "neimark-sacker": "triangle", "branch-point": "cross", grazing: "square",
 };
-/** Farthest that a click may be from a point, CSS pixels. */
+/** Largest distance of a click from a point, CSS pixels. */
 const REACH = 40;
 
 export interface Swept {
@@ -46,7 +46,7 @@ export class Response {
         host.addEventListener("keydown", (event) => this.key(event));
     }
 
-    /** Takes a new answer and keeps the chosen point where it was. */
+    /** Shows a new response and retains the selected point. */
     take(answer: Answer): void {
         const before = this.chosen && this.answer?.branches[this.chosen.branch];
         this.hovered = undefined;
@@ -106,7 +106,7 @@ export class Response {
         }));
     }
 
-    /** Words below the picture: what jumps where, the peak, the width. */
+    /** Text below the chart: bifurcations, peak and bandwidth. */
     private tell(): void {
         const { answer } = this;
         if (!answer) return;
@@ -114,12 +114,12 @@ export class Response {
         const parts: string[] = [];
         if (this.widths?.peak) {
             parts.push(`Peak ${quantity(this.widths.peak.mean_power_w, "W")} at ${at(this.widths.peak.parameter)}.`);
-            parts.push(`Half of that over ${at(this.widths.width)}.`);
+            parts.push(`Half-power bandwidth ${at(this.widths.width)}.`);
         }
         const jumps = answer.bifurcations.map((found) => `${found.kind} ${at(found.x)}`);
         const shown = [...new Set(jumps)].slice(0, 8);
         if (shown.length > 0) parts.push(`${shown.join(", ")}${jumps.length > shown.length ? ", …" : ""}.`);
-        if (answer.branches.length === 0) parts.push("No periodic answer was found in this range.");
+        if (answer.branches.length === 0) parts.push("No periodic orbit was found in this range.");
         const text = parts.join(" ");
         if (this.readout.textContent !== text) this.readout.textContent = text;
         const count = answer.branches.length;

@@ -1,4 +1,4 @@
-// The harvester under noise, or under a recording that was dropped onto the page.
+// Response under noise, or under a recording dropped onto the page.
 
 import { Chart } from "./chart";
 import type { Controls } from "./controls";
@@ -44,7 +44,7 @@ export class Shake {
         });
     }
 
-    /** Offers noise of the power of the first sinusoid in the octave and a half about it. */
+    /** Offers noise with the power of the first sinusoid in an octave and a half around it. */
     offer(): void {
         const value = (name: string) => this.controls.all.find(({ key }) => new RegExp(`^drive\\.[^.]+\\.${name}$`).test(key))?.value;
         const [amplitude, hertz] = [value("amplitude"), value("frequency")];
@@ -66,7 +66,7 @@ export class Shake {
     private async recording(file: File): Promise<void> {
         if (file.size > MOST_BYTES) return this.say(`${file.name} is larger than ${MOST_BYTES >> 20} MiB; cut it into pieces`);
         const scale = number("shake-scale");
-        if (!Number.isFinite(scale)) return this.say("the scale of a recording is a number");
+        if (!Number.isFinite(scale)) return this.say("the scale of a recording must be a number");
         this.name = file.name;
         const channel = find<HTMLInputElement>("shake-channel").value.trim();
         this.ask({ recording: { name: file.name, bytes: await base64(file), channel: channel === "" ? null : channel, scale } });
@@ -74,7 +74,7 @@ export class Shake {
 
     private ask(by: object): void {
         this.set(this.wire.ask("shake", { set: this.design.pairs, by }) !== 0);
-        this.say(`marching under ${this.name}`);
+        this.say(`integrating under ${this.name}`);
     }
 
     private stop(): void {
@@ -85,7 +85,7 @@ export class Shake {
 
     private set(running: boolean): void {
         this.running = running;
-        find("shake-run").textContent = running ? "Stop" : "March";
+        find("shake-run").textContent = running ? "Stop" : "Run";
     }
 
     private say(words: string): void {
@@ -96,10 +96,10 @@ export class Shake {
         const { head } = frame;
         this.set(false);
         if (head.stage === "fault") return this.say(head.faults[0]?.message ?? "");
-        const linear = head.linear_power_w > 0 ? `, ${quantity(head.linear_power_w, "W")} if it never struck` : "";
+        const linear = head.linear_power_w > 0 ? `, ${quantity(head.linear_power_w, "W")} without contact` : "";
         const rate = head.contacts / head.average_over_s;
         const name = head.channel ? `${this.name} (${head.channel})` : this.name;
-        const noticed = head.findings?.length > 0 ? `. Noticed: ${head.findings.join("; ")}` : "";
+        const noticed = head.findings?.length > 0 ? `. Issues: ${head.findings.join("; ")}` : "";
         this.say(`${name}: ${quantity(head.mean_power_w, "W")} on average over ${quantity(head.average_over_s, "s")}${linear}; ${rate.toFixed(1)} contacts per second${noticed}`);
         this.last = frame;
         this.redraw();
@@ -125,7 +125,7 @@ export class Shake {
 function base64(file: File): Promise<string> {
     return new Promise((resolve, reject) => {
         const reader = new FileReader();
-        // What stands before the comma tells the kind of the file.
+        // The prefix before the comma specifies the kind of the file.
         reader.onload = () => resolve((reader.result as string).split(",")[1] ?? "");
         reader.onerror = () => reject(reader.error);
         reader.readAsDataURL(file);

@@ -1,4 +1,4 @@
-// Tabs that the arrow keys go through, as the ARIA authoring practices have them.
+// Tabs with arrow keys, following the ARIA authoring practices.
 
 export class Tabs {
     private readonly tabs: HTMLButtonElement[];

@@ -1,4 +1,4 @@
-// Colours: those of the library's pictures (Okabe and Ito), told apart by colour-blind readers.
+// Colours of the library's plots (Okabe and Ito), distinguishable by colour-blind readers.
 
 const SERIES = ["blue", "vermilion", "green", "purple", "orange", "sky"];
 
@@ -12,7 +12,7 @@ export function nth(index: number): string {
     return colour(SERIES[index % SERIES.length]);
 }
 
-/** Light or dark: as the system says, until the user says otherwise. */
+/** Light or dark: as the system specifies, until the user selects one. */
 export class Theme {
     private readonly system = matchMedia("(prefers-color-scheme: dark)");
 

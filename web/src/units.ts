@@ -1,17 +1,17 @@
-// Numbers for people.
+// Formatting of numbers.
 
 const PREFIXES: [number, string][] = [
     [1e9, "G"], [1e6, "M"], [1e3, "k"], [1, ""], [1e-3, "m"], [1e-6, "µ"], [1e-9, "n"], [1e-12, "p"],
 ];
 
-/** Size and name of the prefix that suits a value. */
+/** Size and name of the prefix for a value. */
 export function prefix(value: number): [number, string] {
     const size = Math.abs(value);
     if (!Number.isFinite(size) || size === 0) return [1, ""];
     return PREFIXES.find(([step]) => size >= 0.9999999 * step) ?? PREFIXES[PREFIXES.length - 1];
 }
 
-/** Units that take a prefix: one name, nothing that is raised or divided. */
+/** Units that take a prefix: a single name without powers or quotients. */
 const takesPrefix = (unit: string) => /^[A-Za-z]+$/.test(unit) && unit !== "kg" && unit !== "rad";
 
 /** A number with at most `digits` significant digits, without trailing zeros. */
@@ -28,7 +28,7 @@ export function quantity(value: number, unit: string, count = 4): string {
     return `${digits(value / step, count)} ${name}${unit}`;
 }
 
-/** What an axis up to a value is divided by, and its unit. */
+/** Divisor and unit of an axis up to a value. */
 export function axisUnit(most: number, unit: string): [number, string] {
     if (!takesPrefix(unit)) return [1, unit];
     const [step, name] = prefix(most);

@@ -1,4 +1,4 @@
-// The socket: sends requests, hands out answers, comes back when the server does.
+// The socket: sends requests, distributes responses, reconnects when the server returns.
 
 import { Frame } from "./frame";
 
@@ -10,7 +10,7 @@ export class Wire {
     private socket: WebSocket | undefined;
     private next = 1;
     private readonly heard = new Map<string, Hear>();
-    /** Number of the last request of each kind: older answers are left aside. */
+    /** Number of the last request of each kind: older responses are ignored. */
     private readonly last = new Map<string, number>();
     onOpen: () => void = () => {};
     onLost: () => void = () => {};
@@ -33,12 +33,12 @@ export class Wire {
         };
     }
 
-    /** Answers of one kind, the faults of that kind among them. */
+    /** Registers the handler of responses of one kind, including the faults of that kind. */
     on(ask: string, hear: Hear): void {
         this.heard.set(ask, hear);
     }
 
-    /** Sends a request; its number, or 0 without a connection. */
+    /** Sends a request and returns its number, or 0 without a connection. */
     ask(ask: string, body: object): number {
         if (this.socket?.readyState !== WebSocket.OPEN) return 0;
         const id = this.next++;

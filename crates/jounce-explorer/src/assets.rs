@@ -1,14 +1,14 @@
-//! The page and its files, which live inside the program, and the headers that they are served with.
+//! Files of the page, embedded in the program, and their response headers.
 
 use axum::http::header::{self, HeaderName};
 use axum::http::{HeaderValue, StatusCode};
 use axum::response::{IntoResponse, Response};
 
-/// What the page may do: nothing that does not come from this server.
+/// Content-security policy of the page: everything comes from this server.
 const POLICY: &str = "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:; connect-src 'self'; \
                       base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 
-/// One file: name, type, content.
+/// Files: name, content type, content.
 const FILES: [(&str, &str, &[u8]); 4] = [
     (
         "",
@@ -32,7 +32,7 @@ const FILES: [(&str, &str, &[u8]); 4] = [
     ),
 ];
 
-/// The file of a name; nothing but the list above can be had.
+/// Returns the file with a name; only files of the list above are served.
 pub fn serve(name: &str) -> Response {
     match FILES.iter().find(|(known, ..)| *known == name) {
         Some((_, kind, content)) => guarded(
@@ -42,16 +42,16 @@ pub fn serve(name: &str) -> Response {
             )
                 .into_response(),
         ),
-        None => refused(StatusCode::NOT_FOUND, "there is no such file"),
+        None => refused(StatusCode::NOT_FOUND, "this server has no such file"),
     }
 }
 
-/// A refusal in one line.
+/// Returns a refusal with a message of one line.
 pub fn refused(status: StatusCode, why: &'static str) -> Response {
     guarded((status, why).into_response())
 }
 
-/// An answer with the headers that every answer has.
+/// Adds the headers of every response.
 fn guarded(mut response: Response) -> Response {
     let fixed: [(HeaderName, &'static str); 7] = [
         (header::CONTENT_SECURITY_POLICY, POLICY),

@@ -1,4 +1,4 @@
-//! Who may ask: the token, the host and the origin of a request.
+//! Authentication of requests by token, host and origin.
 
 use axum::http::HeaderMap;
 use axum::http::header::{HOST, ORIGIN};
@@ -9,33 +9,35 @@ use std::net::SocketAddr;
 /// Random bytes of a token.
 const TOKEN_BYTES: usize = 16;
 
-/// The checks of one server.
+/// Authentication data of one server.
 #[derive(Debug, Clone)]
 pub struct Authenticator {
     token: String,
     digest: [u8; 32],
     hosts: Vec<String>,
-    /// Any address of this machine will do, as the server listens on all of them.
+    /// True where the server listens on all addresses of this machine, so that any of them is
+    /// accepted.
     any_address: bool,
     port: u16,
 }
 
-/// Why a request is refused.
+/// Reason of a refusal.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum RequestRefusal {
     /// Wrong token.
     Token,
-    /// A host that is not this server, as in an attack by DNS rebinding.
+    /// The host is not this server, as in an attack by DNS rebinding.
     Host,
-    /// A page of another server.
+    /// The origin is the page of another server.
     Origin,
 }
 
 impl Authenticator {
-    /// A guard for a server at an address, with the token of the server before it or a fresh one.
+    /// Creates the authenticator of a server at an address, with the token of the previous server
+    /// or a new one.
     ///
     /// # Errors
-    /// No random numbers from the system.
+    /// The system provides no random numbers.
     pub fn new(address: SocketAddr, before: Option<String>) -> Result<Self, getrandom::Error> {
         let token = before.map_or_else(fresh, Ok)?;
         let port = address.port();
@@ -52,12 +54,13 @@ impl Authenticator {
         })
     }
 
-    /// The token.
+    /// Returns the token.
     pub fn token(&self) -> &str {
         &self.token
     }
 
-    /// Checks a request; `needs_origin` for a socket, which every browser opens with its origin.
+    /// Checks a request; `needs_origin` holds for a socket, which every browser opens with its
+    /// origin.
     ///
     /// # Errors
     /// [`RequestRefusal`].
@@ -71,7 +74,7 @@ impl Authenticator {
             .get(HOST)
             .and_then(|host| host.to_str().ok())
             .unwrap_or_default();
-        // An attack by rebinding needs a name; an address names only what stands behind it.
+        // An attack by rebinding needs a host name; a request by address is safe.
         let by_address = self.any_address
             && host
                 .parse::<SocketAddr>()
@@ -93,7 +96,7 @@ impl Authenticator {
         {
             return Err(RequestRefusal::Origin);
         }
-        // Digests are compared, so that the time taken says nothing about the token.
+        // Digests are compared, so that the duration reveals nothing about the token.
         let same = <[u8; 32]>::from(Sha256::digest(token.as_bytes())) == self.digest;
         if same {
             Ok(())
@@ -103,7 +106,7 @@ impl Authenticator {
     }
 }
 
-/// A random token.
+/// Returns a random token.
 fn fresh() -> Result<String, getrandom::Error> {
     let mut bytes = [0; TOKEN_BYTES];
     getrandom::fill(&mut bytes)?;

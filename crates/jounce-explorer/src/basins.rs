@@ -1,4 +1,5 @@
-//! Where starts end: a plane of displacements and velocities at the drive of the design.
+//! Basins of attraction: a plane of initial displacements and velocities at the drive of the
+//! design.
 
 use crate::cancellation::Cancellation;
 use crate::design::{Design, DesignFault};
@@ -12,14 +13,14 @@ use serde_json::json;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
-/// Half the width of the plane, in sizes of the motion (steady amplitude or gap).
+/// Half width of the plane, in sizes of the motion (steady amplitude or gap).
 const HALF_WIDTH: f64 = 5.0;
-/// Most values on a side.
+/// Largest number of values on a side.
 const MAX_SIDE_VALUES: usize = 81;
-/// Tolerance of the marches.
+/// Tolerance of the integrations.
 const TOLERANCE: f64 = 1e-6;
 
-/// Answers with the attractors, their shares, and where each start ends.
+/// Sends the attractors with their basin fractions, and the attractor of each start.
 ///
 /// # Errors
 /// [`DesignFault`].
@@ -38,17 +39,17 @@ pub fn respond(
         .find_map(|(name, drive)| Some((name, drive.frequency_hz()?)));
     let Some((name, value)) = sine else {
         return Err(DesignFault::Text(
-            "a basin needs a drive of one frequency: give a drive a frequency".to_owned(),
+            "basins need a drive of one frequency: give a drive a frequency".to_owned(),
         ));
     };
     let key = design.key(&format!("drive.{name}.frequency"))?;
     let parameter = Parameter::new(&base, &key, value);
-    // Told in its own words where orbits are not followed at all.
+    // Returns the specific error of a design whose orbits cannot be followed.
     parameter.at(value)?;
     let plant = &base.kernel.plant;
     let Some(tone) = plant.tones.first().filter(|_| !plant.ports.is_empty()) else {
         return Err(DesignFault::Text(
-            "a basin needs a stop and a drive that moves".to_owned(),
+            "basins need a stop and a drive: add the missing one to the spec".to_owned(),
         ));
     };
     let reach_m = HALF_WIDTH * plant.scale_m();

@@ -1,4 +1,5 @@
-//! The response over a key: first the branches near those of the design before, then all that `jounce branch` finds.
+//! Response over a key: first the branches near those of the previous design, then all branches
+//! that `jounce branch` finds.
 
 use crate::cancellation::Cancellation;
 use crate::design::{Design, DesignFault};
@@ -16,26 +17,28 @@ use serde_json::{Value, json};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-/// Tolerance of the marches of the first answer.
+/// Integration tolerance of the coarse response.
 const COARSE_TOLERANCE: f64 = 1e-6;
-/// Corrections of carried points below this share of them are left out: curves are right to a thousandth of their height.
+/// Relative corrections of updated points below this are omitted: curves are accurate to a
+/// thousandth of their height.
 const MIN_CORRECTION: f64 = 5e-4;
-/// Points are carried without which a curve would be off by more than this share of the height of its picture.
+/// Largest deviation of the drawn curve due to omitted points, relative to its height.
 const SIMPLIFY_SHARE: f64 = 1e-3;
-/// Longest last move in the search for its bifurcations, a two-hundredth of the range: what is left is of second order in it.
+/// Largest last step in the location of bifurcations, a two-hundredth of the range; the remaining
+/// error is of second order in it.
 const MAX_LAST_MOVE: f64 = 0.1;
-/// Share of points that may be lost in carrying branches over.
+/// Largest fraction of points that an update of branches may lose.
 const MAX_LOST_SHARE: f64 = 0.3;
-/// Tolerance of the second.
+/// Integration tolerance of the fine response.
 const FINE_TOLERANCE: f64 = 1e-9;
-/// Values across the range at which the second one looks for branches that stand alone.
+/// Values across the range at which the fine response searches for isolated branches.
 const START_VALUES: usize = 6;
-/// Longest period that it follows, drive cycles.
+/// Longest period of the fine response, drive cycles.
 const MAX_PERIOD_CYCLES: u32 = 8;
-/// A slider must rest that long before the second answer begins.
+/// Time without slider movement before the fine response begins.
 const SLIDER_REST: Duration = Duration::from_millis(120);
 
-/// Long steps for the first answer.
+/// Long steps for the coarse response.
 const LONG_STEPS: StepControl = StepControl {
     first: 0.1,
     longest: 1.2,
@@ -45,7 +48,7 @@ const LONG_STEPS: StepControl = StepControl {
     most_evaluations: 6,
 };
 
-/// Answers twice; a third time with peaks and widths.
+/// Sends the coarse and the fine response, then peaks and bandwidths.
 ///
 /// # Errors
 /// [`DesignFault`]: faults of the design, of the range, or of the harvester.
@@ -131,8 +134,9 @@ pub fn respond(
     Ok(())
 }
 
-/// The branches near those of the design before: carried over point by point, walked again where that loses points or the range is
-/// another one, and walked from settled orbits where nothing is known.
+/// Returns the branches near those of the previous design. They are updated point by point, or
+/// continued again if that loses points or the range has changed. Without known branches,
+/// continuation starts from settled orbits.
 fn coarse(
     session: &Session,
     design: &Design,
@@ -143,7 +147,8 @@ fn coarse(
     let kernel = &base.kernel;
     let last = session.answers.last(parameter.key().path());
     if let Some(last) = last.as_ref().filter(|last| last.range == range) {
-        // A fine answer has more points than a curve needs; what was carried over keeps its points, so that they go on as they went.
+        // A fine response has more points than a curve needs; an updated one retains its points, so
+        // that their changes can be extrapolated.
         let known = match last.origin {
             Some(_) => Arc::clone(&last.branches),
             None => Arc::new(
@@ -196,7 +201,8 @@ fn coarse(
     )
 }
 
-/// Orbits on which a march from rest and from the steady state settles at both ends of the range.
+/// Returns the orbits on which an integration from rest and from the steady state settles at both
+/// ends of the range.
 fn settled(family: &Parameter, base: &Model, range: (f64, f64)) -> Vec<KnownOrbit> {
     let plant = &base.kernel.plant;
     let rest = vec![0.0; plant.len()];

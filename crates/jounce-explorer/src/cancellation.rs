@@ -1,10 +1,11 @@
-//! Stopping a computation from outside, and whether it was its time that was over.
+//! Cancellation of a computation by a user or by the time limit.
 
 use jounce::integrate::Control;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// The wish that a computation stops; its clones are the same wish. Every march under its control ends before its next step.
+/// Cancellation of a computation, shared by its clones. Every integration under its control ends
+/// before its next step.
 #[derive(Debug, Clone, Default)]
 pub struct Cancellation {
     control: Control,
@@ -12,12 +13,12 @@ pub struct Cancellation {
 }
 
 impl Cancellation {
-    /// Wishes it.
+    /// Cancels the computation.
     pub fn stop(&self) {
         self.control.stop();
     }
 
-    /// Wishes it because the time is over.
+    /// Cancels the computation because it reached the time limit.
     pub fn stop_late(&self) {
         if !self.is_stopped() {
             self.late.store(true, Ordering::Relaxed);
@@ -25,17 +26,17 @@ impl Cancellation {
         }
     }
 
-    /// True where it was stopped because its time was over.
+    /// True where the time limit cancelled it.
     pub fn is_late(&self) -> bool {
         self.late.load(Ordering::Relaxed)
     }
 
-    /// True once somebody wished it.
+    /// True once it is cancelled.
     pub fn is_stopped(&self) -> bool {
         self.control.is_stopped()
     }
 
-    /// The control of its marches.
+    /// Returns the control of its integrations.
     pub fn control(&self) -> &Control {
         &self.control
     }

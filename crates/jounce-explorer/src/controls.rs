@@ -1,16 +1,16 @@
-//! The controls of a page: every number of the spec, with its unit and a sensible range.
+//! Controls of the page: every number of the spec, with its unit and range.
 
 use crate::design::Design;
 use jounce::spec::NumericKey;
 use serde_json::{Value, json};
 use toml_edit::{DocumentMut, Item};
 
-/// A slider goes from the value divided by this to the value times this where it is logarithmic.
+/// Ratio of the ends of a logarithmic slider to the value.
 const DECADE: f64 = 10.0;
-/// And up to the value times this where it is linear.
+/// Ratio of the upper end of a linear slider to the value.
 const LINEAR: f64 = 3.0;
 
-/// All controls: first the keys of the file in its order, then those that have defaults.
+/// Returns all controls: first the keys of the file in its order, then the keys with defaults.
 pub fn controls(design: &Design) -> Vec<Value> {
     let written = leaves(&design.file.text());
     let mut all: Vec<(String, Option<String>)> = written
@@ -33,7 +33,7 @@ pub fn controls(design: &Design) -> Vec<Value> {
     all.iter().filter_map(find).collect()
 }
 
-/// Dotted paths of all leaves of a document, with what stands there.
+/// Returns the dotted paths of all leaves of a document with their texts.
 fn leaves(text: &str) -> Vec<(String, String)> {
     let mut found = Vec::new();
     if let Ok(document) = text.parse::<DocumentMut>() {
@@ -53,7 +53,8 @@ fn gather(path: String, item: &Item, found: &mut Vec<(String, String)>) {
     }
 }
 
-/// One control. Numbers are shown in the unit that the file has: `factor` is its size in SI.
+/// Creates one control. Numbers are shown in the unit of the file; `factor` is the size of this
+/// unit in SI.
 fn control(design: &Design, key: &NumericKey, written: Option<&str>) -> Option<Value> {
     let value = key.get(&design.spec).ok()?;
     let shown = key.show(value);
@@ -73,7 +74,7 @@ fn control(design: &Design, key: &NumericKey, written: Option<&str>) -> Option<V
     }))
 }
 
-/// Number and unit of a text.
+/// Splits a text into number and unit.
 fn split(text: &str) -> Option<(f64, String)> {
     let end = text
         .find(|letter: char| !letter.is_ascii_digit() && !"+-.eE".contains(letter))
@@ -81,7 +82,8 @@ fn split(text: &str) -> Option<(f64, String)> {
     Some((text[..end].parse().ok()?, text[end..].trim().to_owned()))
 }
 
-/// Lengths, frequencies, angles and plain numbers go in equal steps, what spans decades goes by ratios.
+/// Lengths, frequencies, angles and plain numbers have a linear scale; quantities over decades have
+/// a logarithmic one.
 fn scale(key: &NumericKey, value: f64, low: f64) -> String {
     let linear = matches!(key.unit().as_str(), "m" | "Hz" | "s" | "rad" | "") || key.is_count();
     if linear || value <= 0.0 || low < 0.0 && key.path().ends_with(".d31") {

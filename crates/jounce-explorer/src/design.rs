@@ -1,29 +1,29 @@
-//! The spec file with the overrides of a page.
+//! Design: the spec file with the overrides of a page.
 
 use crate::source::Source;
 use jounce::spec::{Fault, NumericKey, Spec, SpecFile};
 use serde_json::{Value, json};
 use std::path::Path;
 
-/// A change more than so many times the one before says nothing from it.
+/// Largest ratio of a change to the previous one for which that is extrapolated.
 const MAX_CHANGE_RATIO: f64 = 4.0;
 
-/// A design without faults.
+/// Design without faults.
 pub struct Design {
     /// The file with its overrides.
     pub file: SpecFile,
-    /// The spec that both give.
+    /// Spec of the file with the overrides.
     pub spec: Spec,
-    /// The keys that are overridden.
+    /// Overridden keys.
     pub overridden: Vec<String>,
 }
 
-/// What is wrong with a design.
+/// Fault of a design.
 #[derive(Debug, Clone, PartialEq)]
 pub enum DesignFault {
-    /// By key, in the words of the command line.
+    /// Faults by key, with the messages of the command line.
     Faults(Vec<Fault>),
-    /// As a whole.
+    /// Fault of the entire design.
     Text(String),
 }
 
@@ -34,7 +34,7 @@ impl<E: std::error::Error> From<E> for DesignFault {
 }
 
 impl DesignFault {
-    /// A list of faults for the page: key, place, words.
+    /// Returns the faults for the page: key, line, message.
     pub fn listed(&self, path: &Path) -> Value {
         let words = |fault: &Fault| match fault.set {
             Some(_) => fault.to_string(),
@@ -59,14 +59,15 @@ impl DesignFault {
 }
 
 impl Design {
-    /// Reads the spec as it is now and applies overrides of numbers.
+    /// Reads the spec and applies overrides of numbers.
     ///
     /// # Errors
-    /// [`DesignFault`]: a file that cannot be read, faults in it, an override of something that is no number, a value that is not allowed.
+    /// [`DesignFault`]: the file cannot be read, has faults, or an override is not a number or has
+    /// a value out of range.
     pub fn read(source: &Source, set: &[(String, String)]) -> Result<Self, DesignFault> {
         let mut file = source.read()?;
         if !set.is_empty() {
-            // A page may change numbers only: no path of a file comes from it.
+            // A page may change numbers only, never the path of a file.
             let base = file
                 .spec()
                 .map_err(|faults| DesignFault::Faults(faults.as_slice().to_vec()))?;
@@ -89,18 +90,18 @@ impl Design {
         })
     }
 
-    /// A key with a number.
+    /// Returns a numeric key.
     ///
     /// # Errors
-    /// [`DesignFault::Faults`] for a key that is none.
+    /// [`DesignFault::Faults`] for an unknown key.
     pub fn key(&self, path: &str) -> Result<NumericKey, DesignFault> {
         self.file
             .numeric_key(path)
             .map_err(|faults| DesignFault::Faults(faults.as_slice().to_vec()))
     }
 
-    /// The change from one spec to this design, in units of the change that led to that spec; nothing where the two changes are of
-    /// different kinds.
+    /// Returns the change from the last spec to this design, as a multiple of the change before;
+    /// `None` where the two have different directions.
     pub fn reach(&self, before: &Spec, last: &Spec) -> Option<f64> {
         let (mut along, mut square, mut all) = (0.0, 0.0, 0.0);
         for path in &self.overridden {
@@ -116,12 +117,12 @@ impl Design {
             );
         }
         let reach = along / square;
-        // Of two keys that move, each must go on as it went.
+        // Where two keys change, each must change in proportion.
         let strays = all - reach * along > 0.01 * all;
         (square > 0.0 && reach.abs() < MAX_CHANGE_RATIO && !strays).then_some(reach)
     }
 
-    /// A key and its range, both ends allowed.
+    /// Returns a key after a check that both ends of its range are allowed.
     ///
     /// # Errors
     /// [`DesignFault`] as on the command line.

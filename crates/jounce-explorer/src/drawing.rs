@@ -1,12 +1,13 @@
-//! The drawing of a design, and which keys move when its parts are taken by hand.
+//! Drawing of a design, and the keys that move when its parts are dragged.
 
 use crate::design::Design;
 use jounce::picture::{Drawing, DrawnShape, GripPart, Rect};
 use jounce::show;
 use serde_json::{Value, json};
 
-/// The drawing as SVG, what its side view, its circuits and its closer looks cover (left, upper edge, width, height, px), and its grips:
-/// where each is, the keys that it moves, and how it moves with them (px per metre of the first key).
+/// Returns the drawing as SVG, the extents of its side view, circuits and close-ups (left, upper
+/// edge, width, height, px), and its grips. A grip has a position, the keys that it moves, and
+/// their scale (px per metre of the first key).
 pub fn drawing(title: &str, design: &Design) -> Value {
     let drawn = show::drawing(title, &design.spec);
     let sheet = drawn.sheet();
@@ -26,7 +27,8 @@ fn window(rect: &Rect) -> [f64; 4] {
     [rect.left, rect.top, rect.width(), rect.height()]
 }
 
-/// What a grip moves; nothing where no number of the spec says it, as for a stop at the end of a beam.
+/// Returns the keys that a grip moves; `None` where no number of the spec defines the position,
+/// such as a stop at the end of a beam.
 fn keys(drawn: &Drawing, design: &Design, part: GripPart) -> Option<Value> {
     let patch = |body: usize, patch: usize| match &drawn.bodies[body].shape {
         DrawnShape::Beam(beam) => Some(&beam.patches[patch].label),

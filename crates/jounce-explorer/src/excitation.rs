@@ -1,4 +1,4 @@
-//! The harvester under noise or under a recording that was dropped onto the page, in place of its first drive.
+//! Response under noise, or under a recording dropped onto the page, in place of the first drive.
 
 use crate::cancellation::Cancellation;
 use crate::design::{Design, DesignFault};
@@ -14,27 +14,28 @@ use jounce::signal::{Samples, Window};
 use jounce::spec::{DriveSignal, Spec, SpecFile};
 use std::path::Path;
 
-/// Length of a march under noise, s.
+/// Length of a run under noise, s.
 const NOISE_S: f64 = 60.0;
-/// Share of it that is averaged.
+/// Fraction of the run that is averaged.
 const AVERAGED_SHARE: f64 = 0.75;
-/// Longest recording that is marched, s.
+/// Longest recording, s.
 const MAX_DURATION_S: f64 = 3600.0;
-/// Tolerance of the march.
+/// Tolerance of the integration.
 const TOLERANCE: f64 = 1e-6;
-/// Samples per second of histories and densities, where the march is not too long for them.
+/// Samples per second of histories and densities; fewer in a long run.
 const RATE_HZ: f64 = 1000.0;
-/// Most samples.
+/// Largest number of samples.
 const MAX_SAMPLES: f64 = 120_000.0;
-/// Pairs of the smallest and the largest value that a history is shown by.
+/// Pairs of the smallest and the largest value in a history.
 const PAIRS: usize = 900;
-/// Bands of a density.
+/// Frequency bands of a density.
 const BANDS: usize = 300;
 
-/// Marches and answers with powers, histories and the density of the voltage.
+/// Integrates and sends powers, histories and the spectral density of the voltage.
 ///
 /// # Errors
-/// [`DesignFault`]: no drive to replace, noise or a recording that the spec does not allow.
+/// [`DesignFault`]: there is no drive to replace, or the spec does not allow the noise or the
+/// recording.
 pub fn respond(
     session: &Session,
     id: u64,
@@ -77,7 +78,7 @@ pub fn respond(
     } else {
         AVERAGED_SHARE * duration_s
     };
-    // Noise is made for the length of the run.
+    // The realisation of noise has the length of the run.
     (spec.run.duration_s, spec.run.average_over_s) = (duration_s, average_over_s);
     let base = session.prepared(&spec, cancellation)?;
     let start = base.start(folder)?;
@@ -114,7 +115,8 @@ pub fn respond(
     Ok(())
 }
 
-/// The spec with noise or the recording in place of its first drive, checked like any other.
+/// Returns the spec with noise or the recording in place of its first drive, after the same checks
+/// as any spec.
 fn shaken(
     design: &Design,
     by: &ExcitationRequest,
@@ -130,7 +132,7 @@ fn shaken(
     }
     let Some(drive) = spec.drive.values_mut().next() else {
         return Err(DesignFault::Text(
-            "this design has no drive; give it one in the file".to_owned(),
+            "this design has no drive; add [drive.NAME] to the spec".to_owned(),
         ));
     };
     drive.signal = match *by {
@@ -160,7 +162,7 @@ fn shaken(
     };
     let found = SpecFile::from_text(spec.to_toml()).spec();
     found.map_err(|faults| {
-        // The page knows the recording by its own name, and nothing of the text that was checked here.
+        // The page knows the recording by its own name, and not the text that was checked here.
         let told = faults.as_slice().iter().map(|fault| match by {
             ExcitationRequest::Recording { name, .. } => fault.message.replace(&recording, name),
             ExcitationRequest::Noise { .. } => fault.message.clone(),
@@ -169,7 +171,8 @@ fn shaken(
     })
 }
 
-/// Voltage and displacement in pairs of extremes, and the density of the voltage in bands.
+/// Adds voltage and displacement in pairs of extremes, and the spectral density of the voltage in
+/// bands.
 fn put_histories(
     frame: &mut Frame,
     kernel: &Kernel,

@@ -1,13 +1,13 @@
-//! Notices when the spec changes on disk.
+//! Watch of the spec file for changes on disk.
 
 use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
 use tokio::sync::watch;
 
-/// Time between two looks.
+/// Time between two checks.
 const CHECK_INTERVAL: Duration = Duration::from_millis(250);
 
-/// What tells one state of a file from another.
+/// Data that identify the state of a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct FileState {
     length: u64,
@@ -22,7 +22,8 @@ fn file_state(path: &Path) -> Option<FileState> {
     })
 }
 
-/// Looks at a file for ever; what is returned counts its states. Without a file there is one state.
+/// Watches a file permanently and returns the count of its states. Without a file there is one
+/// state.
 pub fn follow(path: Option<PathBuf>) -> watch::Receiver<u64> {
     let (told, hears) = watch::channel(0);
     tokio::spawn(async move {

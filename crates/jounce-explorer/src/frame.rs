@@ -1,8 +1,8 @@
-//! An answer as one binary message: a head in JSON and arrays of Float64.
+//! Binary message of a response: a head in JSON and arrays of Float64.
 
 use serde_json::{Map, Value, json};
 
-/// An answer under construction.
+/// Response under construction.
 #[derive(Debug, Clone, Default)]
 pub struct Frame {
     head: Map<String, Value>,
@@ -11,7 +11,7 @@ pub struct Frame {
 }
 
 impl Frame {
-    /// An answer to request number `id` of a kind.
+    /// Creates a response to request number `id` of a kind.
     pub fn new(id: u64, ask: &str, stage: &str) -> Self {
         let mut frame = Self::default();
         frame.put("id", id).put("ask", ask).put("stage", stage);
@@ -33,7 +33,7 @@ impl Frame {
         self
     }
 
-    /// The bytes of the message.
+    /// Returns the bytes of the message.
     pub fn encode(mut self) -> Vec<u8> {
         self.head
             .insert("arrays".to_owned(), Value::Array(self.places));
@@ -41,7 +41,7 @@ impl Frame {
         let padded = (head.len() + 4).next_multiple_of(8) - 4;
         head.resize(padded, b' ');
         let mut bytes = Vec::with_capacity(4 + head.len() + 8 * self.numbers.len());
-        // A head is far below 4 GiB: a spec has at most 16 MiB.
+        // The head is far below 4 GiB: a spec has at most 16 MiB.
         bytes.extend_from_slice(&(head.len() as u32).to_le_bytes());
         bytes.extend_from_slice(&head);
         self.numbers

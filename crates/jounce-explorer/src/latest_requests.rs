@@ -1,20 +1,20 @@
-//! One lane for each kind of request of a socket: what comes last wins.
+//! Latest request of each kind on a socket: a new request cancels the previous one.
 
 use crate::cancellation::Cancellation;
 use std::collections::HashMap;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-/// The running computation of each kind.
+/// Running computation of each kind.
 #[derive(Debug, Default)]
 pub struct LatestRequests(Mutex<HashMap<String, Cancellation>>);
 
 impl LatestRequests {
     fn open(&self) -> MutexGuard<'_, HashMap<String, Cancellation>> {
-        // A map of flags is whole whatever happened to the thread that held it.
+        // The map of flags is valid even after a panic of the thread that held it.
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Stops what runs in a lane and takes its place.
+    /// Cancels the computation of a kind and registers a new one.
     pub fn enter(&self, name: &str) -> Cancellation {
         let cancellation = Cancellation::default();
         if let Some(before) = self.open().insert(name.to_owned(), cancellation.clone()) {
@@ -23,14 +23,14 @@ impl LatestRequests {
         cancellation
     }
 
-    /// Stops what runs in a lane.
+    /// Cancels the computation of a kind.
     pub fn stop(&self, name: &str) {
         if let Some(running) = self.open().remove(name) {
             running.stop();
         }
     }
 
-    /// Stops everything.
+    /// Cancels all computations.
     pub fn stop_all(&self) {
         self.open().drain().for_each(|(_, running)| running.stop());
     }

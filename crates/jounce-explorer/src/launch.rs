@@ -1,12 +1,13 @@
-//! Opens the page in the user's browser.
+//! Opening of the page in the user's browser.
 
 use std::io::Write;
 use tempfile::NamedTempFile;
 
 /// Opens an address in the browser of the user.
 ///
-/// The command line of a process can be read by every user of the machine. So the browser is given a file that only its owner may read,
-/// which sends it on to the address. The file lives as long as what is returned.
+/// Every user of the machine can read the command line of a process. So the browser opens a file
+/// that only its owner may read and that redirects to the address. The file exists as long as the
+/// returned value.
 ///
 /// # Errors
 /// No file can be written, or no browser can be started.

@@ -1,10 +1,11 @@
-//! The live page: `jounce explore SPEC` serves it on this machine, and every curve on it follows the sliders.
+//! Interactive page: `jounce explore SPEC` serves it on this machine, and every curve on it follows
+//! the sliders.
 //!
 //! # Contract
 //!
-//! One server belongs to one spec: a file, or a text that no file holds ([`Source`]). Its page holds the design as a list of overrides
-//! (`key`, `value`, as in `--set`); the server keeps nothing between requests but what makes the next answer faster, and computes
-//! everything with the library.
+//! One server belongs to one spec: a file, or a text without a file ([`Source`]). Its page holds
+//! the design as a list of overrides (`key`, `value`, as in `--set`). Between requests the server
+//! stores only data that speed up the next response, and it computes everything with the library.
 //!
 //! ```text
 //! GET /TOKEN/            the page; /TOKEN/app.js, /TOKEN/app.css, /TOKEN/icon.svg      nothing else is served
@@ -15,21 +16,25 @@
 //! head      {"id": 7, "ask": "response", "stage": "coarse", ..., "arrays": [["parameter", 0, 120], ["power", 120, 120]]}
 //! ```
 //!
-//! *Order.* Each socket has one lane per kind of request. A new request of a kind stops the one before it: its computation ends within
-//! one march of a period, and its answer is never sent. A response comes first as `coarse` (branches chased from the orbits of the
-//! design before), then as `fine` (the search of `jounce branch`). Work that takes longer than [`ServerLimits::longest`] is stopped and says so.
+//! *Order.* Each socket runs one request of each kind. A new request of a kind cancels the previous
+//! one: its computation ends within the integration of one period, and its response is never sent.
+//! A response is first sent as `coarse` (branches continued from the orbits of the previous
+//! design), then as `fine` (the search of `jounce branch`). Work that takes longer than
+//! [`ServerLimits::longest`] is cancelled with a message.
 //!
-//! *Safety.* The server listens on the loopback interface unless told otherwise. Every request and every socket must carry the token
-//! (128 random bits) in its path, a `Host` that names this server, and, where the browser tells one, an `Origin` that is this server.
-//! The token reaches the browser through a file that only its owner may read, never through the command line of a process. The page
-//! runs under a content-security policy that allows nothing from elsewhere. Overrides may set numbers only, never the path of a file.
-//! Bodies, frames, sockets and computation time are limited.
+//! *Safety.* By default the server listens on the loopback interface. Every request and every
+//! socket must have the token (128 random bits) in its path and a `Host` that names this server.
+//! Where the browser sends an `Origin`, it must be this server. The browser receives the token
+//! through a file that only its owner may read, never through the command line of a process. The
+//! page runs under a content-security policy that permits no foreign content. Overrides may set
+//! numbers only, never the path of a file. Bodies, frames, sockets and computation time are
+//! limited.
 //!
-//! *Return.* Port and token are kept in a file that only its owner may read, and taken again by the next server of the same spec: a page
-//! that has lost its server comes back with it.
+//! *Return.* Port and token are saved in a file that only its owner may read. The next server of
+//! the same spec uses them again, so a page that has lost its server reconnects.
 //!
-//! *Failure.* What is wrong with a design comes back as faults in the words of the command line, by key. The file may change: the page is
-//! told and asks again.
+//! *Failure.* Faults of a design are returned by key, with the messages of the command line. If the
+//! file changes, the server notifies the page, which repeats its requests.
 
 mod assets;
 mod authenticator;

@@ -1,4 +1,4 @@
-//! The harvester that never touches its stop, kept as long as only stops change.
+//! Response without contact, stored as long as only stops change.
 
 use crate::frame::Frame;
 use jounce::analysis::Parameter;
@@ -8,30 +8,30 @@ use jounce::spec::Spec;
 use rayon::prelude::*;
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// Points of the curve.
+/// Number of points of the curve.
 const POINTS: usize = 161;
 
 /// Mean power over a key.
 #[derive(Debug)]
 pub struct Linear {
-    /// The design but for its stops.
+    /// Design without its stops.
     spec: Spec,
     key: String,
     range: (f64, f64),
     power_w: Vec<f64>,
 }
 
-/// The last curve.
+/// Last curve.
 #[derive(Debug, Default)]
 pub struct LastLinear(Mutex<Option<Arc<Linear>>>);
 
 impl LastLinear {
-    /// The curve of a design over a key.
+    /// Returns the curve of a design over a key.
     pub fn curve(&self, design: &Spec, parameter: &Parameter, range: (f64, f64)) -> Arc<Linear> {
         let mut spec = design.clone();
         spec.stop.clear();
         let key = parameter.key().path().to_owned();
-        // Nothing is locked while threads compute: one of them might be about to ask for the same.
+        // No lock is held while threads compute: one of them might request the same curve.
         let last = self
             .0
             .lock()
@@ -64,7 +64,7 @@ fn value((low, high): (f64, f64), k: usize) -> f64 {
 }
 
 impl Linear {
-    /// Puts it into an answer.
+    /// Adds the curve to a frame.
     pub fn put(&self, frame: &mut Frame) {
         frame
             .array("linear.x", (0..POINTS).map(|k| value(self.range, k)))

@@ -1,4 +1,5 @@
-//! Mean power against the load: marched points beside the closed form of the harvester that never strikes.
+//! Mean power over the load: integrated points, and the closed form of the harvester without
+//! contact.
 
 use crate::cancellation::Cancellation;
 use crate::design::{Design, DesignFault};
@@ -10,12 +11,12 @@ use jounce::linear::steady_power_w;
 use jounce::orbit::ParametricModel;
 use jounce::spec::KeyRange;
 
-/// The range goes this far below and above the present load.
+/// Ratio of the ends of the range to the present load.
 const RATIO: f64 = 100.0;
-/// Points of the linear curve.
+/// Number of points of the linear curve.
 const LINEAR_POINTS: usize = 121;
 
-/// Answers with the linear curve first, then with each marched point.
+/// Sends the linear curve first, then each integrated point.
 ///
 /// # Errors
 /// [`DesignFault`].

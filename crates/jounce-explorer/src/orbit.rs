@@ -1,4 +1,4 @@
-//! The orbit behind a point of a response, sampled over its period.
+//! Orbit of a point of a response, sampled over its period.
 
 use crate::cancellation::Cancellation;
 use crate::design::DesignFault;
@@ -12,21 +12,21 @@ use jounce::plant::Plant;
 use jounce::signal::{Samples, Window};
 use serde_json::json;
 
-/// Samples of a drive cycle.
+/// Samples per drive cycle.
 const SAMPLES_PER_CYCLE: usize = 480;
-/// Most samples of a period.
+/// Largest number of samples of a period.
 const MAX_SAMPLES: usize = 1920;
-/// Pictures of the beam in a period.
+/// Frames of the beam motion in a period.
 const FRAMES_PER_PERIOD: usize = 240;
-/// Orders of the drive in the spectrum.
+/// Largest frequency of the spectrum, in orders of the drive.
 const SHOWN_ORDERS: f64 = 12.0;
-/// Tolerance of the march.
+/// Tolerance of the integration.
 const TOLERANCE: f64 = 1e-9;
 
-/// Answers with the orbit of a point: number of the response, of the branch, of the point.
+/// Sends the orbit of a point: index of the response, of the branch, of the point.
 ///
 /// # Errors
-/// [`DesignFault`]: a response that is no longer kept, a point that it does not have, an orbit that cannot be computed.
+/// [`DesignFault`]: the response is not stored, has no such point, or the orbit cannot be computed.
 pub fn respond(
     session: &Session,
     id: u64,
@@ -40,7 +40,7 @@ pub fn respond(
         .and_then(|branch| Some((branch.period_cycles, branch.points.get(point)?)));
     let Some((cycles, point)) = curve else {
         return Err(DesignFault::Text(
-            "this response has no such point".to_owned(),
+            "this response has no such point; choose a point of its curves".to_owned(),
         ));
     };
     let base = session.prepared(&answered.spec, cancellation)?;
@@ -95,7 +95,7 @@ pub fn respond(
     Ok(())
 }
 
-/// States at `samples` equal times of the period.
+/// Returns the states at `samples` equally spaced times of the period.
 fn sampled(shot: &ShootingEvaluation, samples: usize) -> Vec<TrajectoryState> {
     let cycle_s = shot.period_s / shot.trajectories.len() as f64;
     let per_cycle = samples / shot.trajectories.len();
@@ -108,7 +108,7 @@ fn sampled(shot: &ShootingEvaluation, samples: usize) -> Vec<TrajectoryState> {
         .collect()
 }
 
-/// Times, displacements towards the stops, velocities, forces, voltage and its spectrum.
+/// Adds times, displacements towards the stops, velocities, forces, voltage and its spectrum.
 fn put_histories(frame: &mut Frame, shot: &ShootingEvaluation) -> Result<(), DesignFault> {
     let plant = &shot.kernel.plant;
     let cycles = shot.trajectories.len();
@@ -173,7 +173,7 @@ fn put_histories(frame: &mut Frame, shot: &ShootingEvaluation) -> Result<(), Des
     Ok(())
 }
 
-/// The beams in motion: displacement at each place, picture by picture.
+/// Adds the motion of the beams: displacement at each position, frame by frame.
 fn put_pictures(frame: &mut Frame, shot: &ShootingEvaluation, shapes: &Shapes) {
     let plant = &shot.kernel.plant;
     let instants = sampled(shot, FRAMES_PER_PERIOD);
@@ -198,7 +198,7 @@ fn put_pictures(frame: &mut Frame, shot: &ShootingEvaluation, shapes: &Shapes) {
     frame.put("beams", beams).put("pictures", instants.len());
 }
 
-/// Where the stops stand.
+/// Adds the positions of the stops.
 fn put_stops(frame: &mut Frame, spec: &jounce::spec::Spec, plant: &Plant) {
     let listed = plant.system.stops.iter().map(|stop| {
         let own = spec.stop.get(&stop.name);

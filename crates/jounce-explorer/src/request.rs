@@ -1,24 +1,24 @@
-//! What the page asks.
+//! Requests of the page.
 
 use serde::Deserialize;
 
-/// Most overrides of a request.
+/// Largest number of overrides of a request.
 pub const MAX_OVERRIDES: usize = 500;
 
 /// One request.
 #[derive(Debug, Clone, Deserialize)]
 pub struct Request {
-    /// Number that its answers carry.
+    /// Number of the request, which its responses repeat.
     pub id: u64,
     /// Overrides, as in `--set`.
     #[serde(default)]
     pub set: Vec<(String, String)>,
-    /// What is asked.
+    /// Kind of the request.
     #[serde(flatten)]
     pub ask: RequestKind,
 }
 
-/// A range of a key, SI.
+/// Range of a key, SI.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 pub struct KeySpan {
     /// The key.
@@ -29,33 +29,33 @@ pub struct KeySpan {
     pub to: f64,
 }
 
-/// What takes the place of the first drive.
+/// Excitation that replaces the first drive.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum ExcitationRequest {
-    /// Noise of a flat one-sided density.
+    /// Noise of a flat one-sided spectral density.
     Noise {
-        /// In the square of the unit of the drive per Hz.
+        /// Spectral density, in the square of the unit of the drive per Hz.
         density: f64,
-        /// Lower end of the band.
+        /// Lower end of the band, Hz.
         low_hz: f64,
-        /// Upper end.
+        /// Upper end of the band, Hz.
         high_hz: f64,
     },
     /// A recording in any format that `jounce read` takes.
     Recording {
-        /// The name of the file: its ending tells the format.
+        /// Name of the file; its extension specifies the format.
         name: String,
-        /// What the file holds, in base64.
+        /// Content of the file, in base64.
         bytes: String,
         /// Name or number of the channel.
         channel: Option<String>,
-        /// What 1 in SI in the file stands for, in the SI unit of the drive.
+        /// Value of 1 (SI) of the file in the SI unit of the drive.
         scale: f64,
     },
 }
 
-/// What is asked.
+/// Kind of a request.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(tag = "ask", rename_all = "kebab-case")]
 pub enum RequestKind {
@@ -63,51 +63,51 @@ pub enum RequestKind {
     Design,
     /// Branches over a key.
     Response(KeySpan),
-    /// The orbit of a point of a response.
+    /// Orbit of a point of a response.
     Orbit {
         /// Number of the response.
         answer: u64,
-        /// Number of the branch in it.
+        /// Index of the branch in the response.
         branch: usize,
-        /// Number of the point on it.
+        /// Index of the point on the branch.
         point: usize,
     },
-    /// Marched points up and down over a key.
+    /// Integrated points up and down over a key.
     Sweep {
-        /// The range.
+        /// Range.
         #[serde(flatten)]
         range: KeySpan,
         /// Number of values.
         points: usize,
     },
-    /// Mean power against the load.
+    /// Mean power over the load.
     Load {
-        /// The resistance, a key.
+        /// Key of the resistance.
         over: String,
         /// Number of values.
         points: usize,
     },
-    /// Where starts end.
+    /// Basins of attraction.
     Basins {
         /// Values on each side of the plane of starts.
         side: usize,
     },
-    /// The harvester under noise or a recording.
+    /// Response under noise or a recording.
     Shake {
-        /// What shakes it.
+        /// Excitation.
         by: ExcitationRequest,
     },
-    /// The spec as text, with the overrides written into it, and the lines that give the same response.
+    /// Spec as text with the overrides, and the commands that give the same response.
     Export(KeySpan),
-    /// Stops the work on one kind of request.
+    /// Cancels the work on one kind of request.
     Stop {
-        /// The kind.
+        /// Kind of the request.
         what: String,
     },
 }
 
 impl RequestKind {
-    /// Name of the lane.
+    /// Returns the name of the kind.
     pub fn name(&self) -> &'static str {
         match self {
             RequestKind::Design => "design",

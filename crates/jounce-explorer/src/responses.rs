@@ -1,34 +1,34 @@
-//! The responses that a page has been given, for the orbits behind their points and for the next response.
+//! Responses sent to a page, for the orbits of their points and for the next response.
 
 use jounce::analysis::{Branch, KnownOrbit};
 use jounce::spec::{NumericKey, Spec};
 use std::collections::VecDeque;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-/// Responses that are kept.
+/// Largest number of stored responses.
 const MAX_STORED_RESPONSES: usize = 8;
 
-/// A response.
+/// Stored response.
 #[derive(Debug)]
 pub struct StoredResponse {
     /// Number of the request.
     pub id: u64,
     /// The design.
     pub spec: Spec,
-    /// The key.
+    /// Key.
     pub key: NumericKey,
     /// Ends of its range, SI.
     pub range: (f64, f64),
     /// The branches.
     pub branches: Arc<Vec<Branch>>,
-    /// The design and the branches from which these were carried over, point by point.
+    /// Design and branches from which these were updated, point by point.
     pub origin: Option<Origin>,
 }
 
-/// Where branches came from.
+/// Origin of updated branches.
 pub type Origin = (Spec, Arc<Vec<Branch>>);
 
-/// The last ones.
+/// Last responses.
 #[derive(Debug, Default)]
 pub struct Responses(Mutex<VecDeque<Arc<StoredResponse>>>);
 
@@ -37,7 +37,7 @@ impl Responses {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Keeps a response; a finer one of the same request takes the place of the coarse one.
+    /// Stores a response; the fine response to a request replaces the coarse one.
     pub fn keep(&self, answered: StoredResponse) {
         let mut kept = self.open();
         kept.retain(|known| known.id != answered.id);
@@ -47,12 +47,12 @@ impl Responses {
         }
     }
 
-    /// The response to a request.
+    /// Returns the response to a request.
     pub fn find(&self, id: u64) -> Option<Arc<StoredResponse>> {
         self.open().iter().find(|known| known.id == id).cloned()
     }
 
-    /// The last response over a key.
+    /// Returns the last response over a key.
     pub fn last(&self, key: &str) -> Option<Arc<StoredResponse>> {
         self.open()
             .iter()
@@ -63,7 +63,7 @@ impl Responses {
 }
 
 impl StoredResponse {
-    /// Orbits on its branches: both ends and the middle of each.
+    /// Returns the orbits at both ends and in the middle of each branch.
     pub fn orbits(&self) -> Vec<KnownOrbit> {
         let known = |branch: &Branch| {
             let count = branch.points.len();

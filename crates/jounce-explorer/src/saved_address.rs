@@ -1,6 +1,6 @@
-//! The address of a page, kept for the next server of the same spec: an open page comes back with it.
+//! Saved address of a page for the next server of the same spec, to which an open page reconnects.
 //!
-//! One small file for each spec, which only its owner may read: the token in it is as good as the address.
+//! Each spec has one small file that only its owner may read, since the token in it grants access.
 
 use sha2::{Digest, Sha256};
 use std::fmt::Write as _;
@@ -16,7 +16,8 @@ pub struct SavedAddress {
     pub token: String,
 }
 
-/// The folder in which this system wants programs to keep such things; none where it names none.
+/// Returns the folder of this system for the state of programs; `None` where the system specifies
+/// no folder.
 pub fn state_folder() -> Option<PathBuf> {
     let named = |name: &str| {
         std::env::var_os(name)
@@ -27,7 +28,7 @@ pub fn state_folder() -> Option<PathBuf> {
     Some(state.or_else(|| named("LOCALAPPDATA"))?.join("jounce"))
 }
 
-/// The file of a spec.
+/// Returns the file of a spec.
 fn file(folder: &Path, spec: &Path) -> PathBuf {
     let whole = spec.canonicalize().unwrap_or_else(|_| spec.to_path_buf());
     let digest = Sha256::digest(whole.as_os_str().as_encoded_bytes());
@@ -42,7 +43,7 @@ fn file(folder: &Path, spec: &Path) -> PathBuf {
 }
 
 impl SavedAddress {
-    /// What was kept for a spec. A file that others may read or write counts as none.
+    /// Reads the saved address of a spec. A file that others may read or write is ignored.
     pub fn read(folder: &Path, spec: &Path) -> Option<Self> {
         let path = file(folder, spec);
         #[cfg(unix)]
@@ -63,13 +64,13 @@ impl SavedAddress {
         .filter(|_| is_token)
     }
 
-    /// Keeps it.
+    /// Saves the address.
     ///
     /// # Errors
-    /// A folder that cannot be written.
+    /// The folder cannot be written.
     pub fn write(&self, folder: &Path, spec: &Path) -> std::io::Result<()> {
         std::fs::create_dir_all(folder)?;
-        // A temporary file is its owner's alone from the beginning.
+        // Only its owner can read a temporary file, from its creation.
         let mut temporary = tempfile::NamedTempFile::new_in(folder)?;
         writeln!(temporary, "{} {}", self.port, self.token)?;
         temporary

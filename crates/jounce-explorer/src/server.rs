@@ -1,4 +1,4 @@
-//! The server: one address, one spec.
+//! Server of one spec at one address.
 
 use crate::assets::{refused, serve};
 use crate::authenticator::{Authenticator, RequestRefusal};
@@ -18,20 +18,20 @@ use std::sync::Arc;
 use std::time::Duration;
 use tokio::sync::{Semaphore, watch};
 
-/// Short computations at once for each core: some of them only wait for a slider to rest.
+/// Short computations per core at the same time: some of them only wait until a slider rests.
 const QUICK_PER_CORE: usize = 3;
 
-/// What a server is to do.
+/// Options of a server.
 #[derive(Debug, Clone)]
 pub struct ServerOptions {
     /// The spec.
     pub spec: Source,
-    /// Overrides with which the page begins, as in `--set`.
+    /// Initial overrides of the page, as in `--set`.
     pub set: Vec<(String, String)>,
-    /// Where to listen; by default a free port of the loopback interface.
+    /// Address to listen on; by default a free port of the loopback interface.
     pub listen: Option<SocketAddr>,
-    /// The folder in which the address is kept, so that the next server of this file has the same one; nothing is kept without it, or
-    /// of a spec that no file holds.
+    /// Folder in which the address is saved for the next server of this file. Without it, or for a
+    /// spec without a file, nothing is saved.
     pub keep: Option<PathBuf>,
     /// Limits.
     pub limits: ServerLimits,
@@ -40,9 +40,9 @@ pub struct ServerOptions {
 /// Limits of a server.
 #[derive(Debug, Clone)]
 pub struct ServerLimits {
-    /// Pages at once.
+    /// Largest number of open pages.
     pub sockets: usize,
-    /// Bytes of a message from a page.
+    /// Largest message from a page, bytes.
     pub message_bytes: usize,
     /// Longest time of one computation.
     pub longest: Duration,
@@ -58,28 +58,28 @@ impl Default for ServerLimits {
     }
 }
 
-/// Why there is no page.
+/// Error of starting the server.
 #[derive(Debug, thiserror::Error)]
 pub enum ExploreError {
-    /// The spec cannot be read at all.
+    /// The spec cannot be read.
     #[error(transparent)]
     Spec(#[from] jounce::spec::ReadError),
-    /// The address is taken or not ours.
+    /// The server cannot listen on the address.
     #[error(
-        "{address} cannot be listened on: {why}; give another --listen ADDRESS:PORT, or none for a free port of this machine"
+        "cannot listen on {address}: {why}; give another --listen ADDRESS:PORT, or omit --listen for a free port of this machine"
     )]
     Address {
         /// The address.
         address: SocketAddr,
-        /// Why.
+        /// Reason of the failure.
         why: std::io::Error,
     },
-    /// The system gives no random numbers or no threads.
+    /// The system provides no random numbers or no threads.
     #[error("the server cannot be started: {0}")]
     System(String),
 }
 
-/// A server that is ready to run.
+/// Server that is ready to run.
 #[derive(Debug)]
 pub struct Explorer {
     listener: std::net::TcpListener,
@@ -89,38 +89,38 @@ pub struct Explorer {
     stop: watch::Sender<bool>,
 }
 
-/// Ends a running server from any thread.
+/// Handle that stops a running server from any thread.
 #[derive(Debug, Clone)]
 pub struct Stopper(watch::Sender<bool>);
 
 impl Stopper {
-    /// Ends it: pages are told, computations stopped.
+    /// Stops the server: pages are notified, computations cancelled.
     pub fn stop(&self) {
         self.0.send_replace(true);
     }
 }
 
-/// What all connections share.
+/// Data shared by all connections.
 #[derive(Debug)]
 pub struct Host {
-    /// The checks.
+    /// Authentication of requests.
     pub guard: Authenticator,
-    /// What the server is to do.
+    /// Options of the server.
     pub options: ServerOptions,
     /// One permit for each further page.
     pub sockets: Arc<Semaphore>,
     /// One permit for each further computation that a page waits for.
     pub quick: Arc<Semaphore>,
-    /// One permit for each further computation of many marches, which take all cores.
+    /// One permit for each further computation of many integrations, which take all cores.
     pub long: Arc<Semaphore>,
-    /// States of the file so far.
+    /// Count of the states of the file.
     pub versions: watch::Receiver<u64>,
-    /// True when the server is to end.
+    /// True when the server must stop.
     pub stopped: watch::Receiver<bool>,
 }
 
 impl Explorer {
-    /// Reads the spec once, so that a missing file is told at once, and takes the address.
+    /// Reads the spec once, so that a missing file is reported at once, and binds the address.
     ///
     /// # Errors
     /// [`ExploreError`].
@@ -138,7 +138,7 @@ impl Explorer {
         let guard = Authenticator::new(address, before)
             .map_err(|error| ExploreError::System(error.to_string()))?;
         if let Some((folder, spec)) = keep {
-            // Without it the page works all the same, until the server ends.
+            // If this fails the page still works until the server stops.
             let _ = SavedAddress {
                 port: address.port(),
                 token: guard.token().to_owned(),
@@ -154,7 +154,7 @@ impl Explorer {
         })
     }
 
-    /// Address of the page, with its token.
+    /// Returns the address of the page, with its token.
     pub fn page(&self) -> String {
         let shown = if self.address.ip().is_unspecified() {
             SocketAddr::from((Ipv4Addr::LOCALHOST, self.address.port()))
@@ -164,7 +164,7 @@ impl Explorer {
         format!("http://{shown}/{}/", self.guard.token())
     }
 
-    /// A handle that ends the server.
+    /// Returns a handle that stops the server.
     pub fn stopper(&self) -> Stopper {
         Stopper(self.stop.clone())
     }
@@ -197,13 +197,13 @@ impl Explorer {
             options: self.options,
         };
         let router = Router::new().fallback(answer).with_state(Arc::new(host));
-        // An answer that waits for the receipt of the one before would come some 40 ms late.
+        // Without this option a response waits about 40 ms for the receipt of the previous one.
         let at_once = |stream: &mut tokio::net::TcpStream| {
             let _ = stream.set_nodelay(true);
         };
         let listener = tokio::net::TcpListener::from_std(self.listener)?.tap_io(at_once);
         let serving = axum::serve(listener, router);
-        // Connections that a browser keeps open would hold up a graceful end.
+        // Connections that a browser leaves open would delay a graceful shutdown.
         tokio::select! {
             result = serving.into_future() => result,
             _ = stopped.wait_for(|stopped| *stopped) => {
@@ -214,7 +214,7 @@ impl Explorer {
     }
 }
 
-/// Takes the address that is wanted; without a wish the port of the server before, or a free one.
+/// Binds the requested address; by default the port of the previous server, or a free one.
 fn listen(
     options: &ServerOptions,
     before: Option<u16>,
@@ -232,7 +232,7 @@ fn listen(
     })
 }
 
-/// Every request comes through here; the path is compared with known names and opens no file.
+/// Handles every request; the path is compared with known names and opens no file.
 async fn answer(
     State(host): State<Arc<Host>>,
     method: Method,
@@ -246,13 +246,13 @@ async fn answer(
         Err(RequestRefusal::Host) => {
             return refused(
                 StatusCode::MISDIRECTED_REQUEST,
-                "this server is not asked by that name",
+                "the request names another host; use the address that `jounce explore` printed",
             );
         }
         Err(RequestRefusal::Origin) => {
             return refused(
                 StatusCode::FORBIDDEN,
-                "this server answers its own page only",
+                "this server accepts requests of its own page only",
             );
         }
         Err(RequestRefusal::Token) => {
@@ -264,13 +264,13 @@ async fn answer(
         Ok(()) => {}
     }
     if method != Method::GET {
-        return refused(StatusCode::METHOD_NOT_ALLOWED, "only GET is answered");
+        return refused(StatusCode::METHOD_NOT_ALLOWED, "only GET is allowed");
     }
     if name != "socket" {
         return serve(name);
     }
     let Ok(upgrade) = upgrade else {
-        return refused(StatusCode::BAD_REQUEST, "a websocket is expected here");
+        return refused(StatusCode::BAD_REQUEST, "this path needs a websocket");
     };
     let Ok(permit) = Arc::clone(&host.sockets).try_acquire_owned() else {
         return refused(

@@ -1,4 +1,4 @@
-//! What one page has asked for, and what makes its next answer faster.
+//! Session of one page: its requests, and data that speed up the next response.
 
 use crate::cancellation::Cancellation;
 use crate::controls::controls;
@@ -19,27 +19,27 @@ use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, PoisonError};
 use tokio::sync::mpsc;
 
-/// Places along a beam at which it is drawn in motion.
+/// Number of positions along a beam at which its motion is drawn.
 const PLACES: usize = 49;
 
 /// Shapes of the modes along each beam.
 pub type Shapes = Arc<BTreeMap<String, BeamShape>>;
 
-/// A page.
+/// Session of a page.
 pub struct Session {
     host: Arc<Host>,
     out: mpsc::Sender<Vec<u8>>,
     lanes: LatestRequests,
     base: Mutex<Option<Arc<Model>>>,
     shapes: Mutex<Option<(Spec, Shapes)>>,
-    /// Responses given so far.
+    /// Responses sent so far.
     pub answers: Responses,
-    /// The last curve of the harvester that never strikes.
+    /// Last curve of the harvester without contact.
     pub linear: LastLinear,
 }
 
 impl Session {
-    /// A page that has asked nothing.
+    /// Creates the session of a new page.
     pub fn new(host: Arc<Host>, out: mpsc::Sender<Vec<u8>>) -> Self {
         let (base, shapes) = (Mutex::new(None), Mutex::new(None));
         Self {
@@ -58,21 +58,21 @@ impl Session {
         let _ = self.out.send(frame.encode()).await;
     }
 
-    /// Sends a frame from a thread that computes, unless nobody waits for it any more.
+    /// Sends a frame from a computing thread, unless it is cancelled.
     pub fn send(&self, cancellation: &Cancellation, frame: Frame) {
         if !cancellation.is_stopped() {
             let _ = self.out.blocking_send(frame.encode());
         }
     }
 
-    /// Sends a frame that may be lost: progress.
+    /// Sends a frame that may be lost, such as progress.
     pub fn hint(&self, cancellation: &Cancellation, frame: Frame) {
         if !cancellation.is_stopped() {
             let _ = self.out.try_send(frame.encode());
         }
     }
 
-    /// Says what this server is about.
+    /// Sends the description of this server.
     pub async fn greet(&self) {
         let mut frame = Frame::new(0, "hello", "done");
         let options = &self.host.options;
@@ -83,12 +83,12 @@ impl Session {
         self.tell(frame).await;
     }
 
-    /// Stops everything that the page asked for.
+    /// Cancels all requests of the page.
     pub fn end(&self) {
         self.lanes.stop_all();
     }
 
-    /// Takes a request.
+    /// Handles a request.
     pub fn ask(self: &Arc<Self>, request: Request) {
         if let RequestKind::Stop { what } = &request.ask {
             return self.lanes.stop(what);
@@ -126,13 +126,14 @@ impl Session {
             timer.abort();
             let wrong = match done {
                 _ if cancellation.is_late() => Some(DesignFault::Text(format!(
-                    "this took longer than {} s and was stopped; ask for less",
+                    "this took longer than {} s and was stopped; request less",
                     longest.as_secs()
                 ))),
                 Ok(Ok(())) => None,
                 Ok(Err(wrong)) => Some(wrong),
                 Err(_) => Some(DesignFault::Text(
-                    "the computation broke off; please report the spec that did it".to_owned(),
+                    "the computation failed unexpectedly; please report the spec that caused it"
+                        .to_owned(),
                 )),
             };
             if let Some(wrong) =
@@ -199,7 +200,7 @@ impl Session {
         }
     }
 
-    /// The spec as text, and the lines that give the response on the screen.
+    /// Sends the spec as text, and the commands that give the response on the screen.
     fn export(
         &self,
         id: u64,
@@ -235,7 +236,8 @@ impl Session {
         Ok(frame)
     }
 
-    /// A design ready to be computed under a control; what the one before shares with it is kept.
+    /// Returns the model of a design under a control; parts shared with the previous model are
+    /// reused.
     ///
     /// # Errors
     /// [`AnalysisError`].
@@ -264,7 +266,7 @@ impl Session {
         prepared.with_control(cancellation.control())
     }
 
-    /// Shapes of the modes along the beams of a design.
+    /// Returns the shapes of the modes along the beams of a design.
     ///
     /// # Errors
     /// [`AnalysisError`].
@@ -283,20 +285,20 @@ impl Session {
         Ok(shapes)
     }
 
-    /// A response given before.
+    /// Returns an earlier response.
     ///
     /// # Errors
     /// [`DesignFault::Text`] where it is too old.
     pub fn answered(&self, id: u64) -> Result<Arc<StoredResponse>, DesignFault> {
         self.answers.find(id).ok_or_else(|| {
             DesignFault::Text(
-                "this response is no longer kept; move a slider to compute it again".to_owned(),
+                "this response is no longer stored; move a slider to compute it again".to_owned(),
             )
         })
     }
 }
 
-/// One word of a shell line.
+/// Quotes one word of a shell line.
 fn quoted(word: &str) -> String {
     let plain = |letter: char| letter.is_ascii_alphanumeric() || "=./:_-".contains(letter);
     if word.chars().all(plain) {

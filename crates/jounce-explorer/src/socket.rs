@@ -1,4 +1,4 @@
-//! One page: its socket from opening to close.
+//! Connection of one page: its socket from opening to close.
 
 use crate::frame::Frame;
 use crate::request::{MAX_OVERRIDES, Request};
@@ -9,10 +9,10 @@ use futures_util::{SinkExt, StreamExt};
 use std::sync::Arc;
 use tokio::sync::{mpsc, watch};
 
-/// Answers that wait for a slow page.
+/// Largest number of responses that wait for a slow page.
 const WAITING: usize = 64;
 
-/// Talks with a page until it goes away or the server ends; then stops all that it asked for.
+/// Serves a page until it closes or the server stops; then cancels all its requests.
 pub async fn converse(socket: WebSocket, host: Arc<Host>) {
     let (mut sink, mut stream) = socket.split();
     let (out, mut queue) = mpsc::channel::<Vec<u8>>(WAITING);
@@ -52,7 +52,7 @@ pub async fn converse(socket: WebSocket, host: Arc<Host>) {
     let _ = tokio::time::timeout(std::time::Duration::from_secs(1), writer).await;
 }
 
-/// Waits for the end of the server.
+/// Waits until the server stops.
 async fn ended(stopped: &mut watch::Receiver<bool>) {
     let _ = stopped.wait_for(|stopped| *stopped).await;
 }
@@ -65,7 +65,7 @@ async fn hear(session: &Arc<Session>, text: &str) {
             frame.put(
                 "message",
                 format!(
-                    "{} overrides are too many; {MAX_OVERRIDES} are allowed",
+                    "{} overrides are too many; at most {MAX_OVERRIDES} are allowed",
                     request.set.len()
                 ),
             );

@@ -1,30 +1,31 @@
-//! Where the spec of a page comes from.
+//! Source of the spec of a page.
 
 use jounce::spec::{ReadError, SpecFile};
 use std::path::{Path, PathBuf};
 
-/// Name of a spec that no file holds: that of the file which the page saves it to, so that the exported lines find it there.
+/// Name of a spec without a file: the name under which the page saves it, so that the exported
+/// commands find it.
 const UNSAVED: &str = "harvester.toml";
 
-/// The spec of a page.
+/// Source of a spec.
 #[derive(Debug, Clone)]
 pub enum Source {
-    /// A file; the page follows it.
+    /// File; the page follows its changes.
     File(PathBuf),
-    /// A text that no file holds and that stays as it is.
+    /// Constant text without a file.
     Text {
         /// The spec.
         text: String,
-        /// Where the state files and recordings are looked for that it names.
+        /// Folder of the state files and recordings that the spec names.
         folder: PathBuf,
     },
 }
 
 impl Source {
-    /// The spec as it is now.
+    /// Reads the spec.
     ///
     /// # Errors
-    /// A file that cannot be read.
+    /// The file cannot be read.
     pub fn read(&self) -> Result<SpecFile, ReadError> {
         match self {
             Self::File(path) => SpecFile::read(path),
@@ -32,7 +33,7 @@ impl Source {
         }
     }
 
-    /// The file, where there is one.
+    /// Returns the path of a file.
     pub fn file(&self) -> Option<&Path> {
         match self {
             Self::File(path) => Some(path),
@@ -40,12 +41,12 @@ impl Source {
         }
     }
 
-    /// The path by which faults and exported lines name the spec.
+    /// Returns the path of the spec in faults and exported commands.
     pub fn name(&self) -> &Path {
         self.file().unwrap_or(Path::new(UNSAVED))
     }
 
-    /// Where the state files and recordings are looked for that the spec names.
+    /// Returns the folder of the state files and recordings that the spec names.
     pub fn folder(&self) -> &Path {
         let folder = match self {
             Self::File(path) => path.parent().unwrap_or(Path::new("")),

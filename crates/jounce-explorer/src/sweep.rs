@@ -1,4 +1,4 @@
-//! Marched points up and down over a key, as they come.
+//! Sweep up and down over a key; points are sent one by one.
 
 use crate::cancellation::Cancellation;
 use crate::design::{Design, DesignFault};
@@ -9,10 +9,10 @@ use jounce::analysis::{Sweep, SweepDirection, SweepOrder, SweepPoint};
 use jounce::spec::KeyRange;
 use std::path::PathBuf;
 
-/// Most values.
+/// Largest number of values.
 pub const MAX_POINTS: usize = 400;
 
-/// Sends each point as soon as it is marched.
+/// Sends each point as soon as it is integrated.
 ///
 /// # Errors
 /// [`DesignFault`].
@@ -43,7 +43,7 @@ pub fn respond(
     )
 }
 
-/// Marches over a range; points carry the name of what was asked.
+/// Runs a sweep over a range; each point has the name of its request.
 pub fn march(
     session: &Session,
     id: u64,

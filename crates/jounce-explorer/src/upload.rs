@@ -1,4 +1,4 @@
-//! A recording that was dropped onto the page, made what a spec takes: times and values.
+//! Recording dropped onto the page, converted to times and values for a spec.
 
 use crate::design::DesignFault;
 use base64::Engine as _;
@@ -8,30 +8,30 @@ use jounce_measure::recording::{Channel, ChannelError, Issue, Recording};
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
-/// A recording with one channel chosen.
+/// Recording with one selected channel.
 pub struct Upload {
     /// Times and values, separated by commas.
     pub file: PathBuf,
     /// Name and unit of the channel.
     pub channel: String,
-    /// What was noticed about the recording and this channel.
+    /// Data-quality issues of the recording and this channel.
     pub findings: Vec<String>,
 }
 
-/// Reads a file by its bytes and writes one of its channels into a folder.
+/// Reads a file from its bytes and writes one of its channels into a folder.
 ///
 /// # Errors
-/// [`DesignFault::Text`]: what is no recording over time, or a channel that must be named.
+/// [`DesignFault::Text`]: the file is not a recording over time, or the channel must be named.
 pub fn read_upload(
     name: &str,
     bytes: &str,
     wanted: Option<&str>,
     folder: &Path,
 ) -> Result<Upload, DesignFault> {
-    // Under its own name, so that faults call it by that; a name from a page is no path.
+    // Stored under its own name, which faults then show; a name from a page is never a path.
     let own = Path::new(name)
         .file_name()
-        .ok_or_else(|| DesignFault::Text(format!("{name:?} is no name of a file")))?;
+        .ok_or_else(|| DesignFault::Text(format!("{name:?} is not the name of a file")))?;
     let (received, file) = (folder.join("dropped"), folder.join("recording.csv"));
     std::fs::create_dir(&received)?;
     std::fs::write(received.join(own), STANDARD.decode(bytes)?)?;
@@ -70,7 +70,8 @@ pub fn read_upload(
     })
 }
 
-/// The wanted channel, or the only one: with a scale any quantity will do.
+/// Returns the requested channel, or the only one; any quantity is allowed, since the scale
+/// converts it.
 fn chosen<'r>(recording: &'r Recording, wanted: Option<&str>) -> Result<&'r Channel, ChannelError> {
     match (wanted, &recording.channels[..]) {
         (Some(wanted), _) => Ok(recording.channel(wanted)?),

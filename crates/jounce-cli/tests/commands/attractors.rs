@@ -131,8 +131,8 @@ fn basins_start_from_a_plane() {
     assert_eq!((code, json["starts"].as_u64()), (0, Some(12)));
     assert!(folder.path().join("starts.csv").exists() && folder.path().join("basins.png").exists());
     for (wrong, told) in [
-        ("speed=1:2:3x", "no side"),
-        ("velocity=1m:2m:3x", "no velocity"),
+        ("speed=1:2:3x", "unknown"),
+        ("velocity=1m:2m:3x", "not a velocity"),
         ("displacement=1mm:2mm:1x", "2x or more"),
     ] {
         let (code, json, _) = jounce(&["basins", PLANT, "--json", "--grid", wrong]);

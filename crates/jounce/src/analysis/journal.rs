@@ -1,7 +1,8 @@
-//! Finished points on disk, so that an interrupted sweep or diagram goes on where it stopped.
+//! Finished points on disk, from which an interrupted sweep or diagram resumes.
 //!
-//! One JSON line per point, appended and flushed as soon as the point is finished. A line that a kill cut short is dropped when
-//! the journal is read. Numbers are written so that they read back bit for bit. The journal goes when its sweep is complete.
+//! Each finished point is appended as one JSON line and flushed. When the journal is read, an
+//! incomplete last line is dropped. Numbers read back bit for bit. The journal is removed when its
+//! sweep is complete.
 
 use super::SweepPoint;
 use serde::Serialize;
@@ -11,19 +12,19 @@ use std::io::{Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 
-/// A journal that cannot be kept.
+/// Error of reading or writing a journal.
 #[derive(Debug, thiserror::Error, serde::Serialize)]
 #[error(
-    "the journal of finished points {path} cannot be used: {reason}; set JOUNCE_CACHE to a folder that can be written"
+    "the journal of finished points {path} cannot be used: {reason}; set JOUNCE_CACHE to a writable folder"
 )]
 pub struct JournalError {
-    /// The file.
+    /// Path of the file.
     pub path: String,
-    /// What is wrong.
+    /// Reason of the failure.
     pub reason: String,
 }
 
-/// The journal of one study over points `P`.
+/// Journal of one analysis over points `P`.
 #[derive(Debug)]
 pub struct Journal<P = SweepPoint> {
     path: PathBuf,
@@ -32,7 +33,7 @@ pub struct Journal<P = SweepPoint> {
 }
 
 impl<P: Serialize + DeserializeOwned> Journal<P> {
-    /// Opens or creates the journal of a sweep, told apart by `key` (a digest of spec and options).
+    /// Opens or creates the journal of a sweep; `key` (a digest of spec and options) identifies it.
     ///
     /// # Errors
     /// [`JournalError`].
@@ -71,12 +72,12 @@ impl<P: Serialize + DeserializeOwned> Journal<P> {
         })
     }
 
-    /// Points found when the journal was opened.
+    /// Returns the points that the journal held when it was opened.
     pub fn found(&self) -> &[P] {
         &self.found
     }
 
-    /// Keeps a finished point.
+    /// Appends a finished point.
     ///
     /// # Errors
     /// [`JournalError`].

@@ -1,4 +1,4 @@
-//! Studies: many runs of one spec.
+//! Analyses: many runs of one spec.
 
 mod bandwidth;
 mod basins;

@@ -1,4 +1,5 @@
-//! From a spec to something that can be marched, keeping what a changed key leaves as it was.
+//! From a spec to a model that can be integrated; a changed key rebuilds only the parts that depend
+//! on it.
 
 use super::ModelAtStart;
 use crate::drive::RandomStream;
@@ -10,53 +11,53 @@ use crate::structure::{self, Modes, StructureError};
 use std::path::Path;
 use std::sync::Arc;
 
-/// Why a study, or one of its points, cannot be made.
+/// Error of an analysis or of one of its points.
 #[derive(Debug, thiserror::Error)]
 pub enum AnalysisError {
-    /// The structure.
+    /// Error of the structure.
     #[error(transparent)]
     Structure(#[from] StructureError),
-    /// The plant.
+    /// Error of the plant.
     #[error(transparent)]
     Plant(#[from] PlantError),
-    /// The march.
+    /// Error of the integration.
     #[error(transparent)]
     Run(#[from] RunError),
-    /// A value of the swept key that the spec does not allow.
+    /// The spec does not allow this value of the swept key.
     #[error("{0}")]
     Value(#[from] crate::spec::Fault),
-    /// A drive that never repeats itself, where answers that do are asked for.
+    /// The drive is aperiodic, but the analysis needs a periodic response.
     #[error(
-        "drive `{drive}` does not repeat itself, so that there is no periodic answer to look for; use `jounce run` for one march of it, or `jounce ensemble` for many realisations of noise"
+        "drive `{drive}` is not periodic, so there is no periodic response to find; use `jounce run` for one integration, or `jounce ensemble` for many realisations of noise"
     )]
     Aperiodic {
         /// Name of the drive.
         drive: String,
     },
-    /// A key that periodic answers do not depend on.
+    /// Periodic responses do not depend on this key.
     #[error(
-        "{key} says how one run is marched, and periodic answers do not depend on it: give a key of the harvester or of its drive, as drive.NAME.frequency, stop.NAME.gap or circuit.NAME.resistance"
+        "{key} is an option of a run, and periodic responses do not depend on it; give a key of the harvester or of its drive, such as drive.NAME.frequency, stop.NAME.gap or circuit.NAME.resistance"
     )]
     OfRuns {
         /// Path of the key.
         key: String,
     },
-    /// An ensemble without noise.
+    /// The ensemble has no drive of noise.
     #[error(
-        "an ensemble needs noise: give a drive `signal = \"noise\"`; `jounce run` marches what is not random"
+        "an ensemble needs noise: give a drive `signal = \"noise\"`; use `jounce run` for a drive that is not random"
     )]
     NoNoise,
-    /// The journal of finished points.
+    /// Error of the journal of finished points.
     #[error(transparent)]
     Journal(#[from] super::JournalError),
-    /// A start state that cannot be read.
+    /// The start state cannot be read.
     #[error(
-        "the start state {path} cannot be used: {reason}; write one with `jounce run SPEC --save-state FILE`"
+        "the start state {path} cannot be read: {reason}; write one with `jounce run SPEC --save-state FILE`"
     )]
     StartFile {
-        /// The file.
+        /// Path of the file.
         path: String,
-        /// What is wrong.
+        /// Reason of the failure.
         reason: String,
     },
 }
@@ -66,7 +67,7 @@ pub enum AnalysisError {
 pub struct Model {
     /// The spec.
     pub spec: Spec,
-    /// Its kernel.
+    /// Kernel of the spec.
     pub kernel: Kernel,
     modes: Arc<Modes>,
 }
@@ -80,8 +81,8 @@ impl Model {
         Self::watched(spec, &Control::default())
     }
 
-    /// The same, all marches made from it watched. Once the control says so, no noise is made any more either, so that what was made under
-    /// a control that is stopped serves no other one.
+    /// Builds a model whose integrations run under `control`. After cancellation no noise is
+    /// generated either, so a model made under a cancelled control must not serve another one.
     ///
     /// # Errors
     /// As [`Model::new`].
@@ -96,7 +97,7 @@ impl Model {
         })
     }
 
-    /// The same harvester and tables under another control.
+    /// Returns the model with its tables under another control.
     ///
     /// # Errors
     /// [`AnalysisError::Plant`].
@@ -112,7 +113,8 @@ impl Model {
         })
     }
 
-    /// The same for a changed spec: modes are kept when no body changed, step tables when no circuit did.
+    /// Returns the model of a changed spec. Modes are reused when no body changed, step tables when
+    /// no circuit changed.
     ///
     /// # Errors
     /// As [`Model::new`].
@@ -154,7 +156,7 @@ impl Model {
         })
     }
 
-    /// The same with other realisations of its noise: number `member` of a seed.
+    /// Returns the kernel with another realisation of its noise: number `member` of a seed.
     ///
     /// # Errors
     /// [`AnalysisError::NoNoise`].
@@ -177,7 +179,8 @@ impl Model {
             })?))
     }
 
-    /// The start that the spec asks for; a state file is read relative to `folder`.
+    /// Returns the start state that the spec specifies; the path of a state file is relative to
+    /// `folder`.
     ///
     /// # Errors
     /// [`AnalysisError::StartFile`].
@@ -202,7 +205,7 @@ impl Model {
         }
     }
 
-    /// A kernel whose drives go on at the angles of a state.
+    /// Returns a kernel whose drives continue at the phase angles of a state.
     ///
     /// # Errors
     /// [`PlantError`], [`RunError::StateDoesNotFit`].

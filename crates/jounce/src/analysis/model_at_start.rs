@@ -1,14 +1,15 @@
-//! A kernel to march from a state.
+//! Kernel for an integration from a given state.
 
 use crate::integrate::Kernel;
 use std::ops::Deref;
 
-/// The kernel of a harvester where its drives start at the angles of the state already, or else one whose drives do.
+/// Kernel of the model if its drives already start at the phase angles of the state; otherwise a
+/// kernel with shifted drives.
 #[derive(Debug)]
 pub enum ModelAtStart<'k> {
-    /// That of the harvester.
+    /// Kernel of the model.
     Same(&'k Kernel),
-    /// One of its own.
+    /// Separate kernel with shifted drives.
     Turned(Box<Kernel>),
 }
 

@@ -1,4 +1,4 @@
-//! What periodic orbits do to patches, against what those bear.
+//! Limits of patches that periodic orbits exceed.
 
 use super::{AnalysisError, Branch, Parameter};
 use crate::integrate::{IntegrationError, Integrator, Kernel};
@@ -6,10 +6,11 @@ use crate::orbit::{Orbit, ParametricModel, Shooting};
 use crate::run::{ExceededLimit, Limits, RunError};
 use rayon::prelude::*;
 
-/// The limits that a march of some drive cycles passes, from a physical state at time 0.
+/// Returns the limits exceeded in an integration of some drive cycles from a physical state at time
+/// 0.
 ///
 /// # Errors
-/// A march that fails.
+/// The integration fails.
 pub fn passed_over(
     limits: &Limits,
     kernel: &Kernel,
@@ -31,10 +32,10 @@ pub fn passed_over(
     Ok(limits.exceeded(kernel, &integrator.take_record()))
 }
 
-/// The limits that an orbit passes over its period.
+/// Returns the limits that an orbit exceeds over its period.
 ///
 /// # Errors
-/// A march that fails.
+/// The integration fails.
 pub fn passed_by_orbit<H: ParametricModel>(
     limits: &Limits,
     (harvester, kernel): (&H, &Kernel),
@@ -47,10 +48,10 @@ pub fn passed_by_orbit<H: ParametricModel>(
 }
 
 impl Branch {
-    /// The limits that each point passes over its period, point by point.
+    /// Returns for each point the limits that it exceeds over its period.
     ///
     /// # Errors
-    /// A point that cannot be marched.
+    /// A point cannot be integrated.
     pub fn exceeded(
         &self,
         parameter: &Parameter<'_>,

@@ -1,6 +1,7 @@
-//! One numeric key of a spec as the parameter of a family of harvesters.
+//! One numeric key of a spec as the parameter of a family of models.
 //!
-//! What a drive, a gap or a stiffness changes is known in closed form: with `Y = (i w I - A)^-1 b F` the steady state,
+//! Derivatives by a drive, a gap or a stiffness have a closed form. With the steady state `Y = (i w
+//! I - A)^-1 b F`:
 //!
 //! ```text
 //! dY / df = -2 pi i (i w I - A)^-1 Y,   dY / dF = Y / F,   d(penetration) / d(gap) = -1,   d(force) / dk = force / k
@@ -15,7 +16,7 @@ use crate::spec::{DriveKind, NumericKey};
 use faer::c64;
 use std::f64::consts::TAU;
 
-/// Harvesters over one key.
+/// Family of models over one key.
 #[derive(Debug)]
 pub struct Parameter<'s> {
     base: &'s Model,
@@ -24,7 +25,7 @@ pub struct Parameter<'s> {
     difference: f64,
 }
 
-/// What the key is to the equations.
+/// Role of the key in the equations.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum KeyRole {
     Frequency,
@@ -35,17 +36,17 @@ enum KeyRole {
 }
 
 impl<'s> Parameter<'s> {
-    /// The harvesters of a spec over a key; `width` is the range of interest.
+    /// Creates the family of models of a spec over a key; `width` is the range of interest.
     pub fn new(base: &'s Model, key: &'s NumericKey, width: f64) -> Self {
         let segments: Vec<&str> = key.path().split('.').collect();
         let plain = matches!(
             base.kernel.plant.system.stops.first().map(|stop| stop.law),
             Some(Law::Hertz(_) | Law::HuntCrossley(_))
         );
-        // Where bases move against each other, the drive moves the gap too.
+        // Where two bases move relative to each other, the drive also changes the gap.
         let one_drive = base.kernel.plant.system.drives.len() == 1
             && base.kernel.plant.stop_between_bases().is_none();
-        // The force of a displaced base goes with the square of its frequency.
+        // The force of a displaced base is proportional to the square of its frequency.
         let moves_base = |name: &str| {
             base.spec
                 .drive
@@ -68,7 +69,7 @@ impl<'s> Parameter<'s> {
         }
     }
 
-    /// Whether periodic answers depend on a key at all.
+    /// Checks that periodic responses depend on a key.
     ///
     /// # Errors
     /// [`AnalysisError::OfRuns`].
@@ -83,7 +84,7 @@ impl<'s> Parameter<'s> {
         }
     }
 
-    /// The key.
+    /// Returns the key.
     pub fn key(&self) -> &NumericKey {
         self.key
     }
@@ -188,7 +189,7 @@ impl ParametricModel for Parameter<'_> {
                 drive: drive.to_owned(),
             });
         }
-        // What a parameter does is known in closed form in one regime only.
+        // The closed forms hold for a single conduction state only.
         let change = if system.bridges.is_empty() {
             self.change(&kernel, parameter)
         } else {

@@ -1,8 +1,9 @@
 //! Sweeps over one numeric key of the spec.
 //!
-//! Stepped sweeps carry the state over and keep the drive's angle continuous, so that they stay on a branch of solutions as
-//! long as it lasts. Independent points start anew and run in parallel. Every point is computed by the same operations
-//! whatever the number of threads, so the bits are the same.
+//! Stepped sweeps carry the state over and continue the phase of the drive, so they follow a branch
+//! of solutions as long as it exists. Independent points start from the start state of the spec and
+//! run in parallel. Each point is computed by the same operations for any number of threads, so the
+//! results are bitwise identical.
 
 use super::{AnalysisError, Journal, Model, SweepDirection, SweepPoint};
 use crate::integrate::{Control, IntegrationError};
@@ -11,40 +12,41 @@ use crate::spec::{Drive, DriveSignal, KeyRange, Spec};
 use rayon::prelude::*;
 use std::path::PathBuf;
 
-/// Order in which the points are visited.
+/// Order of the points of a sweep.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SweepOrder {
     /// From the first value to the last.
     Up,
     /// From the last value to the first.
     Down,
-    /// Up, then down from where it arrived.
+    /// Up, then down from the last state.
     Both,
-    /// Each point from the start of the spec.
+    /// Each point from the start state of the spec.
     Independent,
 }
 
-/// A sweep to be made.
+/// Definition of a sweep.
 #[derive(Debug)]
 pub struct Sweep<'s> {
-    /// The spec at its own values.
+    /// The spec, unchanged.
     pub spec: &'s Spec,
     /// The key and its values.
     pub range: &'s KeyRange,
-    /// Order of visit.
+    /// Order of the points.
     pub direction: SweepOrder,
-    /// True: every point runs for `run.duration`; false: until it has settled. Where a drive never repeats itself nothing settles, and every point
-    /// runs for `run.duration`, its drives from their beginning.
+    /// True: every point runs for `run.duration`. False: until its response has settled. Under an
+    /// aperiodic drive nothing settles: every point runs for `run.duration`, with its drives from
+    /// their beginning.
     pub fixed_duration: bool,
-    /// Folder against which a start state file is read.
+    /// Folder to which the path of a start state file is relative.
     pub folder: PathBuf,
 }
 
-/// Drive cycles marched between two looks at whether a point has settled.
+/// Drive cycles between two checks of whether a point has settled.
 const CYCLES_PER_CHECK: f64 = 48.0;
-/// Drive cycles averaged once it has: a multiple of every period that is looked for.
+/// Drive cycles of the average after a point has settled; a multiple of every period of the search.
 const CYCLES_AVERAGED: f64 = 12.0;
-/// A point that has not settled after this many run durations is reported as it is, unsettled.
+/// Limit in run durations, after which a point is reported as not settled.
 const MAX_DURATIONS: f64 = 15.0;
 
 impl Sweep<'_> {
@@ -53,13 +55,14 @@ impl Sweep<'_> {
         self.visits().len()
     }
 
-    /// True without a point.
+    /// True for a sweep without points.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
-    /// Makes the sweep. `done` hears of each finished point; `control` ends it early, with the points finished so far given back and kept
-    /// in the journal. Points come back in order of visit.
+    /// Runs the sweep and returns its points in order. `done` is called for each finished point.
+    /// `control` cancels the sweep; the finished points are then returned and remain in the
+    /// journal.
     ///
     /// # Errors
     /// [`AnalysisError`].
@@ -173,7 +176,7 @@ impl Sweep<'_> {
         Ok(point)
     }
 
-    /// Marches one point.
+    /// Integrates one point.
     fn point(
         &self,
         prepared: &Model,
@@ -221,7 +224,7 @@ impl Sweep<'_> {
     }
 }
 
-/// `None` for a point that was stopped on its way.
+/// Returns `None` for a point that was cancelled.
 fn unless_stopped(
     point: Result<SweepPoint, AnalysisError>,
 ) -> Result<Option<SweepPoint>, AnalysisError> {

@@ -1,4 +1,4 @@
-//! The curve between two neighbouring points of a branch, at any place in between.
+//! Evaluation of the curve at any point between two neighbouring points of a branch.
 
 use crate::analysis::BranchPoint;
 use crate::continuation::{
@@ -11,71 +11,72 @@ use crate::orbit::{
 use std::cell::RefCell;
 use std::rc::Rc;
 
-/// Most trials for one zero.
+/// Largest number of iterations for one zero.
 const MAX_TRIALS: u32 = 60;
 
-/// Share of its values at the ends below which a value counts as zero.
+/// Fraction of the end values below which a value counts as zero.
 const ZERO_ROUNDOFF: f64 = 1e-11;
 
-/// Share of the piece below which two places are one.
+/// Fraction of the piece below which two points coincide.
 const MIN_BRACKET: f64 = 1e-11;
 
-/// Half the width of the difference that gives the slope of power, as a share of the piece.
+/// Half width of the difference for the slope of power, as a fraction of the piece.
 const DIFFERENCE_WIDTH: f64 = 0.02;
 
-/// A place of the piece.
+/// Point of a piece.
 #[derive(Debug, Clone)]
 pub struct PiecePoint {
-    /// Share of the way, along the chord.
+    /// Fraction of the chord.
     pub x: f64,
     step: Rc<CurvePoint<ShootingEvaluation>>,
 }
 
 impl PiecePoint {
-    /// Value of the key.
+    /// Returns the value of the key.
     pub fn parameter(&self) -> f64 {
         self.step.position.parameter
     }
 
-    /// Mean power, W.
+    /// Returns the mean power, W.
     pub fn mean_power_w(&self) -> f64 {
         self.step.local.loads_w.iter().sum::<f64>() + 0.0
     }
 
-    /// State at the start of the period, energy coordinates.
+    /// Returns the state at the start of the period, energy coordinates.
     pub fn start(&self) -> &[f64] {
         &self.step.local.strobe_states[0]
     }
 
-    /// Largest modulus of a multiplier.
+    /// Returns the largest modulus of a Floquet multiplier.
     pub fn floquet_max_abs(&self) -> Option<f64> {
         Some(multipliers(&self.step.local.block_map)?.first()?.norm())
     }
 }
 
-/// A zero, and the value that is left there.
+/// Zero of a function on a piece, and the remaining value there.
 #[derive(Debug)]
 pub struct PieceZero {
     pub place: PiecePoint,
     pub value: f64,
 }
 
-/// A piece of a branch.
+/// Piece of a branch between two neighbouring points.
 pub struct CurvePiece<'h, H> {
     shooting: Shooting<'h, H>,
     corrector: Corrector,
     metric: Metric,
     ahead: Direction,
-    /// Of the chord.
+    /// Length of the chord.
     length: f64,
-    /// Where it starts.
+    /// Start of the piece.
     from: Position,
-    /// All places looked at so far, in their order: the next one is guessed between its neighbours.
+    /// All points computed so far, in order along the piece; a new guess interpolates between its
+    /// neighbours.
     known: RefCell<Vec<PiecePoint>>,
 }
 
 impl<'h, H: ParametricModel> CurvePiece<'h, H> {
-    /// Between two points; `None` where shooting does not find them again.
+    /// Creates the piece between two points; `None` where shooting does not converge to them again.
     pub fn new(
         shooting: Shooting<'h, H>,
         corrector: Corrector,
@@ -91,7 +92,8 @@ impl<'h, H: ParametricModel> CurvePiece<'h, H> {
         let ahead = metric.unit(from.to(&to));
         let step = |guess: Position| {
             let found = correct(&shooting, &corrector, &metric, &ahead, guess.clone());
-            // Where the curve is cut at an edge of the range, the chord may stand across nothing.
+            // Where the curve is cut at an edge of the range, the hyperplane across the chord may
+            // not intersect it.
             let found = found
                 .or_else(|_| correct_at(&shooting, &corrector, &metric, guess))
                 .ok()?;
@@ -124,7 +126,7 @@ impl<'h, H: ParametricModel> CurvePiece<'h, H> {
         })
     }
 
-    /// The place at a share of the way, a little beyond the ends too.
+    /// Returns the point at a fraction of the chord, which may lie slightly beyond the ends.
     pub fn at(&self, x: f64) -> Option<PiecePoint> {
         let known = self
             .known
@@ -156,7 +158,8 @@ impl<'h, H: ParametricModel> CurvePiece<'h, H> {
         Some(place)
     }
 
-    /// A guess at a share of the way: on the cubic between the neighbours known, and in the plane across the chord there.
+    /// Predicts the position at a fraction of the chord: on the Hermite cubic between the known
+    /// neighbours, moved into the hyperplane across the chord.
     fn guess(&self, x: f64) -> Position {
         let known = self.known.borrow();
         let next = known
@@ -173,14 +176,15 @@ impl<'h, H: ParametricModel> CurvePiece<'h, H> {
         guess.moved(&self.ahead, off)
     }
 
-    /// The orbit at a place, with its multipliers and its error.
+    /// Returns the orbit at a point, with its multipliers and its error.
     pub fn orbit(&self, place: &PiecePoint) -> Option<Orbit> {
         self.shooting
             .orbit(&place.step.local, place.step.error)
             .ok()
     }
 
-    /// Change of power along the piece, W per share of the way: a difference of fourth order.
+    /// Returns the change of power along the piece, W per fraction of the chord, by a fourth-order
+    /// difference.
     pub fn power_slope_w(&self, x: f64) -> Option<f64> {
         let power_w = |offset: f64| Some(self.at(x + offset * DIFFERENCE_WIDTH)?.mean_power_w());
         Some(
@@ -189,7 +193,8 @@ impl<'h, H: ParametricModel> CurvePiece<'h, H> {
         )
     }
 
-    /// How far off the key may be at a place that is off by a share of the way, and by what Newton left out.
+    /// Returns the error of the key at a point whose fraction has the error `off`, with the
+    /// residual error of Newton's method.
     pub fn parameter_error(&self, place: &PiecePoint, off: f64) -> Option<f64> {
         let slope = (self.at(place.x + DIFFERENCE_WIDTH)?.parameter()
             - self.at(place.x - DIFFERENCE_WIDTH)?.parameter())
@@ -197,8 +202,8 @@ impl<'h, H: ParametricModel> CurvePiece<'h, H> {
         Some(off * slope.abs() + self.metric.parameter * place.step.error)
     }
 
-    /// The place between two shares at which power has its maximum, where it rises into the stretch from both ends; a slope below
-    /// `noise_w` counts as none.
+    /// Returns the point of maximum power between two fractions, if power rises inwards from both
+    /// ends; a slope below `noise_w` counts as zero.
     pub fn maximum(&self, (from, to): (f64, f64), noise_w: f64) -> Option<PieceZero> {
         let rises = self.power_slope_w(from)? > 0.0 && self.power_slope_w(to)? < 0.0;
         rises
@@ -206,7 +211,8 @@ impl<'h, H: ParametricModel> CurvePiece<'h, H> {
             .flatten()
     }
 
-    /// The place between two shares where `value` passes zero, to its own noise; `None` without a change of sign.
+    /// Returns the point between two fractions where `value` passes zero, to its noise; `None`
+    /// without a change of sign.
     pub fn zero(
         &self,
         (from, to): (f64, f64),

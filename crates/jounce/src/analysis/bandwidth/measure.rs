@@ -1,11 +1,14 @@
-//! Peaks and half-power bandwidths of branches, stable orbits only.
+//! Peaks and half-power bandwidths of branches, from stable orbits only.
 //!
-//! A branch is cut into segments on which it is stable: the ways between its points, ended where the largest multiplier passes
-//! modulus one. The peak is an end of a segment or a zero of `dP/ds`; the zeros of `P - P_peak / 2` end what lies above half of it.
+//! A branch is cut into stable segments: the intervals between its points, ended where the largest
+//! multiplier passes modulus one. The peak is an end of a segment or a zero of `dP/ds`. The zeros
+//! of `P - P_peak / 2` end the half-power intervals.
 //!
-//! Errors: `E |P| / |dP/dp|` at a half-power edge and `E |P| / |d2P/dp2| / step` at a peak, with `E` the error of the power, twice that
-//! of the state, at the edge with that of the peak; where stability is lost the error of the multiplier over its slope, at most the way to
-//! the farther one of the two points between which that is. To each comes what Newton left out.
+//! Let `E` be the relative error of the power, twice that of the state. A peak has the error `E |P|
+//! / |d2P/dp2| / step`. A half-power edge has the error `E |P| / |dP/dp|`, where `E` includes that
+//! of the peak. A stability boundary has the error of the multiplier over its slope, at most the
+//! distance to the farther one of its two neighbouring points. The residual error of Newton's
+//! method is added to each.
 
 use super::curve_piece::{CurvePiece, PiecePoint};
 use super::merge::merged;
@@ -17,41 +20,42 @@ use crate::continuation::Corrector;
 use crate::orbit::Shooting;
 use rayon::prelude::*;
 
-/// Pieces whose power is below this share of the largest hide no peak of their own.
+/// Pieces whose power is below this fraction of the largest have no peak of their own.
 const MIN_PEAK_SHARE: f64 = 0.9;
 
-/// Ends of stability whose power is below this share of the largest lie outside every half-power range and are not located.
+/// Stability boundaries whose power is below this fraction of the largest lie outside every
+/// half-power interval and are not located.
 const MIN_HALF_SHARE: f64 = 0.4;
 
-/// Error of a multiplier, beside the tolerance of the march.
+/// Error of a multiplier relative to the tolerance of the integration.
 const MULTIPLIER_ERROR_FACTOR: f64 = 1e3;
 
-/// Way to a place beside another one, as a share of a piece.
+/// Distance to the neighbouring point of a difference, as a fraction of a piece.
 const NEIGHBOUR_DISTANCE: f64 = 0.02;
 
-/// Branches to be measured.
+/// Definition of a bandwidth computation.
 #[derive(Debug)]
 pub struct BandwidthSearch<'s> {
-    /// The spec at its own values.
+    /// Model of the spec, unchanged.
     pub base: &'s Model,
-    /// The harvesters.
+    /// Family of models over the key.
     pub parameter: &'s Parameter<'s>,
     /// Ends of the range.
     pub range: (f64, f64),
-    /// Relative tolerance of the marches.
+    /// Relative tolerance of the integrations.
     pub tolerance: f64,
 }
 
-/// The stable part of a branch with its peak.
+/// Stable part of a branch with its peak.
 struct StablePart<'b> {
     segments: Vec<StableSegment<'b>>,
     peak: PowerPeak,
-    /// Error of its power, relative to it.
+    /// Relative error of the peak power.
     power_error: f64,
 }
 
 impl<'s> BandwidthSearch<'s> {
-    /// Measures branches, each for itself and all together.
+    /// Computes the bandwidth of each branch and of all branches combined.
     pub fn run(&self, branches: &[Branch]) -> Bandwidths {
         let stable: Vec<Option<StablePart>> = branches
             .par_iter()
@@ -89,7 +93,7 @@ impl<'s> BandwidthSearch<'s> {
             .map(|point| point.orbit.mean_power_w)
             .fold(0.0, f64::max);
         if largest_w == 0.0 {
-            // Without power there is no half of it.
+            // Without power there is no half-power level.
             return None;
         }
         let low_w = MIN_HALF_SHARE * largest_w;
@@ -138,7 +142,7 @@ impl<'s> BandwidthSearch<'s> {
         )
     }
 
-    /// The stable part between two neighbouring points; nothing where it ends at less than `low_w`.
+    /// Returns the stable part between two neighbouring points; `None` where it ends below `low_w`.
     fn segment<'b>(
         &self,
         branch: &Branch,
@@ -184,7 +188,8 @@ impl<'s> BandwidthSearch<'s> {
         Some(segment)
     }
 
-    /// The place where the largest multiplier has modulus one; `inwards` leads to the stable side.
+    /// Returns the point where the largest multiplier has modulus one; `inwards` leads to the
+    /// stable side.
     fn stability_edge(&self, segment: &StableSegment, inwards: f64) -> Option<SegmentEnd> {
         let piece = self.piece(segment)?;
         let margin = |place: &PiecePoint| Some(1.0 - place.floquet_max_abs()?);
@@ -192,10 +197,11 @@ impl<'s> BandwidthSearch<'s> {
         let beside = piece.at(found.place.x + inwards)?;
         let slope = (margin(&beside)? - found.value) / inwards;
         let off = (found.value.abs() + MULTIPLIER_ERROR_FACTOR * self.tolerance) / slope.abs();
-        // At a fold the key is stationary: what counts there is of second order.
+        // At a fold the key is stationary, so the second-order term counts.
         let parameter_error =
             piece.parameter_error(&found.place, off)? + off * off * (self.range.1 - self.range.0);
-        // It lies between the two points, however slowly the multiplier goes through one.
+        // The boundary lies between the two points, even where the multiplier passes modulus one
+        // slowly.
         let parameter_error = parameter_error.min(segment.farthest(found.place.parameter()));
         let edge = IntervalEdge {
             parameter: found.place.parameter(),
@@ -211,7 +217,8 @@ impl<'s> BandwidthSearch<'s> {
         })
     }
 
-    /// The bifurcation that the walk has told on the way, where the curve between the points cannot be had; `stable` is the stable end.
+    /// Returns the bifurcation located during continuation, where the curve between the points
+    /// cannot be computed; `stable` is the stable end.
     fn located(
         &self,
         segment: &StableSegment,
@@ -238,7 +245,7 @@ impl<'s> BandwidthSearch<'s> {
         })
     }
 
-    /// The largest power on some segments, at an end of one or inside, with its relative error.
+    /// Returns the largest power on some segments, at an end or inside, with its relative error.
     fn peak(&self, segments: &[StableSegment]) -> Option<(PowerPeak, f64)> {
         let ends = || segments.iter().flat_map(|segment| segment.ends);
         let highest = ends().max_by(|a, b| a.power_w.total_cmp(&b.power_w))?;
@@ -272,7 +279,7 @@ impl<'s> BandwidthSearch<'s> {
         ))
     }
 
-    /// The maximum inside a segment, where power rises into it from both ends.
+    /// Returns the maximum inside a segment, if power rises inwards from both ends.
     fn maximum(&self, segment: &StableSegment) -> Option<SegmentEnd> {
         let piece = self.piece(segment)?;
         let [from, to] = segment.ends.map(|end| end.x);
@@ -298,7 +305,8 @@ impl<'s> BandwidthSearch<'s> {
         })
     }
 
-    /// Where stable orbits have at least half a peak, of which the relative error is given.
+    /// Returns the intervals where stable orbits have at least half of a peak with the given
+    /// relative error.
     fn above_half(&self, (peak, error): (PowerPeak, f64), segments: &[StableSegment]) -> Bandwidth {
         let half_w = 0.5 * peak.mean_power_w;
         merged(
@@ -310,7 +318,7 @@ impl<'s> BandwidthSearch<'s> {
         )
     }
 
-    /// The range of a segment above a power.
+    /// Returns the interval of a segment above a power.
     fn above(&self, segment: &StableSegment, half_w: f64, error: f64) -> Option<BandInterval> {
         let mut edges = segment.ends.map(|end| end.edge);
         match segment.ends.map(|end| end.power_w >= half_w) {
@@ -330,7 +338,7 @@ impl<'s> BandwidthSearch<'s> {
         })
     }
 
-    /// The place of a segment where power is half the peak.
+    /// Returns the point of a segment at half the peak power.
     fn half_power(&self, segment: &StableSegment, half_w: f64, error: f64) -> Option<IntervalEdge> {
         let piece = self.piece(segment)?;
         let [from, to] = segment.ends.map(|end| end.x);

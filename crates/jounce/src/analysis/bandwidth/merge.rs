@@ -1,15 +1,16 @@
-//! Ranges that overlap or touch become one.
+//! Merging of intervals that overlap or touch.
 
 use super::result::{BandInterval, BandLimit, Bandwidth, IntervalEdge, PowerPeak};
 
-/// The bandwidth of some ranges in any order.
+/// Returns the bandwidth of intervals in any order.
 pub fn merged(peak: PowerPeak, mut ranges: Vec<BandInterval>) -> Bandwidth {
     ranges.sort_by(|a, b| a.from.parameter.total_cmp(&b.from.parameter));
     let mut intervals: Vec<BandInterval> = Vec::new();
     for range in ranges {
         match intervals.last_mut() {
             Some(last) if range.from.parameter <= last.to.parameter => {
-                // Points inside a branch, which know of no limit, give way to what limits it there.
+                // An edge at a point inside a branch has no known cause; it yields to an edge with
+                // a cause.
                 let knows = |own: &IntervalEdge, other: &IntervalEdge| {
                     own.parameter == other.parameter && other.at == BandLimit::End
                 };
@@ -31,7 +32,8 @@ pub fn merged(peak: PowerPeak, mut ranges: Vec<BandInterval>) -> Bandwidth {
         .iter()
         .map(|range| range.to.parameter_error + range.from.parameter_error)
         .sum();
-    // A lone stable point beside an end of stability that is not known more closely has no width, but what it may have is not known either.
+    // An isolated stable point next to a stability boundary that is not resolved has width zero;
+    // its real width is unknown.
     intervals.retain(|range| range.to.parameter > range.from.parameter);
     Bandwidth {
         peak,

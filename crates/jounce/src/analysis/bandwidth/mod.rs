@@ -1,6 +1,7 @@
-//! How wide a branch is: its peak power, and where a stable orbit has at least half of it.
+//! Bandwidth of a branch: peak power, and where a stable orbit has at least half of it.
 //!
-//! Peaks and edges are places of the continued curve, each corrected by shooting, whichever method followed the branch.
+//! Peaks and edges are points of the continued curve, each corrected by shooting, whichever method
+//! traced the branch.
 
 mod curve_piece;
 mod measure;

@@ -1,46 +1,46 @@
-//! What a bandwidth answers.
+//! Results of a bandwidth computation.
 
 use serde::Serialize;
 
-/// What a place of a branch is to its stable part.
+/// Kind of a peak or of an edge of an interval.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum BandLimit {
-    /// Power is stationary.
+    /// The power is stationary.
     Maximum,
-    /// Power is half the peak.
+    /// The power is half the peak power.
     HalfPower,
-    /// Stability is lost.
+    /// The stability changes.
     Stability,
     /// The branch ends, at the edge of the range or elsewhere.
     End,
 }
 
-/// The largest mean power of a stable orbit.
+/// Largest mean power of a stable orbit.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct PowerPeak {
     /// Value of the key, SI.
     pub parameter: f64,
-    /// Its estimated error.
+    /// Estimated error of the key.
     pub parameter_error: f64,
     /// Mean power of all loads, W; where stability is lost, the limit from the stable side.
     pub mean_power_w: f64,
-    /// What makes it the largest.
+    /// Kind of the peak.
     pub at: BandLimit,
 }
 
-/// An end of an interval.
+/// End of an interval.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct IntervalEdge {
     /// Value of the key, SI.
     pub parameter: f64,
-    /// Its estimated error.
+    /// Estimated error of the key.
     pub parameter_error: f64,
-    /// What ends the interval.
+    /// Kind of the edge.
     pub at: BandLimit,
 }
 
-/// A range of the key.
+/// Interval of the key.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct BandInterval {
     /// Lower end.
@@ -49,24 +49,24 @@ pub struct BandInterval {
     pub to: IntervalEdge,
 }
 
-/// Where a stable orbit has at least half the peak power.
+/// Intervals where a stable orbit has at least half the peak power.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Bandwidth {
     /// The peak.
     pub peak: PowerPeak,
     /// Sum of the widths, in the unit of the key.
     pub width: f64,
-    /// Its estimated error: the sum of those of the edges.
+    /// Estimated error of the width: the sum of the errors of the edges.
     pub width_error: f64,
-    /// The ranges, from low to high, none touching the next.
+    /// Disjoint intervals, from low to high.
     pub intervals: Vec<BandInterval>,
 }
 
 /// Bandwidths of several branches.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Bandwidths {
-    /// Of each branch by its own peak; `None` without a stable orbit.
+    /// Bandwidth of each branch relative to its own peak; `None` without a stable orbit.
     pub branches: Vec<Option<Bandwidth>>,
-    /// Of all together: where any stable orbit has half the largest peak.
+    /// Bandwidth of all branches combined: where any stable orbit has half the largest peak.
     pub together: Option<Bandwidth>,
 }

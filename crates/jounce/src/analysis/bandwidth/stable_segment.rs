@@ -1,23 +1,24 @@
-//! A stable part of the way between two neighbouring points of a branch.
+//! Stable part of the curve between two neighbouring points of a branch.
 
 use super::result::{BandLimit, IntervalEdge};
 use crate::analysis::BranchPoint;
 
-/// Part of the key's way from a stable end to an unstable one in which stability is lost hard by the former.
+/// Fraction of the key interval from a stable to an unstable end, within which a stability change
+/// counts as at the stable end.
 const HARD_STABILITY_CHANGE: f64 = 0.01;
 
-/// An end of a segment.
+/// End of a segment.
 #[derive(Debug, Clone, Copy)]
 pub struct SegmentEnd {
-    /// Share of the piece.
+    /// Fraction of the piece.
     pub x: f64,
     pub power_w: f64,
-    /// Error of the power, relative to it.
+    /// Relative error of the power.
     pub power_error: f64,
     pub edge: IntervalEdge,
 }
 
-/// A stable part of the way between two neighbouring points.
+/// Stable part of the curve between two neighbouring points.
 #[derive(Clone, Copy)]
 pub struct StableSegment<'b> {
     pub cycles: u32,
@@ -26,7 +27,8 @@ pub struct StableSegment<'b> {
 }
 
 impl StableSegment<'_> {
-    /// The larger power of its ends, where no neighbour goes on upwards from there.
+    /// Returns the larger power of the two ends if no neighbouring segment rises further from
+    /// there.
     pub fn tops(&self, all: &[StableSegment]) -> Option<f64> {
         let top = usize::from(self.ends[1].power_w > self.ends[0].power_w);
         let power_w = self.ends[top].power_w;
@@ -40,7 +42,7 @@ impl StableSegment<'_> {
         (!all.iter().any(rises)).then_some(power_w)
     }
 
-    /// Distance of a value of the key from the farther one of the two points.
+    /// Returns the distance of a value of the key from the farther one of the two points.
     pub fn farthest(&self, parameter: f64) -> f64 {
         self.points
             .iter()
@@ -48,7 +50,8 @@ impl StableSegment<'_> {
             .fold(0.0, f64::max)
     }
 
-    /// Where stability is lost beyond a stable end, known to the width of the piece only: the curve between its points cannot be had.
+    /// Returns the stability boundary beyond a stable end, known only to the width of the piece,
+    /// where the curve between its points cannot be computed.
     pub fn lost(&self, stable: usize) -> SegmentEnd {
         let [a, b] = self.points;
         let parameter_error = (b.parameter - a.parameter).abs();
@@ -63,8 +66,8 @@ impl StableSegment<'_> {
         }
     }
 
-    /// Where stability is lost at a fold hard by the stable end, the key may go farther at that end, by less than both are known: then that is
-    /// where the stable part ends.
+    /// Sets the end of the stable part at a fold close to the stable end. The key may reach beyond
+    /// the fold there by less than the error; the edge is then the stable end.
     pub fn turn_back(&mut self, stable: usize, lost: IntervalEdge) {
         let [own, other] = [
             self.points[stable].parameter,
@@ -81,7 +84,8 @@ impl StableSegment<'_> {
         }
     }
 
-    /// Half power by the line between the ends, where the curve between them cannot be had.
+    /// Interpolates half power linearly between the ends, where the curve between them cannot be
+    /// computed.
     pub fn between(&self, half_w: f64) -> IntervalEdge {
         let [a, b] = self.ends;
         let way = b.edge.parameter - a.edge.parameter;

@@ -1,4 +1,4 @@
-//! Attractors and their shares, counted from where each start ends.
+//! Attractors and their basin fractions, counted from the end of each start.
 
 use super::basin_fraction::{BasinFraction, wilson};
 use super::expected::expected_power_w;
@@ -8,50 +8,53 @@ use crate::orbit::Orbit;
 use crate::run::ExceededLimit;
 use std::sync::Arc;
 
-/// An attractor with its share of the starts; what no attractor was proved for stands last, as `undecided`.
+/// Attractor with its fraction of the starts. Starts without a proved attractor are listed last, as
+/// `undecided`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Attractor {
-    /// Drive cycles of its period and a letter by falling power: `1a`, `1b`, `2a`; `chaos`; `torus`; `undecided`.
+    /// Drive cycles of the period and a letter by falling power: `1a`, `1b`, `2a`; `chaos`;
+    /// `torus`; `undecided`.
     pub id: String,
-    /// What it is.
+    /// Kind of the attractor.
     pub kind: AttractorKind,
-    /// Drive cycles of the period; 0 for none.
+    /// Drive cycles of the period; 0 for an aperiodic motion.
     pub period_cycles: u32,
     /// Mean power, W.
     pub mean_power_w: f64,
-    /// Contacts per period; 0 for none.
+    /// Contacts per period; 0 without contact.
     pub contacts_per_period: u64,
-    /// The orbit, where there is one.
+    /// Orbit of a periodic attractor.
     pub orbit: Option<Orbit>,
-    /// Largest Lyapunov exponent and its error, 1/s, where there is no orbit.
+    /// Largest Lyapunov exponent and its error, 1/s, of an aperiodic attractor.
     pub lyapunov: Option<(f64, f64)>,
-    /// Id of the orbit of which this one is the mirror image half a drive cycle later.
+    /// Id of the orbit whose mirror image, half a drive cycle later, is this one.
     pub mirror_of: Option<String>,
-    /// Share of the starts, 95 %.
+    /// Fraction of the starts with its 95 % interval.
     pub share: BasinFraction,
-    /// Numbers of the starts that end here.
+    /// Indices of the starts that end here.
     pub starts: Vec<usize>,
-    /// Limits of patches that it passes.
+    /// Limits of patches that are exceeded.
     pub exceeded: Vec<ExceededLimit>,
 }
 
-/// What the starts have shown.
+/// Attractors reached by all starts.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BasinsResult {
-    /// Attractors: orbits by period and falling power, then chaos, tori, and the starts that are undecided.
+    /// Attractors: orbits by period and falling power, then chaos, tori, and the undecided starts.
     pub attractors: Vec<Attractor>,
     /// `sum fraction power`, W.
     pub expected_power_w: f64,
-    /// Lower end of its 95 % interval, W: starts that are undecided, and an attractor that no start reached, may give nothing.
+    /// Lower end of its 95 % interval, W: undecided starts, and an attractor that no start reached,
+    /// may have zero power.
     pub expected_power_low_w: f64,
-    /// Upper end, W: starts that are undecided may give the largest power seen.
+    /// Upper end, W: undecided starts may have the largest power found.
     pub expected_power_high_w: f64,
     /// Starts whose integration failed, with the reason.
     pub lost: Vec<(usize, String)>,
 }
 
 impl Attractor {
-    /// Without starts and limits.
+    /// Creates an attractor without starts and limits.
     fn new(
         id: String,
         kind: AttractorKind,
@@ -74,18 +77,18 @@ impl Attractor {
         }
     }
 
-    /// True when neighbouring motions part exponentially.
+    /// True for a chaotic attractor: neighbouring trajectories diverge exponentially.
     pub fn is_chaotic(&self) -> bool {
         self.kind == AttractorKind::Chaos
     }
 
-    /// True for the starts that no attractor was proved for.
+    /// True for the starts without a proved attractor.
     pub fn is_undecided(&self) -> bool {
         self.kind == AttractorKind::Undecided
     }
 }
 
-/// The attracting orbits among where starts end, each once, with the numbers of its starts: by period and falling power.
+/// Returns each attracting orbit once, with the indices of its starts, by period and falling power.
 pub(super) fn orbits(ends: &[(usize, SteadyState)]) -> Vec<(Arc<AttractingOrbit>, Vec<usize>)> {
     let mut orbits: Vec<(Arc<AttractingOrbit>, Vec<usize>)> = Vec::new();
     for (index, end) in ends {
@@ -107,7 +110,8 @@ pub(super) fn orbits(ends: &[(usize, SteadyState)]) -> Vec<(Arc<AttractingOrbit>
     orbits
 }
 
-/// The result from where each start ends; `mirrored` finds, of two orbits, whether the second is the mirror image of the first.
+/// Builds the result from the end of each start; `mirrored` is true where the second orbit is the
+/// mirror image of the first.
 pub(super) fn counted(
     ends: &[(usize, SteadyState)],
     mirrored: impl Fn(&AttractingOrbit, &AttractingOrbit) -> bool,
@@ -172,7 +176,8 @@ pub(super) fn counted(
     }
 }
 
-/// Expected power and its interval. What is undecided may give nothing, or the largest power seen.
+/// Returns the expected power and its interval. Undecided starts may have zero power or the largest
+/// power found.
 fn expected(attractors: &[Attractor]) -> [f64; 3] {
     let largest = attractors
         .iter()
@@ -194,7 +199,7 @@ fn expected(attractors: &[Attractor]) -> [f64; 3] {
     [with(None)[0], with(Some(0.0))[1], with(Some(largest))[2]]
 }
 
-/// All starts that end on motions of a kind without a period.
+/// Collects all starts that end on aperiodic motions of one kind.
 fn aperiodic(kind: AttractorKind, ends: &[(usize, SteadyState)], of: usize) -> Option<Attractor> {
     let own = |(index, end): &'_ (usize, SteadyState)| match end {
         SteadyState::Aperiodic(found) if found.kind == kind => Some((*index, found.clone())),
@@ -248,7 +253,8 @@ mod tests {
         kinds.iter().map(end).enumerate().collect()
     }
 
-    /// Three of four starts on a torus of 2 W, one undecided: it may give nothing, or as much as the torus.
+    /// Three of four starts end on a torus of 2 W; the undecided one may have zero power, or the
+    /// power of the torus.
     #[test]
     fn undecided_starts_widen_the_interval_of_the_expected_power() {
         let torus = (AttractorKind::Torus, 2.0);

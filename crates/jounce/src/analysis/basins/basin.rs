@@ -1,4 +1,5 @@
-//! Integrates every start until its attractor is recognized, and counts.
+//! Integration of every start until its attractor is recognized, and the count of starts per
+//! attractor.
 
 use super::InitialStates;
 use super::attractor::{Attractor, BasinsResult, counted, orbits};
@@ -13,33 +14,35 @@ use crate::run::{ExceededLimit, Limits, RunError, check_outside};
 use rayon::prelude::*;
 use std::sync::Arc;
 
-/// Drive cycles over which a motion without a period is held against limits.
+/// Drive cycles over which an aperiodic motion is compared with limits.
 const LATE_CYCLES: u32 = 64;
 
-/// Starts in the first part of the work. Every part knows the orbits of those before it and is as large as all of them together, so that
-/// few orbits are proved twice; parts do not depend on the number of threads.
+/// Starts in the first batch. Each later batch is as large as all earlier ones combined and knows
+/// their orbits, so few orbits are proved twice. The batches do not depend on the number of
+/// threads.
 const FIRST_BATCH: usize = 4;
 
-/// Basins of attraction to be computed.
+/// Definition of a computation of basins of attraction.
 #[derive(Debug)]
 pub struct Basins<'s> {
     /// The spec.
     pub base: &'s Model,
-    /// Its harvester, as one value of any key.
+    /// Model of the spec, as one value of any key.
     pub parameter: &'s Parameter<'s>,
-    /// That value.
+    /// Value of that key.
     pub value: f64,
-    /// The starts.
+    /// Initial states.
     pub starts: InitialStates,
-    /// How attractors are recognized.
+    /// Options of the recognition of attractors.
     pub recognition: Recognition,
 }
 
 impl Basins<'_> {
-    /// Integrates all starts, in parallel; `done` is called for each that is finished. Cancelled, it counts those that are.
+    /// Integrates all starts in parallel; `done` is called for each finished one. After
+    /// cancellation the finished ones are counted.
     ///
     /// # Errors
-    /// A harvester that cannot be made.
+    /// A model cannot be built.
     pub fn run(&self, done: &(dyn Fn() + Sync)) -> Result<BasinsResult, AnalysisError> {
         let kernel = self.parameter.at(self.value)?.kernel;
         self.base.kernel.control.expect(self.starts.len());
@@ -67,7 +70,7 @@ impl Basins<'_> {
         Ok(answer)
     }
 
-    /// Where each start ends, with its number.
+    /// Returns the index and the steady state of each start.
     fn ends(&self, kernel: &Kernel, done: &(dyn Fn() + Sync)) -> Vec<(usize, SteadyState)> {
         let recognizer = Recognizer {
             harvester: self.parameter,
@@ -106,7 +109,8 @@ impl Basins<'_> {
         ends
     }
 
-    /// The limits that an attractor passes: over its period, or over some cycles after those that its first start was integrated for.
+    /// Returns the limits that an attractor exceeds: over its period, or, if aperiodic, over
+    /// further cycles from the end of its first start.
     fn passed(
         &self,
         limits: &Limits,

@@ -1,4 +1,4 @@
-//! A share of a cloud with its interval.
+//! Fraction of the starts with its 95 % interval.
 //!
 //! Source: E. B. Wilson, J. Am. Stat. Assoc. 22 (1927) 209.
 
@@ -10,15 +10,15 @@ pub(super) const QUANTILE_95: f64 = 1.959_963_984_540_054;
 /// A fraction and its 95 % interval.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct BasinFraction {
-    /// Share found.
+    /// Fraction found.
     pub fraction: f64,
-    /// Lower end.
+    /// Lower end of the interval.
     pub low: f64,
-    /// Upper end.
+    /// Upper end of the interval.
     pub high: f64,
 }
 
-/// Wilson's interval of `hits` among `of`.
+/// Returns Wilson's interval of `hits` out of `of`.
 pub fn wilson(hits: usize, of: usize) -> BasinFraction {
     if of == 0 {
         return BasinFraction {
@@ -31,7 +31,7 @@ pub fn wilson(hits: usize, of: usize) -> BasinFraction {
     let p = hits as f64 / n;
     let middle = (p + z * z / (2.0 * n)) / (1.0 + z * z / n);
     let half = z * (p * (1.0 - p) / n + z * z / (4.0 * n * n)).sqrt() / (1.0 + z * z / n);
-    // The interval holds the fraction, which roundoff would deny where all or none were hit.
+    // The interval contains the fraction, which roundoff would violate for zero or `of` hits.
     BasinFraction {
         fraction: p,
         low: (middle - half).clamp(0.0, p),
@@ -43,7 +43,7 @@ pub fn wilson(hits: usize, of: usize) -> BasinFraction {
 mod tests {
     use super::*;
 
-    /// Both ends solve `(p - x)^2 = z^2 x (1 - x) / n`, which is how the interval is defined.
+    /// Both ends solve `(p - x)^2 = z^2 x (1 - x) / n`, the definition of the interval.
     #[test]
     fn ends_solve_the_equation_of_the_score_test() {
         for (hits, of) in [(0, 10), (3, 10), (120, 200), (200, 200)] {

@@ -1,31 +1,34 @@
-//! A seeded cloud of starts.
+//! Seeded random cloud of starts.
 //!
-//! Every mode gets the same range of energy: `w q` and `q'` are uniform in `[-S, S]`, `S = spread w_drive L / |shape|`, with `L` the
-//! larger of the gap and the steady amplitude at the stop and `|shape|` the norm of the port's shape, about where gravity holds the
-//! harvester. Voltages start there too. The numbers are those of [`RandomStream`].
+//! Every mode has the same range of energy: `w q` and `q'` are uniform in `[-S, S]`, `S = spread
+//! w_drive L / |shape|`. `L` is the larger of the gap and the steady amplitude at the stop, and
+//! `|shape|` the norm of the port's shape. The centre is the static equilibrium under gravity, and
+//! the voltages start there. The numbers are those of [`RandomStream`].
 //!
-//! A start inside a rigid stop is mirrored there, `q - 2 (s q - gap) s / |s|^2`, until it lies inside none.
+//! A start inside a rigid stop is mirrored, `q - 2 (s q - gap) s / |s|^2`, until it is outside all
+//! stops.
 
 use crate::contact::Law;
 use crate::drive::RandomStream;
 use crate::plant::{Plant, Stop};
 
-/// Times that a start is mirrored: between two stops it may lie many gaps away.
+/// Largest number of reflections of a start: between two stops it may start many gaps away.
 const MAX_REFLECTIONS: usize = 1000;
 
-/// A cloud.
+/// Random cloud of starts.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cloud {
     /// Number of starts.
     pub starts: usize,
     /// Seed.
     pub seed: u64,
-    /// Size, in gaps (or steady amplitudes, where those are larger).
+    /// Size, in gaps (or steady amplitudes, where larger).
     pub spread: f64,
 }
 
 impl Cloud {
-    /// Start number `index`, physical state `(q, q', V)`: the same for the same seed, whatever else is computed.
+    /// Returns start number `index` as a physical state `(q, q', V)`; it depends only on the seed
+    /// and the index.
     pub fn start(&self, plant: &Plant, index: usize) -> Vec<f64> {
         let modes = &plant.system.modes;
         let n = modes.len();
@@ -41,7 +44,7 @@ impl Cloud {
             .unwrap_or(1.0);
         let size = self.spread * drive * plant.scale_m() / shape;
         let mut state = plant.resting_physical();
-        // Starts do not share a stream: each has its own, from the seed and its number.
+        // Each start has its own stream, from the seed and its index.
         let mut stream = RandomStream::new(self.seed, index as u64);
         for i in 0..n {
             let w = if modes.frequency_rad_s[i] > 0.0 {
@@ -57,7 +60,7 @@ impl Cloud {
     }
 }
 
-/// Takes displacements out of rigid stops, as far as there is room between these.
+/// Mirrors displacements out of rigid stops, as far as there is room between them.
 fn mirror(plant: &Plant, displacement: &mut [f64]) {
     let stops = plant.system.stops.iter().enumerate();
     let rigid: Vec<_> = stops

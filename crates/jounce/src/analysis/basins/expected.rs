@@ -1,24 +1,27 @@
-//! The expected power of a cloud with its interval.
+//! Expected power of a cloud with its 95 % interval.
 //!
-//! Of `n` starts `n_i` came to the attractor of power `P_i`. The interval holds every `E = sum p_i P_i` of shares `p` that the counts do
-//! not reject by their score:
+//! Of `n` starts, `n_i` reached the attractor of power `P_i`. The interval contains every `E = sum
+//! p_i P_i` of fractions `p` that the score test of the counts does not reject:
 //!
 //! ```text
 //! sum (n_i - n p_i)^2 / (n p_i) <= z^2,   that is   sum q_i^2 / p_i <= 1 + z^2 / n,   q_i = n_i / n
 //! ```
 //!
-//! At its ends `p_i` goes with `q_i / sqrt(|l - P_i|)`, and `l` beyond all powers follows from the bound. For two attractors this is the
-//! interval of Wilson. An attractor that no start came to may still have a share: the lower end allows one that gives nothing. The upper
-//! end knows only what was seen; nothing can be said about the power of an answer that nobody saw.
+//! At its ends `p_i` is proportional to `q_i / sqrt(|l - P_i|)`; `l`, outside the range of all
+//! powers, follows from the bound. For two attractors this is Wilson's interval. An attractor that
+//! no start reached may still have a fraction: the lower end allows one of zero power. The upper
+//! end covers only the attractors found; it does not bound the power of others.
 //!
-//! Source: E. B. Wilson, J. Am. Stat. Assoc. 22 (1927) 209; the multipliers of Lagrange for more than two shares are ours.
+//! Source: E. B. Wilson, J. Am. Stat. Assoc. 22 (1927) 209; the Lagrange multipliers for more than
+//! two fractions are our derivation.
 
 use super::basin_fraction::QUANTILE_95;
 
-/// Halvings of the logarithm of the distance from a power to `l`.
+/// Largest number of bisections of the logarithm of the distance from a power to `l`.
 const MAX_HALVINGS: usize = 200;
 
-/// Expected power and the ends of its 95 % interval, W, from the number of starts and the power of each attractor.
+/// Returns the expected power and the ends of its 95 % interval, W, from the number of starts and
+/// the power of each attractor.
 pub fn expected_power_w(seen: &[(usize, f64)]) -> [f64; 3] {
     let of: usize = seen.iter().map(|(count, _)| count).sum();
     if of == 0 {
@@ -74,7 +77,7 @@ fn highest(shares: &[(f64, f64)], bound: f64) -> f64 {
     .map_or(most, |below| most - below)
 }
 
-/// Least mean distance from an end of the powers; `None` where all powers are one.
+/// Smallest mean distance of the powers from an end; `None` where all powers are equal.
 fn end(shares: &[(f64, f64)], bound: f64) -> Option<f64> {
     let widest = shares
         .iter()
@@ -92,7 +95,7 @@ fn end(shares: &[(f64, f64)], bound: f64) -> Option<f64> {
         });
         (above * below, below)
     };
-    // The product of both sums falls from infinity to one with the distance of `l`.
+    // The product of both sums falls from infinity to one as `l` moves away.
     let (mut low, mut high) = (-600.0, 60.0);
     for _ in 0..MAX_HALVINGS {
         let middle = 0.5 * (low + high);
@@ -148,7 +151,7 @@ mod tests {
         assert_eq!(expected_power_w(&[(5, 0.0)]), [0.0; 3]);
     }
 
-    /// All shares on a fine lattice that the counts do not reject.
+    /// Evaluates all fractions on a fine lattice that the counts do not reject.
     #[test]
     fn of_three_answers_it_is_the_extreme_of_all_shares_that_are_not_rejected() {
         let seen = [(30_usize, 1.0), (10, 4.0), (2, 9.0)];

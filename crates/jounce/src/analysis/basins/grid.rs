@@ -1,4 +1,4 @@
-//! A plane or a box of starts.
+//! Plane or box of starts.
 //!
 //! ```text
 //! displacement d   q_i = d (s_i / w_i^2) / sum s^2 / w^2    bent by a static force on the stop's point
@@ -6,25 +6,26 @@
 //! voltage V        of the first patch
 //! ```
 //!
-//! `s` is the shape of the stop's port. What no side names starts at zero. A mode without stiffness bends like one at the drive's frequency.
+//! `s` is the shape of the stop's port. Quantities without a side start at zero. A mode without
+//! stiffness bends like one at the drive's frequency.
 
 use crate::plant::Plant;
 
-/// What a side of a grid is.
+/// Quantity of a side of a grid.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum GridAxis {
-    /// Displacement towards the stop, m; the first of the spec where there are several.
+    /// Displacement towards the stop, m; with several stops, towards the first of the spec.
     Displacement,
-    /// Its velocity, m/s.
+    /// Velocity towards the stop, m/s.
     Velocity,
     /// Voltage of the first patch, V.
     Voltage,
 }
 
-/// A side: equal steps from one end to the other.
+/// Side of a grid: equal steps from one end to the other.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GridSide {
-    /// What it is.
+    /// Quantity.
     pub axis: GridAxis,
     /// First value.
     pub from: f64,
@@ -34,15 +35,15 @@ pub struct GridSide {
     pub count: usize,
 }
 
-/// A grid of starts: every combination of the values of its sides, those of the first side running fastest.
+/// Grid of starts: every combination of the values of its sides; the first side varies fastest.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Grid {
-    /// Its sides, each of another kind.
+    /// Sides, each of a different quantity.
     pub sides: Vec<GridSide>,
 }
 
 impl GridSide {
-    /// Value number `k`.
+    /// Returns value number `k`.
     pub fn value(&self, k: usize) -> f64 {
         if self.count < 2 {
             self.from
@@ -58,12 +59,12 @@ impl Grid {
         self.sides.iter().map(|side| side.count).product()
     }
 
-    /// True without a start.
+    /// True for a grid without starts.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
-    /// Start number `index`, physical state `(q, q', V)`.
+    /// Returns start number `index` as a physical state `(q, q', V)`.
     pub fn start(&self, plant: &Plant, index: usize) -> Vec<f64> {
         let modes = &plant.system.modes;
         let n = modes.len();

@@ -1,42 +1,42 @@
-//! Sides of a grid as text: `displacement=-5mm:5mm:21x`.
+//! Reading of the sides of a grid: `displacement=-5mm:5mm:21x`.
 
 use super::grid::{Grid, GridAxis, GridSide};
 use crate::spec::Quantity;
 
-/// Most starts of a grid.
+/// Largest number of starts of a grid.
 const MAX_GRID_STARTS: usize = 1_000_000;
 
-/// Why a grid cannot be had.
+/// Error of a grid of starts.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum GridError {
-    /// A harvester without a stop.
+    /// The harvester has no stop.
     #[error(
-        "a grid of starts needs a stop, whose point is bent or struck: add [stop.NAME] to the spec"
+        "a grid of starts needs a stop, at whose point the harvester is bent or struck: add [stop.NAME] to the spec"
     )]
     NoStop,
-    /// A text that is no side.
+    /// The text does not specify a side.
     #[error(
         "{text}: {why}; write displacement=FROM:TO:Nx, velocity=FROM:TO:Nx or voltage=FROM:TO:Nx, as in displacement=-5mm:5mm:21x"
     )]
     Side {
-        /// The text.
+        /// Text of the side.
         text: String,
-        /// What is wrong.
+        /// Reason of the failure.
         why: String,
     },
-    /// Two sides of one kind.
-    #[error("{text}: this side is given twice")]
+    /// Two sides have the same quantity.
+    #[error("{text}: another side has this quantity; give each quantity once")]
     Twice {
-        /// The second.
+        /// Text of the second side.
         text: String,
     },
     /// Too many starts.
-    #[error("more than {MAX_GRID_STARTS} starts; give fewer values")]
+    #[error("the grid has more than {MAX_GRID_STARTS} starts; give fewer values")]
     TooMany,
 }
 
 impl Grid {
-    /// Reads the sides of a grid for a harvester with so many stops.
+    /// Reads the sides of a grid for a harvester with `stops` stops.
     ///
     /// # Errors
     /// [`GridError`].
@@ -72,15 +72,15 @@ fn side(text: &str) -> Result<GridSide, GridError> {
     };
     let (name, range) = text
         .split_once('=')
-        .ok_or_else(|| wrong("there is no `=`"))?;
+        .ok_or_else(|| wrong("`=` is missing"))?;
     let axis = match name.trim() {
         "displacement" => GridAxis::Displacement,
         "velocity" => GridAxis::Velocity,
         "voltage" => GridAxis::Voltage,
-        _ => return Err(wrong("this is no side")),
+        _ => return Err(wrong("this quantity is unknown")),
     };
     let [from, to, count] = range.split(':').map(str::trim).collect::<Vec<_>>()[..] else {
-        return Err(wrong("the range has not three parts"));
+        return Err(wrong("the range must have three parts"));
     };
     let count = count
         .strip_suffix('x')
@@ -105,7 +105,7 @@ fn side(text: &str) -> Result<GridSide, GridError> {
     }
 }
 
-/// A value in SI.
+/// Reads a value and converts it to SI.
 fn number(axis: GridAxis, text: &str) -> Result<f64, String> {
     let length = |text: &str| {
         Quantity::Length
@@ -116,7 +116,7 @@ fn number(axis: GridAxis, text: &str) -> Result<f64, String> {
         GridAxis::Displacement => length(text),
         GridAxis::Velocity => length(
             text.strip_suffix("/s")
-                .ok_or_else(|| format!("{text} is no velocity, as 0.5m/s is"))?
+                .ok_or_else(|| format!("{text} is not a velocity such as 0.5m/s"))?
                 .trim(),
         ),
         GridAxis::Voltage => {
@@ -124,7 +124,7 @@ fn number(axis: GridAxis, text: &str) -> Result<f64, String> {
                 .strip_suffix('V')
                 .and_then(|number| number.trim().parse().ok())
                 .filter(|volts: &f64| volts.is_finite());
-            volts.ok_or_else(|| format!("{text} is no voltage in V, as 10V is"))
+            volts.ok_or_else(|| format!("{text} is not a voltage in V such as 10V"))
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Names by rank.
 
-/// `a`, `b`, .., `z`, `aa`, ..
+/// Returns `a`, `b`, .., `z`, `aa`, ..
 pub fn letters(place: usize) -> String {
     let last = char::from(b'a' + (place % 26) as u8);
     if place < 26 {

@@ -1,12 +1,14 @@
 //! Mirror images of orbits.
 //!
-//! A symmetric harvester under a drive with `F(t + T/2) = -F(t)` has with every motion `x(t)` the motion `-x(t + T/2)`. Whether a harvester is
-//! symmetric is not asked: of two orbits that attract, one is the mirror image of the other when it passes the mirrored states.
+//! A symmetric harvester under a drive with `F(t + T/2) = -F(t)` has for every motion `x(t)` also
+//! the motion `-x(t + T/2)`. The symmetry of the harvester is not tested: of two attracting orbits,
+//! one is the mirror image of the other if it passes the mirrored states.
 
 use crate::integrate::{IntegrationError, Integrator, Kernel};
 use crate::orbit::Orbit;
 
-/// The mirrored states of an orbit at the start of each drive cycle, energy coordinates of a scale.
+/// Returns the mirrored states of an orbit at the start of each drive cycle, in energy coordinates
+/// of a scale.
 pub fn mirrored_states(
     kernel: &Kernel,
     orbit: &Orbit,

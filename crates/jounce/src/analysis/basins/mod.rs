@@ -1,4 +1,4 @@
-//! Attractors, how likely each is from a cloud of starts, and the power to be expected.
+//! Attractors, the probability of each from a cloud of starts, and the expected power.
 
 mod attractor;
 mod basin;

@@ -1,9 +1,9 @@
-//! From where the marches of a basin begin.
+//! Initial states of a basin computation.
 
 use super::{Cloud, Grid};
 use crate::plant::Plant;
 
-/// Starts of a study.
+/// Initial states.
 #[derive(Debug, Clone, PartialEq)]
 pub enum InitialStates {
     /// A seeded cloud.
@@ -13,7 +13,7 @@ pub enum InitialStates {
 }
 
 impl InitialStates {
-    /// How many there are.
+    /// Number of starts.
     pub fn len(&self) -> usize {
         match self {
             InitialStates::Cloud(cloud) => cloud.starts,
@@ -21,12 +21,12 @@ impl InitialStates {
         }
     }
 
-    /// True without a start.
+    /// True without starts.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
-    /// Start number `index`, physical state `(q, q', V)`.
+    /// Returns start number `index` as a physical state `(q, q', V)`.
     pub fn start(&self, plant: &Plant, index: usize) -> Vec<f64> {
         match self {
             InitialStates::Cloud(cloud) => cloud.start(plant, index),

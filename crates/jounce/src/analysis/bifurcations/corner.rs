@@ -1,12 +1,13 @@
-//! Round the corner that a curve has where a contact appears or goes.
+//! Restart beyond the corner of a curve where a contact appears or disappears.
 //!
 //! ```text
 //! R = 0,   g = 0,   grad h . (x - x0) = e,   h the distance of the nearest turning point past the surface
 //! ```
 //!
-//! The derivative of the flow is continuous there, but its own derivative is not, and with it the tangent of a curve on which a multiplier is
-//! critical, or the slope of power zero. Steps along the old tangent lead nowhere, however short. On the other side of the grazing the
-//! curve goes on at another angle, which may be sharp: it is sought at a given distance past the grazing, not along any direction.
+//! At grazing the derivative of the flow is continuous, but its own derivative is not. So the
+//! tangent has a jump on a curve of critical multipliers or of zero slope of power. Steps along the
+//! old tangent then fail for any length. Beyond the grazing the curve continues at another angle,
+//! possibly sharp. It is therefore searched at a given distance past the grazing, in any direction.
 
 use super::key_plane::KeyPlane;
 use crate::continuation::{
@@ -14,17 +15,19 @@ use crate::continuation::{
 };
 use crate::orbit::{Condition, ExtendedEvaluation, ExtendedProblem};
 
-/// Distances past the grazing at which the curve is sought, as lengths along the old tangent in the metric. The differences that give the new
-/// tangent must not see the old side, which along a curve that crosses the grazing at a small angle is long near.
+/// Distances past the grazing of the search, as lengths along the old tangent in the metric. The
+/// differences for the new tangent must not reach the old side. That side is near for long where a
+/// curve crosses the grazing at a small angle.
 const SEARCH_DISTANCES: [f64; 4] = [1e-2, 3e-2, 3e-3, 1e-3];
 
-/// Way along the old tangent up to which a grazing counts as the reason why no step is short enough.
+/// Distance along the old tangent within which a grazing counts as the cause of a failed step.
 const MAX_GRAZING_DISTANCE: f64 = 0.03;
 
-/// Farthest that the place beyond may lie.
+/// Largest distance of the restart point.
 const MAX_RESTART_DISTANCE: f64 = 0.2;
 
-/// A place of the curve beyond the grazing that lies ahead of another one, with the tangent there; `None` where there is no grazing so near.
+/// Returns a point of the curve beyond the grazing, ahead of `position`, with its tangent; `None`
+/// where there is no grazing within the limit.
 pub fn round(
     tracking: &ExtendedProblem<KeyPlane>,
     corrector: &Corrector,
@@ -55,12 +58,12 @@ pub fn round(
     if way.is_nan() || way.abs() > MAX_GRAZING_DISTANCE {
         return None;
     }
-    // Just behind a grazing it is no way at all.
+    // Just past a grazing the distance is zero.
     let to_grazing = way.max(0.0);
     let mut by_unknown = past.by_unknown.clone();
     by_unknown.push(tracking.unit * past.by_parameters[0]);
     by_unknown.resize(position.unknown.len(), 0.0);
-    // Its row in the metric is the gradient.
+    // The row of `across` in the metric is the gradient.
     let across = Direction {
         unknown: by_unknown
             .iter()

@@ -1,21 +1,21 @@
-//! What a jump search answers.
+//! Results of a search for bifurcation curves.
 
 use crate::analysis::BranchKind;
 use serde::Serialize;
 
-/// What is followed over two keys.
+/// Kind of a curve over two keys.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum CurveKind {
-    /// The largest mean power along a branch over the first key.
+    /// Largest mean power along a branch over the first key.
     Peak,
-    /// A bifurcation.
+    /// Bifurcation.
     #[serde(untagged)]
     Bifurcation(BranchKind),
 }
 
 impl CurveKind {
-    /// Name in answers.
+    /// Returns the name in results.
     pub fn name(self) -> &'static str {
         match self {
             CurveKind::Peak => "peak",
@@ -24,25 +24,25 @@ impl CurveKind {
     }
 }
 
-/// Share of the widths, and of the power, within which a curve ends on its start.
+/// Fraction of the widths and of the power, within which a curve ends on its start.
 const CLOSED_CURVE_SHARE: f64 = 1e-5;
 
-/// A curve of one kind over two keys.
+/// Curve of one kind over two keys.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BifurcationCurve {
-    /// What happens on it.
+    /// Kind of the curve.
     pub kind: CurveKind,
-    /// The level that is passed, as it was given.
+    /// Level that is crossed, as specified.
     pub level: Option<String>,
-    /// Period of its orbits in drive cycles.
+    /// Period of the orbits in drive cycles.
     pub period_cycles: u32,
-    /// Points along it.
+    /// Points along the curve.
     pub points: Vec<BifurcationCurvePoint>,
-    /// Where it could not be followed, and why.
+    /// Messages with place and reason where continuation stopped early.
     pub failures: Vec<String>,
 }
 
-/// A point of it.
+/// Point of a curve.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct BifurcationCurvePoint {
     /// First key, SI.
@@ -51,13 +51,14 @@ pub struct BifurcationCurvePoint {
     pub parameter_2: f64,
     /// Mean power of all loads, W.
     pub mean_power_w: f64,
-    /// On a curve of peaks, whether the orbit attracts.
+    /// True if the orbit attracts; only on a curve of peaks.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub stable: Option<bool>,
 }
 
 impl BifurcationCurve {
-    /// First key and power where the curve passes a value of the second, interpolated linearly.
+    /// Returns first key and power where the curve crosses a value of the second key, interpolated
+    /// linearly.
     pub fn crossings(&self, parameter_2: f64) -> Vec<(f64, f64)> {
         let between = |pair: &[BifurcationCurvePoint]| {
             let (a, b) = (&pair[0], &pair[1]);
@@ -73,8 +74,9 @@ impl BifurcationCurve {
         self.points.windows(2).filter_map(between).collect()
     }
 
-    /// Ends a curve that came back over its own points, as one does that misses the way round a corner, where it turned round: half-way. It is
-    /// known to have come back, or ends on its very start; widths are those of the keys.
+    /// Cuts at half its length a curve that turned back over its own points, which happens at a
+    /// missed corner. `came_back` states that it did; otherwise it must end exactly on its start.
+    /// The widths are those of the ranges of the keys.
     pub(super) fn end_where_it_turned(&mut self, came_back: bool, widths: [f64; 2]) {
         let way = |a: &BifurcationCurvePoint, b: &BifurcationCurvePoint| {
             ((b.parameter - a.parameter) / widths[0])
@@ -110,17 +112,18 @@ impl BifurcationCurve {
             .count();
         self.points.truncate(turn + 1);
         let at = self.points.last().map_or(f64::NAN, |last| last.parameter_2);
-        self.failures
-            .push(format!("from {at} the walk came back over its own points"));
+        self.failures.push(format!(
+            "from {at} the curve turned back over its own points"
+        ));
     }
 
-    /// True when another curve is of the same kind and period.
+    /// True when another curve has the same kind and period.
     pub(super) fn is_alike(&self, other: &BifurcationCurve) -> bool {
         (self.kind, &self.level, self.period_cycles)
             == (other.kind, &other.level, other.period_cycles)
     }
 
-    /// Joins a walk in the other direction from the same first point.
+    /// Joins the continuation in the other direction from the same first point.
     pub fn joined(mut self, other: BifurcationCurve) -> BifurcationCurve {
         self.points.reverse();
         self.points.extend(other.points.into_iter().skip(1));

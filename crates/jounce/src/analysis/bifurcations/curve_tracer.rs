@@ -1,4 +1,4 @@
-//! Follows one curve through the plane of two keys to its ends.
+//! Continuation of one curve in the plane of two keys.
 
 use super::corner;
 use super::curve::{BifurcationCurve, BifurcationCurvePoint};
@@ -11,45 +11,48 @@ use crate::continuation::{
 };
 use crate::orbit::{Condition, ExtendedEvaluation, ExtendedProblem, multipliers};
 
-/// Distance, in the metric, from a strong resonance at which a curve of tori ends. Shorter steps come nearer to it.
+/// Distance, in the metric, from a strong resonance at which a curve of tori ends. Shorter steps
+/// approach it.
 const RESONANCE_DISTANCE: f64 = 1e-3;
 
-/// Shortest step, in goals of Newton: a shorter one leads nowhere.
+/// Smallest step, in goals of Newton's method; shorter steps fail.
 const MIN_STEP_GOALS: f64 = 10.0;
 
-/// Share of a step, as far as its start may lie from an edge that counts as on it.
+/// Fraction of a step, within which its start counts as on an edge.
 const EDGE_SHARE: f64 = 1e-9;
 
-/// Share of a branch at which it is a point: an isolated one is born there, and with it its peak.
+/// Fraction of a branch at which it counts as a point: an isolated branch, and its peak, begins
+/// there.
 const POINT_BRANCH_SHARE: f64 = 2e-4;
 
-/// The same, where the peak cannot be followed any nearer to it.
+/// Fraction of a branch at which it counts as a point where the peak cannot be followed further.
 const NEAR_POINT_BRANCH_SHARE: f64 = 1e-3;
 
-/// Most points of one curve.
+/// Largest number of points of one curve.
 const MAX_CURVE_POINTS: usize = 400;
 
-/// An edge of the plane that a step passes.
+/// Edge of the plane that a step crosses.
 #[derive(Debug, Clone, Copy)]
 struct PlaneEdge {
-    /// Whether it is of the first key.
+    /// True for an edge of the first key.
     is_first: bool,
     value: f64,
-    /// Share of the step up to it.
+    /// Fraction of the step up to the edge.
     share: f64,
 }
 
-/// The sense in which a curve passes its origin again.
+/// Direction in which a curve passes its origin again.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum CurveClosure {
-    /// As it set out.
+    /// In the initial direction.
     Onwards,
-    /// Against that: it has come back over its own points.
+    /// In the opposite direction: the curve turned back over its own points.
     Backwards,
 }
 
 impl BifurcationSearch<'_> {
-    /// From the first place of a curve in a direction until it ends; `curve` has no points yet.
+    /// Continues a curve from its first point in a direction until it ends; `curve` has no points
+    /// yet.
     pub(super) fn walk(
         &self,
         tracking: &ExtendedProblem<KeyPlane>,
@@ -75,7 +78,7 @@ impl BifurcationSearch<'_> {
             };
             if local.power_curvature.is_some_and(|bend| bend >= 0.0) {
                 curve.failures.push(format!(
-                    "at {} the maximum of power meets a minimum",
+                    "at {} the maximum of power merges with a minimum",
                     position.parameter
                 ));
                 break;
@@ -95,7 +98,7 @@ impl BifurcationSearch<'_> {
                         continue;
                     }
                     curve.failures.push(format!(
-                        "just before the edge of the range, at {}",
+                        "no point was found on the edge of the range, near {}",
                         before.parameter
                     ));
                 }
@@ -140,7 +143,8 @@ impl BifurcationSearch<'_> {
         )
     }
 
-    /// The next place of a walk that stands at `here`: a step on, or where none leads on, beyond a corner or a cusp; nothing where the curve ends.
+    /// Returns the next point after `here`: one step further, or a restart beyond a corner or a
+    /// cusp; `None` where the curve ends.
     fn advance<'t, 'p>(
         &self,
         tracking: &'t ExtendedProblem<'p, KeyPlane<'p>>,
@@ -165,7 +169,7 @@ impl BifurcationSearch<'_> {
         }
     }
 
-    /// Where a walk that stopped goes on: round a corner or through a cusp.
+    /// Returns the restart point after a failed step: beyond a corner or through a cusp.
     fn beyond(
         &self,
         tracking: &ExtendedProblem<KeyPlane>,
@@ -188,7 +192,8 @@ impl BifurcationSearch<'_> {
         })
     }
 
-    /// Ends a curve with the point on an edge; false where that is not found, as it may be from nearer to the edge.
+    /// Ends a curve with the point on an edge; false where it is not found, which a start nearer to
+    /// the edge may remedy.
     fn end_on(
         &self,
         tracking: &ExtendedProblem<KeyPlane>,
@@ -210,7 +215,7 @@ impl BifurcationSearch<'_> {
         true
     }
 
-    /// The edge of the plane that is passed first on the way between two places.
+    /// Returns the edge of the plane that is crossed first between two positions.
     fn edge_between(
         &self,
         tracking: &ExtendedProblem<KeyPlane>,
@@ -236,7 +241,7 @@ impl BifurcationSearch<'_> {
             .min_by(|a, b| a.share.total_cmp(&b.share))
     }
 
-    /// The point exactly on an edge.
+    /// Returns the point exactly on an edge.
     fn cut(
         &self,
         tracking: &ExtendedProblem<KeyPlane>,
@@ -259,7 +264,7 @@ impl BifurcationSearch<'_> {
         let own = tracking.place_of_parameter();
         guess.unknown[own] = (edge.value - tracking.origin) / tracking.unit;
         let metric = Metric::at(&guess, self.scale_2());
-        // Across the first key alone: it stays as it is.
+        // Correction across the first key only, which remains fixed.
         let mut across = Direction {
             unknown: vec![0.0; n],
             parameter: 0.0,
@@ -269,7 +274,8 @@ impl BifurcationSearch<'_> {
     }
 }
 
-/// How a curve passes its origin again, where it does: a curve of folds that passes it the other way is on the other arm of a cusp.
+/// Returns how a curve passes its origin again, if it does. A curve of folds that passes it in the
+/// opposite direction is on the other side of a cusp.
 fn comes_home(
     condition: Condition,
     metric: &Metric,
@@ -285,23 +291,23 @@ fn comes_home(
     (passes(metric, origin, before, after) && !is_other_arm).then_some(sense)
 }
 
-/// True for a curve that has grown too long, which is told.
+/// True for a curve that has reached the limit of points; adds the message.
 fn is_left(curve: &mut BifurcationCurve, parameter_2: f64) -> bool {
     let is_long = curve.points.len() >= MAX_CURVE_POINTS;
     if is_long {
-        curve
-            .failures
-            .push(format!("after {MAX_CURVE_POINTS} points, at {parameter_2}"));
+        curve.failures.push(format!(
+            "after the limit of {MAX_CURVE_POINTS} points, at {parameter_2}"
+        ));
     }
     is_long
 }
 
-/// True for a peak where its branch is born, within a share.
+/// True for a peak where its branch begins, within a fraction.
 fn is_born(local: &ExtendedEvaluation, share: f64) -> bool {
     local.power_curvature.is_some() && local.share_of_branch().is_some_and(|own| own < share)
 }
 
-/// A place of a curve as a result.
+/// Converts a position on a curve into a result.
 fn point(
     tracking: &ExtendedProblem<KeyPlane>,
     position: &Position,

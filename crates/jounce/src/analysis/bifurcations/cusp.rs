@@ -1,12 +1,14 @@
-//! Through the cusp that a curve of folds has where two folds of one branch meet.
+//! Continuation through the cusp of a curve of folds, where two folds of one branch meet.
 //!
 //! ```text
 //! x^3 + b x + a = 0,   3 x^2 + b = 0:   b = -3 x^2,   a = 2 x^3
 //! ```
 //!
-//! By the state along the critical eigenvector, `x`, the curve is smooth, and at the cusp that direction alone is its tangent: the keys turn
-//! round. Where the plane is narrow they do so over so little of the state that no step along the tangent is short enough. From a place
-//! near the cusp the curve is sought by `x` instead, past the turn, and then where the keys stand still.
+//! As a function of the state `x` along the critical eigenvector the curve is smooth. At the cusp
+//! its tangent is that direction alone, and the keys turn back. Where the plane is narrow, they
+//! turn over so small a change of state that every step along the tangent fails. From a point near
+//! the cusp the curve is therefore searched by `x`: first past the turn, then where the keys are
+//! stationary.
 //!
 //! Source: V. I. Arnold, Catastrophe Theory (Springer, 1992), ch. 2.
 
@@ -17,39 +19,41 @@ use crate::continuation::{
 use crate::orbit::{Condition, ExtendedEvaluation, ExtendedProblem, null_vector};
 use faer::Mat;
 
-/// Ways along the eigenvector at which the curve is sought past the turn, as lengths in the metric.
+/// Distances along the eigenvector of the search past the turn, as lengths in the metric.
 const SEARCH_DISTANCES: [f64; 7] = [1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 3e-5, 1e-5];
 
-/// Farthest that a place past the turn may lie.
+/// Largest distance of a point past the turn.
 const MAX_RESTART_DISTANCE: f64 = 0.2;
 
-/// Speed of the keys by `x` past the turn, at least: the tangent is theirs again.
+/// Smallest speed of the keys over `x` past the turn: the tangent is along the keys again.
 const MIN_KEY_SPEED: f64 = 1.0;
 
-/// Speed of the keys below which they stand still.
+/// Speed of the keys below which they are stationary.
 const MAX_CUSP_KEY_SPEED: f64 = 0.1;
 
-/// Most that the keys may be off the parabola that they run through at a cusp, beside the way that their last speed leads.
+/// Largest deviation of the keys from their parabola at a cusp, relative to the distance given by
+/// their last speed.
 const MAX_PARABOLA_DISTANCE: f64 = 0.1;
 
-/// Most places at which the cusp is sought.
+/// Largest number of iterations of the search for the cusp.
 const MAX_TRIALS: u32 = 12;
 
-/// How near to an end of the way it is sought, beside that way.
+/// Smallest distance from an end of the bracket, relative to the bracket.
 const MIN_END_DISTANCE: f64 = 1e-3;
 
-/// Where a walk that stopped goes on.
+/// Restart point of a continuation whose step failed.
 #[derive(Debug)]
 pub struct RestartPoint {
-    /// The place.
+    /// Corrected point.
     pub found: CorrectedPoint<ExtendedEvaluation>,
-    /// The tangent there, in the direction of the walk.
+    /// Tangent in the direction of the continuation.
     pub ahead: Direction,
     /// Length of the first step from there.
     pub step: f64,
 }
 
-/// The cusp ahead of a place of the curve, or a place beyond the one just behind; `None` where there is none so near.
+/// Returns the cusp ahead of a position on the curve, or a point beyond a cusp just behind; `None`
+/// where there is no cusp within the limit.
 pub fn ahead(
     tracking: &ExtendedProblem<KeyPlane>,
     corrector: &Corrector,
@@ -70,7 +74,7 @@ pub fn ahead(
     };
     let speeds =
         |tangent: &Direction| keys(tangent).map(|key| key / metric.inner(tangent, &across));
-    // A place at a way along the eigenvector with its tangent.
+    // Returns the point at a distance along the eigenvector, with its tangent.
     let place = |way: f64| {
         let found = correct(
             tracking,
@@ -96,7 +100,7 @@ pub fn ahead(
     let (beyond, (found, tangent)) = SEARCH_DISTANCES
         .into_iter()
         .find_map(|way| Some((way, place(way).filter(|found| is_past(way, found))?)))?;
-    // In the direction of the keys before the turn.
+    // Speed in the direction of the keys before the turn.
     let onward =
         |speeds: [f64; 2]| (speeds[0] * before[0] + speeds[1] * before[1]) / length(before);
     let after = onward(speeds(&tangent));
@@ -132,7 +136,8 @@ fn length([first, second]: [f64; 2]) -> f64 {
     first.hypot(second)
 }
 
-/// Unit direction of the state alone along the critical eigenvector, the way that the curve goes.
+/// Returns the unit direction of the state alone along the critical eigenvector, in the direction
+/// of the curve.
 fn eigenvector(metric: &Metric, local: &ExtendedEvaluation, ahead: &Direction) -> Direction {
     let map = local.shot.map();
     let mut unknown = null_vector(&Mat::from_fn(map.nrows(), map.ncols(), |i, j| {

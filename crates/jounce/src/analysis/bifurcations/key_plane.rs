@@ -1,34 +1,35 @@
-//! Two numeric keys of a spec as a plane of harvesters.
+//! Family of models over the plane of two numeric keys of a spec.
 
 use crate::analysis::{AnalysisError, Model, Parameter};
 use crate::orbit::{ModelInstance, ParametricModel, TwoParameterProblem};
 use crate::spec::NumericKey;
 
-/// Length of a difference, beside the range of a key or, where that is shorter, its value. The condition of a fold is known a thousand
-/// times less well than the orbit: over a tenth of this length, at tolerance 1e-9, its noise spoils the slope, and Newton creeps.
+/// Step of a difference, relative to the range of a key or, where smaller, its value. The condition
+/// of a fold is a thousand times less accurate than the orbit: with a tenth of this step, at
+/// tolerance 1e-9, noise spoils the slope and Newton stalls.
 const DIFFERENCE_STEP: f64 = 1e-5;
 
-/// Length of a difference of the residual alone, beside the range of the key.
+/// Step of a difference of the residual only, relative to the range of the key.
 const RESIDUAL_DIFFERENCE_STEP: f64 = 1e-6;
 
-/// Least value beside the range that counts as a length of its own.
+/// Smallest value, relative to the range, that serves as a scale.
 const MIN_OWN_LENGTH: f64 = 1e-3;
 
-/// Harvesters over two keys.
+/// Family of models over two keys.
 #[derive(Debug)]
 pub struct KeyPlane<'s> {
-    /// The spec at its own values.
+    /// Model of the spec, unchanged.
     pub base: &'s Model,
     /// First and second key.
     pub keys: [&'s NumericKey; 2],
-    /// Widths of their ranges.
+    /// Widths of the ranges.
     pub widths: [f64; 2],
 }
 
-/// Harvesters over the first key, at one value of the second.
+/// Family of models over the first key at one value of the second.
 #[derive(Debug)]
 pub struct KeyLine<'s> {
-    /// The spec at that value.
+    /// Model at that value.
     pub prepared: Model,
     key: &'s NumericKey,
     width: f64,

@@ -1,4 +1,5 @@
-//! Folds, doublings, tori, grazings and peaks of power over two keys of a spec.
+//! Folds, period doublings, Neimark-Sacker bifurcations, grazings and peaks of power over two keys
+//! of a spec.
 
 mod corner;
 mod curve;

@@ -1,4 +1,5 @@
-//! All curves of jumps that pass an edge of the plane, or the spec's own value of the second key between.
+//! Search for all bifurcation curves that cross an edge of the plane or the spec's value of the
+//! second key.
 
 use super::curve::{BifurcationCurve, BifurcationCurvePoint};
 use super::key_plane::KeyPlane;
@@ -12,39 +13,40 @@ use crate::orbit::{ExtendedProblem, OrbitError, Shooting, TwoParameterProblem};
 use crate::spec::NumericKey;
 use faer::ColRef;
 
-/// A search to be made.
+/// Definition of a search for bifurcation curves.
 #[derive(Debug)]
 pub struct BifurcationSearch<'s> {
-    /// The spec at its own values.
+    /// Model of the spec, unchanged.
     pub base: &'s Model,
     /// First and second key.
     pub keys: [&'s NumericKey; 2],
-    /// Their ranges.
+    /// Ranges of the keys.
     pub ranges: [(f64, f64); 2],
-    /// Relative tolerance of the marches.
+    /// Relative tolerance of the integrations.
     pub tolerance: f64,
-    /// Values across a range at which orbits are sought by marching.
+    /// Number of values across a range at which integrations search for orbits.
     pub seeds: usize,
     /// Longest period of a branch, drive cycles.
     pub longest_period: u32,
-    /// Whether peaks of power are followed too.
+    /// True: follow peaks of power too.
     pub peaks: bool,
 }
 
 type Failure = OrbitError<AnalysisError>;
 
-/// Share of a range within which two places of one kind ...
+/// Fraction of a range within which two points of one kind coincide ...
 const SAME_PLACE_SHARE: f64 = 5e-3;
 
-/// ... and of a power within which they are one.
+/// ... and fraction of a power.
 const SAME_POWER_SHARE: f64 = 0.05;
 
-/// Newton's goal beside the tolerance of the march. A critical multiplier is known less well than the orbit, and along its eigenvector
-/// a fold moves by that error over its curvature; the parameter moves by the square of it only.
+/// Goal of Newton's method relative to the tolerance of the integration. A critical multiplier is
+/// less accurate than the orbit; along its eigenvector a fold moves by that error over its
+/// curvature. The parameter moves only by the square of it.
 const NEWTON_GOAL_FACTOR: f64 = 1e3;
 
 impl BifurcationSearch<'_> {
-    /// Finds and follows the curves; stopped by its control it gives what is finished.
+    /// Finds and follows the curves; after cancellation returns the finished ones.
     ///
     /// # Errors
     /// [`OrbitError`].
@@ -52,7 +54,8 @@ impl BifurcationSearch<'_> {
         self.run_with(&BranchOptions::default())
     }
 
-    /// The same with options of its own for the branches that it starts from; the levels among them are followed too.
+    /// Finds and follows the curves with options for the initial branches; their levels are
+    /// followed too.
     ///
     /// # Errors
     /// [`OrbitError`].
@@ -87,7 +90,8 @@ impl BifurcationSearch<'_> {
         Ok(curves)
     }
 
-    /// Adds the curves that pass an edge of the first range, where the second key alone shows them.
+    /// Adds the curves that cross an edge of the first range and are found only over the second
+    /// key.
     fn across(
         &self,
         plane: &KeyPlane,
@@ -118,7 +122,7 @@ impl BifurcationSearch<'_> {
         Ok(())
     }
 
-    /// Branches over one of the keys, at the value of the other that is prepared.
+    /// Returns the branches over one key, at the value of the other in `prepared`.
     fn branches(
         &self,
         prepared: &Model,
@@ -163,7 +167,7 @@ impl BifurcationSearch<'_> {
         Ok(())
     }
 
-    /// Places on one line from which curves may start.
+    /// Returns the points on one line from which curves may start.
     fn seeds(
         &self,
         plane: &KeyPlane,
@@ -200,7 +204,7 @@ impl BifurcationSearch<'_> {
         Ok(bifurcations.chain(peaks).collect())
     }
 
-    /// Adds a curve. One that could not be followed to its ends may be a part of one that was begun elsewhere and is whole.
+    /// Adds a curve. An incomplete curve may be a part of a complete one with another start.
     fn add(&self, found: Option<BifurcationCurve>, curves: &mut Vec<BifurcationCurve>) {
         let Some(found) = found else { return };
         if found.failures.is_empty() {
@@ -214,14 +218,14 @@ impl BifurcationSearch<'_> {
         curves.push(found);
     }
 
-    /// True when a curve lies on another, by its first point and two inside.
+    /// True when a curve lies on another, by its first point and two inner ones.
     fn is_part(&self, part: &BifurcationCurve, whole: &BifurcationCurve) -> bool {
         let count = part.points.len();
         let passes = |k: usize| self.passes(whole, &part.points[k]);
         part.is_alike(whole) && [0, count / 2, 3 * count / 4].into_iter().all(passes)
     }
 
-    /// True when a place lies on a curve already known.
+    /// True when a point lies on a known curve.
     fn holds(&self, curve: &BifurcationCurve, seed: &CurveSeed, parameter_2: f64) -> bool {
         seed.is_of(curve) && self.passes(curve, &seed.point(parameter_2))
     }
@@ -236,7 +240,7 @@ impl BifurcationSearch<'_> {
         curve.crossings(point.parameter_2).iter().any(near)
     }
 
-    /// True when a curve ends at a place.
+    /// True when a curve ends at a point.
     fn ends_at(&self, curve: &BifurcationCurve, seed: &CurveSeed, parameter_2: f64) -> bool {
         let [width, width_2] = self.ranges.map(|(low, high)| high - low);
         let near = |end: &BifurcationCurvePoint| {

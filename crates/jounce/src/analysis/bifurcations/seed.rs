@@ -1,19 +1,20 @@
-//! Places on one line of the plane from which curves start.
+//! Points on one line of the plane from which curves start.
 
 use super::{BifurcationCurve, BifurcationCurvePoint, CurveKind};
 use crate::analysis::bandwidth::{CurvePiece, PieceZero};
 use crate::analysis::{Bifurcation, Branch, BranchKind, BranchPoint, QuantityLevel};
 use crate::orbit::{Condition, GrazingPoint, ParametricModel, ShootingEvaluation};
 
-/// Slope of power that a seed may keep, beside the power, per share of a piece: tracking mends it.
+/// Largest slope of power of a seed, relative to the power, per fraction of a piece; the correction
+/// removes it.
 const MAX_SEED_SLOPE: f64 = 1e-7;
 
-/// A place on a branch, on or near a curve.
+/// Point on a branch, on or near a curve.
 #[derive(Debug, Clone)]
 pub struct CurveSeed {
-    /// What the curve is of.
+    /// Kind of the curve.
     pub kind: CurveKind,
-    /// Of a level, which.
+    /// Level, for a level crossing.
     pub level: Option<QuantityLevel>,
     /// Drive cycles of the period.
     pub cycles: u32,
@@ -26,7 +27,7 @@ pub struct CurveSeed {
 }
 
 impl CurveSeed {
-    /// A bifurcation of a branch, that of a level among those which were given.
+    /// Creates the seed of a bifurcation of a branch; a level crossing finds its level in `levels`.
     pub fn bifurcation(branch: &Branch, found: &Bifurcation, levels: &[QuantityLevel]) -> Self {
         Self {
             kind: CurveKind::Bifurcation(found.kind),
@@ -41,7 +42,8 @@ impl CurveSeed {
         }
     }
 
-    /// Maxima of power inside a branch, each where power is stationary on the curve; `piece` gives the curve between two points.
+    /// Returns the inner maxima of power of a branch, where power is stationary; `piece` gives the
+    /// curve between two points.
     pub fn peaks<'h, H: ParametricModel + 'h>(
         branch: &Branch,
         piece: impl Fn([&BranchPoint; 2]) -> Option<CurvePiece<'h, H>>,
@@ -69,7 +71,7 @@ impl CurveSeed {
         highest.filter_map(around).map(seed).collect()
     }
 
-    /// The curve from here, without points.
+    /// Returns the curve from this seed, without points.
     pub fn curve(&self) -> BifurcationCurve {
         let level = self.level.as_ref().map(|level| level.text.clone());
         BifurcationCurve {
@@ -81,12 +83,12 @@ impl CurveSeed {
         }
     }
 
-    /// True when a curve is of the kind and period that one from here is of.
+    /// True when a curve has the kind and period of this seed.
     pub fn is_of(&self, curve: &BifurcationCurve) -> bool {
         self.curve().is_alike(curve)
     }
 
-    /// As a point of a curve.
+    /// Converts the seed into a point of a curve.
     pub fn point(&self, parameter_2: f64) -> BifurcationCurvePoint {
         BifurcationCurvePoint {
             parameter: self.parameter,
@@ -96,7 +98,8 @@ impl CurveSeed {
         }
     }
 
-    /// What is zero on the curve, whose first orbit is given; `None` for what is not followed.
+    /// Returns the condition that is zero on the curve, given its first orbit; `None` for a kind
+    /// that is not followed.
     pub fn condition(&self, shot: &ShootingEvaluation) -> Option<Condition> {
         Some(match self.kind {
             CurveKind::Peak => Condition::Peak,

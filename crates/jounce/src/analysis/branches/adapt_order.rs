@@ -1,4 +1,4 @@
-//! The change to a finer or a coarser method on the way along a branch.
+//! Change to a finer or a coarser method during continuation of a branch.
 
 use super::tracer::BranchTracer;
 use crate::continuation::{
@@ -6,23 +6,26 @@ use crate::continuation::{
 };
 use crate::orbit::OrbitMethod;
 
-/// Share of its excess that a finer method must get rid of: what stays is no matter of the number of unknowns.
+/// Largest fraction of its error ratio that a finer method may retain; otherwise the error is not
+/// due to the number of unknowns.
 const MIN_ERROR_REDUCTION: f64 = 0.6;
 
-/// Excess below which a coarser method is tried.
+/// Error ratio below which a coarser method is tried.
 pub(super) const COARSER_BELOW_ERROR: f64 = 0.04;
 
-/// Excess of a coarser method that is not taken, for it would soon be too coarse.
+/// Largest error ratio of a coarser method; above it the method would soon be too coarse.
 const MAX_COARSER_ERROR: f64 = 0.4;
 
-/// Another method with a place in its unknown.
+/// Another method with a point in its unknown.
 type Other<M> = Option<(M, CurvePoint<<M as Problem>::Evaluation>)>;
 
-/// Newton's goal beside the usual one, where what it left out may be all that is in excess.
+/// Stricter goal of Newton's method relative to the usual one, where its residual may dominate the
+/// error.
 const STRICT_GOAL_FACTOR: f64 = 0.01;
 
 impl BranchTracer {
-    /// The place by a Newton that goes on, where that is what keeps it from its accuracy; otherwise as it is.
+    /// Returns the point after more Newton iterations, if these bring it within the accuracy;
+    /// otherwise the point itself.
     pub(super) fn polished<M: OrbitMethod>(
         &self,
         method: &M,
@@ -46,7 +49,8 @@ impl BranchTracer {
         Ok(closer.carried(method, &place).filter(fits).unwrap_or(place))
     }
 
-    /// A method fine enough for the orbit at `rough`, where this one is not and a finer one is better; with `from` in its unknown.
+    /// Returns a method fine enough for the orbit at `rough`, where this one is too coarse and a
+    /// finer one is better, with `from` in its unknown.
     pub(super) fn finer<M: OrbitMethod>(
         &self,
         method: &M,
@@ -75,8 +79,9 @@ impl BranchTracer {
         Ok(found)
     }
 
-    /// A coarser method that is fine enough for the orbit at a place, where this one is far finer than need be; with the place in its
-    /// unknown. `spare` is the excess below which one is tried: it shrinks where none will do.
+    /// Returns a coarser method that is fine enough for the orbit at a point, with the point in its
+    /// unknown. It is tried where the error ratio is below `spare`, which is reduced after each
+    /// failure.
     pub(super) fn coarser<M: OrbitMethod>(
         &self,
         method: &M,
@@ -105,7 +110,7 @@ impl BranchTracer {
         }
     }
 
-    /// A place of another method, corrected by this one.
+    /// Converts a point of another method and corrects it with this one.
     fn carried<M: OrbitMethod>(
         &self,
         method: &M,
@@ -120,7 +125,7 @@ impl BranchTracer {
             unknown: method.carried(&step.tangent.unknown),
             parameter: step.tangent.parameter,
         };
-        // What lies on an edge of the range stays there.
+        // A point on an edge of the range remains there.
         let at_edge = guess.parameter == self.range.0 || guess.parameter == self.range.1;
         let upright = Direction {
             unknown: vec![0.0; guess.unknown.len()],

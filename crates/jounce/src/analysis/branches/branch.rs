@@ -1,11 +1,11 @@
-//! What a branch answers.
+//! Results of a search for branches.
 
 use super::events::NotProved;
 use crate::orbit::{Orbit, ShootingEvaluation, nearest_turn};
 use faer::ColRef;
 use serde::Serialize;
 
-/// A curve of periodic orbits.
+/// Curve of periodic orbits.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Branch {
     /// Period in drive cycles.
@@ -14,15 +14,16 @@ pub struct Branch {
     pub points: Vec<BranchPoint>,
     /// Bifurcations in the order of the curve.
     pub bifurcations: Vec<Bifurcation>,
-    /// Where the rule of events was not met.
+    /// Intervals where the events are not proved complete.
     pub not_proved: Vec<NotProved>,
-    /// How its two ends came about, first point and last point.
+    /// Terminations of both ends: first point, then last point.
     pub endings: Vec<Termination>,
-    /// Number of period doublings whose branch was not followed: the budget was spent, or Newton found no first orbit.
+    /// Number of period doublings whose branch was not followed: the budget was spent, or Newton's
+    /// method found no first orbit.
     pub not_followed: usize,
 }
 
-/// A point of a branch.
+/// Point of a branch.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BranchPoint {
     /// Value of the key, SI.
@@ -31,75 +32,75 @@ pub struct BranchPoint {
     pub orbit: Orbit,
 }
 
-/// What happens at a bifurcation.
+/// Kind of a bifurcation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum BranchKind {
-    /// The branch turns back.
+    /// The branch turns back in the key.
     Fold,
-    /// A branch of twice the period leaves.
+    /// A branch of twice the period begins.
     PeriodDoubling,
-    /// A torus leaves.
+    /// A torus begins.
     NeimarkSacker,
     /// Another branch of the same period crosses.
     BranchPoint,
-    /// A contact appears or goes.
+    /// A contact appears or disappears.
     Grazing,
     /// Sticking to a rigid stop begins: the impacts accumulate.
     Sticking,
-    /// A quantity passes a level that the user gives.
+    /// A quantity crosses a level specified by the user.
     Level,
 }
 
-/// A located bifurcation.
+/// Located bifurcation.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Bifurcation {
-    /// What it is.
+    /// Kind of the bifurcation.
     pub kind: BranchKind,
-    /// The level that is passed, as it was given.
+    /// Level that is crossed, as specified.
     pub level: Option<String>,
-    /// Name of the stop that is grazed, or stuck to.
+    /// Name of the stop of a grazing or of sticking.
     pub stop: Option<String>,
-    /// Where.
+    /// Point of the branch.
     pub at: BranchPoint,
 }
 
-/// How a branch ends.
+/// Termination of a branch.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case", tag = "how")]
 pub enum Termination {
     /// At the edge of the range.
     Range,
-    /// It came back to its own start.
+    /// The branch returned to its own start.
     Closed,
-    /// It came to a branch of a shorter period, as a doubled one does where it began.
+    /// The branch reached a branch of a shorter period; a doubled branch does so where it began.
     Merged,
-    /// After as many points as were allowed.
+    /// The limit of points was reached.
     Points,
-    /// At a grazing, where it turns more sharply than any step can follow.
+    /// At a grazing, where the branch turns more sharply than any step can follow.
     Grazing {
-        /// What stopped the walk.
+        /// Reason of the failed step.
         why: String,
         /// Value of the key there.
         parameter: f64,
     },
     /// Sticking to a rigid stop begins. Beyond this value the flow has no derivative.
     Sticking {
-        /// What stopped the walk.
+        /// Reason of the failed step.
         why: String,
         /// Value of the key there.
         parameter: f64,
     },
-    /// It could not be followed.
+    /// Continuation failed.
     Failed {
-        /// Why.
+        /// Reason of the failure.
         why: String,
         /// Last good value of the key.
         parameter: f64,
     },
 }
 
-/// State on the chord between two points.
+/// Returns the state on the chord between two points.
 fn between(a: &BranchPoint, b: &BranchPoint, share: f64) -> Vec<f64> {
     a.orbit
         .start()
@@ -110,7 +111,7 @@ fn between(a: &BranchPoint, b: &BranchPoint, share: f64) -> Vec<f64> {
 }
 
 impl Bifurcation {
-    /// A grazing, with the stop whose surface a turning point lies nearest to.
+    /// Creates a grazing at the stop whose surface is nearest to a turning point.
     pub(super) fn grazing(at: BranchPoint, shot: &ShootingEvaluation) -> Self {
         let stops = &shot.kernel.plant.system.stops;
         let stop = nearest_turn(shot)
@@ -126,7 +127,7 @@ impl Bifurcation {
 }
 
 impl BranchKind {
-    /// Name in answers.
+    /// Returns the name in results.
     pub fn name(self) -> &'static str {
         match self {
             BranchKind::Fold => "fold",
@@ -141,7 +142,7 @@ impl BranchKind {
 }
 
 impl Branch {
-    /// A branch of which one orbit is known and none was followed, for want of budget.
+    /// Creates a branch of one known orbit that was not followed, for lack of budget.
     pub(super) fn of_one(orbit: Orbit, parameter: f64) -> Self {
         let (period_cycles, endings) = (orbit.period_cycles, vec![Termination::Points; 2]);
         Self {
@@ -152,12 +153,13 @@ impl Branch {
         }
     }
 
-    /// Drive cycles of its orbits: the work that following it has cost.
+    /// Returns the number of drive cycles of all orbits, a measure of the cost of the continuation.
     pub(super) fn work(&self) -> usize {
         self.points.len() * self.period_cycles as usize
     }
 
-    /// Area below the mean power over the key, W times the unit of the key; parts at the same value of the key all count.
+    /// Returns the area below the mean power over the key, W times the unit of the key. Parts at
+    /// the same value of the key all count.
     pub(super) fn area_w(&self) -> f64 {
         let below = |pair: &[BranchPoint]| {
             (pair[1].parameter - pair[0].parameter).abs()
@@ -167,7 +169,8 @@ impl Branch {
         self.points.windows(2).map(below).sum()
     }
 
-    /// Points where the branch passes a value of the key, states and power interpolated linearly.
+    /// Returns the points where the branch crosses a value of the key, with linearly interpolated
+    /// states and power.
     pub fn crossings(&self, parameter: f64) -> Vec<(Vec<f64>, f64)> {
         let read = |(a, b, t): (&BranchPoint, &BranchPoint, f64)| {
             (
@@ -178,7 +181,8 @@ impl Branch {
         self.passing(parameter).map(read).collect()
     }
 
-    /// Neighbouring points between which the branch passes a value of the key, and its share of the way.
+    /// Returns neighbouring points between which the branch crosses a value of the key, and the
+    /// fraction of the step.
     fn passing(&self, parameter: f64) -> impl Iterator<Item = (&BranchPoint, &BranchPoint, f64)> {
         self.points.windows(2).filter_map(move |pair| {
             let (a, b) = (&pair[0], &pair[1]);
@@ -194,7 +198,8 @@ impl Branch {
         })
     }
 
-    /// Between two neighbouring points, the bifurcation nearest to their chord at which stability may be lost.
+    /// Returns the bifurcation between two neighbouring points nearest to their chord, of a kind
+    /// that can change stability.
     pub(in crate::analysis) fn bifurcation_between(
         &self,
         [a, b]: [&BranchPoint; 2],
@@ -219,7 +224,7 @@ impl Branch {
             .map(|(_, at)| at)
     }
 
-    /// True when none of its ends is one where it could not be followed.
+    /// True when continuation failed at no end.
     pub fn is_complete(&self) -> bool {
         !self
             .endings
@@ -227,7 +232,7 @@ impl Branch {
             .any(|ending| matches!(ending, Termination::Failed { .. } | Termination::Points))
     }
 
-    /// Joins a walk in the other direction from the same first point.
+    /// Joins the continuation in the other direction from the same first point.
     pub fn joined(mut self, other: Branch) -> Branch {
         self.points.reverse();
         self.bifurcations.reverse();

@@ -1,10 +1,15 @@
-//! Carries branches over to a neighbouring harvester, every point by itself.
+//! Update of known branches after a small change of the design, each point independently.
 //!
-//! Where a design changes a little, each of its orbits does. Newton takes every known point onto the curve of the new design, across the
-//! chord between its neighbours; points at the edges of the range keep their parameter. No point waits for another, so that all cores work
-//! on them and no step is tried in vain. A quick look, not an answer: branches that appear are not found, nor are multipliers that pass a
-//! critical value and come back between two points, nor a fold about which points overtake each other. [`BranchSearch`](super::BranchSearch)
-//! finds them all.
+//! A small change of the design changes each orbit little. Newton's method corrects every known
+//! point to the curve of the new design, in the hyperplane across the chord between its neighbours.
+//! Points at the edges of the range keep their parameter. The points are independent, so all cores
+//! work on them. The result is a fast approximation with three limits:
+//!
+//! - New branches are not found.
+//! - Multipliers that pass a critical value and return between two points are not found.
+//! - A fold is not found about which points overtake each other.
+//!
+//! [`BranchSearch`](super::BranchSearch) finds them all.
 
 use super::branch::{Bifurcation, Branch, BranchPoint};
 use super::orbit_point::OrbitPoint;
@@ -17,45 +22,46 @@ use crate::integrate::Kernel;
 use crate::orbit::{OrbitMethod, Shooting};
 use rayon::prelude::*;
 
-/// Branches to be carried over.
+/// Definition of an update of branches.
 #[derive(Debug)]
 pub struct BranchUpdate<'s> {
-    /// The new harvesters.
+    /// Family of models of the new design.
     pub harvester: &'s Parameter<'s>,
-    /// One of them.
+    /// Kernel of one of these models.
     pub kernel: &'s Kernel,
-    /// Ends of the range of the key, those of the known branches.
+    /// Range of the key of the known branches.
     pub range: (f64, f64),
-    /// Relative tolerance of the marches.
+    /// Relative tolerance of the integrations.
     pub tolerance: f64,
-    /// Length in the metric (a state counts by its own size, the parameter by a twentieth of the range) of a correction that is left out.
+    /// Length of a correction, in the metric, below which it is omitted. A state counts relative to
+    /// its size, the parameter to a twentieth of the range.
     pub accuracy: f64,
     /// Length in the metric to which bifurcations are located.
     pub resolution: f64,
-    /// The change of the design before, which tells where points are likely to go.
+    /// Previous change of the design, for the prediction of the points.
     pub trend: Option<Extrapolation<'s>>,
 }
 
-/// How the known branches came about.
+/// Extrapolation of the points from the previous change of the design.
 #[derive(Debug, Clone, Copy)]
 pub struct Extrapolation<'s> {
-    /// The branches that they were carried over from, point by point.
+    /// Branches before the previous change, point by point.
     pub before: &'s [Branch],
-    /// The new change of the design in units of that one.
+    /// Ratio of the new change of the design to the previous one.
     pub reach: f64,
 }
 
-/// What came of it.
+/// Result of an update.
 #[derive(Debug, Default)]
 pub struct UpdatedBranches {
-    /// The branches; a branch is cut where points are lost.
+    /// Updated branches; a branch is cut where points are lost.
     pub branches: Vec<Branch>,
-    /// Points whose Newton led nowhere.
+    /// Points at which Newton's method failed.
     pub lost: usize,
 }
 
 impl BranchUpdate<'_> {
-    /// Carries them over.
+    /// Updates the branches.
     pub fn run(&self, known: &[Branch]) -> UpdatedBranches {
         let corrector = Corrector {
             goal: self.accuracy,
@@ -72,7 +78,7 @@ impl BranchUpdate<'_> {
         };
         let mut carried = UpdatedBranches::default();
         for (index, branch) in known.iter().enumerate() {
-            // Where a branch was cut or lost on the way, numbers no longer tell which came from which.
+            // After a branch was cut or lost, the indices do not match.
             let trend = self.trend.filter(|trend| trend.before.len() == known.len());
             let likely = trend.and_then(|trend| trend.likely(index, branch));
             self.carry(&following, branch, likely.as_deref(), &mut carried);
@@ -111,7 +117,8 @@ impl BranchUpdate<'_> {
                 .or_else(|| place(index, None))
         };
         let mut found: Vec<_> = (0..count).into_par_iter().map(first).collect();
-        // What was too far away, as it is about a fold, moves as its neighbours did.
+        // A point with a failed correction, for example near a fold, is moved as its neighbours
+        // were.
         loop {
             let again = |index: usize| {
                 let beside = [index.wrapping_sub(1), index + 1]
@@ -157,7 +164,7 @@ impl BranchUpdate<'_> {
         }
     }
 
-    /// The new place of a point, from a guess or from where it was.
+    /// Returns the corrected point, from a guess or from its old position.
     fn place<M: OrbitMethod>(
         &self,
         following: &BranchTracer,
@@ -200,7 +207,7 @@ impl BranchUpdate<'_> {
 }
 
 impl Extrapolation<'_> {
-    /// Where the points of a branch are likely to go, where each of them is known to have come from one.
+    /// Predicts the points of a branch, if each of them has a known predecessor.
     fn likely(&self, index: usize, branch: &Branch) -> Option<Vec<Position>> {
         let before = self
             .before
@@ -215,7 +222,7 @@ impl Extrapolation<'_> {
     }
 }
 
-/// The position of a point.
+/// Returns the position of a point.
 fn at(point: &BranchPoint) -> Position {
     Position {
         unknown: point.orbit.start().to_vec(),

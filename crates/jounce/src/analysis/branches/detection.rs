@@ -1,4 +1,4 @@
-//! What a branch passes between two of its points.
+//! Detection of the events between two points of a branch.
 
 use super::branch::{Bifurcation, Branch, BranchKind, BranchPoint};
 use super::events::{Extremum, extrema};
@@ -10,7 +10,7 @@ use crate::orbit::{
     pairs_outside,
 };
 
-/// What two neighbouring orbits have between them.
+/// Event between two neighbouring orbits.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum DetectedEvent {
     Fold,
@@ -19,7 +19,7 @@ enum DetectedEvent {
     NeimarkSacker,
     /// This turning point passes the surface of its stop.
     Grazing(Extremum),
-    /// The level of this number.
+    /// Level of this index.
     Level(usize),
 }
 
@@ -37,7 +37,7 @@ impl DetectedEvent {
 }
 
 impl BranchTracer {
-    /// Everything that happens between two points, in the order of the curve.
+    /// Returns all events between two points, in the order of the curve.
     ///
     /// # Errors
     /// As [`BranchTracer::walk`].
@@ -54,7 +54,7 @@ impl BranchTracer {
             .collect())
     }
 
-    /// The same without what lies beyond a place between the two points.
+    /// Returns the events up to a position between the two points.
     ///
     /// # Errors
     /// As [`BranchTracer::walk`].
@@ -72,7 +72,7 @@ impl BranchTracer {
         Ok(found.map(|(_, found)| found).collect())
     }
 
-    /// How far along the chord of a step a place lies, in the metric.
+    /// Returns the distance of a position along the chord of a step, in the metric.
     fn along<L>(&self, from: &CurvePoint<L>, to: &CurvePoint<L>, place: &Position) -> f64 {
         let metric = Metric::at(&from.position, self.parameter_scale());
         metric.inner(
@@ -115,7 +115,8 @@ impl BranchTracer {
             );
             let Some(place) = place else { continue };
             let at = point(method, &place)?;
-            // Two real multipliers that meet outside the circle are no torus.
+            // Two real multipliers that meet outside the unit circle are no Neimark-Sacker
+            // bifurcation.
             let on_circle = at
                 .orbit
                 .multipliers
@@ -143,12 +144,13 @@ impl BranchTracer {
                 },
             ));
         }
-        // By the key alone what lies about a fold has no order.
+        // Near a fold the key alone gives no order.
         found.sort_by(|x, y| x.0.total_cmp(&y.0));
         Ok(found)
     }
 
-    /// Grazings and levels between two points, by the signs of their test functions.
+    /// Returns grazings and level crossings between two points, by the signs of their test
+    /// functions.
     fn read_between<M: OrbitMethod>(
         &self,
         method: &M,
@@ -171,8 +173,8 @@ impl BranchTracer {
     }
 }
 
-/// Adds what was passed between the last point of a branch and another one: where a bifurcation lies nearer than the accuracy, the other
-/// method may have the place on its other side.
+/// Adds the bifurcations between the last point of a branch and another one. The methods may
+/// disagree on the side of a bifurcation nearer than the accuracy.
 pub(super) fn add_passed(turns: bool, at: &BranchPoint, branch: &mut Branch) {
     let Some(last) = branch.points.last() else {
         return;
@@ -190,7 +192,7 @@ pub(super) fn add_passed(turns: bool, at: &BranchPoint, branch: &mut Branch) {
     }));
 }
 
-/// What must lie between two orbits of a branch that turns between them, or does not.
+/// Returns the events implied by two orbits; `turns` is true where the branch turns between them.
 fn passed(one: &Orbit, two: &Orbit, turns: bool) -> Vec<DetectedEvent> {
     let passes = |s: f64| one.determinant_at(s) * two.determinant_at(s) < 0.0;
     let found = [
@@ -209,7 +211,7 @@ fn passed(one: &Orbit, two: &Orbit, turns: bool) -> Vec<DetectedEvent> {
         .collect()
 }
 
-/// The function of the multipliers that is zero at a bifurcation, for two points on its two sides.
+/// Returns the function of the multipliers that is zero at a bifurcation between two points.
 fn of_multipliers<L>(
     passed: DetectedEvent,
     step: &CurvePoint<L>,
@@ -219,7 +221,8 @@ fn of_multipliers<L>(
     match passed {
         DetectedEvent::PeriodDoubling => determinant_at(map, -1.0),
         DetectedEvent::NeimarkSacker => {
-            // The count decides on the sign: where real multipliers meet on the way, that of any product says nothing.
+            // The number of pairs outside gives the sign: where real multipliers meet, the sign of
+            // a product means nothing.
             let Some(values) = multipliers(map) else {
                 return 0.0;
             };

@@ -1,32 +1,36 @@
-//! Where a doubled branch meets the one that it left: the halves of its orbits pass through each other.
+//! Merging of a doubled branch with its parent: the two halves of its orbits pass through each
+//! other.
 //!
 //! ```text
 //! d = x(n T / 2) - x(0),   d(-s) = -d(s)
 //! ```
 //!
-//! The difference `d` of the halves is an odd function of the way `s` along the curve from that place, because beyond it the branch is its own other
-//! half, shifted by half a period. So the chord of `d` over a short step passes zero there. A difference that only turns round does not.
+//! The difference `d` of the halves is an odd function of the distance `s` along the curve from the
+//! merging point, since beyond it the branch is its own copy, shifted by half a period. So the
+//! chord of `d` over a short step passes through zero there. A difference that only rotates does
+//! not.
 
 use super::branch::{Bifurcation, Branch, BranchKind};
 use super::orbit_point::OrbitPoint;
 use crate::continuation::Position;
 use crate::orbit::{Orbit, OrbitMethod};
 
-/// Distance of the halves of an orbit at the place where they meet, relative to its size: a fold is located to a share of the step, and the distance
-/// goes with its root.
+/// Largest relative distance of the halves at the point where they meet. A fold is located to a
+/// fraction of the step, and the distance is proportional to its square root.
 const MAX_HALF_DISTANCE: f64 = 0.01;
 
-/// Distance from zero of the chord where the halves pass through each other, relative to the distance of the halves at the nearer end of the step.
+/// Distance of the chord from zero where the halves pass through each other, relative to their
+/// distance at the nearer end of the step.
 const MAX_CHORD_DISTANCE: f64 = 0.1;
 
-/// The halves of two neighbouring orbits.
+/// Relation of the halves of two neighbouring orbits.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum HalfPeriods {
-    /// They keep apart.
+    /// They remain apart.
     Apart,
-    /// They pass through each other, at this share of the step.
+    /// They pass through each other at this fraction of the step.
     PassThrough(f64),
-    /// Their difference turns by more than a right angle.
+    /// Their difference rotates by more than a right angle.
     TurnRound,
 }
 
@@ -58,7 +62,7 @@ fn inner(one: &[f64], two: &[f64]) -> f64 {
     one.iter().zip(two).map(|(a, b)| a * b).sum()
 }
 
-/// The place on a step at which a doubled branch merges with the branch that it left.
+/// Returns the position on a step at which a doubled branch merges with its parent.
 pub(super) fn merge<M: OrbitMethod>(
     before: &OrbitPoint<M>,
     after: &OrbitPoint<M>,
@@ -70,7 +74,8 @@ pub(super) fn merge<M: OrbitMethod>(
     }
 }
 
-/// True where the halves turn round on one of the steps between places: a shorter step decides whether they pass through each other.
+/// True where the halves rotate on one of the steps; a shorter step decides whether they pass
+/// through each other.
 pub(super) fn turns_round<M: OrbitMethod>(
     before: &OrbitPoint<M>,
     places: &[OrbitPoint<M>],
@@ -85,8 +90,9 @@ pub(super) fn turns_round<M: OrbitMethod>(
         .any(|pair| HalfPeriods::between(pair[0], pair[1]) == HalfPeriods::TurnRound)
 }
 
-/// True where an orbit and the same half a period on come so near to each other, or part so, that their distance changes by half or passes zero.
-/// There a doubled branch meets the one that it left: it turns, and the square of the distance is a factor of its distance from +1.
+/// True where the distance of an orbit from its copy shifted by half a period changes by half or
+/// passes zero. There a doubled branch meets its parent and turns; the square of the distance is a
+/// factor of its distance from +1.
 pub(super) fn meets_halves(one: &Orbit, two: &Orbit) -> bool {
     let (Some(one), Some(two)) = (one.halves_apart(), two.halves_apart()) else {
         return false;
@@ -95,8 +101,8 @@ pub(super) fn meets_halves(one: &Orbit, two: &Orbit) -> bool {
     inner(&one, &two) <= 0.0 || from.min(to) < 0.5 * from.max(to)
 }
 
-/// Takes the last labels of a doubled branch that has come to the one that it left: there it turns, and meets its own other half, which is
-/// the doubling that the other branch tells.
+/// Removes the last labels of a doubled branch that merged with its parent. There it turns and
+/// meets its own copy; the parent reports this event as the period doubling.
 pub(super) fn drop_doubling(branch: &mut Branch) {
     let is_doubling = |found: &Bifurcation| {
         let orbit = &found.at.orbit;

@@ -4,9 +4,10 @@
 //! F = a + s c,   <c, (u, p) - F> = 0,   R(u, p) = 0
 //! ```
 //!
-//! `a` is a point of the branch, `c` the unit chord to the next one, and `F` the foot of the orbit on it. The plane through `F`
-//! normal to the chord intersects the curve once, at a fold too. Newton starts at `F` and finds the intersection. The orbit lies on the branch when
-//! it is that intersection.
+//! `a` is a point of the branch, `c` the unit chord to the next one, and `F` the projection of the
+//! orbit on it. The hyperplane through `F` normal to the chord intersects the curve once, even at a
+//! fold. Newton's method finds the intersection from `F`. The orbit lies on the branch if it is
+//! that intersection.
 
 use super::branch::{Branch, BranchKind, BranchPoint, Termination};
 use super::tracer::BranchTracer;
@@ -17,13 +18,15 @@ use std::rc::Rc;
 /// Relative distance below which two orbits are the same.
 const SAME_ORBIT_DISTANCE: f64 = 1e-4;
 
-/// The same distance in tolerances of Newton; the larger one counts.
+/// This distance in tolerances of Newton's method; the larger one counts.
 const SAME_ORBIT_GOALS: f64 = 10.0;
 
-/// Largest distance of the curve from its chord, relative to the length of the chord: reached by a corner of a right angle.
+/// Largest distance of the curve from its chord, relative to the chord; a right-angled corner
+/// reaches it.
 const MAX_DISTANCE_FROM_CHORD: f64 = 0.5;
 
-/// Largest distance between a doubling and the end of a branch that merges there, relative to the last chord.
+/// Largest distance between a period doubling and the end of a branch that merges there, relative
+/// to the last chord.
 const MAX_DISTANCE_AT_MERGE: f64 = 0.2;
 
 /// Number of points at which two branches are compared, the first and the last included.
@@ -38,9 +41,9 @@ struct Chord {
     length: f64,
 }
 
-/// The projection of an orbit onto a chord.
+/// Projection of an orbit onto a chord.
 struct ChordProjection {
-    /// The place on the chord.
+    /// Position on the chord.
     at: Position,
     /// The orbit, at one of its drive cycles.
     orbit: Position,
@@ -62,7 +65,8 @@ impl Chord {
         }
     }
 
-    /// The foot of an orbit that may lie on this part of the curve. At an end of the branch the foot may lie one chord beyond.
+    /// Returns the projection of an orbit that may lie on this part of the curve. At an end of the
+    /// branch the projection may lie one chord beyond.
     fn foot(&self, orbit: Position, is_first: bool, is_last: bool) -> Option<ChordProjection> {
         let along = self.metric.inner(&self.ahead, &self.from.to(&orbit));
         let slack = MAX_DISTANCE_FROM_CHORD * self.length;
@@ -85,7 +89,7 @@ fn position(point: &BranchPoint) -> Position {
     }
 }
 
-/// An orbit at each of its drive cycles.
+/// Returns the positions of an orbit at each of its drive cycles.
 fn compared_positions(orbit: &Orbit, parameter: f64) -> impl Iterator<Item = Position> {
     let cycles = orbit.period_cycles as usize;
     orbit
@@ -141,7 +145,7 @@ impl Branch {
         })
     }
 
-    /// True when all of a branch lies on another one.
+    /// True when a branch lies entirely on another one.
     pub(super) fn is_part_of<H: ParametricModel>(
         &self,
         whole: &Branch,
@@ -156,7 +160,8 @@ impl Branch {
                 .all(|point| whole.holds(following, shooting, (&point.orbit, point.parameter)))
     }
 
-    /// Ends at which the branch merges with one of half its period, each with the last chord.
+    /// Returns the ends at which the branch merges with one of half its period, each with the last
+    /// chord.
     fn merged(&self, following: &BranchTracer) -> Vec<(Chord, Position)> {
         let count = self.points.len();
         let ends = match (&self.endings[..], count) {

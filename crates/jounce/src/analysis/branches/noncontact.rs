@@ -1,23 +1,25 @@
-//! Orbits that never touch a stop, of which a plant has one at each value of a key.
+//! Orbits without contact; a plant has one of them at each value of a key.
 //!
-//! Where a branch turns within less than the accuracy of its orbits, as it does at its grazing on a stiff stop, a walk may turn round and run
-//! back over its own points. Nothing that two neighbours show tells that from a fold; but a walk that left the orbits that never touch,
-//! and is among them again at a value that it has passed, has come back. It turned half-way.
+//! At a grazing on a stiff stop a branch may turn within less than the accuracy of its orbits.
+//! Continuation may then turn back over its own points, and two neighbouring points look as at a
+//! fold. But if it leaves the orbits without contact and returns to them at an earlier value, it
+//! has turned back. The turning point is half-way.
 
 use super::branch::{Branch, BranchPoint, Termination};
 use faer::ColRef;
 
-/// Where a walk left the orbits that never touch.
+/// Point where continuation left the orbits without contact.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct NoncontactEnd {
-    /// Points so far.
+    /// Number of points so far.
     points: usize,
-    /// Bifurcations so far.
+    /// Number of bifurcations so far.
     bifurcations: usize,
 }
 
 impl NoncontactEnd {
-    /// Where a step from the last point of a branch leaves them.
+    /// Returns the state of the branch if a step from its last point leaves the orbits without
+    /// contact.
     pub fn between(before: &BranchPoint, after: &BranchPoint, branch: &Branch) -> Option<Self> {
         let leaves = never_touches(before) && !never_touches(after);
         leaves.then_some(Self {
@@ -26,7 +28,8 @@ impl NoncontactEnd {
         })
     }
 
-    /// The point that a branch came back to with its last one, by the number of the next.
+    /// Returns the index of the point after the one to which the branch returned with its last
+    /// point.
     pub fn comes_back(self, branch: &Branch) -> Option<usize> {
         let last = branch.points.last().filter(|last| never_touches(last))?;
         let lies_in = |pair: &[BranchPoint]| {
@@ -42,7 +45,8 @@ impl NoncontactEnd {
             .map(|place| place + 1)
     }
 
-    /// Ends a branch that came back to a point where it turned round, with those of its bifurcations that it passed until then.
+    /// Ends a branch that returned to a point at its turning point, with the bifurcations passed
+    /// until then.
     pub fn end(self, branch: &mut Branch, back_at: usize) {
         let points = &branch.points;
         let step = |pair: &[BranchPoint]| {
@@ -73,7 +77,7 @@ impl NoncontactEnd {
         branch.points.truncate(turn + 1);
         let passed = branch.bifurcations.len() - self.bifurcations;
         branch.bifurcations.truncate(self.bifurcations + passed / 2);
-        let why = "from there the walk came back over its own points; try a smaller tolerance or the other method".to_owned();
+        let why = "the continuation turned back over its own points there; try a smaller tolerance or the other method".to_owned();
         branch.endings.push(Termination::Failed { why, parameter });
     }
 }

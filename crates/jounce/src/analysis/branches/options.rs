@@ -3,17 +3,20 @@
 use super::events::QuantityLevel;
 use crate::continuation::StepControl;
 
-/// Budget by default, drive cycles: some thirteen times what the harvester of the paper needs over its whole range.
+/// Default budget, drive cycles: about thirteen times the need of the harvester of the paper over
+/// its full range.
 const DEFAULT_BUDGET_CYCLES: usize = 10_000;
 
-/// How branches are followed, beside what a search needs in any case.
+/// Options of the continuation of branches, in addition to those of every search.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BranchOptions {
-    /// Largest step along a branch, in the metric of continuation: a relative change of the state, or 1/20 of the range of the key.
+    /// Largest step along a branch, in the metric of continuation: a relative change of the state,
+    /// or 1/20 of the range of the key.
     pub largest_step: f64,
-    /// Work that following may cost: drive cycles of all orbits on the branches. What is left then is counted, not followed.
+    /// Budget in drive cycles of all orbits on the branches. Further branches are counted, not
+    /// followed.
     pub budget: usize,
-    /// Levels of quantities that are labelled where a branch passes them.
+    /// Levels of quantities that are labelled where a branch crosses them.
     pub levels: Vec<QuantityLevel>,
 }
 

@@ -1,4 +1,4 @@
-//! A point of a walk with its orbit.
+//! Point of a continuation with its orbit.
 
 use super::branch::BranchPoint;
 use super::events::TestDataPair;
@@ -7,7 +7,7 @@ use crate::continuation::CurvePoint;
 use crate::orbit::{Eigenbasis, OrbitMethod};
 use std::sync::OnceLock;
 
-/// A walked point with its orbit.
+/// Point of a continuation with its orbit.
 pub(super) struct OrbitPoint<M: OrbitMethod> {
     pub step: CurvePoint<M::Evaluation>,
     pub point: BranchPoint,
@@ -26,7 +26,7 @@ impl<M: OrbitMethod> OrbitPoint<M> {
         })
     }
 
-    /// What its test functions are made of, here and ahead; made when first asked for.
+    /// Returns the data of its test functions, here and ahead; computed on first use.
     pub fn readings(&self, method: &M, following: &BranchTracer) -> Option<&TestDataPair> {
         let make = || {
             TestDataPair::of(
@@ -39,14 +39,14 @@ impl<M: OrbitMethod> OrbitPoint<M> {
         self.readings.get_or_init(make).as_ref()
     }
 
-    /// Eigenvectors of its period map; made when first asked for.
+    /// Returns the eigenvectors of its period map; computed on first use.
     pub fn eigenbasis(&self, method: &M) -> &Option<Eigenbasis> {
         self.eigenbasis
             .get_or_init(|| Eigenbasis::of(&method.shot(&self.step.local).ok()?.block_map))
     }
 }
 
-/// The point of a branch at a step.
+/// Returns the point of a branch at a step.
 pub(super) fn point<M: OrbitMethod>(
     method: &M,
     step: &CurvePoint<M::Evaluation>,

@@ -1,19 +1,20 @@
-//! A start from a stronger drive.
+//! Start from a stronger drive.
 
 use crate::integrate::{Integrator, Kernel};
 
-/// How much stronger the drive is at first.
+/// Initial amplitude of the drive relative to its final one.
 const INITIAL_DRIVE_FACTOR: f64 = 4.0;
 
-/// Steps in which it comes down, each by the same share.
+/// Number of steps of the ramp, of equal ratio.
 const RAMP_STEPS: u32 = 12;
 
 /// Drive cycles of a step.
 const CYCLES_PER_STEP: u32 = 30;
 
-/// The physical state that a march from rest comes to while all drives are eased from a multiple of their amplitudes down to them. Where a strong
-/// drive leaves one answer, the large one, the march stays on it as long as it goes on, and no start under the drive itself need lead there.
-/// `None` where a march fails.
+/// Integrates from rest while all drives are ramped down from a multiple of their amplitudes, and
+/// returns the physical state. A strong drive may leave only the large response, and the
+/// integration stays on it as long as it exists. Starts under the final drive may not lead there.
+/// `None` where an integration fails.
 pub fn eased(kernel: &Kernel, tolerance: f64) -> Option<Vec<f64>> {
     let cycle_s = kernel.plant.period_s()?;
     let mut state = vec![0.0; kernel.plant.len()];

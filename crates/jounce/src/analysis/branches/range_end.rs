@@ -1,7 +1,7 @@
-//! Where a walk leaves the range of its key.
+//! End of a continuation at the end of the range of the key.
 //!
-//! The last point lies exactly on the edge. It is sought along the curve, not along a line of guesses: just below a fold a line runs across
-//! to the other side of it.
+//! The last point lies exactly on the edge. It is searched along the curve, not along a line of
+//! guesses: just below a fold a line crosses to the other side of it.
 
 use super::branch::{Branch, Termination};
 use super::orbit_point::{OrbitPoint, point};
@@ -9,26 +9,28 @@ use super::tracer::BranchTracer;
 use crate::continuation::{CurvePoint, Metric, Position, correct_at, locate, tangent};
 use crate::orbit::OrbitMethod;
 
-/// Distance from an end of the range, beside its width, at which a branch that goes there has come to it: steps are relative to the size
-/// of the answer, so that none of them would reach a drive of amplitude zero.
+/// Distance from an end of the range, relative to its width, at which a branch has reached it.
+/// Steps are relative to the size of the response, so they would never reach a drive of amplitude
+/// zero.
 const RANGE_END_DISTANCE: f64 = 1e-9;
 
-/// Way from the place sought along the curve to the orbit on the edge, beside the step that left the range: farther away lies another one.
+/// Largest distance between the point searched along the curve and the orbit on the edge, relative
+/// to the step; a more distant orbit is another one.
 const MAX_DISTANCE_TO_ORBIT: f64 = 0.01;
 
-/// What a step does to the range.
+/// Relation of a step to the range.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum RangeCrossing {
     /// It stays inside.
     Stays,
-    /// It left; the branch ends on the edge.
+    /// It left, and the branch ends on the edge.
     Left,
     /// It left, and no orbit was found on the edge.
     Lost,
 }
 
 impl BranchTracer {
-    /// Ends a branch whose walk has come to the end of the range.
+    /// Ends a branch that has reached the end of the range.
     ///
     /// # Errors
     /// As [`BranchTracer::walk`].
@@ -79,7 +81,7 @@ impl BranchTracer {
         !(self.range.0..=self.range.1).contains(&parameter)
     }
 
-    /// True where a walk in a direction has come as near to the end of the range as matters.
+    /// True where a continuation in a direction is close enough to the end of the range.
     fn is_at_edge(&self, position: &Position, sense: f64) -> bool {
         let edge = if sense < 0.0 {
             self.range.0
@@ -89,7 +91,7 @@ impl BranchTracer {
         (position.parameter - edge).abs() < RANGE_END_DISTANCE * (self.range.1 - self.range.0)
     }
 
-    /// The fold beyond the range by which a step came back into it.
+    /// Returns the fold beyond the range through which a step came back into it.
     fn beyond<M: OrbitMethod>(
         &self,
         method: &M,
@@ -98,7 +100,7 @@ impl BranchTracer {
     ) -> Option<CurvePoint<M::Evaluation>> {
         let metric = Metric::at(&before.position, self.parameter_scale());
         let length = metric.length(&before.position.to(&after.position));
-        // No curve that bends back goes farther than its tangents.
+        // A curve that bends back stays within its tangents.
         let reach = |step: &CurvePoint<M::Evaluation>, sign: f64| {
             self.is_outside(step.position.parameter + sign * length * step.tangent.parameter)
         };
@@ -121,7 +123,7 @@ impl BranchTracer {
         self.is_outside(fold.position.parameter).then_some(fold)
     }
 
-    /// The orbit on the edge of the range between two places of which the second lies outside.
+    /// Returns the orbit on the edge of the range between two points, the second one outside.
     fn on_edge<M: OrbitMethod>(
         &self,
         method: &M,
@@ -152,7 +154,7 @@ impl BranchTracer {
         let length = metric.length(&before.position.to(&outside.position));
         let is_near =
             metric.length(&near.position.to(&found.position)) <= MAX_DISTANCE_TO_ORBIT * length;
-        // On the other side of a fold the curve goes the other way.
+        // On the other side of a fold the curve has the opposite direction.
         let is_same_side = ahead.parameter * near.tangent.parameter > 0.0;
         (is_near && is_same_side).then(|| CurvePoint {
             position: found.position,

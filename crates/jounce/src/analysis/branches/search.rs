@@ -1,9 +1,11 @@
-//! All branches of a spec over a range of one key.
+//! Search for all branches of a spec over a range of one key.
 //!
-//! The search first follows the branches on which integrations settle: at both ends of the range and at values between them, from rest, from the
-//! steady state without the stop, from a hard kick and from a stronger drive. It then follows the branches that leave these at period
-//! doublings, shorter periods first. Among branches of one period it takes the parent with the largest area below its power first.
-//! Integrations run in parallel; the order of the rest is fixed. The search ends when its budget is spent.
+//! The search first follows the branches on which integrations settle. These start at both ends of
+//! the range and at values between. The initial states are rest, the steady state without the stop,
+//! a large initial velocity and the end of a ramp down from a stronger drive. The search then
+//! follows the branches that leave these at period doublings, shorter periods first. Among branches
+//! of one period it takes the parent with the largest area below its power first. Integrations run
+//! in parallel; the order of the rest is fixed. The search ends when its budget is spent.
 
 use super::branch::{Branch, BranchKind, BranchPoint};
 use super::known::is_end_of_one;
@@ -18,44 +20,46 @@ use crate::orbit::{
 };
 use faer::Mat;
 
-/// How orbits are computed.
+/// Method of computing orbits.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum OrbitMethodKind {
-    /// On the exact flow.
+    /// Shooting on the exact flow.
     Shooting,
-    /// Harmonics at the ports, as many as the accuracy needs.
+    /// Harmonic balance at the ports, with as many harmonics as the accuracy needs.
     HarmonicBalance {
-        /// Harmonics of the drive to begin with.
+        /// Initial number of harmonics of the drive.
         harmonics: usize,
     },
 }
 
-/// A search to be made.
+/// Definition of a search for branches.
 #[derive(Debug)]
 pub struct BranchSearch<'s> {
-    /// The spec at its own values.
+    /// Model of the spec, unchanged.
     pub base: &'s Model,
-    /// The harvesters.
+    /// Family of models over the key.
     pub parameter: &'s Parameter<'s>,
     /// Ends of the range.
     pub range: (f64, f64),
-    /// How orbits are computed.
+    /// Method of computing orbits.
     pub method: OrbitMethodKind,
-    /// Relative tolerance of the marches.
+    /// Relative tolerance of the integrations.
     pub tolerance: f64,
-    /// Values between the ends of the range at which orbits are sought by marching.
+    /// Number of values between the ends of the range at which integrations search for orbits.
     pub seeds: usize,
     /// Longest period of a branch, drive cycles.
     pub longest_period: u32,
 }
 
-/// Most points of a branch.
+/// Largest number of points of a branch.
 const MAX_POINTS: usize = 4000;
 
-/// Share of the range at which no two frequencies, of which one goes with the key, have a common period by chance: that of the golden section.
+/// Golden section of the range. There two frequencies, one of them proportional to the key, have no
+/// common period by chance.
 const GOLDEN_SHARE: f64 = 0.618_033_988_749_894_9;
 
-/// Error of the mean power that is allowed in harmonic balance, beside the tolerance of a march.
+/// Permitted error of the mean power in harmonic balance, relative to the tolerance of an
+/// integration.
 const POWER_ERROR_FACTOR: f64 = 300.0;
 
 type Failure = OrbitError<AnalysisError>;
@@ -83,7 +87,7 @@ impl BranchSearch<'_> {
         Shooting::new(self.parameter, &self.base.kernel, cycles, self.tolerance)
     }
 
-    /// Finds and follows the branches; stopped by its control it gives what is finished.
+    /// Finds and follows the branches; after cancellation returns the finished ones.
     ///
     /// # Errors
     /// [`OrbitError`].
@@ -91,7 +95,7 @@ impl BranchSearch<'_> {
         self.run_with(&BranchOptions::default())
     }
 
-    /// The same with options of its own.
+    /// Finds and follows the branches with the given options.
     ///
     /// # Errors
     /// [`OrbitError`].
@@ -150,7 +154,8 @@ impl BranchSearch<'_> {
         Ok(self.each_once(following, branches))
     }
 
-    /// Harvesters exist at both ends of the range, with drives that repeat themselves together there and in between.
+    /// Checks that models exist at both ends of the range, and that their drives have a common
+    /// period there and between.
     fn check_ends(&self) -> Result<(), Failure> {
         Parameter::check_key(self.parameter.key()).map_err(OrbitError::Harvester)?;
         let between = self.range.0 + GOLDEN_SHARE * (self.range.1 - self.range.0);
@@ -182,7 +187,8 @@ impl BranchSearch<'_> {
             .any(|branch| branch.holds(following, &shooting, orbit))
     }
 
-    /// The branches without those that are parts of others. Two walks may have followed the same curve from different points.
+    /// Removes branches that are parts of others. Two continuations may have followed one curve
+    /// from different points.
     fn each_once(&self, following: &BranchTracer, mut branches: Vec<Branch>) -> Vec<Branch> {
         let mut k = 0;
         while k < branches.len() {
@@ -203,7 +209,7 @@ impl BranchSearch<'_> {
         branches
     }
 
-    /// Enters doubled branches until none is left.
+    /// Follows doubled branches until all are followed.
     fn doubled<M: OrbitMethod<Fault = AnalysisError>>(
         &self,
         following: &BranchTracer,
@@ -235,7 +241,7 @@ impl BranchSearch<'_> {
                 let orbit = method.orbit(&first.local, first.error)?;
                 if !self.is_known(branches, following, (&orbit, first.position.parameter)) {
                     let found = within.walk(&method, first, ahead)?;
-                    // A walk of one point has fallen back to the parent.
+                    // A continuation of one point has fallen back to the parent.
                     if found.points.len() > 1 {
                         branches.push(found);
                         entered.push(false);
@@ -248,7 +254,8 @@ impl BranchSearch<'_> {
         Ok(())
     }
 
-    /// The branch whose doublings come next: of the shortest period, and among those of the largest area below its power.
+    /// Returns the branch whose doublings are followed next: of the shortest period, then of the
+    /// largest area below its power.
     fn next_parent(&self, branches: &[Branch], entered: &[bool]) -> Option<usize> {
         let left = (0..branches.len())
             .filter(|k| !entered[*k] && 2 * branches[*k].period_cycles <= self.longest_period);
@@ -260,7 +267,8 @@ impl BranchSearch<'_> {
         })
     }
 
-    /// A first orbit on the doubled branch, off the doubling along the eigenvector of the multiplier -1.
+    /// Returns a first orbit on the doubled branch, displaced from the doubling along the
+    /// eigenvector of the multiplier -1.
     fn off<M: OrbitMethod<Fault = AnalysisError>>(
         &self,
         following: &BranchTracer,

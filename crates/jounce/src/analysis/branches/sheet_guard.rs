@@ -1,16 +1,17 @@
-//! Steps that may have led to another sheet of the curve.
+//! Guard against steps to another sheet of the curve.
 
 use super::orbit_point::OrbitPoint;
 use super::tracer::BranchTracer;
 use crate::continuation::Metric;
 use crate::orbit::OrbitMethod;
 
-/// Length in the metric of a step after which a branch point is believed.
+/// Length of a step, in the metric, below which a branch point is accepted.
 const TRUSTED_STEP: f64 = 2e-3;
 
 impl BranchTracer {
-    /// True for a step, not yet a short one, on which a multiplier passes +1 though the branch does not turn. That is a branch point, or the
-    /// step ended beyond a fold, on the sheet that comes back from it: then the walk would turn round there. A shorter step tells.
+    /// True for a longer step on which a multiplier passes +1 although the branch does not turn.
+    /// Either there is a branch point, or the step ended beyond a fold on the returning sheet and
+    /// the continuation would turn back. A shorter step decides.
     pub(super) fn may_be_astray<M: OrbitMethod>(
         &self,
         before: &OrbitPoint<M>,

@@ -1,8 +1,8 @@
-//! Fewer points for the same picture.
+//! Simplification of a branch for drawing.
 
 use super::branch::{Branch, BranchPoint};
 
-/// What a picture of a branch shows, each over the range that it takes on the branch.
+/// Quantities of a branch that are drawn, each over its range on the branch.
 const SHOWN_QUANTITIES: [fn(&BranchPoint) -> f64; 5] = [
     |point| point.orbit.mean_power_w,
     |point| point.orbit.mean_power_w.max(f64::MIN_POSITIVE).ln(),
@@ -12,8 +12,8 @@ const SHOWN_QUANTITIES: [fn(&BranchPoint) -> f64; 5] = [
 ];
 
 impl Branch {
-    /// The branch by those of its points without which a curve would be off by more than a share of the height of its picture (Ramer
-    /// 1972, Douglas and Peucker 1973).
+    /// Returns the branch without the points whose removal moves no drawn curve by more than a
+    /// fraction of the height (Ramer 1972, Douglas and Peucker 1973).
     pub fn thinned(&self, share: f64) -> Branch {
         let x = self.scaled(|point| point.parameter);
         let curves = SHOWN_QUANTITIES.map(|shown| self.scaled(shown));
@@ -63,7 +63,7 @@ impl Branch {
     }
 }
 
-/// Distance of a point of a curve from the chord between two others.
+/// Returns the distance of a point of a curve from the chord between two others.
 fn distance([x, y]: [&Vec<f64>; 2], (first, k, last): (usize, usize, usize)) -> f64 {
     let (chord, way) = (
         (x[last] - x[first], y[last] - y[first]),

@@ -1,4 +1,4 @@
-//! Orbits that marches settle on, from which branches are followed.
+//! Orbits on which integrations settle, from which branches are followed.
 
 use super::ramp_down::eased;
 use super::search::BranchSearch;
@@ -6,27 +6,28 @@ use crate::analysis::settled_orbits;
 use crate::orbit::{Orbit, ParametricModel};
 use rayon::prelude::*;
 
-/// Where a march begins.
+/// Initial state of an integration.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum SearchStart {
     /// At rest.
     Rest,
-    /// In the steady state without the stop: where that does not touch, it is the exact low branch.
+    /// Steady state without the stop; without contact it is exactly the low branch.
     Steady,
-    /// With the shape of the stop's port moving fast towards it.
+    /// Shape of the stop's port with a large velocity towards it.
     Kicked,
-    /// Where a stronger drive leaves it that is eased; left out where no seeds are asked for.
+    /// End of a ramp down from a stronger drive; omitted for zero seeds.
     Eased,
 }
 
-/// Speed of a kick, beside that of the steady motion.
+/// Initial velocity relative to the steady motion.
 const KICK_SPEED: f64 = 20.0;
 
-/// Tolerance of marches that only lead to where others start.
+/// Tolerance of integrations that only compute initial states.
 const COARSE_TOLERANCE: f64 = 1e-6;
 
 impl BranchSearch<'_> {
-    /// Settled orbits, shorter periods first: of the lower end, the upper end, then across the range.
+    /// Returns the settled orbits, shorter periods first: at the lower end, the upper end, then
+    /// across the range.
     pub(super) fn starts(&self) -> Vec<(Orbit, f64)> {
         let (low, high) = self.range;
         let inner =
@@ -38,7 +39,7 @@ impl BranchSearch<'_> {
             SearchStart::Kicked,
             SearchStart::Eased,
         ];
-        // Without seeds only what a plain integration reaches.
+        // Without seeds only the orbits of a plain integration.
         let kinds = &kinds[..if self.seeds > 0 { 4 } else { 3 }];
         let control = &self.base.kernel.control;
         control.expect(values.len());
@@ -59,12 +60,12 @@ impl BranchSearch<'_> {
         };
         let mut found: Vec<(SearchStart, (Orbit, f64))> =
             values.par_iter().flat_map_iter(settled).collect();
-        // The eased starts last, so that they only add to what the others find.
+        // The ramped starts are last, so they only add to the others.
         found.sort_by_key(|(kind, (orbit, _))| (orbit.period_cycles, *kind == SearchStart::Eased));
         found.into_iter().map(|(_, found)| found).collect()
     }
 
-    /// The physical state of a start.
+    /// Returns the physical state of a start.
     fn start(&self, value: f64, start: SearchStart) -> Option<Vec<f64>> {
         let kernel = self.parameter.at(value).ok()?.kernel;
         let plant = &kernel.plant;

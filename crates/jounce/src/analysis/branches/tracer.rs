@@ -1,4 +1,4 @@
-//! Follows one branch from one of its orbits, and names what it passes.
+//! Continuation of one branch from one of its orbits, with its events.
 
 use super::adapt_order::COARSER_BELOW_ERROR;
 use super::branch::{Bifurcation, Branch, BranchKind, BranchPoint, Termination};
@@ -15,36 +15,37 @@ use crate::continuation::{
 use crate::integrate::SensitivityError;
 use crate::orbit::{OrbitError, OrbitMethod, nearest_extremum_m};
 
-/// Distance from the stop, beside the size of the motion, below which an orbit touches it.
+/// Distance from the stop, relative to the size of the motion, below which an orbit touches it.
 const GRAZING_DISTANCE: f64 = 1e-6;
 
-/// Length in the metric to which a bifurcation is located, where nothing else is asked.
+/// Default length, in the metric, to which a bifurcation is located.
 pub(in crate::analysis) const RESOLUTION: f64 = 1e-8;
 
-/// Newton's goal beside the tolerance of a march: one more evaluation would square what is left, and the estimate tells it.
+/// Newton's goal relative to the tolerance of an integration. One more iteration would square the
+/// residual; the error estimate states it.
 const NEWTON_GOAL_FACTOR: f64 = 50.0;
 
-/// Least and largest goal; where marches are coarser than that, no correction is told more closely than they are.
+/// Limits of the goal. With coarser integrations no correction is more accurate than they are.
 const NEWTON_GOAL_LIMITS: (f64, f64) = (1e-11, 1e-6);
 
-/// Newton's goal for marches of a tolerance.
+/// Returns Newton's goal for a tolerance of integration.
 pub(super) fn newton_goal(tolerance: f64) -> f64 {
     (NEWTON_GOAL_FACTOR * tolerance)
         .clamp(NEWTON_GOAL_LIMITS.0, NEWTON_GOAL_LIMITS.1.max(tolerance))
 }
 
-/// How branches are followed.
+/// Continuation of branches with its settings.
 #[derive(Debug, Clone)]
 pub struct BranchTracer {
     /// Ends of the range of the key.
     pub range: (f64, f64),
     /// Newton's goal.
     pub corrector: Corrector,
-    /// The law of the step.
+    /// Step size control.
     pub control: StepControl,
-    /// Most points.
+    /// Largest number of points.
     pub most_points: usize,
-    /// Most drive cycles of all orbits on the branches.
+    /// Largest number of drive cycles of all orbits on the branches.
     pub budget: usize,
     /// Length in the metric to which bifurcations are located.
     pub resolution: f64,
@@ -53,7 +54,8 @@ pub struct BranchTracer {
 }
 
 impl BranchTracer {
-    /// The same for one more branch of a period, with as many points as the budget leaves; `None` where that is not one step.
+    /// Returns the tracer for one more branch of a period, with as many points as the budget
+    /// permits; `None` where it permits no step.
     pub(super) fn within(&self, branches: &[Branch], cycles: u32) -> Option<Self> {
         let left = self
             .budget
@@ -65,12 +67,13 @@ impl BranchTracer {
         })
     }
 
-    /// Scale of the parameter in the metric.
+    /// Returns the scale of the parameter in the metric.
     pub fn parameter_scale(&self) -> f64 {
         (self.range.1 - self.range.0) / 20.0
     }
 
-    /// Walks both ways from the orbit that Newton finds near a state in energy coordinates; nothing where it finds none.
+    /// Follows both directions from the orbit that Newton's method finds near a state in energy
+    /// coordinates; `None` where it finds no orbit.
     ///
     /// # Errors
     /// As [`BranchTracer::walk`].
@@ -119,10 +122,10 @@ impl BranchTracer {
         })
     }
 
-    /// Walks from an orbit in a direction until the branch ends.
+    /// Continues from an orbit in a direction until the branch ends.
     ///
     /// # Errors
-    /// An orbit whose multipliers cannot be computed, or a harvester that cannot be made.
+    /// The multipliers of an orbit cannot be computed, or a model cannot be built.
     pub fn walk<M: OrbitMethod>(
         &self,
         method: &M,
@@ -154,7 +157,7 @@ impl BranchTracer {
         Ok(branch)
     }
 
-    /// Walks on from the last point of a branch, as the walk did that made the mark.
+    /// Continues from the last point of a branch, with the step size of the checkpoint.
     fn walk_on<M: OrbitMethod>(
         &self,
         method: &M,
@@ -205,7 +208,8 @@ impl BranchTracer {
                 true => vec![after],
                 false => self.resolved(method, &before, after, &mut not_proved)?,
             };
-            // Newton may have strayed to an orbit of fewer cycles; if a short step gets there too, the branch ends on it.
+            // Newton's method may have reached an orbit of fewer cycles; if a short step gets there
+            // too, the branch ends on it.
             let merges = places.iter().any(|place| place.point.orbit.repeats_early());
             if (merges || turns_round(&before, &places)) && walk.retreat(mark.clone()) {
                 continue;
@@ -234,7 +238,7 @@ impl BranchTracer {
         Ok(())
     }
 
-    /// A walk from a start, as the one did that made the mark.
+    /// Creates a continuation from a start, with the step size of the checkpoint.
     fn resumed<'m, M: OrbitMethod>(
         &self,
         method: &'m M,
@@ -256,7 +260,7 @@ impl BranchTracer {
         walk
     }
 
-    /// Adds a point with what was passed on the way to it; true where the branch ends with it.
+    /// Adds a point with the events before it; true where the branch ends with it.
     fn ends_with<M: OrbitMethod>(
         &self,
         method: &M,
@@ -274,7 +278,8 @@ impl BranchTracer {
             None
         };
         branch.bifurcations.extend(match home.or(merge.as_ref()) {
-            // What lies beyond its start was listed when it set out; beyond a merge its other half repeats what was listed before.
+            // Events beyond the start were listed at the beginning; beyond a merge the other half
+            // repeats earlier events.
             Some(end) => self.until(method, (before, after), end)?,
             None => self.between(method, before, after)?,
         });
@@ -296,8 +301,9 @@ impl BranchTracer {
         Ok(ends)
     }
 
-    /// Ends a branch that cannot be followed: where the shortest step leads to a motion that sticks; at a grazing where the orbit touches the
-    /// stop there, for on a stiff stop a branch turns at its grazing more sharply than any step can follow.
+    /// Ends a branch whose continuation failed: with sticking where the smallest step leads to a
+    /// motion that sticks, or at a grazing where the orbit touches the stop. On a stiff stop a
+    /// branch turns there more sharply than any step can follow.
     fn give_up<M: OrbitMethod>(
         &self,
         method: &M,
@@ -332,7 +338,7 @@ impl BranchTracer {
         Ok(())
     }
 
-    /// The place of its start that a branch passes on a step.
+    /// Returns the position of its start that a branch passes on a step.
     fn home<'b, M: OrbitMethod>(
         &self,
         beginning: &'b TracerStart,
@@ -341,7 +347,7 @@ impl BranchTracer {
         points: usize,
     ) -> Option<&'b Position> {
         let metric = Metric::at(&after.step.position, self.parameter_scale());
-        // Another sheet of the curve may pass near by, in the other sense.
+        // Another sheet of the curve may pass nearby in the opposite direction.
         let goes_alike = beginning.sense * after.step.tangent.parameter > 0.0;
         let closes = |origin: &&Position| {
             passes(&metric, origin, &before.step.position, &after.step.position)
@@ -355,7 +361,7 @@ impl BranchTracer {
 }
 
 fn lost_at_edge(parameter: f64) -> Termination {
-    let why = "beyond it the branch leaves the range, and no orbit was found on the edge: give a wider range".to_owned();
+    let why = "the branch leaves the range beyond this value, and no orbit was found on the edge; give a wider range".to_owned();
     Termination::Failed { why, parameter }
 }
 
@@ -366,13 +372,13 @@ fn end(ending: Termination, branch: &mut Branch) {
     branch.endings.push(ending);
 }
 
-/// How a walk began.
+/// Start of a continuation.
 struct TracerStart {
-    /// The first orbit, looked at in each of its drive cycles: a branch closes where it comes back to any of them.
+    /// First orbit at each of its drive cycles; a branch closes where it returns to any of them.
     origins: Vec<Position>,
-    /// Sense of the parameter.
+    /// Direction of the parameter.
     sense: f64,
-    /// Where the walk left the orbits that never touch.
+    /// Point where the continuation left the orbits without contact.
     left: Option<NoncontactEnd>,
 }
 
@@ -393,7 +399,7 @@ impl TracerStart {
         })
     }
 
-    /// In the unknown of another method.
+    /// Converts to the unknown of another method.
     fn carried<M: OrbitMethod>(self, method: &M) -> Self {
         let carried = |origin: Position| Position {
             unknown: method.carried(&origin.unknown),

@@ -1,7 +1,8 @@
-//! Branches of a harvester next to another one whose orbits are known: what can be had in the time of a frame.
+//! Branches of a model next to another one with known orbits, fast enough for interactive use.
 //!
-//! Every known orbit is corrected by Newton at its own value of the key, and followed both ways from there. Nothing is marched to rest,
-//! so that branches on which no known orbit lies are not found: [`BranchSearch`](super::BranchSearch) finds those.
+//! Newton's method corrects every known orbit at its own value of the key, and both directions are
+//! followed from there. Nothing is integrated to a steady state, so branches without a known orbit
+//! are not found: [`BranchSearch`](super::BranchSearch) finds those.
 
 use super::branch::Branch;
 use super::tracer::{BranchTracer, newton_goal};
@@ -10,7 +11,7 @@ use crate::continuation::{Corrector, Metric, Position, StepControl, correct_at};
 use crate::integrate::Kernel;
 use crate::orbit::{OrbitError, OrbitMethod, Shooting};
 
-/// An orbit of a neighbouring harvester.
+/// Orbit of a neighbouring model.
 #[derive(Debug, Clone, PartialEq)]
 pub struct KnownOrbit {
     /// Period in drive cycles.
@@ -21,25 +22,26 @@ pub struct KnownOrbit {
     pub parameter: f64,
 }
 
-/// Branches to be followed from known orbits.
+/// Definition of a continuation from known orbits.
 #[derive(Debug)]
 pub struct WarmStart<'s> {
-    /// The harvesters.
+    /// Family of models over the key.
     pub harvester: &'s Parameter<'s>,
-    /// One of them.
+    /// Kernel of one of these models.
     pub kernel: &'s Kernel,
     /// Ends of the range of the key.
     pub range: (f64, f64),
-    /// Relative tolerance of the marches.
+    /// Relative tolerance of the integrations.
     pub tolerance: f64,
-    /// The law of the step.
+    /// Step size control.
     pub control: StepControl,
-    /// Length in the metric (a twentieth of the range counts as one) to which bifurcations are located.
+    /// Length in the metric (a twentieth of the range counts as one) to which bifurcations are
+    /// located.
     pub resolution: f64,
 }
 
 impl WarmStart<'_> {
-    /// Follows the branches; a known orbit that Newton does not find again is left out.
+    /// Follows the branches; known orbits at which Newton's method fails are omitted.
     ///
     /// # Errors
     /// [`OrbitError`].

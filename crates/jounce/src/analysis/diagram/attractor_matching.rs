@@ -1,10 +1,12 @@
-//! Attractors matched from one value of the key to the next.
+//! Matching of attractors between successive values of the key.
 //!
-//! An attractor goes on where a march from it at the next value ends on an attractor of the same period from which a march back ends on
-//! the first: both are one. One of the two marches is enough where the points of the section lie near each other, for over a coarse
-//! step the other may leave the basin. Where a step leads away, the way between both values is gone in shorter and shorter ones, each of which
-//! must end near where it begins and keep the period. Otherwise the first is lost and the second is new; each names the other end of its
-//! march. An attractor that only such a march finds is counted as seen by no start.
+//! Two attractors at successive values match if an integration from each one, at the value of the
+//! other, ends on the other with the same period. One of the two integrations is enough where their
+//! Poincare sections are close, since a coarse step can leave the basin. Where one step fails, the
+//! interval is divided into more and more steps; each must end close to its start and preserve the
+//! period. Otherwise the first attractor ends and the second begins, and each names the attractor
+//! that its integration reached. An attractor found only by such an integration has a fraction of
+//! 0.
 
 use super::attractor_track::{AttractorTrack, TrackPoint, Transition};
 use super::diagram_point::{DiagramPoint, SectionState};
@@ -13,22 +15,23 @@ use crate::analysis::basins::wilson;
 use crate::analysis::{AnalysisError, AttractorKind, SweepDirection};
 use rayon::prelude::*;
 
-/// Distance of two sections, beside their size, below which one march is enough.
+/// Distance of two sections relative to their size, below which one integration is enough.
 const MAX_SINGLE_STEP_DISTANCE: f64 = 0.3;
 
-/// Numbers of steps in which the way from one value to the next is gone where one step is too coarse.
+/// Numbers of steps between two values where one step is too coarse.
 const STEP_SUBDIVISIONS: [u32; 3] = [2, 4, 8];
 
-/// What the visits from many starts have in common.
+/// Attractors tracked over all points of a diagram from many starts.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AttractorTracks {
     /// Attractors by first appearance.
     pub attractors: Vec<AttractorTrack>,
-    /// For each visit, the place of its attractor in the list; `None` for a march that failed.
+    /// For each point, the index of its attractor in the list; `None` for an integration that
+    /// failed.
     pub homes: Vec<Option<usize>>,
 }
 
-/// Visits at one value that end on one attractor.
+/// Points at one value that end on one attractor.
 #[derive(Debug, Clone)]
 struct VisitGroup {
     first: DiagramPoint,
@@ -36,10 +39,10 @@ struct VisitGroup {
 }
 
 impl Diagram<'_> {
-    /// Matches the attractors of visits from many starts along the key.
+    /// Matches the attractors of points from many starts along the key.
     ///
     /// # Errors
-    /// A harvester that cannot be made.
+    /// A model cannot be built.
     pub fn history(&self, visits: &[DiagramPoint]) -> Result<AttractorTracks, AnalysisError> {
         let mut history = AttractorTracks {
             attractors: Vec::new(),
@@ -121,7 +124,8 @@ impl Diagram<'_> {
         Ok(history)
     }
 
-    /// Where attractors go at the next value, and whether shorter steps led there because a single one leads away.
+    /// Returns where attractors lead at the next value, and true where that took shorter steps
+    /// because a single one failed.
     fn followed(
         &self,
         before: &[(VisitGroup, usize)],
@@ -142,7 +146,8 @@ impl Diagram<'_> {
         before.par_iter().map(follow).collect()
     }
 
-    /// The way of an attractor to another value in so many steps: the last visit, and the same where no step leads away from it.
+    /// Follows an attractor to another value in `steps` steps. Returns the last point, and again
+    /// the last point if every step stayed close.
     fn bridge(
         &self,
         from: &DiagramPoint,
@@ -174,7 +179,7 @@ impl Diagram<'_> {
         Ok((last.clone(), Some(last)))
     }
 
-    /// Where marches at a value from the ends of other visits end.
+    /// Returns the end points of integrations at a value from the ends of other points.
     fn reached<'v>(
         &self,
         from: impl Iterator<Item = &'v DiagramPoint>,
@@ -225,12 +230,13 @@ impl AttractorTracks {
     }
 }
 
-/// True for the same kind of motion with the same period.
+/// True for attractors of one kind and period.
 fn alike(one: &DiagramPoint, other: &DiagramPoint) -> bool {
     one.motion == other.motion && one.period_cycles == other.period_cycles
 }
 
-/// Attractors before and here that are one, nearest first, each in one pair only.
+/// Returns the matching pairs of attractors before and here, nearest first; each attractor is in
+/// one pair at most.
 fn partners(
     before: &[(VisitGroup, usize)],
     here: &[VisitGroup],
@@ -267,7 +273,7 @@ fn partners(
     chosen
 }
 
-/// Visits at a value by attractor, by period and falling power.
+/// Groups the points at a value by attractor, sorted by period and falling power.
 fn groups(visits: &[DiagramPoint], value: f64) -> Vec<VisitGroup> {
     let mut groups: Vec<VisitGroup> = Vec::new();
     let own = visits

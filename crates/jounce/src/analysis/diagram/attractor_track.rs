@@ -11,44 +11,46 @@ pub struct TrackPoint {
     pub parameter: f64,
     /// Mean power, W.
     pub mean_power_w: f64,
-    /// Contacts per period, 0 for none.
+    /// Contacts per period, 0 without contact.
     pub contacts_per_period: u64,
-    /// Share of the starts whose march did not fail; 0 where only a march from the neighbouring value finds it.
+    /// Fraction of the successful starts; 0 where only an integration from the neighbouring value
+    /// finds it.
     pub fraction: f64,
-    /// Lower end of its 95 % interval.
+    /// Lower end of the 95 % interval of the fraction.
     pub fraction_low: f64,
-    /// Upper end of its 95 % interval.
+    /// Upper end of the 95 % interval of the fraction.
     pub fraction_high: f64,
 }
 
-/// How an attractor begins or ends.
+/// Begin or end of an attractor.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Transition {
-    /// First value at which it is there, or no longer there, SI.
+    /// First value at which the attractor exists, or is missing, SI.
     pub parameter: f64,
-    /// The attractor that a march over the step comes from, or ends on; `None` for one that was not seen there.
+    /// Id of the attractor that the integration over the step comes from or ends on; `None` if it
+    /// was not found there.
     pub other: Option<String>,
 }
 
-/// An attractor with its own id.
+/// Attractor followed over the values of the key.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct AttractorTrack {
     /// Drive cycles of the period and a letter by first appearance: `1a`, `2a`; `chaos-a`.
     pub id: String,
-    /// What the motion is.
+    /// Kind of the attractor.
     pub motion: AttractorKind,
-    /// Drive cycles of the period, 0 for none.
+    /// Drive cycles of the period, 0 for an aperiodic motion.
     pub period_cycles: u32,
-    /// How it came about; `None` where it is there at the first value.
+    /// Transition where it begins; `None` where it exists at the first value.
     pub born: Option<Transition>,
-    /// How it ended; `None` where it is there at the last value.
+    /// Transition where it ends; `None` where it exists at the last value.
     pub died: Option<Transition>,
-    /// Where it was seen.
+    /// Points at which it was found.
     pub seen: Vec<TrackPoint>,
 }
 
 impl AttractorTrack {
-    /// A name that is not taken yet.
+    /// Returns an id that is not in use yet.
     pub(super) fn name(known: &[AttractorTrack], of: &DiagramPoint) -> String {
         let alike = |known: &&AttractorTrack| {
             known.motion == of.motion && known.period_cycles == of.period_cycles

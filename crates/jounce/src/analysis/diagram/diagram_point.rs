@@ -1,4 +1,4 @@
-//! Where one march at one value of the key ends.
+//! End of one integration at one value of the key.
 
 use super::SectionPoint;
 use crate::analysis::{
@@ -9,35 +9,37 @@ use crate::integrate::{IntegrationError, Integrator, Kernel};
 use crate::orbit::ParametricModel;
 use serde::{Deserialize, Serialize};
 
-/// Distance of two sections, relative to their size, below which they are of one orbit: far above the error of an orbit.
+/// Relative distance of two sections, below which they belong to one orbit; far above the error of
+/// an orbit.
 const SAME_ORBIT_DISTANCE: f64 = 1e-4;
 
-/// A march at one value.
+/// Result of an integration at one value.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct DiagramPoint {
-    /// Place in the diagram, from 0.
+    /// Index in the diagram, from 0.
     pub index: usize,
     /// Value of the key, SI.
     pub parameter: f64,
-    /// How it was reached.
+    /// Direction from which it was reached.
     pub direction: SweepDirection,
     /// Number of the start in its cloud, 0 when stepped.
     pub start: usize,
-    /// What the motion is.
+    /// Kind of the attractor.
     pub motion: AttractorKind,
-    /// Drive cycles of the period, 0 for none.
+    /// Drive cycles of the period, 0 for an aperiodic motion.
     pub period_cycles: u32,
-    /// Contacts per period, 0 for none.
+    /// Contacts per period, 0 without contact.
     pub contacts_per_period: u64,
     /// Mean power of all loads, W.
     pub mean_power_w: f64,
-    /// The motion at the start of each drive cycle: of one period, or of as many cycles as were asked for.
+    /// Poincare section at the start of each drive cycle: over one period, or over the requested
+    /// number of cycles.
     pub section: Vec<SectionPoint>,
     /// Physical state `(q, q', V)` at the start of a drive cycle.
     pub end: Vec<f64>,
 }
 
-/// A place in a diagram.
+/// Index, value, direction and start of one point in a diagram.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SectionState {
     pub index: usize,
@@ -47,7 +49,7 @@ pub struct SectionState {
 }
 
 impl DiagramPoint {
-    /// Marches from a physical start; motions without a period show `cycles` points.
+    /// Integrates from a physical start; an aperiodic motion has `cycles` section points.
     pub(super) fn march(
         (base, parameter): (&Model, &Parameter),
         place: SectionState,
@@ -115,7 +117,7 @@ impl DiagramPoint {
         Ok(visit)
     }
 
-    /// True when both end on the same attractor: one orbit, or motions of one kind.
+    /// True when both end on one attractor: on one orbit, or on aperiodic motions of one kind.
     pub(super) fn is_of(&self, other: &DiagramPoint) -> bool {
         self.motion == other.motion
             && (self.motion != AttractorKind::Orbit
@@ -124,8 +126,8 @@ impl DiagramPoint {
                     .is_some_and(|apart| apart < SAME_ORBIT_DISTANCE))
     }
 
-    /// Distance of the sections of two orbits of one period beside the larger of them, at the best order of their points; `None`
-    /// without a period.
+    /// Distance of the sections of two orbits of one period, relative to the larger section,
+    /// minimised over the order of their points; `None` for an aperiodic motion.
     pub(super) fn apart(&self, other: &DiagramPoint) -> Option<f64> {
         let cycles = self.section.len();
         if self.period_cycles == 0 || cycles == 0 || other.section.len() != cycles {
@@ -155,7 +157,7 @@ impl DiagramPoint {
     }
 }
 
-/// Physical states at the start of drive cycles, the given one first.
+/// Returns the physical states at the start of drive cycles, the given one first.
 fn strobe_states(
     kernel: &Kernel,
     start: &[f64],

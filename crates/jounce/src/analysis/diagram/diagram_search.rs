@@ -1,4 +1,5 @@
-//! Marches at every value of a key: stepped up or down with the state carried over, or from a cloud of starts.
+//! Integrations at every value of a key: stepped up or down with the state carried over, or from a
+//! cloud of starts.
 
 use super::diagram_point::{DiagramPoint, SectionState};
 use crate::analysis::{
@@ -7,49 +8,50 @@ use crate::analysis::{
 use crate::orbit::ParametricModel;
 use rayon::prelude::*;
 
-/// Order of visit.
+/// Order of the points of a diagram.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum DiagramOrder {
     /// From the first value to the last, from rest.
     Up,
     /// From the last value to the first, from rest.
     Down,
-    /// Up, then down from where it arrived.
+    /// Up, then down from the last state.
     Both,
     /// At each value from every start of a cloud, in parallel.
     Starts(Cloud),
 }
 
-/// A diagram to be made.
+/// Definition of a bifurcation diagram.
 #[derive(Debug)]
 pub struct Diagram<'s> {
-    /// The spec at its own values.
+    /// Model of the spec, unchanged.
     pub base: &'s Model,
-    /// The harvesters.
+    /// Family of models over the key.
     pub parameter: &'s Parameter<'s>,
     /// Values of the key.
     pub values: &'s [f64],
-    /// Order of visit.
+    /// Order of the points.
     pub order: DiagramOrder,
-    /// Points kept of a motion without a period.
+    /// Section points recorded for an aperiodic motion.
     pub cycles: u32,
-    /// Relative tolerance of the marches.
+    /// Relative tolerance of the integrations.
     pub tolerance: f64,
 }
 
 impl Diagram<'_> {
-    /// Number of marches.
+    /// Number of integrations.
     pub fn len(&self) -> usize {
         self.places().len()
     }
 
-    /// True without a march.
+    /// True for a diagram without integrations.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
-    /// Makes the diagram. `done` hears of each finished march; the control of its harvester ends it early, with what is finished given back
-    /// and kept in the journal. Visits come back in order.
+    /// Computes the diagram and returns its points in order. `done` is called for each finished
+    /// point. The control of the model cancels it; the finished points are then returned and remain
+    /// in the journal.
     ///
     /// # Errors
     /// [`AnalysisError`].
@@ -79,7 +81,7 @@ impl Diagram<'_> {
         Ok(visits)
     }
 
-    /// A march that is finished; `None` where it was stopped on its way.
+    /// Returns a finished point; `None` where it was cancelled.
     fn finished(
         &self,
         place: SectionState,
@@ -93,7 +95,7 @@ impl Diagram<'_> {
         Ok((!stopped()).then_some(visit))
     }
 
-    /// A march at a value from a physical start.
+    /// Integrates at a value from a physical start.
     pub(super) fn visit(
         &self,
         place: SectionState,
@@ -146,7 +148,8 @@ impl Diagram<'_> {
                 if let Some(visit) = found.iter().find(|visit| visit.index == place.index) {
                     return Ok(Some(visit.clone()));
                 }
-                // Before the harvester is made: of the places that are left when the work is stopped, none takes time.
+                // Checked before the model is built, so that after cancellation the remaining
+                // points take no time.
                 if self.base.kernel.control.is_stopped() {
                     return Ok(None);
                 }

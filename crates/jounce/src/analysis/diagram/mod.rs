@@ -1,4 +1,5 @@
-//! Bifurcation diagrams by marching: where the motion is at the start of each drive cycle, over one key of a spec.
+//! Bifurcation diagrams by integration: Poincare section at the start of each drive cycle, over one
+//! key of a spec.
 
 mod attractor_matching;
 mod attractor_track;

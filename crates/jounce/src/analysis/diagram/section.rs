@@ -1,4 +1,4 @@
-//! The motion as the stop sees it, at the start of a drive cycle.
+//! Poincare section: motion at the stop at the start of a drive cycle.
 
 use crate::analysis::{AnalysisError, Model, Parameter};
 use crate::orbit::{Orbit, ParametricModel, Shooting};
@@ -8,16 +8,17 @@ use serde::{Deserialize, Serialize};
 /// A point of the Poincare section.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct SectionPoint {
-    /// Displacement of the port towards the stop, m; the first of the spec where there are several.
+    /// Displacement of the port towards the stop, m; with several stops, at the first of the spec.
     pub displacement_m: f64,
-    /// Its velocity, m/s.
+    /// Velocity of the port, m/s.
     pub velocity_m_per_s: f64,
     /// Voltage of the first patch, V.
     pub voltage_v: f64,
 }
 
 impl SectionPoint {
-    /// Of a physical state `(q, q', V)`; without a stop, where the first drive acts.
+    /// Returns the section of a physical state `(q, q', V)`; without a stop, at the point of the
+    /// first drive.
     pub fn of(system: &System, state: &[f64]) -> Self {
         let n = system.modes.len();
         let stop = system.stops.first().map(|stop| &stop.shape);
@@ -32,10 +33,10 @@ impl SectionPoint {
         }
     }
 
-    /// Of an orbit, one for each drive cycle of its period.
+    /// Returns the section points of an orbit, one for each drive cycle of its period.
     ///
     /// # Errors
-    /// A harvester that cannot be made.
+    /// A model cannot be built.
     pub fn of_orbit(
         base: &Model,
         parameter: &Parameter,

@@ -1,23 +1,23 @@
-//! What the members of an ensemble say of each stop, with 95 % intervals.
+//! Contact statistics of each stop over the members of an ensemble, with 95 % intervals.
 
 use super::estimate::{Estimate, IntervalOver};
 use super::member::Member;
 use crate::integrate::ContactStatistics;
 use serde::Serialize;
 
-/// Contacts of one stop in a stretch of time.
+/// Contacts of one stop in a time interval.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct ContactCount {
     /// Contacts that began.
     pub contacts: u64,
-    /// Sum over them of the speed at which they began, m/s.
+    /// Sum of the impact velocities of these contacts, m/s.
     pub strike_sum_m_s: f64,
     /// Time in contact, s.
     pub time_s: f64,
 }
 
 impl ContactCount {
-    /// What came after an earlier count.
+    /// Returns the increase since an earlier count.
     pub(super) fn since(statistics: &ContactStatistics, earlier: &Self) -> Self {
         Self {
             contacts: statistics.contacts - earlier.contacts,
@@ -26,7 +26,7 @@ impl ContactCount {
         }
     }
 
-    /// Both together.
+    /// Returns the sum of two counts.
     pub(super) fn and(&self, other: &Self) -> Self {
         Self {
             contacts: self.contacts + other.contacts,
@@ -39,11 +39,11 @@ impl ContactCount {
 /// One stop in one member, over its averaging window.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct MemberStop {
-    /// In each batch of the window.
+    /// Count in each batch of the window.
     pub batches: Vec<ContactCount>,
-    /// Largest speed at which a contact began, m/s.
+    /// Largest impact velocity, m/s.
     pub max_impact_velocity_m_s: f64,
-    /// Longest time that a contact lasted, s.
+    /// Longest duration of a contact, s.
     pub max_contact_duration_s: f64,
     /// Largest contact force, N; 0 for impacts on a rigid stop.
     pub max_contact_force_n: f64,
@@ -66,15 +66,15 @@ pub struct StopEstimates {
     pub name: String,
     /// Contacts per second, Hz.
     pub contact_rate_hz: Estimate,
-    /// Mean speed at which contacts began, m/s.
+    /// Mean impact velocity, m/s.
     pub mean_impact_velocity_m_s: Estimate,
-    /// Largest of these speeds, m/s.
+    /// Largest impact velocity, m/s.
     pub max_impact_velocity_m_s: f64,
-    /// Mean time that a contact lasts, s.
+    /// Mean duration of a contact, s.
     pub mean_contact_duration_s: Estimate,
-    /// Longest of these times, s.
+    /// Longest duration of a contact, s.
     pub max_contact_duration_s: f64,
-    /// Share of the time in contact, 0 to 1.
+    /// Fraction of the time in contact, 0 to 1.
     pub contact_duty: Estimate,
     /// Largest contact force, N; 0 for impacts on a rigid stop.
     pub max_contact_force_n: f64,
@@ -83,7 +83,7 @@ pub struct StopEstimates {
 }
 
 impl StopEstimates {
-    /// Of stop number `index`; a batch lasts `batch_s`.
+    /// Estimates of stop number `index`; a batch lasts `batch_s`.
     pub(super) fn of(name: &str, members: &[Member], index: usize, batch_s: f64) -> Self {
         let interval = IntervalOver::of(members.len());
         let own = || members.iter().map(move |member| &member.stops[index]);

@@ -1,11 +1,13 @@
-//! A mean with its 95 % interval.
+//! Mean with its 95 % confidence interval.
 //!
-//! Members of an ensemble are independent, so that with `n >= 8` of them the interval is Student's over their means. With fewer, each
-//! window is cut into 16 batches, and the interval is Student's over all batch means: right as long as a batch
-//! is much longer than the memory of the harvester.
+//! Members of an ensemble are independent. With `n >= 8` members the interval is Student's over
+//! their means. With fewer, each window is cut into 16 batches, and the interval is Student's over
+//! all batch means. This is valid as long as a batch is much longer than the correlation time of
+//! the harvester.
 //!
-//! Source: M. Abramowitz, I. Stegun, Handbook of Mathematical Functions, 26.7.5 (quantiles of Student's distribution from those of the
-//! normal one; the error is below 1e-4 from 7 degrees of freedom on).
+//! Source: M. Abramowitz, I. Stegun, Handbook of Mathematical Functions, 26.7.5 (quantiles of
+//! Student's distribution from those of the normal one; the error is below 1e-4 from 7 degrees of
+//! freedom on).
 
 use super::member::Member;
 use serde::Serialize;
@@ -13,10 +15,10 @@ use serde::Serialize;
 /// Normal quantile of a two-sided interval of 95 %.
 const QUANTILE_95: f64 = 1.959_963_984_540_054;
 
-/// From this number on members speak for themselves.
+/// Number of members from which the interval is over the means of members.
 const MIN_MEMBERS_FOR_INTERVAL: usize = 8;
 
-/// What an interval was taken over.
+/// Values over which an interval was computed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum IntervalOver {
@@ -27,7 +29,7 @@ pub enum IntervalOver {
 }
 
 impl IntervalOver {
-    /// What an interval is taken over with a number of members.
+    /// Returns the kind of interval for a number of members.
     pub(super) fn of(members: usize) -> Self {
         if members >= MIN_MEMBERS_FOR_INTERVAL {
             Self::Members
@@ -37,19 +39,19 @@ impl IntervalOver {
     }
 }
 
-/// A mean and half the width of its 95 % interval.
+/// Mean and half width of its 95 % interval.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Estimate {
     /// Mean.
     pub mean: f64,
-    /// Half the width of its 95 % interval.
+    /// Half width of the 95 % interval.
     pub half_width: f64,
-    /// What the interval was taken over.
+    /// Values over which the interval was computed.
     pub interval: IntervalOver,
 }
 
 impl Estimate {
-    /// Of the mean power of all loads, W.
+    /// Estimate of the mean power of all loads, W.
     pub(super) fn of_power(members: &[Member]) -> Self {
         let interval = IntervalOver::of(members.len());
         let values: Vec<f64> = match interval {
@@ -62,7 +64,7 @@ impl Estimate {
         Self::of(&values, interval)
     }
 
-    /// Of independent values.
+    /// Estimate from independent values.
     pub(super) fn of(values: &[f64], interval: IntervalOver) -> Self {
         let count = values.len() as f64;
         let mean = values.iter().sum::<f64>() / count;
@@ -83,7 +85,7 @@ impl Estimate {
         }
     }
 
-    /// Of independent values, by their number, sum and sum of squares.
+    /// Estimate from independent values, by their number, sum and sum of squares.
     pub(super) fn of_sums(count: usize, [sum, squares]: [f64; 2]) -> Self {
         let number = count as f64;
         let mean = sum / number;
@@ -100,8 +102,9 @@ impl Estimate {
         }
     }
 
-    /// Sum of the first over sum of the second numbers of independent pairs, with the interval of the jackknife; 0, with an infinite
-    /// interval, where the second are all 0. Source: B. Efron, C. Stein, Ann. Stat. 9 (1981) 586.
+    /// Ratio of the sum of the first to the sum of the second numbers of independent pairs, with
+    /// its jackknife interval. It is 0 with an infinite interval where the second numbers are all
+    /// 0. Source: B. Efron, C. Stein, Ann. Stat. 9 (1981) 586.
     pub(super) fn of_ratio(pairs: &[[f64; 2]], interval: IntervalOver) -> Self {
         let [above, below] = pairs
             .iter()
@@ -131,7 +134,7 @@ impl Estimate {
         }
     }
 
-    /// Half width over mean; infinite where the mean is 0 and the width is not.
+    /// Half width over mean; infinite where the mean is 0 and the width is not 0.
     pub fn relative_width(&self) -> f64 {
         if self.half_width == 0.0 {
             0.0
@@ -155,7 +158,7 @@ fn student_95(freedom: f64) -> f64 {
 mod tests {
     use super::*;
 
-    /// Table of Student's distribution, two-sided 95 %.
+    /// Two-sided 95 % values from the table of Student's distribution.
     #[test]
     fn quantiles_are_those_of_the_table() {
         for (freedom, quantile) in [
@@ -172,7 +175,8 @@ mod tests {
         }
     }
 
-    /// Pairs with the same second number: the ratio is a mean, and the jackknife its plain interval.
+    /// Pairs with equal second numbers: the ratio is a mean, and the jackknife interval is the
+    /// ordinary one.
     #[test]
     fn a_ratio_over_equal_numbers_is_a_mean() {
         let values = [1.0, 3.0, 2.0, 2.5];

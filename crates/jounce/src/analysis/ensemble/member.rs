@@ -1,4 +1,4 @@
-//! One march of an ensemble.
+//! One integration of an ensemble.
 
 use super::contacts::{ContactCount, MemberStop};
 use crate::integrate::{
@@ -7,15 +7,15 @@ use crate::integrate::{
 use crate::run::{ExceededLimit, Limits, RunPlan, StartState, WorstExcess};
 use serde::Serialize;
 
-/// Parts into which the averaging window of a member is cut.
+/// Batches into which the averaging window of a member is cut.
 pub(super) const BATCHES: usize = 16;
 
-/// Answers of one realisation over its averaging window.
+/// Results of one realisation over its averaging window.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Member {
     /// Number of the realisation under its seed.
     pub index: usize,
-    /// Mean power of all loads and rectified circuits together, W.
+    /// Total mean power of all loads and rectified circuits, W.
     pub mean_power_w: f64,
     /// Mean power of each load, then of each rectified circuit, W.
     pub loads_w: Vec<f64>,
@@ -25,19 +25,19 @@ pub struct Member {
     pub contacts: u64,
     /// Contacts per second, Hz.
     pub contact_rate_hz: f64,
-    /// Mean speed at which contacts began, m/s; 0 without contact.
+    /// Mean impact velocity, m/s; 0 without contact.
     pub mean_impact_velocity_m_s: f64,
-    /// Largest of these speeds, m/s.
+    /// Largest impact velocity, m/s.
     pub max_impact_velocity_m_s: f64,
-    /// Mean time that a contact lasts, s; 0 without contact.
+    /// Mean duration of a contact, s; 0 without contact.
     pub mean_contact_duration_s: f64,
     /// Largest penetration, m.
     pub max_penetration_m: f64,
-    /// Each stop.
+    /// Results of each stop.
     pub stops: Vec<MemberStop>,
-    /// Energy residual of the whole march over its largest energy.
+    /// Energy residual of the entire integration over its largest energy.
     pub energy_residual_relative: f64,
-    /// Limits of patches that it passes.
+    /// Limits of patches that are exceeded.
     pub exceeded: Vec<ExceededLimit>,
 }
 
@@ -46,12 +46,12 @@ pub struct Member {
 pub(super) struct Sampling {
     /// Samples in each batch.
     pub per_batch: usize,
-    /// Of each patch.
+    /// Samples of each patch.
     pub voltages_v: Vec<Vec<f64>>,
 }
 
 impl Member {
-    /// Marches a realisation; `sampling` is filled where it is given.
+    /// Integrates a realisation and fills `sampling` where it is given.
     pub(super) fn march(
         kernel: &Kernel,
         limits: &Limits,

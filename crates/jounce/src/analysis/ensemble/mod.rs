@@ -1,4 +1,4 @@
-//! Random answers: many marches under seeded noise, and what they say of the mean.
+//! Random responses: many integrations under seeded noise, with estimates of their means.
 
 mod contacts;
 mod estimate;

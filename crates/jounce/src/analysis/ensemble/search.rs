@@ -1,6 +1,7 @@
-//! Members until the interval of the mean power is as narrow as wanted.
+//! Ensemble that grows until the interval of the mean power has the requested width.
 //!
-//! Members come in rounds of a fixed size, and each has its own seed, so that the answer has the same bits for any number of threads.
+//! Members are added in rounds of a fixed size. Each has its own seed, so the result is bitwise
+//! identical for any number of threads.
 
 use super::member::{BATCHES, Sampling};
 use super::spectrum::VoltagePeriodograms;
@@ -12,60 +13,61 @@ use crate::signal::{Samples, Window};
 use crate::spec::DriveSignal;
 use rayon::prelude::*;
 
-/// An ensemble to be marched.
+/// Definition of an ensemble.
 #[derive(Debug)]
 pub struct Ensemble<'s> {
     /// The harvester, with at least one drive of noise.
     pub base: &'s Model,
-    /// Where every member starts.
+    /// Start state of every member.
     pub start: StartState,
-    /// Members of a round; all of them where no width is wanted.
+    /// Members of a round; the total number of members where no width is requested.
     pub members: usize,
     /// Seed of the realisations.
     pub seed: u64,
-    /// Wanted half width of the interval over the mean power.
+    /// Requested relative half width of the interval of the mean power.
     pub relative_width: Option<f64>,
-    /// Rounds at most.
+    /// Largest number of rounds.
     pub most_rounds: usize,
-    /// Samples the voltages for their densities, which takes time.
+    /// True: sample the voltages for their spectral densities, which takes time.
     pub with_spectrum: bool,
 }
 
-/// Samples in a cycle of the highest frequency that matters.
+/// Samples per cycle of the highest relevant frequency.
 const SAMPLES_PER_CYCLE: f64 = 2.56;
 
 /// Density of each voltage of a member, V^2/Hz.
 type Densities = Vec<Vec<f64>>;
 
-/// What an ensemble says.
+/// Result of an ensemble.
 #[derive(Debug, Clone, PartialEq)]
 pub struct EnsembleResult {
     /// Every member, by index.
     pub members: Vec<Member>,
-    /// Mean power of all loads together, W.
+    /// Mean power of all loads, W.
     pub power_w: Estimate,
     /// Contacts per second, Hz, over the members.
     pub contact_rate_hz: Estimate,
-    /// Mean speed at which contacts began, m/s, over all contacts.
+    /// Mean impact velocity over all contacts, m/s.
     pub mean_impact_velocity_m_s: f64,
-    /// Largest of these speeds, m/s.
+    /// Largest impact velocity, m/s.
     pub max_impact_velocity_m_s: f64,
-    /// Mean time that a contact lasts, s, over all contacts.
+    /// Mean duration over all contacts, s.
     pub mean_contact_duration_s: f64,
-    /// Each stop.
+    /// Estimates of each stop.
     pub stops: Vec<StopEstimates>,
-    /// Each patch; empty where they were not asked for.
+    /// Spectrum of each patch; empty where not requested.
     pub spectra: Vec<VoltageSpectrum>,
-    /// True when the wanted width was reached, or none was wanted; false where the work was stopped.
+    /// True when the requested width was reached, or no width was requested; false after
+    /// cancellation.
     pub reached: bool,
 }
 
 impl Ensemble<'_> {
-    /// Marches the members; `done` hears of each. Stopped by the control of its harvester it answers from the members that are finished,
-    /// of which there may be none.
+    /// Integrates the members; `done` is called for each finished one. After cancellation the
+    /// result covers the finished members, possibly zero.
     ///
     /// # Errors
-    /// [`AnalysisError::NoNoise`], or the first march that failed.
+    /// [`AnalysisError::NoNoise`], or the first integration that failed.
     pub fn run(&self, done: &(dyn Fn(&Member) + Sync)) -> Result<EnsembleResult, AnalysisError> {
         let control = &self.base.kernel.control;
         let mut members: Vec<Member> = Vec::new();
@@ -112,13 +114,15 @@ impl Ensemble<'_> {
         }
     }
 
-    /// A member, and the density of each voltage where they are asked for; `None` for one that was stopped on its way.
+    /// Returns a member, with the density of each voltage where requested; `None` for one that was
+    /// cancelled.
     fn member(
         &self,
         index: usize,
         done: &(dyn Fn(&Member) + Sync),
     ) -> Result<Option<(Member, Densities)>, AnalysisError> {
-        // Making a realisation takes as long as many steps: of those that are left when the work is stopped, none is made.
+        // Generating a realisation takes as long as many steps, so after cancellation the remaining
+        // ones are not generated.
         if self.base.kernel.control.is_stopped() {
             return Ok(None);
         }
@@ -164,7 +168,7 @@ impl Ensemble<'_> {
         Ok(Some((member, densities.map_err(not_finite)?)))
     }
 
-    /// Enough for the noise and for every mode.
+    /// Number of samples sufficient for the noise and for every mode.
     fn samples_per_batch(&self) -> usize {
         let highs = self
             .base

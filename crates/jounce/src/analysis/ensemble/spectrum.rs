@@ -1,23 +1,25 @@
-//! The power spectral density of the voltages of an ensemble, and their statistical bandwidth.
+//! Power spectral density of the voltages of an ensemble, and their statistical bandwidth.
 //!
-//! Each member gives one periodogram `G_k` (Hann window) of its whole averaging window. They are independent, so that products of different
-//! members have no bias and
+//! Each member gives one periodogram `G_k` (Hann window) of its complete averaging window. Members
+//! are independent, so products of different members have no bias, and
 //!
 //! ```text
 //! B = [(sum_k I_k)^2 - sum_k I_k^2] / [df sum_f ((sum_k G_k)^2 - sum_k G_k^2)],      I_k = df sum_f G_k
 //! ```
 //!
-//! estimates `(integral G df)^2 / integral G^2 df` (see [`crate::linear`]) but for the resolution `1.5 / window`: a window must be many times
-//! longer than `1 / B`. Its interval is Student's over a jackknife of up to 16 groups of members.
+//! estimates `(integral G df)^2 / integral G^2 df` (see [`crate::linear`]), apart from the
+//! resolution `1.5 / window`: a window must be many times longer than `1 / B`. Its interval is
+//! Student's over a jackknife of up to 16 groups of members.
 //!
-//! Source: J. S. Bendat, A. G. Piersol, Random Data, 4th ed. (2010), sections 8.2 and 8.5; B. Efron, C. Stein, Ann. Stat. 9 (1981) 586.
+//! Source: J. S. Bendat, A. G. Piersol, Random Data, 4th ed. (2010), sections 8.2 and 8.5; B.
+//! Efron, C. Stein, Ann. Stat. 9 (1981) 586.
 
 use super::estimate::{Estimate, IntervalOver};
 
-/// Most groups of the jackknife.
+/// Largest number of jackknife groups.
 const MAX_JACKKNIFE_GROUPS: usize = 16;
 
-/// Most frequencies that are told.
+/// Largest number of frequencies in the result.
 const MAX_BINS: usize = 2000;
 
 /// Sums of periodograms.
@@ -50,14 +52,14 @@ impl PeriodogramSums {
         );
     }
 
-    /// `B` in lines.
+    /// Statistical bandwidth `B` in lines.
     fn bandwidth(&self) -> f64 {
         let apart = |[sum, squares]: &[f64; 2]| sum * sum - squares;
         apart(&self.whole) / self.lines.iter().map(apart).sum::<f64>()
     }
 }
 
-/// Periodograms of one voltage, added up.
+/// Sums of the periodograms of one voltage.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(super) struct VoltagePeriodograms {
     groups: Vec<PeriodogramSums>,
@@ -66,21 +68,21 @@ pub(super) struct VoltagePeriodograms {
     members: usize,
 }
 
-/// The density of one voltage over the ensemble.
+/// Spectral density of one voltage over the ensemble.
 #[derive(Debug, Clone, PartialEq)]
 pub struct VoltageSpectrum {
     /// Name of the patch.
     pub patch: String,
-    /// Middle of each bin, Hz.
+    /// Centre of each bin, Hz.
     pub frequency_hz: Vec<f64>,
-    /// One-sided power spectral density in it, V^2/Hz.
+    /// One-sided power spectral density in each bin, V^2/Hz.
     pub density: Vec<Estimate>,
     /// Statistical bandwidth, Hz.
     pub bandwidth_hz: Estimate,
 }
 
 impl VoltagePeriodograms {
-    /// Adds the next member.
+    /// Adds the periodogram of the next member.
     pub fn add(&mut self, density: &[f64]) {
         self.groups
             .resize_with(MAX_JACKKNIFE_GROUPS, PeriodogramSums::default);
@@ -94,7 +96,7 @@ impl VoltagePeriodograms {
         self.members += 1;
     }
 
-    /// What they say; lines are `resolution_hz` apart.
+    /// Returns the spectrum of all members; lines are `resolution_hz` apart.
     pub fn told(&self, patch: String, resolution_hz: f64) -> VoltageSpectrum {
         let lines = self.groups.first().map_or(0, |group| group.lines.len());
         let per_bin = lines.div_ceil(MAX_BINS);

@@ -1,21 +1,25 @@
-//! A norm in which a stable linear map contracts.
+//! Norm in which a stable linear map contracts.
 //!
 //! ```text
 //! V = sum_k (M/g)'^k (M/g)^k,   |d|^2 = d' V d,   |M d| <= g |d|,   rho(M) < g < 1
 //! ```
 //!
-//! `M` is a map with spectral radius `rho(M)`, `g` the contraction that the norm shows. In the Euclidean norm a stable map may stretch for a
-//! while before it contracts; in this norm it contracts at every step. The sum is taken by doubling: `V <- V + A' V A`, `A <- A A`.
+//! `M` is a map with spectral radius `rho(M)`, and `g` the contraction rate in the norm. In the
+//! Euclidean norm a stable map may first expand before it contracts; in this norm it contracts at
+//! every step. The sum is computed by doubling: `V <- V + A' V A`, `A <- A A`.
 //!
-//! Source: J. P. LaSalle, *The Stability and Control of Discrete Processes* (Springer, 1986), ch. 1 (the equation of Stein and Lyapunov).
+//! Source: J. P. LaSalle, *The Stability and Control of Discrete Processes* (Springer, 1986), ch. 1
+//! (the equation of Stein and Lyapunov).
 
 use faer::linalg::solvers::DenseSolveCore;
 use faer::{Col, ColRef, Mat, Side};
 
-/// Doublings after which a sum has converged for every `g` that doubles can tell from the spectral radius.
+/// Doublings after which the sum has converged for every `g` that doubles can distinguish from the
+/// spectral radius.
 const MAX_DOUBLINGS: usize = 60;
 
-/// Frobenius norm of a term, relative to the first, that changes the sum by roundoff only.
+/// Frobenius norm of a term, relative to the first, below which it changes the sum by roundoff
+/// only.
 const NEGLIGIBLE_TERM: f64 = 1e-17;
 
 /// `|d| = |F d|_2` with `F' F = V`.
@@ -26,7 +30,7 @@ pub struct AdaptedNorm {
 }
 
 impl AdaptedNorm {
-    /// The norm in which `map` contracts by `rate`; `None` where the sum does not converge.
+    /// Returns the norm in which `map` contracts by `rate`; `None` where the sum does not converge.
     pub fn of(map: &Mat<f64>, rate: f64) -> Option<Self> {
         let n = map.nrows();
         let mut sum = Mat::<f64>::identity(n, n);
@@ -47,7 +51,7 @@ impl AdaptedNorm {
         None
     }
 
-    /// The Euclidean norm.
+    /// Returns the Euclidean norm.
     pub fn euclidean(states: usize) -> Self {
         let identity = Mat::identity(states, states);
         Self {
@@ -56,13 +60,13 @@ impl AdaptedNorm {
         }
     }
 
-    /// Length of a vector.
+    /// Returns the length of a vector.
     pub fn length(&self, vector: &[f64]) -> f64 {
         let image: Col<f64> = &self.factor * ColRef::from_slice(vector);
         image.norm_l2()
     }
 
-    /// Largest factor by which a map stretches a vector; `None` where it is not finite.
+    /// Returns the largest factor by which a map expands a vector; `None` where it is not finite.
     pub fn stretch(&self, map: &Mat<f64>) -> Option<f64> {
         let moved = &self.factor * map * &self.inverse;
         moved
@@ -78,7 +82,8 @@ impl AdaptedNorm {
 mod tests {
     use super::*;
 
-    /// A shear with multipliers 0.9 stretches vectors a hundredfold in the Euclidean norm, and by less than 0.95 in the norm made for it.
+    /// A shear with multipliers 0.9 expands vectors a hundredfold in the Euclidean norm, and by
+    /// less than 0.95 in the norm adapted to it.
     #[test]
     fn a_stable_map_contracts_by_the_rate_asked_for() {
         let map = Mat::from_fn(2, 2, |i, j| [[0.9, 100.0], [0.0, 0.9]][i][j]);
@@ -90,7 +95,8 @@ mod tests {
         assert!(norm.length(&[1.0, 2.0]) >= 5.0_f64.sqrt(), "V >= I");
     }
 
-    /// `V` of a scalar map is a geometric series; a map with a larger spectral radius has none.
+    /// `V` of a scalar map is a geometric series; it diverges for a map with a larger spectral
+    /// radius.
     #[test]
     fn the_sum_is_the_geometric_series() {
         let map = Mat::from_fn(1, 1, |_, _| 0.5);

@@ -1,68 +1,77 @@
-//! A stable periodic orbit with a neighbourhood from which every motion reaches it.
+//! Stable periodic orbit with a neighbourhood from which every motion reaches it.
 //!
 //! ```text
 //! |P(x* + d) - x*| <= c |d| + e,   c = sup |DP|,   c + e / r < 1   for |d| <= r
 //! ```
 //!
-//! `P` is the map over the period, `x*` its fixed point, `DP` its derivative and `|.|` a norm in which `DP(x*)` contracts (see
-//! [`AdaptedNorm`]). By the mean value theorem a motion inside the radius `r` comes nearer by the factor `c` in every period, down to the
-//! error `e` of the integration, and there is no other orbit of the period inside. `e` is measured: what one period at the tolerance and
-//! one at a hundredth of it differ by, with what the orbit fails to close.
+//! `P` is the map over the period, `x*` its fixed point, `DP` its derivative and `|.|` a norm in
+//! which `DP(x*)` contracts (see [`AdaptedNorm`]). By the mean value theorem a motion inside the
+//! radius `r` approaches by the factor `c` in every period, down to the error `e` of the
+//! integration. No other orbit of the period lies inside. `e` is measured: it is the difference
+//! between one period at the tolerance and one at a hundredth of it, plus the closure error of the
+//! orbit.
 //!
-//! Limits: `sup |DP|` is taken over states at the radius, along the displacement of the motion and both ways along the plane of the
-//! leading multipliers, not over all directions. Each motion must show the contraction of its own displacement over a period.
+//! Limits: `sup |DP|` is taken over states at the radius, along the displacement of the motion and
+//! both ways along the plane of the leading multipliers, not over all directions. Each motion must
+//! show the contraction of its own displacement over a period.
 //!
-//! Source: the contraction principle as "radii polynomials", J. B. van den Berg and J.-P. Lessard, Notices AMS 62 (2015) 1057.
+//! Source: the contraction principle as "radii polynomials", J. B. van den Berg and J.-P. Lessard,
+//! Notices AMS 62 (2015) 1057.
 
 use super::adapted_norm::AdaptedNorm;
 use crate::orbit::Orbit;
 use faer::{ColRef, Mat};
 
-/// Least radius that is tried first, relative to the size of the orbit: a motion that begins on the orbit says nothing of the ball about it.
+/// Smallest initial radius, relative to the size of the orbit. A motion that begins on the orbit
+/// gives no information on the ball around it.
 const FIRST_RADIUS: f64 = 1e-3;
 
-/// Doublings of a radius: where no stop is in reach every radius satisfies the bound.
+/// Largest number of doublings of a radius: where no stop is within reach every radius satisfies
+/// the bound.
 const MAX_ENLARGEMENTS: usize = 20;
 
-/// Distance at which a motion has come to an orbit without a derivative, relative to its size.
+/// Distance at which a motion has reached an orbit without a derivative, relative to its size.
 const REACHED_DISTANCE: f64 = 1e-6;
 
-/// Distance below which two orbits of a family over a charge that nothing lets go have one power, relative to it.
+/// Relative distance below which two orbits have the same power, in a family over a conserved
+/// charge.
 const SAME_POWER_DISTANCE: f64 = 1e-5;
 
-/// States and the error of one period there, both in energy coordinates.
+/// One integration of a period, with its error, both in energy coordinates.
 pub(super) struct PeriodRun {
     /// Derivative of the map at the start.
     pub derivative: Mat<f64>,
-    /// By how much two integrations of the period differ at its end.
+    /// Difference of two integrations of the period at its end.
     pub error: Vec<f64>,
 }
 
-/// A ball in which a map contracts.
+/// Ball in which a map contracts.
 #[derive(Debug, Clone, PartialEq)]
 struct ContractionBall {
     norm: AdaptedNorm,
-    /// `c`.
+    /// Contraction rate `c`.
     rate: f64,
-    /// `e`.
+    /// Error `e`.
     error: f64,
-    /// `r`.
+    /// Radius `r`.
     radius: f64,
 }
 
-/// A stable orbit with its ball.
+/// Stable orbit with its ball.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AttractingOrbit {
     /// The orbit.
     pub orbit: Orbit,
-    /// True where the orbit is one of a family over a charge that nothing lets go.
+    /// True where the orbit is one of a family over a conserved charge.
     pub keeps_charge: bool,
     ball: ContractionBall,
 }
 
 impl AttractingOrbit {
-    /// Proves that an orbit attracts: in a ball as large as the distance of a motion (energy coordinates), enlarged as long as the bound holds, or reduced
-    /// until it does. `period` integrates one period from a displaced start. `None` where no radius satisfies the bound.
+    /// Proves that an orbit attracts, in a ball of the radius of a motion's distance (energy
+    /// coordinates). The ball is enlarged as long as the bound holds, or reduced until it holds.
+    /// `period` integrates one period from a displaced start. `None` where no radius satisfies the
+    /// bound.
     pub(super) fn prove<E>(
         orbit: Orbit,
         keeps_charge: bool,
@@ -116,7 +125,8 @@ impl AttractingOrbit {
         })
     }
 
-    /// An orbit without a derivative, as one that rests on a rigid stop, to which a motion was seen to contract.
+    /// Creates an orbit without a derivative, such as one that rests on a rigid stop, to which a
+    /// motion contracted.
     pub(super) fn observed(orbit: Orbit) -> Self {
         let reached = REACHED_DISTANCE * orbit.size().max(f64::MIN_POSITIVE);
         let norm = AdaptedNorm::euclidean(orbit.start().len());
@@ -132,14 +142,15 @@ impl AttractingOrbit {
         }
     }
 
-    /// Distance of a state (energy coordinates) at the start of the period; `None` outside the ball.
+    /// Returns the distance of a state (energy coordinates) at the start of the period; `None`
+    /// outside the ball.
     pub(super) fn distance(&self, state: &[f64]) -> Option<f64> {
         let away: Vec<f64> = state
             .iter()
             .zip(self.orbit.start())
             .map(|(u, start)| u - start)
             .collect();
-        // The norm is nowhere shorter than the Euclidean one.
+        // The norm is at least as large as the Euclidean one.
         if ColRef::from_slice(&away).norm_l2() > self.ball.radius {
             return None;
         }
@@ -147,12 +158,13 @@ impl AttractingOrbit {
         (distance <= self.ball.radius).then_some(distance)
     }
 
-    /// True when a motion went from one distance to another over a period as the bound says.
+    /// True when the distance of a motion decreased over a period as the bound requires.
     pub(super) fn contracts(&self, before: f64, after: f64) -> bool {
         after <= self.ball.rate * before + self.ball.error
     }
 
-    /// True when both are one orbit, at whichever drive cycle it begins: one lies in the ball of the other, where there is one orbit only.
+    /// True when both are one orbit, at any drive cycle of its start: one lies in the ball of the
+    /// other, which contains only one orbit.
     pub fn is_same(&self, other: &Self) -> bool {
         let (one, two) = (&self.orbit, &other.orbit);
         if one.period_cycles != two.period_cycles {
@@ -167,21 +179,23 @@ impl AttractingOrbit {
         self.holds(two) || other.holds(one)
     }
 
-    /// True when an orbit passes the ball, where there is one orbit of the period only; of a family over a charge there are more.
+    /// True when an orbit passes the ball, which contains only one orbit of the period, except in a
+    /// family over a charge.
     pub(super) fn holds(&self, orbit: &Orbit) -> bool {
         !self.keeps_charge
             && self.orbit.period_cycles == orbit.period_cycles
             && self.passes(&orbit.strobe_states)
     }
 
-    /// True when one of the states (energy coordinates at the start of a drive cycle) is one of the orbit.
+    /// True when one of the states (energy coordinates at the start of a drive cycle) belongs to
+    /// the orbit.
     pub fn passes(&self, states: &[Vec<f64>]) -> bool {
         states.iter().any(|state| self.distance(state).is_some())
     }
 }
 
-/// Directions of length one in which the derivative is taken: that of the displacement, and both ways along the real and the imaginary
-/// part of the leading eigenvector.
+/// Returns the unit directions of the derivative: along the displacement, and both ways along the
+/// real and the imaginary part of the leading eigenvector.
 fn directions(norm: &AdaptedNorm, map: &Mat<f64>, displacement: &[f64]) -> Vec<Vec<f64>> {
     let mut directions = vec![displacement.to_vec()];
     if let Ok(eigen) = map.eigen() {

@@ -2,24 +2,24 @@
 
 use serde::{Deserialize, Serialize};
 
-/// The kind of an attractor, or why a start has none.
+/// Kind of an attractor, or the reason why a start has no attractor.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum AttractorKind {
-    /// Periodic.
+    /// Periodic orbit.
     Orbit,
-    /// Neighbours part exponentially.
+    /// Chaos: neighbouring trajectories diverge exponentially.
     Chaos,
-    /// Quasi-periodic: neighbours keep their distance, and averages converge.
+    /// Quasi-periodic: neighbouring trajectories maintain their distance, and averages converge.
     Torus,
-    /// No attractor was proved to be reached within the cycles allowed.
+    /// No attractor was proved within the permitted cycles.
     Undecided,
     /// The integration failed.
     Lost,
 }
 
 impl AttractorKind {
-    /// Name in results.
+    /// Returns the name in results.
     pub fn name(self) -> &'static str {
         match self {
             Self::Orbit => "orbit",

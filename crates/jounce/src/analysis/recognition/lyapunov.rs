@@ -1,23 +1,23 @@
-//! The largest Lyapunov exponent of a march, from the exact derivative of its flow.
+//! Largest Lyapunov exponent of an integration, from the exact derivative of its flow.
 //!
 //! ```text
 //! lambda = lim 1/t ln |D phi_t v|
 //! ```
 //!
-//! taken cycle by cycle along one direction that is brought back to length one after each; the scatter of the means over blocks of
-//! cycles gives the error.
+//! It is computed cycle by cycle along one direction, which is normalised after each cycle. The
+//! scatter of the means over blocks of cycles gives the error.
 
 use super::attractor_kind::AttractorKind;
 use crate::integrate::{FlowSensitivity, Kernel, ParameterSensitivity, SensitivityError};
 
-/// An exponent with its error.
+/// Largest Lyapunov exponent with its error.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Lyapunov {
     /// Largest exponent, 1/s.
     pub exponent_per_s: f64,
     /// Standard error, 1/s.
     pub error_per_s: f64,
-    /// Mean power of all loads on the way, W.
+    /// Mean power of all loads over the same cycles, W.
     pub mean_power_w: f64,
 }
 
@@ -25,8 +25,8 @@ pub struct Lyapunov {
 const EXPONENT_BLOCKS: usize = 16;
 
 impl Lyapunov {
-    /// Chaos where neighbours part, torus where they keep their distance, undecided where they still close up; each beyond three times
-    /// the error.
+    /// Returns chaos for a positive exponent, torus for a zero one, undecided for a negative one;
+    /// the limit is three times the error.
     pub fn kind(&self) -> AttractorKind {
         if self.exponent_per_s > 3.0 * self.error_per_s {
             AttractorKind::Chaos
@@ -38,7 +38,8 @@ impl Lyapunov {
     }
 }
 
-/// Largest exponent over `cycles` drive cycles (rounded up to whole blocks) from block coordinates `y` at the start of a cycle.
+/// Computes the largest exponent over `cycles` drive cycles (rounded up to full blocks), from block
+/// coordinates `y` at the start of a cycle.
 ///
 /// # Errors
 /// [`SensitivityError`].
@@ -53,7 +54,7 @@ pub fn largest_exponent(
     let mut y = y.to_vec();
     let mut direction = vec![1.0 / (y.len() as f64).sqrt(); y.len()];
     let (mut means, mut energy_j) = (Vec::with_capacity(EXPONENT_BLOCKS), 0.0);
-    // The first block turns the direction to the one that grows fastest; it does not count.
+    // In the first block the direction aligns with the fastest growth; it does not count.
     for block in 0..=EXPONENT_BLOCKS {
         let mut growth = 0.0;
         for _ in 0..per_block {

@@ -1,10 +1,12 @@
-//! The attractor that an integration reaches.
+//! Recognition of the attractor that an integration reaches.
 //!
-//! A start belongs to a periodic orbit when its motion has come into the ball in which the derivative of the orbit proves that it attracts
-//! (see [`AttractingOrbit`]), and contracts there as the bound says. Orbits are found by the return times of the motion: Newton
-//! starts from the state at the end, over the period after which the motion comes back nearest. A motion that reaches no orbit is a torus where
-//! its averages converge and its largest exponent is zero, chaos where that exponent is positive after all cycles allowed, and
-//! undecided otherwise.
+//! A start belongs to a periodic orbit when its motion has entered a ball around it (see
+//! [`AttractingOrbit`]) and contracts there as the bound requires. The derivative of the orbit
+//! proves attraction in this ball. Orbits are found from the return times of the motion: Newton's
+//! method starts from the last state, over the period after which the motion returns nearest. A
+//! motion that reaches no orbit is a torus if its averages converge and its largest exponent is
+//! zero. It is chaos if that exponent is positive after all permitted cycles, and undecided
+//! otherwise.
 
 mod adapted_norm;
 mod attracting_orbit;

@@ -1,4 +1,4 @@
-//! From the return times of a motion to the orbit that attracts it.
+//! Search for the attracting orbit of a motion from its return times.
 
 use super::attracting_orbit::{AttractingOrbit, PeriodRun};
 use super::transient::Transient;
@@ -9,23 +9,26 @@ use crate::integrate::{IntegrationError, Integrator, Kernel, SensitivityError};
 use crate::orbit::{Orbit, OrbitError, OrbitMethod, ParametricModel, Shooting, ShootingEvaluation};
 use std::sync::Arc;
 
-/// Evaluations of Newton.
+/// Largest number of evaluations of Newton's method.
 const MAX_EVALUATIONS: u32 = 12;
 
-/// Cost of a search over a period, in integrations of that period: some evaluations, each with its derivative.
+/// Cost of a search over a period, in integrations of that period: several evaluations, each with
+/// its derivative.
 const SEARCH_COST: u32 = 20;
 
-/// Share of the cost of the integration so far that searches may cost: a long period is tried after many cycles only.
+/// Largest cost of searches as a fraction of the cost of the integration so far; a long period is
+/// tried only after many cycles.
 const COST_SHARE: f64 = 0.1;
 
-/// How much tighter the tolerance is against which the error of a period is measured.
+/// Ratio of the tighter tolerance to the tolerance, for the error of a period.
 const TOLERANCE_REDUCTION: f64 = 1e-2;
 
-/// Change over a period, relative to the size of the state, of a motion that has settled where the flow has no derivative: how it came to rest
-/// is forgotten, so that the change is what other modes still do.
+/// Relative change over a period, below which a motion has settled where the flow has no
+/// derivative. The state before coming to rest has no effect any more, so the change is due to the
+/// other modes.
 const SETTLED_CHANGE: f64 = 1e-8;
 
-/// What a search found.
+/// Result of a search.
 pub enum SearchOutcome {
     /// A stable orbit with the ball in which it attracts.
     Attracting(Arc<AttractingOrbit>),
@@ -33,20 +36,21 @@ pub enum SearchOutcome {
     Weak,
 }
 
-/// A search for orbits at one value of the parameter.
+/// Search for orbits at one value of the parameter.
 #[derive(Debug, Clone, Copy)]
 pub struct OrbitSearch<'h, H> {
     pub harvester: &'h H,
     pub kernel: &'h Kernel,
     pub parameter: f64,
-    /// Newton's goal.
+    /// Goal of Newton's method.
     pub goal: f64,
 }
 
 type Failure<H> = ContinuationError<OrbitError<<H as ParametricModel>::Error>>;
 
 impl<H: ParametricModel> OrbitSearch<'_, H> {
-    /// The orbit near a motion, over the periods after which it nearly returns; `None` without a stable one that is not known.
+    /// Returns the orbit near a motion, over the periods after which it nearly returns; `None`
+    /// without a new stable orbit.
     pub fn near(
         &self,
         motion: &mut Transient<'_>,
@@ -81,7 +85,8 @@ impl<H: ParametricModel> OrbitSearch<'_, H> {
             Shooting::new(self.harvester, self.kernel, cycles, tolerance).charged_as(&physical);
         let (shooting, orbit, shot) = match self.newton(shooting, &motion.state) {
             Ok(found) => found,
-            // The flow has no derivative where a point comes to rest, or where two rigid stops are struck together.
+            // The flow has no derivative where a point comes to rest, or where two rigid stops are
+            // struck simultaneously.
             Err(ContinuationError::Family(OrbitError::March(
                 SensitivityError::Rests { .. } | SensitivityError::StruckTogether { .. },
             ))) => {
@@ -123,7 +128,8 @@ impl<H: ParametricModel> OrbitSearch<'_, H> {
         }))
     }
 
-    /// The orbit that Newton finds, of the least period that divides the given one.
+    /// Returns the orbit that Newton's method finds, with the least period that divides the given
+    /// one.
     fn newton<'s>(
         &'s self,
         shooting: Shooting<'s, H>,
@@ -151,7 +157,8 @@ impl<H: ParametricModel> OrbitSearch<'_, H> {
                 scale: shooting.scale.clone(),
                 ..shooting
             };
-            // Just after a doubling both orbits lie close to each other, and the shorter one is unstable.
+            // Just after a period doubling both orbits are close to each other, and the shorter one
+            // is unstable.
             let found = self
                 .newton(shorter, orbit.start())
                 .ok()
@@ -161,7 +168,7 @@ impl<H: ParametricModel> OrbitSearch<'_, H> {
         Ok((shooting, orbit, shot))
     }
 
-    /// State after a period integrated without its derivative, energy coordinates.
+    /// Integrates a period without its derivative, and returns the state in energy coordinates.
     fn end(
         &self,
         shooting: &Shooting<'_, H>,
@@ -180,13 +187,14 @@ impl<H: ParametricModel> OrbitSearch<'_, H> {
         Ok(shooting.unknown(&plant.to_physical(&integrator.state(), 0.0)))
     }
 
-    /// An orbit that a motion without a derivative has come to, by the contraction seen over the last three periods.
+    /// Returns the orbit that a motion without a derivative has reached, by its contraction over
+    /// the last three periods.
     fn observed(&self, motion: &Transient<'_>, cycles: u32) -> Option<AttractingOrbit> {
         let size = motion.state.iter().map(|u| u * u).sum::<f64>().sqrt();
         let change = |back: u32| motion.returns.distance((back * cycles) as usize, cycles);
         let [now, before] = [change(0)?, change(1)?];
         let rate = now / before;
-        // The changes to come are a geometric series, down to what the integration leaves.
+        // The further changes are a geometric series, down to the error of the integration.
         let left = if rate < 1.0 {
             now * rate / (1.0 - rate)
         } else {

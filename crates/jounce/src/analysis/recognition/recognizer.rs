@@ -1,4 +1,4 @@
-//! Integrates a start until its attractor is proved.
+//! Integration of a start until its attractor is proved.
 
 use super::attracting_orbit::AttractingOrbit;
 use super::attractor_kind::AttractorKind;
@@ -10,29 +10,32 @@ use crate::integrate::{Kernel, SensitivityError};
 use crate::orbit::{ParametricModel, Shooting};
 use std::sync::Arc;
 
-/// Growth of the number of cycles from one search to the next: the cycles integrated in vain stay in proportion to those needed.
+/// Growth of the number of cycles from one search to the next; unneeded cycles remain in proportion
+/// to the needed ones.
 const SEARCH_GROWTH: f64 = 1.25;
 
 /// Drive cycles before the first search for an orbit.
 const FIRST_SEARCH_CYCLES: u32 = 32;
 
-/// Drive cycles before averages are examined for a torus; both windows then hold more than the hundred samples that they need.
+/// Drive cycles before averages are examined for a torus; both windows then have the hundred
+/// samples that they need.
 const FIRST_AVERAGE_CYCLES: u32 = 1000;
 
-/// Drive cycles over which an exponent is taken.
+/// Drive cycles of an exponent.
 const EXPONENT_CYCLES: usize = 320;
 
-/// Drive cycles over which chaos must show itself once more: one exponent in a few hundred is too large by chance.
+/// Drive cycles of a second exponent that confirms chaos: one exponent in a few hundred is too
+/// large by chance.
 const CONFIRMATION_CYCLES: usize = 4 * EXPONENT_CYCLES;
 
-/// How much tighter the tolerance becomes where an orbit attracts too weakly for it, and the tightest.
+/// Factor on the tolerance where an orbit attracts too weakly for it, and the smallest tolerance.
 const TOLERANCE_REDUCTION: f64 = 1e-2;
 const MIN_TOLERANCE: f64 = 1e-12;
 
-/// The entry of a motion into the ball of an orbit.
+/// Entry of a motion into the ball of an orbit.
 #[derive(Debug, Clone, Copy)]
 struct BallEntry {
-    /// Number of the orbit.
+    /// Index of the orbit.
     orbit: usize,
     /// Distance on entry into its ball.
     distance: f64,
@@ -40,12 +43,12 @@ struct BallEntry {
     until: u32,
 }
 
-/// How attractors are recognized.
+/// Options of the recognition of attractors.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Recognition {
     /// Relative tolerance of the integration.
     pub tolerance: f64,
-    /// Newton's goal, relative to the state.
+    /// Goal of Newton's method, relative to the state.
     pub goal: f64,
     /// Longest period of an orbit, drive cycles.
     pub longest_period: u32,
@@ -54,7 +57,7 @@ pub struct Recognition {
 }
 
 impl Recognition {
-    /// The defaults at a tolerance.
+    /// Returns the defaults at a tolerance.
     pub fn at(tolerance: f64) -> Self {
         Self {
             tolerance,
@@ -68,18 +71,18 @@ impl Recognition {
 /// Recognizes attractors at one value of the parameter.
 #[derive(Debug)]
 pub struct Recognizer<'h, H: ParametricModel> {
-    /// The harvester.
+    /// Family of models.
     pub harvester: &'h H,
-    /// The harvester at the value.
+    /// Kernel of the model at the value.
     pub kernel: &'h Kernel,
-    /// The value.
+    /// Value of the parameter.
     pub parameter: f64,
-    /// How.
+    /// Options.
     pub options: Recognition,
 }
 
 impl<H: ParametricModel> Recognizer<'_, H> {
-    /// Where a physical start ends. Of the `known` orbits those are tried first.
+    /// Integrates a physical start to its steady state. The `known` orbits are tried first.
     pub fn settle(&self, start: &[f64], known: &[Arc<AttractingOrbit>]) -> SteadyState {
         self.integrate(start, known)
             .unwrap_or_else(|error| SteadyState::Failed(error.to_string()))
@@ -161,7 +164,8 @@ impl<H: ParametricModel> Recognizer<'_, H> {
     }
 }
 
-/// The orbit that a motion has reached: it entered the ball of the orbit, and a period later it has contracted as the bound says.
+/// Returns the orbit that a motion has reached: it entered the ball, and contracted over one period
+/// as the bound requires.
 fn arrived(
     motion: &Transient<'_>,
     orbits: &[Arc<AttractingOrbit>],
@@ -185,7 +189,7 @@ fn arrived(
             return Some(Arc::clone(reached));
         }
     }
-    // The latest first: it was found from this very motion.
+    // The latest first: it was found from this motion.
     *entry = orbits.iter().enumerate().rev().find_map(|(orbit, own)| {
         let distance = own.distance(&motion.state)?;
         Some(BallEntry {

@@ -1,13 +1,14 @@
-//! Return times of a motion: after how many drive cycles it comes back near its present state.
+//! Return times of a motion: numbers of drive cycles after which it returns near its present state.
 
 use faer::ColRef;
 use std::collections::VecDeque;
 
-/// A shorter return is worth a trial where it is no farther away than so many times the nearest: a motion that spirals in on an orbit is
-/// nearest to itself after a whole turn of the spiral, which is a multiple of the period.
+/// Largest ratio of the distance of a shorter return to the nearest one, for a trial. A motion that
+/// spirals towards an orbit is nearest to itself after a full turn of the spiral, which is a
+/// multiple of the period.
 const COMPARABLE_RETURN_RATIO: f64 = 4.0;
 
-/// The last states at the start of a drive cycle.
+/// Last states at the start of a drive cycle.
 #[derive(Debug)]
 pub struct ReturnTimes {
     states: VecDeque<Vec<f64>>,
@@ -15,7 +16,7 @@ pub struct ReturnTimes {
 }
 
 impl ReturnTimes {
-    /// For returns after up to `longest` cycles.
+    /// Creates a record for returns after up to `longest` cycles.
     pub fn up_to(longest: u32) -> Self {
         Self {
             states: VecDeque::new(),
@@ -25,14 +26,16 @@ impl ReturnTimes {
 
     /// Adds the state one cycle after the last one.
     pub fn push(&mut self, state: Vec<f64>) {
-        // Three periods are kept: the change of the distance over one of them shows the contraction.
+        // Three periods are stored: the change of the distance over one of them shows the
+        // contraction.
         if self.states.len() > 3 * self.longest {
             self.states.pop_back();
         }
         self.states.push_front(state);
     }
 
-    /// Distance of the state `back` cycles ago from the state `cycles` before that; `None` where one of them is not kept.
+    /// Returns the distance of the state `back` cycles ago from the state `cycles` earlier; `None`
+    /// where one of them is not stored.
     pub fn distance(&self, back: usize, cycles: u32) -> Option<f64> {
         let (now, before) = (
             self.states.get(back)?,
@@ -41,7 +44,8 @@ impl ReturnTimes {
         Some((ColRef::from_slice(now) - ColRef::from_slice(before)).norm_l2())
     }
 
-    /// Periods worth a trial, at most two: the shortest return that is nearly as near as the nearest, and the nearest.
+    /// Returns at most two periods for a trial: the shortest return that is nearly as close as the
+    /// nearest, and the nearest.
     pub fn periods(&self) -> Vec<u32> {
         let distances: Vec<f64> = (1..=self.longest as u32)
             .map_while(|cycles| self.distance(0, cycles))
@@ -81,7 +85,7 @@ mod tests {
         assert!(times.distance(39, 1).is_none());
     }
 
-    /// Period 18, which divides 72: the shorter returns stay far away.
+    /// Period 18, which divides 72: the shorter returns are far away.
     #[test]
     fn a_long_period_is_found_at_once() {
         let mut times = ReturnTimes::up_to(64);

@@ -1,4 +1,4 @@
-//! The orbits that single starts reach.
+//! Orbits reached from single starts.
 
 use super::attracting_orbit::AttractingOrbit;
 use super::recognizer::{Recognition, Recognizer};
@@ -6,17 +6,19 @@ use crate::continuation::{Corrector, Metric, Position, correct_at};
 use crate::orbit::{Orbit, OrbitMethod, ParametricModel, Shooting};
 use std::sync::Arc;
 
-/// Drive cycles after which a start gives no orbit.
+/// Largest number of drive cycles for a start.
 const MAX_CYCLES: u32 = 4096;
 
-/// Tolerance that is fine enough to recognize an orbit; Newton then finds it at the tolerance asked for.
+/// Tolerance sufficient to recognize an orbit; Newton's method then finds it at the requested
+/// tolerance.
 const RECOGNITION_TOLERANCE: f64 = 1e-8;
 
-/// Evaluations of that Newton.
+/// Largest number of evaluations of Newton's method.
 const MAX_EVALUATIONS: u32 = 12;
 
-/// The stable orbit that the motion from `start` (physical) reaches, of those that can be followed: it does not rest on a rigid stop.
-/// `None` where none is proved to be reached. `goal` is Newton's, relative to the state.
+/// Returns the stable orbit that the motion from `start` (physical) reaches, provided it can be
+/// followed: it does not rest on a rigid stop. `None` where no orbit is proved to be reached.
+/// `goal` is the goal of Newton's method, relative to the state.
 pub fn settled_orbit<H: ParametricModel>(
     harvester: &H,
     parameter: f64,
@@ -47,7 +49,8 @@ pub fn settled_orbit<H: ParametricModel>(
     shooting.orbit(&corrected.local, corrected.error).ok()
 }
 
-/// For each physical start the stable orbit that it reaches, of those that can be followed and that no start before it has reached.
+/// Returns for each physical start the stable orbit that it reaches, provided it can be followed
+/// and no earlier start reached it.
 pub fn settled_orbits<H: ParametricModel>(
     harvester: &H,
     parameter: f64,

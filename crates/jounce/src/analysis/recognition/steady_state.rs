@@ -1,38 +1,38 @@
-//! Where a start ends.
+//! Steady state reached from a start.
 
 use super::attracting_orbit::AttractingOrbit;
 use super::attractor_kind::AttractorKind;
 use super::lyapunov::Lyapunov;
 use std::sync::Arc;
 
-/// Where a start ends.
+/// Steady state reached from a start.
 #[derive(Debug, Clone, PartialEq)]
 pub enum SteadyState {
-    /// On a periodic orbit, as its contraction proves.
+    /// Periodic orbit, proved by contraction.
     Periodic(Arc<AttractingOrbit>),
-    /// On no orbit that was found.
+    /// Aperiodic motion: no orbit was found.
     Aperiodic(Aperiodic),
-    /// Nowhere: the integration failed, for this reason.
+    /// The integration failed, with its reason.
     Failed(String),
 }
 
-/// A motion without a period.
+/// Aperiodic motion.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Aperiodic {
     /// Torus, chaos or undecided.
     pub kind: AttractorKind,
-    /// Largest exponent, where it was computed.
+    /// Largest exponent, if computed.
     pub exponent: Option<Lyapunov>,
     /// Mean power of all loads over the second half of the cycles, W.
     pub mean_power_w: f64,
-    /// Physical state at the end, at the start of a drive cycle.
+    /// Physical state at the last start of a drive cycle.
     pub state: Vec<f64>,
     /// Drive cycles integrated.
     pub cycles: u32,
 }
 
 impl SteadyState {
-    /// The kind.
+    /// Returns the kind of the attractor.
     pub fn kind(&self) -> AttractorKind {
         match self {
             Self::Periodic(_) => AttractorKind::Orbit,
@@ -41,7 +41,7 @@ impl SteadyState {
         }
     }
 
-    /// The orbit, where there is one.
+    /// Returns the orbit of a periodic steady state.
     pub fn orbit(&self) -> Option<&Arc<AttractingOrbit>> {
         match self {
             Self::Periodic(orbit) => Some(orbit),

@@ -1,17 +1,19 @@
-//! A motion integrated drive cycle by drive cycle.
+//! Motion integrated drive cycle by drive cycle.
 
 use super::return_times::ReturnTimes;
 use super::weighted_average::half_difference;
 use crate::integrate::{IntegrationError, Integrator, Kernel};
 
-/// Drive cycles after which the integration restarts at time 0: the phase of a drive loses no digits over a long run.
+/// Drive cycles after which the integration restarts at time 0, so that the phase of a drive loses
+/// no digits over a long run.
 const RESTART_CYCLES: u32 = 256;
 
-/// Difference of two weighted averages, relative to the deviation of the samples, below which a motion is quasi-periodic. Chaos leaves
-/// the root of the number of samples, which is above 1e-2 for all that are taken.
+/// Difference of two weighted averages, relative to the deviation of the samples, below which a
+/// motion is quasi-periodic. For chaos the difference is the inverse square root of the number of
+/// samples, above 1e-2 for all that are used.
 const CONVERGED_DIFFERENCE: f64 = 1e-5;
 
-/// The motion from a start.
+/// Motion from a start.
 pub struct Transient<'k> {
     kernel: &'k Kernel,
     integrator: Integrator<'k>,
@@ -27,16 +29,17 @@ pub struct Transient<'k> {
     pub tolerance: f64,
     /// Energy delivered since the last restart, J.
     delivered_j: f64,
-    /// Energy delivered in each drive cycle after the first restart, J: few starts take longer, and reading meters has a cost.
+    /// Energy delivered in each drive cycle after the first restart, J: few starts take longer, and
+    /// reading the energies has a cost.
     energies_j: Vec<f64>,
     /// States at the start of the last drive cycles, energy coordinates.
     pub returns: ReturnTimes,
-    /// The present one.
+    /// Present state.
     pub state: Vec<f64>,
 }
 
 impl<'k> Transient<'k> {
-    /// From a physical state; `scale` takes physical states to energy coordinates.
+    /// Starts from a physical state; `scale` converts physical states to energy coordinates.
     pub fn from(
         kernel: &'k Kernel,
         physical: &[f64],
@@ -89,7 +92,7 @@ impl<'k> Transient<'k> {
         Ok(())
     }
 
-    /// Continues at a tolerance.
+    /// Continues at another tolerance.
     pub fn restart(&mut self, tolerance: f64) -> Result<(), IntegrationError> {
         self.integrator = Integrator::new(self.kernel, &self.integrator.state(), 0.0, tolerance)?;
         (self.since, self.tolerance) = (0, tolerance);
@@ -97,17 +100,18 @@ impl<'k> Transient<'k> {
         Ok(())
     }
 
-    /// State in block coordinates.
+    /// Returns the state in block coordinates.
     pub fn block_state(&self) -> Vec<f64> {
         self.integrator.state()
     }
 
-    /// Physical state.
+    /// Returns the physical state.
     pub fn physical(&self) -> Vec<f64> {
         self.kernel.plant.to_physical(&self.integrator.state(), 0.0)
     }
 
-    /// Mean power, W, over the second half of the cycles after the first restart, or over all that there are.
+    /// Returns the mean power, W, over the second half of the cycles after the first restart, or
+    /// over all cycles before it.
     pub fn mean_power_w(&self) -> f64 {
         let late = &self.energies_j[self.energies_j.len() / 2..];
         match late.len() {
@@ -116,7 +120,8 @@ impl<'k> Transient<'k> {
         }
     }
 
-    /// True when the averages of the power over the second half of the cycles have converged as those of a quasi-periodic motion do.
+    /// True when the averages of the power over the second half of the cycles have converged as for
+    /// a quasi-periodic motion.
     pub fn is_quasi_periodic(&self) -> bool {
         half_difference(&self.energies_j[self.energies_j.len() / 2..])
             .is_some_and(|difference| difference < CONVERGED_DIFFERENCE)

@@ -4,12 +4,14 @@
 //! WB(f) = sum_k w(k / T) f_k / sum_k w(k / T),   w(t) = exp(-1 / (t (1 - t))),   0 < t < 1
 //! ```
 //!
-//! Over a quasi-periodic motion they converge faster than any power of the number `T` of samples, over chaos like its square root: the
-//! difference of the averages over two successive windows distinguishes the two.
+//! Over a quasi-periodic motion they converge faster than any power of the number `T` of samples;
+//! over chaos they converge like its square root. The difference of the averages over two
+//! successive windows distinguishes the two.
 //!
-//! Source: S. Das, Y. Saiki, E. Sander and J. A. Yorke, Nonlinearity 30 (2017) 4111; E. Sander and J. D. Meiss, Physica D 411 (2020) 132569.
+//! Source: S. Das, Y. Saiki, E. Sander and J. A. Yorke, Nonlinearity 30 (2017) 4111; E. Sander and
+//! J. D. Meiss, Physica D 411 (2020) 132569.
 
-/// The weighted average of samples.
+/// Returns the weighted average of samples.
 pub fn weighted_average(samples: &[f64]) -> f64 {
     let count = samples.len() as f64;
     let weight = |k: usize| {
@@ -27,8 +29,8 @@ pub fn weighted_average(samples: &[f64]) -> f64 {
     sum / weights
 }
 
-/// Difference of the averages over the two halves of samples, relative to the standard deviation of the samples; `None` without a
-/// variation that roundoff could not make.
+/// Returns the difference of the averages over the two halves of samples, relative to the standard
+/// deviation of the samples; `None` where the variation is within roundoff.
 pub fn half_difference(samples: &[f64]) -> Option<f64> {
     let count = samples.len() as f64;
     let mean = samples.iter().sum::<f64>() / count;
@@ -47,7 +49,8 @@ pub fn half_difference(samples: &[f64]) -> Option<f64> {
 mod tests {
     use super::*;
 
-    /// A rotation by the golden mean, whose average is 1, against the logistic map at its fullest chaos, whose average is 1/2.
+    /// A rotation by the golden mean with average 1, compared with the fully chaotic logistic map
+    /// with average 1/2.
     #[test]
     fn averages_over_a_rotation_converge_and_over_chaos_do_not() {
         let golden = 0.5 * (5.0_f64.sqrt() - 1.0) * std::f64::consts::TAU;

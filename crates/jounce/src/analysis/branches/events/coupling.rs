@@ -1,7 +1,8 @@
 //! Complex pairs of multipliers that may meet between two points and leave the unit circle.
 //!
-//! Where two pairs have the same angle, the coupling `k` between them changes their moduli by up to `k`: an instability tongue. Moduli and derivatives
-//! at the two points do not show it. Symmetric functions of both pairs are smooth through it.
+//! Where two pairs have the same angle, the coupling `k` between them changes their moduli by up to
+//! `k`: an instability tongue. Moduli and derivatives at the two points do not show it. Symmetric
+//! functions of both pairs are smooth through it.
 
 use super::interpolant::Interpolant;
 use super::pairing::paired;
@@ -10,17 +11,18 @@ use crate::orbit::Eigenbasis;
 use faer::{Mat, c64};
 use std::f64::consts::TAU;
 
-/// Factor on the coupling read at the two points.
+/// Factor on the coupling computed at the two points.
 const COUPLING_MARGIN: f64 = 2.0;
 
 /// Relative turns of two pairs on one step above which they are assumed to meet.
 const MAX_TURNS: f64 = 4.0;
 
-/// Couplings between the multipliers at one end of a step, in their order; `None` where the eigenvectors are not known.
+/// Couplings between the multipliers at one end of a step, in their order; `None` where the
+/// eigenvectors are unknown.
 pub(super) struct Couplings(Option<Vec<Vec<f64>>>);
 
 impl Couplings {
-    /// Couplings that another map has in the eigenvectors of a map with these multipliers.
+    /// Computes the couplings of another map in the eigenvectors of a map with these multipliers.
     pub fn of(values: &[c64], [own, other]: [(&Mat<f64>, &Option<Eigenbasis>); 2]) -> Self {
         let tied = own
             .1
@@ -42,7 +44,7 @@ impl Couplings {
         Self(Some(all))
     }
 
-    /// Coupling of two multipliers; infinite where it is not known.
+    /// Returns the coupling of two multipliers; infinite where unknown.
     fn between(&self, i: usize, j: usize) -> f64 {
         let known = self.0.as_ref().map(|all| all[i][j]);
         known
@@ -51,8 +53,8 @@ impl Couplings {
     }
 }
 
-/// True where two complex multipliers may meet on the step and leave the unit circle; each is given by its index at both ends. Of two conjugates the
-/// upper one stands for both.
+/// True where two complex multipliers may meet on the step and leave the unit circle. Each is given
+/// by its index at both ends; the upper one of two conjugates represents both.
 pub(super) fn may_push_out(
     ends: [StepEnd; 2],
     couplings: &[Couplings; 2],
@@ -80,7 +82,8 @@ pub(super) fn may_push_out(
     largest_coupled(first, second, coupling) >= 1.0 && may_meet(ends, one, two)
 }
 
-/// The larger modulus of two multipliers of one angle that a coupling ties: the larger eigenvalue of `[a k; k b]`.
+/// Returns the larger modulus of two coupled multipliers of one angle: the larger eigenvalue of `[a
+/// k; k b]`.
 fn largest_coupled(a: f64, b: f64, coupling: f64) -> f64 {
     0.5 * (a + b) + (0.5 * (a - b)).hypot(coupling)
 }

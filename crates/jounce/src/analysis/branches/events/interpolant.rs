@@ -1,23 +1,26 @@
-//! A test function on a step: its cubic Hermite interpolant with a stated error, and the crossings that these prove.
+//! Test function on a step: its cubic Hermite interpolant with an error bound, and the proved
+//! crossings of zero.
 //!
 //! ```text
 //! f(t) = H(t) + e(t),   |e(t)| <= 16 E t^2 (1 - t)^2,   |e'(t)| <= 32 E / sqrt(108),   t = 0 .. 1
 //! E = |p - q| / 8 + 4 / 27 |p + q - 2 (f1 - f0)|
 //! ```
 //!
-//! `p` and `q` are the slopes at the two ends times the length of the step. The first part of `E` is the height of `H` above its chord: the
-//! function may bend twice as far as the cubic does, as it does at a kink in the middle of the step. The second part is the distance
-//! of `H` from the parabolas that leave out one of the slopes.
+//! `p` and `q` are the slopes at the two ends times the length of the step. The first part of `E`
+//! is the height of `H` above its chord. So the function may bend twice as far as the cubic, for
+//! example at a kink in the middle of the step. The second part is the distance of `H` from the
+//! parabolas that omit one of the slopes.
 //!
-//! The proof is that of a flight without contact: by Bernstein coefficients, on pieces of the step.
+//! The proof is the same as for a flight without contact: by Bernstein coefficients, on pieces of
+//! the step.
 
-/// Halvings of a step after which no piece of it is cut any more: pieces of a 256th of the step.
+/// Largest number of halvings of a step: to pieces of a 256th of the step.
 const MAX_HALVINGS: u32 = 8;
 
 /// Largest slope of `16 t^2 (1 - t)^2`: `32 / sqrt(108)`.
 const ERROR_SLOPE: f64 = 3.079_201_435_678_004;
 
-/// A test function on a step.
+/// Test function on a step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Interpolant {
     /// Values at the two ends.
@@ -26,7 +29,7 @@ pub struct Interpolant {
     pub slopes: [f64; 2],
 }
 
-/// A piece of a step: all that is known of the function on it.
+/// Property of the function that is proved on a piece of a step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum InterpolantPiece {
     /// It has this sign.
@@ -38,13 +41,13 @@ enum InterpolantPiece {
 }
 
 impl Interpolant {
-    /// Error `E` of the cubic.
+    /// Returns the error `E` of the cubic.
     pub fn error(&self) -> f64 {
         let ([from, to], [p, q]) = (self.values, self.slopes);
         0.125 * (p - q).abs() + 4.0 / 27.0 * (p + q - 2.0 * (to - from)).abs()
     }
 
-    /// Number of crossings of zero on the step; `None` where it is not proved.
+    /// Returns the number of crossings of zero on the step; `None` where it is not proved.
     pub fn crossings(&self) -> Option<usize> {
         let [from, to] = self.values;
         if !(from.is_finite()
@@ -55,7 +58,7 @@ impl Interpolant {
         }
         let ([p, q], error) = (self.slopes, self.error());
         let cubic = [from, from + p / 3.0, to - q / 3.0, to];
-        // The same polynomial in degree four, in which the error has one coefficient.
+        // The same polynomial raised to degree four, where the error has one coefficient.
         let raised = |i: usize| {
             let share = i as f64 / 4.0;
             share * cubic[i.saturating_sub(1)] + (1.0 - share) * cubic[i.min(3)]
@@ -111,7 +114,7 @@ fn examine(
     pieces.push(piece);
 }
 
-/// Bernstein coefficients on the two halves, by de Casteljau.
+/// Returns the Bernstein coefficients on the two halves, by de Casteljau.
 fn halves<const N: usize>(coefficients: [f64; N]) -> [[f64; N]; 2] {
     let (mut row, mut first, mut second) = (coefficients, coefficients, coefficients);
     for level in 0..N {
@@ -123,7 +126,7 @@ fn halves<const N: usize>(coefficients: [f64; N]) -> [[f64; N]; 2] {
     [first, second]
 }
 
-/// Crossings on pieces that follow one another, between two ends of known signs.
+/// Counts the crossings on consecutive pieces, between two ends of known signs.
 fn counted(first: bool, last: bool, pieces: &[InterpolantPiece]) -> Option<usize> {
     let (mut sign, mut count, mut way) = (first, 0, None);
     for piece in pieces.iter().chain([&InterpolantPiece::Sign(last)]) {
@@ -131,7 +134,7 @@ fn counted(first: bool, last: bool, pieces: &[InterpolantPiece]) -> Option<usize
             (InterpolantPiece::Open, _) => return None,
             (InterpolantPiece::Monotone(rises), None) => way = Some(rises),
             (InterpolantPiece::Monotone(rises), Some(before)) if rises == before => {}
-            // It turns where its sign is not known.
+            // The function turns where its sign is unknown.
             (InterpolantPiece::Monotone(_), Some(_)) => return None,
             (InterpolantPiece::Sign(now), _) => {
                 count += usize::from(now != sign);
@@ -157,7 +160,8 @@ mod tests {
         }
     }
 
-    /// `e - (s - 0.4)^2`, two zeros `2 sqrt(e)` apart: found where they are apart, never missed however near they are.
+    /// `e - (s - 0.4)^2`, two zeros `2 sqrt(e)` apart: found where they are separate, never missed
+    /// however near they are.
     #[test]
     fn a_pair_of_crossings_is_never_taken_for_none() {
         for power in 1..14 {
@@ -183,7 +187,7 @@ mod tests {
         assert_eq!(far.crossings(), Some(0));
     }
 
-    /// Against 4000 samples of polynomials and waves: what is proved is so.
+    /// Comparison with 4000 samples of polynomials and waves: proved results hold.
     #[test]
     fn what_is_proved_agrees_with_samples() {
         let mut proved = 0;
@@ -206,8 +210,9 @@ mod tests {
         assert!(proved > 1000, "{proved}");
     }
 
-    /// The rule on a curve whose events are known: `prod (s - s_k)` with pairs of zeros as near as a ten millionth. Every zero lies on a step of
-    /// its own or on a part that is not proved, and none of those is longer than the shortest step.
+    /// The rule on a curve with known events: `prod (s - s_k)` with pairs of zeros down to 1e-7
+    /// apart. Every zero lies on its own step or on a part that is not proved, and no such part is
+    /// longer than the shortest step.
     #[test]
     fn every_zero_of_a_pair_is_found_or_not_proved() {
         for k in 0..400_u32 {

@@ -1,26 +1,27 @@
-//! Levels of quantities of an orbit that a user gives.
+//! Levels of quantities of an orbit that a user specifies.
 
 use crate::contact::Law;
 use crate::orbit::{OrbitQuantity, ShootingEvaluation};
 use crate::plant::Plant;
 use crate::spec::Quantity;
 
-/// A level of a quantity, labelled where a branch passes it.
+/// Level of a quantity, labelled where a branch crosses it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct QuantityLevel {
-    /// As it was given.
+    /// Text as specified.
     pub text: String,
-    /// The level, SI.
+    /// Value of the level, SI.
     pub value: f64,
-    /// Of what.
+    /// Quantity of the level.
     pub quantity: OrbitQuantity,
 }
 
 impl QuantityLevel {
-    /// Reads `QUANTITY=VALUE`: `mean_power`, `voltage.PATCH`, `strain.PATCH` (a number without a unit) or `contact_force.STOP`.
+    /// Reads `QUANTITY=VALUE`: `mean_power`, `voltage.PATCH`, `strain.PATCH` (a number without a
+    /// unit) or `contact_force.STOP`.
     ///
     /// # Errors
-    /// What is wrong with it, and what is allowed.
+    /// A message with the mistake and the allowed values.
     pub fn parse(text: &str, plant: &Plant) -> Result<Self, String> {
         let allowed = || format!("{text}: {}", choices(plant));
         let (name, value_text) = text.split_once('=').ok_or_else(allowed)?;
@@ -48,10 +49,9 @@ impl QuantityLevel {
             Some(unit) => unit
                 .read(value_text.trim())
                 .map_err(|error| format!("{text}: {error}"))?,
-            None => value_text
-                .trim()
-                .parse()
-                .map_err(|_| format!("{text}: a strain is a number without a unit, as 3e-4"))?,
+            None => value_text.trim().parse().map_err(|_| {
+                format!("{text}: a strain is a number without a unit, such as 3e-4")
+            })?,
         };
         if value > 0.0 && f64::is_finite(value) {
             Ok(Self {
@@ -64,7 +64,7 @@ impl QuantityLevel {
         }
     }
 
-    /// The quantity of an orbit less the level, relative to it.
+    /// Returns the difference of the quantity of an orbit from the level, relative to the level.
     pub(in crate::analysis) fn off(&self, shot: &ShootingEvaluation) -> f64 {
         self.quantity.of(shot) / self.value - 1.0
     }
@@ -79,7 +79,7 @@ fn has_strain(plant: &Plant, patch: &str) -> bool {
         .is_some_and(|patch| !patch.strain.is_empty())
 }
 
-/// What may be given, for a message.
+/// Lists the allowed levels for a message.
 fn choices(plant: &Plant) -> String {
     let patches = plant.system.modes.patch.keys().flat_map(|patch| {
         let strain = has_strain(plant, patch).then(|| format!("strain.{patch}=3e-4"));
@@ -95,5 +95,5 @@ fn choices(plant: &Plant) -> String {
         .chain(patches)
         .chain(forces)
         .collect();
-    format!("write QUANTITY=VALUE; here {} can be given", all.join(", "))
+    format!("write QUANTITY=VALUE; this spec allows {}", all.join(", "))
 }

@@ -1,10 +1,12 @@
-//! Events on a curve by one rule.
+//! Detection of all events on a curve by one rule.
 //!
-//! Every event is a zero of a test function: a fold of the parameter's share of the tangent, a doubling, a branch point and a torus of
-//! products over multipliers ([`spectrum`]), a grazing of the distance of a turning point past its stop ([`turning_points`]). Each function
-//! comes with its derivative along the curve ([`test_data`]). A step is accepted where the cubic through both ends and both slopes, with its
-//! stated error ([`interpolant`]), proves that it holds at most one event of each kind. Otherwise a point is put half-way ([`rule`]). What
-//! is not proved on the shortest steps is listed with its place.
+//! Every event is a zero of a test function. A fold is a zero of the parameter's component of the
+//! tangent. Doublings, branch points and tori are zeros of products over multipliers
+//! ([`spectrum`]), and a grazing is a zero of the distance of a turning point past its stop
+//! ([`turning_points`]). Each function has its derivative along the curve ([`test_data`]). A step
+//! is accepted if the cubic through both ends and both slopes, with its error bound
+//! ([`interpolant`]), proves at most one event of each kind. Otherwise a point is added half-way
+//! ([`rule`]). Steps that are not proved at the smallest size are listed with their interval.
 
 mod coupling;
 mod interpolant;

@@ -1,6 +1,7 @@
-//! Things of one list joined with those of another, each with one at most.
+//! Pairing of the elements of two lists, each with one partner at most.
 
-/// Pairs of places in two lists of some lengths, the least cost first; what has no finite cost with anything left stays alone.
+/// Returns pairs of indices of two lists with given lengths, lowest cost first. An element without
+/// a partner of finite cost stays alone.
 pub fn paired(from: usize, to: usize, cost: impl Fn(usize, usize) -> f64) -> Vec<(usize, usize)> {
     let mut costs: Vec<(f64, usize, usize)> = (0..from)
         .flat_map(|i| (0..to).map(move |j| (i, j)))

@@ -1,4 +1,4 @@
-//! The rule by which a step of a curve is accepted.
+//! Rule by which a step of a curve is accepted.
 
 use super::coupling::{Couplings, may_push_out};
 use super::interpolant::Interpolant;
@@ -15,27 +15,28 @@ use crate::continuation::{CurvePoint, HermiteSegment, Metric, correct, tangent};
 use crate::orbit::OrbitMethod;
 use serde::Serialize;
 
-/// Most halvings of one step: what is not proved on a thousandth of it is listed.
+/// Largest number of halvings of one step; an interval not proved at a thousandth of it is listed.
 const MAX_STEP_HALVINGS: u32 = 10;
 
-/// Most points put on one step: five for each of its halvings, so that a step on which a proof fails everywhere costs no more.
+/// Largest number of points added on one step: five for each halving, which limits the cost where
+/// every proof fails.
 const MAX_STEP_POINTS: u32 = 50;
 
-/// An event of which there may be two more on a part of a branch than are listed.
+/// Interval of a branch that may contain two more events of a kind than are listed.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct NotProved {
     /// Kind of the event.
     pub event: BranchKind,
-    /// Value of the key where the part begins, SI.
+    /// Value of the key at the begin of the interval, SI.
     pub from: f64,
-    /// Value of the key where it ends, SI.
+    /// Value of the key at the end of the interval, SI.
     pub to: f64,
-    /// What stood against the proof.
+    /// Reason why the proof failed.
     pub why: String,
 }
 
 impl NotProved {
-    /// Adds a part to a list, to the part before it where that is of the same kind.
+    /// Adds an interval to a list, or extends the previous one of the same kind.
     fn add(list: &mut Vec<Self>, event: BranchKind, [from, to]: [f64; 2], why: &str) {
         match list
             .iter_mut()
@@ -55,7 +56,8 @@ impl NotProved {
 }
 
 impl BranchTracer {
-    /// The point after another one, and before it those that prove what happens on the way; what they do not prove joins a list.
+    /// Returns the points that prove the events of a step, and its last point; intervals that are
+    /// not proved are added to the list.
     ///
     /// # Errors
     /// As [`BranchTracer::walk`].
@@ -95,9 +97,9 @@ impl BranchTracer {
         };
         let Some(middle) = middle else {
             let why = if is_left {
-                "no orbit was found half-way"
+                "no orbit was found at the midpoint of a step"
             } else {
-                "the shortest steps do not prove it"
+                "not proved on the smallest steps"
             };
             doubts.into_iter().for_each(|event| {
                 NotProved::add(
@@ -120,7 +122,7 @@ impl BranchTracer {
         Ok(places)
     }
 
-    /// The point of the curve half-way between two.
+    /// Returns the point of the curve half-way between two.
     fn half_way<M: OrbitMethod>(
         &self,
         method: &M,
@@ -151,7 +153,7 @@ impl BranchTracer {
         })
     }
 
-    /// Kinds of events of which a step may hold more than one.
+    /// Returns the kinds of events that may occur more than once on a step.
     fn doubts<M: OrbitMethod>(
         &self,
         method: &M,
@@ -177,7 +179,8 @@ impl BranchTracer {
             return doubts;
         };
         let [one, two] = ends.map(|end| end.readings);
-        // Without contacts and switches multipliers are those of the plant, all inside.
+        // Without contacts and switches the multipliers are those of the plant, all inside the unit
+        // circle.
         if !(one.here.is_free && two.here.is_free) {
             let couplings = Self::couplings(method, before, after);
             let is_tied = |one, two| {
@@ -205,7 +208,8 @@ impl BranchTracer {
         doubts
     }
 
-    /// The ends of a step with what the test functions are made of; `None` where that cannot be computed.
+    /// Returns the ends of a step with the data of their test functions; `None` where these cannot
+    /// be computed.
     pub(in crate::analysis::branches) fn ends<'p, M: OrbitMethod>(
         &self,
         method: &M,
@@ -222,7 +226,8 @@ impl BranchTracer {
         Some([end(before)?, end(after)?])
     }
 
-    /// Couplings of the multipliers at each end of a step, read from the map at the other end.
+    /// Returns the couplings of the multipliers at each end of a step, computed from the map at the
+    /// other end.
     fn couplings<M: OrbitMethod>(
         method: &M,
         before: &OrbitPoint<M>,
@@ -235,7 +240,7 @@ impl BranchTracer {
         Some([of(before, [one, two]), of(after, [two, one])])
     }
 
-    /// The parameter's share of the tangent, by the cubic of the parameter itself.
+    /// Returns the parameter's component of the tangent, by the cubic of the parameter.
     fn turns<L>(&self, before: &CurvePoint<L>, after: &CurvePoint<L>) -> Interpolant {
         let metric = Metric::at(&before.position, self.parameter_scale());
         let way = before.position.to(&after.position);
@@ -251,7 +256,7 @@ impl BranchTracer {
     }
 }
 
-/// Kinds of which more than one multiplier may pass its critical value, or one of them more than once.
+/// Returns the kinds for which multipliers may pass the critical value more than once.
 fn doubtful_multipliers(
     ends: [StepEnd; 2],
     is_tied: impl Fn((usize, usize), (usize, usize)) -> bool,

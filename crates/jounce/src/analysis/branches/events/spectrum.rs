@@ -1,14 +1,17 @@
-//! Multipliers of two neighbouring points joined into groups, each with test functions that are smooth where its members meet.
+//! Multipliers of two neighbouring points, joined into groups with test functions that are smooth
+//! where members meet.
 //!
 //! ```text
 //! doubling  prod (1 + mu_i)      fold, branch point  prod (1 - mu_i)      Neimark-Sacker  prod_(i < j) (mu_i mu_j - 1)
 //! ```
 //!
-//! A group holds its conjugates, and where two real multipliers become a complex pair on the way it holds both. So the products are real
-//! and smooth, which single multipliers are not. Products over all multipliers would be smooth too; but pairs of fast modes turn several
-//! times round the origin on a step, and those of slow ones would be lost in them.
+//! A group contains its conjugates. Where two real multipliers become a complex pair on the step,
+//! it contains both. So the products are real and smooth, unlike single multipliers. Products over
+//! all multipliers would be smooth too. But pairs of fast modes rotate several times about the
+//! origin on a step, and would hide the slow ones.
 //!
-//! Multipliers are joined by where their derivatives lead them, in the logarithm, in which a pair of a mode turns evenly.
+//! Multipliers are joined by extrapolation with their derivatives, in the logarithm, where the pair
+//! of a mode rotates uniformly.
 
 use super::interpolant::Interpolant;
 use super::pairing::paired;
@@ -16,17 +19,17 @@ use super::test_data::TestDataPair;
 use faer::c64;
 use std::f64::consts::TAU;
 
-/// A function of the multipliers of a group.
+/// Function of the multipliers of a group.
 pub(super) type TestFunction = fn(&[c64]) -> f64;
 
-/// Multipliers that belong together, by their numbers at the two ends of a step.
+/// Group of multipliers, by their indices at the two ends of a step.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct MultiplierGroup {
     pub from: Vec<usize>,
     pub to: Vec<usize>,
 }
 
-/// One end of a step: readings, and the length of the step as it is measured there.
+/// One end of a step: its data, and the length of the step as measured there.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::analysis::branches) struct StepEnd<'r> {
     pub readings: &'r TestDataPair,
@@ -38,12 +41,12 @@ impl StepEnd<'_> {
         self.readings.here.multipliers[i]
     }
 
-    /// Change of a multiplier over the step, by its derivative.
+    /// Returns the change of a multiplier over the step, by its derivative.
     pub fn change(&self, i: usize) -> c64 {
         (self.readings.multipliers[i] - self.value(i)) * self.per()
     }
 
-    /// Differences to derivatives times the length of the step.
+    /// Returns the factor from differences to derivatives times the length of the step.
     pub fn per(&self) -> f64 {
         self.length / self.readings.length
     }
@@ -52,7 +55,7 @@ impl StepEnd<'_> {
         self.readings.here.multipliers.len()
     }
 
-    /// Number of the conjugate.
+    /// Returns the index of the conjugate.
     fn conjugate(&self, i: usize) -> usize {
         let conjugate = self.value(i).conj();
         let off = |j: &usize| (self.value(*j) - conjugate).norm();
@@ -65,7 +68,7 @@ impl StepEnd<'_> {
         }
     }
 
-    /// A function of some multipliers, and its change over the step by its derivative.
+    /// Returns a function of some multipliers, and its change over the step by its derivative.
     fn of(&self, own: &[usize], f: TestFunction) -> (f64, f64) {
         let all = |values: &[c64]| f(&own.iter().map(|i| values[*i]).collect::<Vec<_>>());
         let here = all(&self.readings.here.multipliers);
@@ -73,7 +76,7 @@ impl StepEnd<'_> {
     }
 }
 
-/// A function of a group between two ends.
+/// Returns a function of a group between two ends.
 pub(super) fn between(
     [a, b]: [StepEnd; 2],
     group: &MultiplierGroup,
@@ -86,8 +89,8 @@ pub(super) fn between(
     }
 }
 
-/// True where the blocks that the group belongs to keep it inside the unit circle on the step: their discs lie inside it at both ends, and stay
-/// inside where they change once more as much.
+/// True where the blocks of the group hold it inside the unit circle on the step. Their discs lie
+/// inside it at both ends, and remain inside if they change by the same amount again.
 pub(super) fn is_enclosed([a, b]: [StepEnd; 2], group: &MultiplierGroup) -> bool {
     let radius = |end: StepEnd, own: &[usize]| {
         own.iter()
@@ -98,29 +101,30 @@ pub(super) fn is_enclosed([a, b]: [StepEnd; 2], group: &MultiplierGroup) -> bool
     one.max(two) + (one - two).abs() < 1.0
 }
 
-/// Zero where one of the group is -1.
+/// Zero where a member of the group is -1.
 pub(super) fn doubling(values: &[c64]) -> f64 {
     values.iter().map(|mu| 1.0 + mu).product::<c64>().re
 }
 
-/// Zero where one of the group is +1.
+/// Zero where a member of the group is +1.
 pub(super) fn fold(values: &[c64]) -> f64 {
     values.iter().map(|mu| 1.0 - mu).product::<c64>().re
 }
 
-/// Zero where the product of two of the group is one.
+/// Zero where the product of two members is one.
 pub(super) fn torus(values: &[c64]) -> f64 {
     let pairs = (0..values.len()).flat_map(|j| (0..j).map(move |i| values[i] * values[j] - 1.0));
     pairs.product::<c64>().re
 }
 
-/// Zero where two real ones meet.
+/// Zero where two real multipliers meet.
 fn discriminant(values: &[c64]) -> f64 {
     (values[0] - values[1]).powi(2).re
 }
 
-/// True where the multipliers whose product passes one are a complex pair: a torus bifurcation. False where they are real: no event. `None`
-/// where two real ones may become a pair on the step, so that either may hold.
+/// True where the multipliers whose product passes one are a complex pair: a Neimark-Sacker
+/// bifurcation. False where they are real: no event. `None` where two real ones may become a pair
+/// on the step.
 pub(super) fn is_torus_crossing(ends: [StepEnd; 2], group: &MultiplierGroup) -> Option<bool> {
     let [a, b] = ends;
     let is_real = |i: &usize, end: StepEnd| end.value(*i).im == 0.0;
@@ -135,7 +139,7 @@ pub(super) fn is_torus_crossing(ends: [StepEnd; 2], group: &MultiplierGroup) -> 
     }
 }
 
-/// A multiplier with what leads it to the other end of the step.
+/// Multiplier with its extrapolation to the other end of the step.
 struct LinkedMultiplier {
     value: c64,
     log: c64,
@@ -153,7 +157,8 @@ impl LinkedMultiplier {
         (0..end.count()).map(led).collect()
     }
 
-    /// Square of the distance from where the derivatives at both ends lead one multiplier to the other end.
+    /// Returns the squared distance between two multipliers, each extrapolated towards the other
+    /// end of the step.
     fn off(&self, to: &Self) -> f64 {
         let size = self.value.norm_sqr().max(to.value.norm_sqr());
         let way = (to.value - self.value).norm_sqr();
@@ -163,14 +168,15 @@ impl LinkedMultiplier {
         let led = to.log - self.log - (self.half + to.half);
         let turns = led.im - TAU * (led.im / TAU).round();
         let off = size * (led.re * led.re + turns * turns);
-        // Where two real ones meet their derivatives have no bound.
+        // Where two real multipliers meet, their derivatives are unbounded.
         let is_real = self.value.im == 0.0 || to.value.im == 0.0;
         let off = if is_real { off.min(way) } else { off };
         if off.is_finite() { off } else { way }
     }
 }
 
-/// Groups between two ends. `is_tied` returns true for two complex multipliers, given by their indices at both ends, that belong to one group.
+/// Returns the groups between two ends. `is_tied` returns true for two complex multipliers, given
+/// by their indices at both ends, that belong to one group.
 pub(super) fn groups(
     ends: [StepEnd; 2],
     is_tied: impl Fn((usize, usize), (usize, usize)) -> bool,
@@ -178,7 +184,7 @@ pub(super) fn groups(
     let [a, b] = ends;
     let (from, to) = (LinkedMultiplier::all(a), LinkedMultiplier::all(b));
     let pairs = paired(from.len(), to.len(), |i, j| from[i].off(&to[j]));
-    // The number of the group of each pair.
+    // Index of the group of each pair.
     let mut group: Vec<usize> = (0..pairs.len()).collect();
     let join = |group: &mut Vec<usize>, one: usize, two: usize| {
         let (one, two) = (group[one], group[two]);
@@ -207,7 +213,7 @@ pub(super) fn groups(
             to: own().map(|((_, j), _)| *j).collect(),
         }
     };
-    // Two real ones may meet and part again on the way.
+    // Two real multipliers may meet and separate again on the step.
     for k in 0..pairs.len() {
         for other in 0..k {
             let (one, two) = (pairs[k], pairs[other]);
@@ -244,7 +250,7 @@ mod tests {
     use super::*;
     use crate::analysis::branches::events::test_data::TestData;
 
-    /// Readings of multipliers at a place of a curve, and at 1e-6 ahead.
+    /// Data of multipliers at a point of a curve, and at 1e-6 ahead.
     fn at(multipliers: impl Fn(f64) -> Vec<c64>, s: f64) -> TestDataPair {
         let (turns, levels, radii) = (Vec::new(), Vec::new(), vec![2.0; multipliers(s).len()]);
         let here = TestData {
@@ -277,7 +283,8 @@ mod tests {
         (groups(ends, |_, _| false), readings.clone())
     }
 
-    /// A pair that meets at -0.9, passes -1 on the real axis and comes back: `mu^2 + 2 b mu + 0.9` with `b` from 0.9 to 0.97 and back.
+    /// A pair that meets at -0.9, passes -1 on the real axis and returns: `mu^2 + 2 b mu + 0.9`
+    /// with `b` from 0.9 to 0.97 and back.
     #[test]
     fn a_pair_that_becomes_real_and_comes_back_is_one_group() {
         let pair = |s: f64| {
@@ -301,7 +308,7 @@ mod tests {
         );
     }
 
-    /// Two pairs that turn by 1.5 and by 9 rad, of which the second ends where the first began.
+    /// Two pairs that rotate by 1.5 and by 9 rad; the second ends where the first began.
     #[test]
     fn pairs_are_joined_by_where_they_turn() {
         let pair =

@@ -1,4 +1,5 @@
-//! What the test functions of a point are made of, there and a little ahead on the curve: the difference is their derivative along it.
+//! Data of the test functions of a point and of one slightly ahead on the curve; the difference is
+//! the derivative along it.
 
 use super::level::QuantityLevel;
 use super::pairing::paired;
@@ -8,20 +9,20 @@ use crate::orbit::{
 };
 use faer::c64;
 
-/// Way ahead, in the metric, beside the root of the tolerance of the marches: there the error that a march leaves in the difference and the
-/// bend that the difference leaves out are alike.
+/// Distance ahead, in the metric, relative to the square root of the tolerance of the integrations.
+/// There the integration error in the difference and the neglected curvature are about equal.
 const SLOPE_DISTANCE: f64 = 10.0;
 
-/// What the test functions of an orbit are made of.
+/// Data of the test functions of an orbit.
 #[derive(Debug, Clone, PartialEq)]
 pub(in crate::analysis::branches) struct TestData {
     /// Floquet multipliers.
     pub multipliers: Vec<c64>,
-    /// Radius about zero that each multiplier stays in by the block that it belongs to.
+    /// Radius of the disc about zero that bounds each multiplier, by its block.
     pub radii: Vec<f64>,
     /// Turning points of the ports.
     pub turns: Vec<TurningPoint>,
-    /// Values of the quantities of which the user gives a level, less that.
+    /// Values of the quantities with a level, minus the level.
     pub levels: Vec<f64>,
     /// Period, s.
     pub period_s: f64,
@@ -31,17 +32,17 @@ pub(in crate::analysis::branches) struct TestData {
     pub is_free: bool,
 }
 
-/// The same at two places near each other; what lies ahead stands in the order of what is here.
+/// Data at two points near each other; the data ahead are in the order of those here.
 #[derive(Debug, Clone, PartialEq)]
 pub(in crate::analysis::branches) struct TestDataPair {
     pub here: TestData,
     /// Multipliers ahead.
     pub multipliers: Vec<c64>,
-    /// Turning points ahead; `None` where one ends on the way.
+    /// Turning points ahead; `None` where one disappears on the way.
     pub turns: Vec<Option<TurningPoint>>,
     /// Levels ahead.
     pub levels: Vec<f64>,
-    /// From here to ahead, in the metric.
+    /// Distance from here to ahead, in the metric.
     pub length: f64,
 }
 
@@ -62,7 +63,7 @@ impl TestData {
         }
     }
 
-    /// With the radius of the disc of the block that each multiplier lies nearest to.
+    /// Adds for each multiplier the radius of the disc of the nearest block.
     fn with_radii(mut self, shot: &ShootingEvaluation) -> Self {
         let discs = discs(
             &shot.block_map,
@@ -75,14 +76,15 @@ impl TestData {
         self
     }
 
-    /// Time of a turning point as a share of the period.
+    /// Returns the time of a turning point as a fraction of the period.
     pub fn phase(&self, turn: &TurningPoint) -> f64 {
         (turn.cycle as f64 / self.cycles as f64 + turn.time_s / self.period_s).rem_euclid(1.0)
     }
 }
 
 impl TestDataPair {
-    /// At a step of a curve, in the direction of its tangent or against it; `None` where nothing can be marched ahead of it or behind it.
+    /// Computes the data at a step of a curve, in the direction of its tangent or against it;
+    /// `None` where the integration fails on both sides.
     pub fn of<M: OrbitMethod>(
         method: &M,
         (step, orbit): (&CurvePoint<M::Evaluation>, &Orbit),
@@ -104,7 +106,8 @@ impl TestDataPair {
                 Self::joined(here.clone(), &reading, length),
             ))
         };
-        // The flow has no derivative across a grazing on a rigid stop: the difference is taken on the side with the same contacts.
+        // The flow has no derivative across a grazing on a rigid stop: the difference is taken on
+        // the side with the same contacts.
         let mut other = None;
         for side in [1.0, -1.0] {
             match on_side(side) {
@@ -138,7 +141,8 @@ impl TestDataPair {
     }
 }
 
-/// Way in phase from a turning point of an orbit to one of another; infinite where they are no two of a kind.
+/// Returns the difference in phase between turning points of two orbits; infinite where they are of
+/// different kinds.
 pub(super) fn way(
     (one, from): (&TestData, &TurningPoint),
     (two, to): (&TestData, &TurningPoint),

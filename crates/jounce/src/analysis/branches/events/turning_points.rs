@@ -1,7 +1,8 @@
-//! Distances of the turning points of the ports past their stops, joined between two neighbouring points by port, kind and phase.
+//! Distances of the turning points of the ports past their stops, joined between two neighbouring
+//! points by port, kind and phase.
 //!
-//! A grazing is a zero of one of these distances. A maximum that rises through the surface begins a contact, a minimum that falls through it
-//! divides one.
+//! A grazing is a zero of one of these distances. A maximum that rises through the surface begins a
+//! contact; a minimum that falls through it divides one.
 
 use super::interpolant::Interpolant;
 use super::pairing::paired;
@@ -9,14 +10,14 @@ use super::spectrum::StepEnd;
 use super::test_data::{TestData, way};
 use crate::orbit::{ShootingEvaluation, TurningPoint, turns};
 
-/// A turning point on a step.
+/// Turning point on a step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::analysis::branches) struct Extremum {
     /// Distance past the surface, m.
     pub past_m: Interpolant,
-    /// The turning point at the beginning of the step.
+    /// Turning point at the beginning of the step.
     pub from: TurningPoint,
-    /// Its phase there, a share of the period.
+    /// Phase at the beginning, as a fraction of the period.
     phase: f64,
     /// Change of the phase over the step.
     way: f64,
@@ -29,7 +30,8 @@ impl Extremum {
         (from > 0.0) != (to > 0.0)
     }
 
-    /// Distance past the surface, m, of the turning point on an orbit of the step, a share of the way from its beginning; not a number without one.
+    /// Returns the distance past the surface, m, of the turning point on an orbit at a fraction of
+    /// the step; NaN where the orbit has no such turning point.
     pub fn past_m(&self, shot: &ShootingEvaluation, share: f64) -> f64 {
         let cycles = shot.trajectories.len() as f64;
         let expected = self.phase + share * self.way;
@@ -47,7 +49,7 @@ impl Extremum {
     }
 }
 
-/// Turning points that both ends of a step have.
+/// Returns the turning points that both ends of a step have.
 pub(in crate::analysis::branches) fn extrema(ends: [StepEnd; 2]) -> Vec<Extremum> {
     let [a, b] = ends;
     let (from, to) = (&a.readings.here, &b.readings.here);
@@ -63,13 +65,13 @@ pub(in crate::analysis::branches) fn extrema(ends: [StepEnd; 2]) -> Vec<Extremum
     pairs(ends).into_iter().map(joined).collect()
 }
 
-/// True where a turning point that may have touched its stop ends on a step or begins there.
+/// True where a turning point that may have touched its stop appears or disappears on a step.
 pub(super) fn may_touch_unseen(ends: [StepEnd; 2]) -> bool {
     let pairs = pairs(ends);
     let is_alone = |side: usize, k: usize| !pairs.iter().any(|pair| [pair.0, pair.1][side] == k);
     ends.iter().enumerate().any(|(side, end)| {
         let turns = &end.readings.here.turns;
-        // It moves by what its derivative says, or by as much again.
+        // It may move by twice the change given by its derivative.
         let stays = |k: usize| turns[k].past_m.abs() >= 2.0 * end.fall_m(k).abs();
         (0..turns.len()).any(|k| is_alone(side, k) && !stays(k))
     })
@@ -93,7 +95,8 @@ fn pairs(ends: [StepEnd; 2]) -> Vec<(usize, usize)> {
     })
 }
 
-/// Distance in phase from a turning point to the nearest one of the other kind of its port; infinite without one.
+/// Returns the phase difference from a turning point to the nearest one of the other kind at its
+/// port; infinite without one.
 fn to_neighbour(reading: &TestData, k: usize) -> f64 {
     let own = &reading.turns[k];
     let neighbours = reading
@@ -106,7 +109,8 @@ fn to_neighbour(reading: &TestData, k: usize) -> f64 {
     away.fold(f64::INFINITY, f64::min)
 }
 
-/// Distance in phase from where the derivatives at both ends lead a turning point to the other end.
+/// Returns the phase difference between two turning points, each extrapolated towards the other end
+/// of the step.
 fn off([a, b]: [StepEnd; 2], (i, j): (usize, usize)) -> f64 {
     let (from, to) = (&a.readings.here, &b.readings.here);
     let way = way((from, &from.turns[i]), (to, &to.turns[j]));
@@ -118,7 +122,8 @@ impl StepEnd<'_> {
         Some((&self.readings.here.turns[k], self.readings.turns[k]?))
     }
 
-    /// Change of the distance past the surface over the step, m, by its derivative; not a number where the turning point ends at once.
+    /// Change of the distance past the surface over the step, m, by its derivative; NaN where the
+    /// turning point disappears at once.
     fn fall_m(&self, k: usize) -> f64 {
         self.ahead(k).map_or(f64::NAN, |(here, ahead)| {
             (ahead.past_m - here.past_m) * self.per()
