@@ -343,9 +343,10 @@ fn by_stamps(
         .rate_hz
         .filter(|rate_hz| (rate_hz / found - 1.0).abs() > SAME_RATE)
     {
-        let about =
-            format!("the notes specify {rate_hz} Hz, the stamps give {found:.6} Hz; the stamps \
-                are used");
+        let about = format!(
+            "the notes specify {rate_hz} Hz, the stamps give {found:.6} Hz; the stamps \
+                are used"
+        );
         findings.push(Issue::new(IssueKind::HeaderDisagrees, 1, None, about));
     }
     Ok(places)
@@ -374,7 +375,10 @@ pub(super) fn settled(
     let unit = Unit::read(&told);
     let factor = scale * unit.as_ref().map_or(1.0, |unit| unit.factor);
     if let Some(unit) = unit.as_ref().filter(|unit| unit.converts()) {
-        let about = format!("values in {told} are multiplied by {} to give {}", unit.factor, unit.si);
+        let about = format!(
+            "values in {told} are multiplied by {} to give {}",
+            unit.factor, unit.si
+        );
         findings.push(noticed(IssueKind::Converted, column.values.count(), about));
     }
     if unit.is_none() && !told.trim().is_empty() && told.trim() != "NONE" {

@@ -153,8 +153,10 @@ fn channel(name: &str, table: &Table, faults: &mut Vec<String>) -> ChannelNotes 
     faults.extend(unknown(table, &CHANNEL_KEYS, &place));
     let unit = text_of(table, "unit", &place, faults);
     if let Some(unit) = unit.as_ref().filter(|unit| Unit::read(unit).is_none()) {
-        faults.push(format!("{place}unit = {unit:?} is not a known unit; expected one such as \
-            m/s^2, g, N, lbf, V, m, Pa, s or Hz"));
+        faults.push(format!(
+            "{place}unit = {unit:?} is not a known unit; expected one such as \
+            m/s^2, g, N, lbf, V, m, Pa, s or Hz"
+        ));
     }
     let scale = table.get("scale").and_then(|item| {
         item.as_float()

@@ -28,8 +28,12 @@ const NOTES: &str = "jounce";
 const BATCH: usize = 1 << 16;
 
 pub(super) fn read(path: &Path, store: &SampleStore) -> Result<FormatContents, Damage> {
-    let told = |fault: &dyn std::fmt::Display| Damage::new(format!("{fault}; is the file \
-        truncated?"));
+    let told = |fault: &dyn std::fmt::Display| {
+        Damage::new(format!(
+            "{fault}; is the file \
+        truncated?"
+        ))
+    };
     let file = File::open(path).map_err(|fault| told(&fault))?;
     let size = file.metadata().map_err(|fault| told(&fault))?.len();
     let reader = SerializedFileReader::new(file).map_err(|fault| told(&fault))?;

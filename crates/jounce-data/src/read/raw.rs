@@ -178,8 +178,10 @@ impl RawColumn {
         } else {
             &unit
         };
-        let about = format!("levels in decibels were converted to {sizes} {times}10^(L/{decade}) \
-            in {of}");
+        let about = format!(
+            "levels in decibels were converted to {sizes} {times}10^(L/{decade}) \
+            in {of}"
+        );
         self.unit = unit;
         Issue::new(
             IssueKind::Decibels,

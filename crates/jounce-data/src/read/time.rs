@@ -348,7 +348,10 @@ pub(super) fn seconds(
     if factor * scale != 1.0 {
         findings.push(noticed(
             IssueKind::Converted,
-            format!("stamps in {unit} are multiplied by {} to give {si}", factor * scale),
+            format!(
+                "stamps in {unit} are multiplied by {} to give {si}",
+                factor * scale
+            ),
         ));
     }
     column.values.scale(factor * scale);

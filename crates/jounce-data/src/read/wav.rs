@@ -67,9 +67,10 @@ pub(super) fn read(path: &Path, store: &SampleStore) -> Result<FormatContents, D
             }
             b"data" => {
                 let Some(format) = format else {
-                    return Err(
-                        Damage::new("the format of the samples is not described before them").at_byte(at),
-                    );
+                    return Err(Damage::new(
+                        "the format of the samples is not described before them",
+                    )
+                    .at_byte(at));
                 };
                 let length = if length == u64::from(u32::MAX) {
                     long.unwrap_or(length)
@@ -156,8 +157,10 @@ fn samples(
     let there = length.min(left) / block;
     // Recorders that lose power leave a length of 0 or the maximum.
     if length > left && length < u64::from(u32::MAX) - 1024 {
-        let why = format!("expected {length} bytes of samples, but {left} follow: is the file \
-            truncated?");
+        let why = format!(
+            "expected {length} bytes of samples, but {left} follow: is the file \
+            truncated?"
+        );
         return Err(Damage::new(why).at_byte(at));
     }
     let there = if length == 0 { left / block } else { there };

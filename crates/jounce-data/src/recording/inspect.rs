@@ -196,8 +196,7 @@ impl ChannelStatistics {
         } else {
             self.number - trailing
         };
-        let about =
-            format!("{leading} exact zeros precede the signal and {trailing} follow it");
+        let about = format!("{leading} exact zeros precede the signal and {trailing} follow it");
         Some(Issue::new(
             IssueKind::ZeroPadding,
             leading + trailing,

@@ -43,7 +43,9 @@ impl<'t> FeatureTable<'t> {
             .and_then(Item::as_str)
             .map(str::to_owned);
         if found.is_none() {
-            self.fault(format!("{key} must be a text, such as {key} = \"{example}\""));
+            self.fault(format!(
+                "{key} must be a text, such as {key} = \"{example}\""
+            ));
         }
         found
     }
@@ -65,8 +67,10 @@ impl<'t> FeatureTable<'t> {
             _ => positive(item).map(Deviation::Given),
         };
         if found.is_none() {
-            self.fault(format!("{key} must be a relative standard deviation, a number above 0 \
-                such as 0.002, or \"residuals\""));
+            self.fault(format!(
+                "{key} must be a relative standard deviation, a number above 0 \
+                such as 0.002, or \"residuals\""
+            ));
         }
         found
     }
@@ -74,8 +78,10 @@ impl<'t> FeatureTable<'t> {
     /// Returns the required deviation of the table.
     pub fn own_deviation(&mut self) -> Deviation {
         if !self.table.contains_key("deviation") {
-            self.fault("deviation is missing: expected the relative standard deviation, such as \
-                0.02, or \"residuals\"");
+            self.fault(
+                "deviation is missing: expected the relative standard deviation, such as \
+                0.02, or \"residuals\"",
+            );
         }
         self.deviation("deviation").unwrap_or(Deviation::Residuals)
     }
@@ -163,8 +169,10 @@ impl<'t> FeatureTable<'t> {
             return Vec::new();
         };
         let Some(table) = item.as_table_like() else {
-            self.fault("set must be a table of keys, such as set = { \"circuit.load.resistance\" \
-                = \"100 kohm\" }");
+            self.fault(
+                "set must be a table of keys, such as set = { \"circuit.load.resistance\" \
+                = \"100 kohm\" }",
+            );
             return Vec::new();
         };
         let said = |item: &Item| {

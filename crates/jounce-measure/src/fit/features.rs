@@ -165,8 +165,10 @@ fn free(reader: &mut FeatureTable<'_>) -> Vec<(String, f64)> {
         }
     }
     if free.is_empty() && reader.faults.len() == before {
-        reader.fault("no key is free: give [free] with lines such as \"beam.NAME.thickness\" = \
-            0.01");
+        reader.fault(
+            "no key is free: give [free] with lines such as \"beam.NAME.thickness\" = \
+            0.01",
+        );
     }
     free
 }

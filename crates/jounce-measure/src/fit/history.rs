@@ -67,10 +67,15 @@ impl HistoryFeature {
             return None;
         }
         let begins_s = reader.text_if_any("begins", "0 s").map(|text| {
-            let found = Quantity::Time.read(&text).ok().filter(|time_s| *time_s >= 0.0);
+            let found = Quantity::Time
+                .read(&text)
+                .ok()
+                .filter(|time_s| *time_s >= 0.0);
             if found.is_none() {
-                reader.fault(format!("begins is \"{text}\"; it must be a time of the run, not \
-                    negative, with its unit, such as \"0 s\""));
+                reader.fault(format!(
+                    "begins is \"{text}\"; it must be a time of the run, not \
+                    negative, with its unit, such as \"0 s\""
+                ));
             }
             found.unwrap_or_default()
         });

@@ -34,8 +34,10 @@ impl JumpFeature {
         let between = reader.texts("between", "12 Hz");
         let between: Result<[String; 2], _> = between.try_into();
         if between.is_err() {
-            reader.fault("between must be two values on both sides of the jump, such as between = \
-                [\"12 Hz\", \"13 Hz\"]");
+            reader.fault(
+                "between must be two values on both sides of the jump, such as between = \
+                [\"12 Hz\", \"13 Hz\"]",
+            );
         }
         let (deviation, set) = (reader.own_deviation(), reader.conditions());
         Some(Self {

@@ -34,8 +34,10 @@ pub(super) fn warnings(
         .filter(|s| **s > 1.0)
         .count();
     if seen < count {
-        found.push(format!("{features} features determine {seen} combinations of the {count} \
-            keys; the others remain at the priors"));
+        found.push(format!(
+            "{features} features determine {seen} combinations of the {count} \
+            keys; the others remain at the priors"
+        ));
     }
     for k in 0..count {
         let share = deviation[k] / problem.prior[k];
@@ -66,8 +68,10 @@ pub(super) fn warnings(
         }
     }
     for key in linear {
-        found.push(format!("the model cannot be evaluated at both ends of the interval of {key}: \
-            the interval is that of the linearised model there"));
+        found.push(format!(
+            "the model cannot be evaluated at both ends of the interval of {key}: \
+            the interval is that of the linearised model there"
+        ));
     }
     for (group, freedom) in problem
         .asked

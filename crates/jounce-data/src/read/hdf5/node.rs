@@ -134,9 +134,10 @@ impl Walk<'_> {
         let attributes = dataset.attrs().unwrap_or_default();
         let class = Class::of(&attributes);
         if class == Class::Object {
-            self.tree
-                .skip(format!("{path} is an object (timeseries, table) and was left out; save its \
-                    numbers, for example t = x.Time; v = x.Data"));
+            self.tree.skip(format!(
+                "{path} is an object (timeseries, table) and was left out; save its \
+                    numbers, for example t = x.Time; v = x.Data"
+            ));
         }
         if matches!(class, Class::Object | Class::Empty) {
             return Ok(());

@@ -67,7 +67,9 @@ pub(super) fn read(
         }
         TEXT => return inside.text(elements, tree),
         _ if NUMBERS.contains(&class) => inside.numbers(elements, complex, tree)?,
-        SPARSE => tree.skip(format!("{path} is a sparse matrix and was left out; save full({path})")),
+        SPARSE => tree.skip(format!(
+            "{path} is a sparse matrix and was left out; save full({path})"
+        )),
         _ => tree.skip(
             "an object (timeseries, table, function) was left out; save its numbers, for example \
             t = x.Time; v = x.Data; save('file.mat', 't', 'v', '-v7')",

@@ -91,7 +91,8 @@ impl Reader<'_> {
         }
         if next == OPEN {
             let about = "the last segment was not closed, because the program that wrote it ended \
-                early; the existing data are read".to_owned();
+                early; the existing data are read"
+                .to_owned();
             self.findings.push(Issue::new(
                 IssueKind::HeaderDisagrees,
                 1,

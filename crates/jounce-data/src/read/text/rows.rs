@@ -65,8 +65,11 @@ pub(in crate::read) fn columns(
             return rows.finished(layout);
         }
         if length as u64 == MAX_LINE_BYTES {
-            return Err(here("it is longer than 16 MiB; a channel is a column, and each line \
-                contains one sample of each".to_owned()));
+            return Err(here(
+                "it is longer than 16 MiB; a channel is a column, and each line \
+                contains one sample of each"
+                    .to_owned(),
+            ));
         }
         number += 1;
         read += length as u64;
@@ -308,9 +311,10 @@ impl GrowingColumn {
         if let Some((_, first)) = self.clock {
             "s".clone_into(&mut column.unit);
             if self.moves {
-                let about =
-                    format!("dates and times of day were converted to seconds since the first, \
-                        {first}");
+                let about = format!(
+                    "dates and times of day were converted to seconds since the first, \
+                        {first}"
+                );
                 findings.push(
                     Issue::new(IssueKind::Converted, self.filled, None, about).of(&head.name),
                 );

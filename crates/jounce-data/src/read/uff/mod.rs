@@ -58,8 +58,10 @@ pub(super) fn read(path: &Path, store: &SampleStore) -> Result<FormatContents, D
         )));
     }
     for (number, (count, start)) in left_out {
-        let about = format!("data set {number} is neither a recording nor a mode shape and was \
-            left out");
+        let about = format!(
+            "data set {number} is neither a recording nor a mode shape and was \
+            left out"
+        );
         found.findings.push(Issue::new(
             IssueKind::Skipped,
             count,

@@ -22,7 +22,8 @@ pub(super) fn read(block: &Block) -> Result<ModeShape, Damage> {
             .lines
             .get(line)
             .ok_or_else(|| wrong(line, "it is missing: is the file truncated?".to_owned()))?;
-        numbers(text, &mut found).map_err(|word| wrong(line, format!("{word:?} is not a number")))?;
+        numbers(text, &mut found)
+            .map_err(|word| wrong(line, format!("{word:?} is not a number")))?;
         Ok::<_, Damage>(found)
     };
     let kind = row(5)?;
