@@ -285,7 +285,7 @@ fn told_step(rate: Option<&Rate>, start: f64, notes: &Notes) -> Option<(f64, Opt
     if let Some(rate_hz) = notes.rate_hz {
         return Some((
             1.0 / rate_hz,
-            differs(rate, rate_hz, "the notes say", "the notes are"),
+            differs(rate, rate_hz, "the notes specify", "the notes are"),
         ));
     }
     let Rate { told, rate_hz } = rate?;
@@ -338,7 +338,7 @@ fn by_stamps(
             (rate, SamplePlaces::Stamped { stamps, rate })
         }
     };
-    findings.extend(differs(rate, found, "the stamps say", "the stamps are"));
+    findings.extend(differs(rate, found, "the stamps give", "the stamps are"));
     if let Some(rate_hz) = notes
         .rate_hz
         .filter(|rate_hz| (rate_hz / found - 1.0).abs() > SAME_RATE)

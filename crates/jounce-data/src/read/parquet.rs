@@ -88,7 +88,7 @@ fn check_places(reader: &SerializedFileReader<File>, size: u64) -> Result<(), Da
         .try_fold(0_i64, |rows, group| rows.checked_add(group.num_rows()));
     if rows != Some(metadata.file_metadata().num_rows()) {
         return Err(Damage::new(
-            "its groups have another number of rows than the file: was the file cut?",
+            "its groups differ in number of rows from the file: is the file truncated?",
         ));
     }
     for group in metadata.row_groups() {
@@ -114,7 +114,7 @@ fn check_places(reader: &SerializedFileReader<File>, size: u64) -> Result<(), Da
                     group.num_rows(),
                 );
                 return Err(Damage::new(format!(
-                    "column {path} has {values} values for {rows} rows: was the file cut?"
+                    "column {path} has {values} values for {rows} rows: is the file truncated?"
                 )));
             }
             if group.num_rows() < 0

@@ -193,7 +193,7 @@ mod tests {
         let chosen = untold.choose(None, Quantity::Force).unwrap();
         assert_eq!(
             chosen.head().assumed(Quantity::Force).unwrap().to_string(),
-            "x: no unit is told; N is assumed"
+            "x: no unit is given; N is assumed"
         );
         let odd = recording(&[("x", Quantity::Unknown, "furlong")]);
         assert!(matches!(

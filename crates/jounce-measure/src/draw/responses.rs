@@ -79,7 +79,7 @@ pub fn stabilisation(title: &str, found: &Identification) -> Figure {
             Stability::Frequency,
             Marker::Ring,
             Colour::nth(1),
-            "frequency stays",
+            "frequency stable",
         ),
         (Stability::New, Marker::Square, Colour::Grey, "new"),
     ];
