@@ -54,11 +54,7 @@ fn wrong_input_ends_with_its_code_and_one_clear_sentence() {
         (vec!["read", "missing.csv"], 4, "missing.csv"),
         (vec!["read", "."], 4, "not a file"),
         (vec!["read", "cut.npy"], 4, "NPY"),
-        (
-            vec!["read", "timeless.csv"],
-            4,
-            "no sampling times found",
-        ),
+        (vec!["read", "timeless.csv"], 4, "no sampling times found"),
         (vec!["read", "switch.csv", "--to", "a.xlsx"], 4, ".parquet"),
         (
             vec!["read", "switch.csv", "--out", "/proc/nowhere"],

@@ -26,7 +26,7 @@ const HEAD_BYTES: u64 = 1 << 18;
 /// Headings of a time column and of a comment column.
 const X_VALUE: &str = "X_Value";
 const COMMENT: &str = "Comment";
-/// Maximum relative difference between the step of the header and that of the stamps.
+/// Maximum relative difference between the steps of header and stamps.
 const SAME_STEP: f64 = 1e-3;
 
 pub(super) fn read(path: &Path, store: &SampleStore) -> Result<FormatContents, Damage> {

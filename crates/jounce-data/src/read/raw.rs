@@ -194,7 +194,7 @@ impl RawColumn {
 }
 
 impl Raw {
-    /// Returns columns, one of which may be the time.
+    /// Returns columns that may include the time.
     pub(super) fn columns(columns: Vec<RawColumn>, findings: Vec<Issue>) -> Self {
         Self {
             title: String::new(),

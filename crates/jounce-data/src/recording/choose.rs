@@ -13,7 +13,7 @@ pub enum ChannelError {
     Unnamed {
         /// The recording.
         recording: String,
-        /// Its channels.
+        /// Channels of the recording.
         channels: Vec<String>,
     },
     /// The channel has another quantity.

@@ -223,7 +223,7 @@ mod tests {
     }
 
     /// A sine of 200 Hz and rms 1 at 1 kHz, its stamps written to seven digits, some samples lost.
-    /// The rate is that of the grid, recorded samples are unchanged, and the error of the mean
+    /// The rate equals the grid rate, recorded samples are unchanged, and the error of the mean
     /// power is within the bound of the interpolation.
     #[test]
     fn samples_that_are_lost_do_not_touch_the_others() {

@@ -4,8 +4,8 @@ use super::{Issue, IssueKind, IssuePlace};
 
 /// Minimum number of equal consecutive samples at an extreme that may be a flat top.
 pub(super) const FLAT: usize = 3;
-/// Minimum number of clipped samples at the end of a converter's range, each of which differs from
-/// its neighbours by more than this share of the range.
+/// Minimum number of clipped samples at the end of a converter's range, each different from its
+/// neighbours by more than this share of the range.
 const AT_FULL_SCALE: usize = 2;
 const APART: f64 = 0.1;
 /// Average number of samples between flat tops below which a signal is a square wave.

@@ -43,7 +43,7 @@ pub enum IssueKind {
     RoundedStamps,
     /// A channel contains the time, or counts the samples.
     EqualsTime,
-    /// The step of the header differs from that of the stamps.
+    /// The steps of header and stamps differ.
     RescaledStamps,
     /// The header contradicts the data.
     HeaderDisagrees,

@@ -399,7 +399,7 @@ fn oddities<S: Series>(stamps: &S, digits: &Digits, unit: &str) -> Result<Vec<Is
     let missing = format!(
         "samples are missing: a step of up to {longest:.6e} {unit} where {usual:.6e} {unit} is usual"
     );
-    let again = "the stamp equals that of the previous sample".to_owned();
+    let again = "the stamp equals the stamp of the previous sample".to_owned();
     let found = [
         (uneven, IssueKind::Jitter, jitter),
         (gaps, IssueKind::Gap, missing),

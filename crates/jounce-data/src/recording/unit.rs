@@ -1,7 +1,7 @@
 //! Converts units in instrument notation to SI.
 //!
-//! The unit grammar is that of the specs ([`jounce_units::Quantity`]); this file adds the spellings
-//! and the customary units found in recordings.
+//! The specs define the unit grammar ([`jounce_units::Quantity`]); this file adds the spellings and
+//! the customary units found in recordings.
 
 use std::borrow::Cow;
 

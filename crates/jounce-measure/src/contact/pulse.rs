@@ -13,8 +13,8 @@ use crate::spectral::Hit;
 /// Contact law with its uncertainty, as standard deviations.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct ContactFit {
-    /// Contact duration of the law, from touch to separation, s; longer than that of a hit above a
-    /// tenth of its peak.
+    /// Contact duration of the law, from touch to separation, s; longer than the time of a hit
+    /// above a tenth of its peak.
     pub contact_time_s: f64,
     /// Exponent of the law: 1 for a linear spring, 1.5 for Hertz.
     pub exponent: f64,

@@ -18,7 +18,7 @@ pub struct PulseFigure {
     pub time_s: Vec<f64>,
     /// Force, N.
     pub force_n: Vec<f64>,
-    /// Times and forces of the law; empty if none was fitted.
+    /// Times and forces of the law; empty without a fitted law.
     pub law: (Vec<f64>, Vec<f64>),
 }
 

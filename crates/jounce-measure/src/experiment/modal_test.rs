@@ -144,8 +144,8 @@ impl ModalTest {
             Identification as for laboratory recordings finds {} of {} modes; the errors are \
             within {:.1e} in frequency and {:.2} % in damping ratio. {} of the frequencies and {} \
             of the damping ratios lie within their 95 % confidence intervals. The patch stiffens \
-            the beam: the true model is the beam with its load, whose first mode is {:.1} % above \
-            that of the short-circuited laminate.",
+            the beam: the true model is the beam with its load, whose first mode is {:.1} % \
+            higher than in the short-circuited laminate.",
             100.0 * NOISE,
             self.pairs().iter().flatten().count(),
             self.truth.len(),

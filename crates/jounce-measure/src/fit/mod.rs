@@ -12,7 +12,7 @@
 //! Here `s` are the relative standard deviations of the features and `t` those of the keys before
 //! the test (their priors). The minimum is therefore the most probable set of keys. The covariance
 //! is that of the linearised model, `C = (J^T J)^-1`; confidence intervals are 95 %. Prediction
-//! intervals combine the deviation of the model, from `C`, and that of the measurement.
+//! intervals combine the deviations of the model, from `C`, and of the measurement.
 //!
 //! Source: M. Friswell, J. Mottershead, Finite Element Model Updating in Structural Dynamics
 //! (1995), chapter 8; levenberg-marquardt after MINPACK.

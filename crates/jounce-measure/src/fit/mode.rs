@@ -21,7 +21,7 @@ pub struct ModeFeature {
     /// Damping ratio and its relative standard deviation.
     pub damping_ratio: Option<(f64, Deviation)>,
     /// True for a mode of the harvester with its circuits connected: stiffer and more damped than
-    /// that of the structure with short-circuited patches.
+    /// with short-circuited patches.
     pub loaded: bool,
     /// Keys that apply during the test.
     pub set: Vec<(String, String)>,

@@ -318,8 +318,8 @@ impl Question for ResponseQuestion {
 }
 
 impl ResponseQuestion {
-    /// Contribution of the base motion to that of a sensor on the structure, per acceleration of
-    /// the base; 0 for a voltage or under a force.
+    /// Contribution of the base motion to the motion of a sensor on the structure, per acceleration
+    /// of the base; 0 for a voltage or under a force.
     fn of_base(&self, hz: f64) -> c64 {
         let jw = c64::new(0.0, std::f64::consts::TAU * hz);
         match (&self.input, &self.output) {

@@ -69,8 +69,8 @@ pub(super) fn warnings(
     }
     for key in linear {
         found.push(format!(
-            "the model cannot be evaluated at both ends of the interval of {key}: \
-            the interval is that of the linearised model there"
+            "the model cannot be evaluated at both ends of the interval of {key}: the interval is \
+            from the linearised model there"
         ));
     }
     for (group, freedom) in problem

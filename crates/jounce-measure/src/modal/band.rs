@@ -85,7 +85,7 @@ struct MeasuredResponse<'a> {
 
 impl Band {
     /// Selects the lines between two frequencies of responses `response[o * inputs + i]` at
-    /// `frequency_hz`. `relative_deviation` is that of `|H|` at each line of each response where
+    /// `frequency_hz`. `relative_deviation` refers to `|H|` at each line of each response where
     /// known (from the coherence), and empty otherwise.
     ///
     /// # Errors Responses of unequal length, a line that is not a number.
@@ -241,12 +241,12 @@ impl Band {
 
     /// Selects the lines between two frequencies of measured responses. For forces at several
     /// locations the references are the sensors where these are fewer, by reciprocity. A voltage is
-    /// treated as a displacement, because that of a patch follows its strain; a response without
-    /// unit as an acceleration. Responses of several kinds may be combined, and so may responses to
-    /// a force, to a voltage, and to the base motion, whose inertial force is proportional to its
-    /// acceleration. An accelerometer on the structure adds 1 to the response per base
-    /// acceleration, which the term of the modes below the band absorbs. Coherence of several
-    /// blocks weights the lines.
+    /// treated as a displacement, because the voltage of a patch follows its strain; a response
+    /// without unit as an acceleration. Responses of several kinds may be combined, and so may
+    /// responses to a force, to a voltage, and to the base motion, whose inertial force is
+    /// proportional to its acceleration. An accelerometer on the structure adds 1 to the response
+    /// per base acceleration, which the term of the modes below the band absorbs. Coherence of
+    /// several blocks weights the lines.
     ///
     /// # Errors Those of [`Band::new`].
     pub fn of(responses: &MeasuredResponses, between_hz: (f64, f64)) -> Result<Self, ModalError> {
@@ -280,7 +280,7 @@ impl Band {
         })
     }
 
-    /// Reorders values from the order of the band to that of the responses.
+    /// Reorders values from band order to response order.
     pub(super) fn in_order<T>(&self, of: Vec<T>) -> Vec<T> {
         let mut placed: Vec<(usize, T)> = order(of.len(), self.outputs(), self.swapped)
             .into_iter()

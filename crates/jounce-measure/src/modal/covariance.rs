@@ -117,7 +117,7 @@ impl PoleCovariance {
             .collect()
     }
 
-    /// Leverage of a row, including that of the nonlinear unknowns.
+    /// Leverage of a row by linear and nonlinear unknowns.
     fn share(&self, left: &ProjectedProblem, row: usize) -> f64 {
         let of = left.projected.row(row);
         left.taken[row] + of * &self.inverse * of.transpose()

@@ -113,7 +113,7 @@ pub(super) struct DesignMatrix {
     /// Columns of the linear unknowns.
     pub linear: Mat<f64>,
     /// For each pole `u + u'` and `j (u - u')`, where `u` is the derivative of its term by the
-    /// pole, `1 / (j w - p)^2` without window bias, and `u'` that of the conjugate pole.
+    /// pole, `1 / (j w - p)^2` without window bias, and `u'` the derivative for the conjugate pole.
     pub squares: Mat<f64>,
 }
 

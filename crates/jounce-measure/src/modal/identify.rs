@@ -44,8 +44,8 @@ pub struct Mode {
     /// Quantile of the 95 % confidence interval, in deviations: Student's where the deviations are
     /// from few blocks.
     pub quantile_95: f64,
-    /// Residue of each response, in displacement per force times rad/s; for several references that
-    /// of the one with the largest participation.
+    /// Residue of each response, in displacement per force times rad/s; for several references, to
+    /// the one with the largest participation.
     #[serde(skip)]
     pub residue: Vec<c64>,
     /// Participation of each reference in the mode, 1 at the largest: by reciprocity its shape at

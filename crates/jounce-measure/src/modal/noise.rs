@@ -3,8 +3,8 @@
 //!
 //! Each line has a variance estimate `v = |H|^2 (1 - c) / ((n - 1) c)` from `n` blocks of coherence
 //! `c`. For few blocks this is one draw from a broad distribution, and weights from it would favour
-//! lines that agree by chance. Noise of the sensors varies smoothly over the lines, that of the
-//! response directly and that of the force times `H`, so that around each line
+//! lines that agree by chance. Noise of the sensors varies smoothly over the lines, for the
+//! response directly and for the force times `H`, so that around each line
 //!
 //! ```text
 //! v = a + b |H|^2,   a, b >= 0
@@ -35,7 +35,7 @@ pub(super) const MIN_FREE_SHARE: f64 = 0.05;
 /// Variance of each line of a response of several blocks, real and imaginary part together.
 pub(super) fn variance(function: &FrequencyResponse) -> Vec<f64> {
     let square: Vec<f64> = function.value.iter().map(|h| h.norm_sqr()).collect();
-    // A relative deviation is that of the magnitude alone: half of the variance.
+    // A relative deviation concerns only the magnitude, half of the variance.
     let told = |k: usize| 2.0 * (function.relative_deviation(k).powi(2) * square[k]);
     let own: Vec<f64> = (0..square.len())
         .map(|k| if square[k] > 0.0 { told(k) } else { 0.0 })

@@ -28,7 +28,7 @@ pub struct ResponsePeak {
     pub frequency_hz: f64,
     /// Half-width at half power, Hz.
     pub half_width_hz: f64,
-    /// Ratio of its power to that of the noise.
+    /// Ratio of its power to the noise power.
     #[serde(skip)]
     height: f64,
 }

@@ -12,7 +12,7 @@ pub enum ResponseError {
     Channel(#[from] NoChannel),
     /// No channel is a force.
     #[error(
-        "{recording} has no channel in newtons: name that of the force, or an input of another \
+        "{recording} has no channel in newtons: name the force channel, or an input of another \
         kind, such as the acceleration of the base (--input, input=); the channels are {}",
         channels.join(", ")
     )]

@@ -11,7 +11,7 @@ use jounce_data::recording::{Channel, Issue, IssueKind, Quantity, Recording, Uni
 struct FunctionChannels {
     outputs: Vec<String>,
     references: Vec<String>,
-    /// Indices of the functions: that of output `o` to reference `i` at `o * references + i`.
+    /// Indices of the functions: output `o` to reference `i` is at `o * references + i`.
     order: Vec<usize>,
 }
 

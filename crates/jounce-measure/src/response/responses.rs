@@ -28,7 +28,7 @@ pub struct MeasuredResponses {
     /// Locations of the input, or its channel if none is given; empty for imported response
     /// functions without references.
     pub references: Vec<String>,
-    /// Name of each response: that of output `o` to reference `i` at `o * references + i`. With one
+    /// Name of each response: output `o` to reference `i` is at `o * references + i`. With one
     /// reference it is the name of the output.
     pub names: Vec<String>,
     /// Unit of each response: output unit per input unit.

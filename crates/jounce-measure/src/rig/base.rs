@@ -9,7 +9,7 @@ use jounce_data::recording::Recording;
 
 /// Removes all drives and moves the base by a channel of a uniform recording, for its full length,
 /// which is also the averaging time. Returns the mean of the channel, m/s^2. Unless `keep_mean` is
-/// true the mean is subtracted, because that of an accelerometer is gravity and offset.
+/// true the mean is subtracted, because the mean of an accelerometer is gravity and offset.
 ///
 /// # Errors [`spec::RecordingError`], and a base in addition to the ground.
 pub fn on_recorded_base(

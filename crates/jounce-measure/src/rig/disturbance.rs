@@ -313,7 +313,7 @@ mod tests {
             .iter()
             .fold(0.0, |most: f64, x| most.max(x.abs()));
         assert!((largest - 1.5).abs() < 0.005, "{largest}");
-        // The mean of a linear signal is that of its ends.
+        // The mean of a linear signal is the mean of its ends.
         assert!((course.angle_rad[last] / (TAU * 9.5 * 100.0) - 1.0).abs() < 1e-4);
     }
 }

@@ -7,7 +7,7 @@ use super::RigError;
 /// Noise and quantisation of a sensor.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sensor {
-    /// White noise, RMS relative to that of the signal.
+    /// White noise, RMS relative to the signal RMS.
     pub noise_ratio: f64,
     /// Bits of the converter; `None` without quantisation.
     pub bits: Option<u32>,

@@ -16,7 +16,7 @@ use super::RigError;
 /// Cable to the amplifier, one for each patch.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Cable {
-    /// Capacitance including that of the amplifier input, F.
+    /// Capacitance including the amplifier input, F.
     pub capacitance_f: f64,
     /// Resistance of the insulation and the amplifier input, ohm; `None` without leakage.
     pub leakage_ohm: Option<f64>,
@@ -109,8 +109,8 @@ mod tests {
         Plant::new(System::assemble(spec, structure::modes(spec).unwrap()).unwrap()).unwrap()
     }
 
-    /// One mode: the ratio of voltage to displacement is that of the divider of patch, cable and
-    /// load, at every frequency. Measured 1e-12.
+    /// One mode: patch, cable and load form a divider, which gives the ratio of voltage to
+    /// displacement, at every frequency. Measured 1e-12.
     #[test]
     fn a_cable_lowers_the_voltage_as_its_divider_says() {
         let bare =

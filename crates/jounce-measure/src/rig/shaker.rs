@@ -137,7 +137,7 @@ fn check(test: &ShakerTest) -> Result<usize, RigError> {
         Some((at_s, _)) => Err(RigError::Setting {
             name: "the time of a solution in seconds",
             value: *at_s,
-            allowed: "within the record, later than that of the previous one",
+            allowed: "within the record, later than the previous time",
         }),
         None => Ok(samples.round() as usize),
     }

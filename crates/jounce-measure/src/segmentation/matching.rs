@@ -36,7 +36,7 @@ pub struct Candidate {
     pub waveform_distance: Option<f64>,
     /// Distance of the spectra.
     pub spectrum_distance: Option<f64>,
-    /// Mean square of the segment about its mean, relative to that of the waveform.
+    /// Mean square of the segment about its mean, relative to the waveform.
     pub power_ratio: Option<f64>,
     /// True where the record has the opposite polarity.
     pub inverted: bool,
@@ -81,7 +81,7 @@ const MAX_COMMON_PERIOD: u32 = 24;
 
 /// Compares a segment with the solutions of a model: the nearest fits if its distance is at most
 /// `limit` (0.2 is a model within 20 %). An aperiodic segment has no waveform, so no solution fits
-/// it, whatever the power of the model's chaotic solutions.
+/// it, even a chaotic one of equal power.
 pub fn match_segments(
     samples: &Samples<'_>,
     drive_hz: f64,

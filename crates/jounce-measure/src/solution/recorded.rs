@@ -5,7 +5,7 @@ use jounce::spec::{DriveSignal, Spec};
 
 use super::{Solution, SolutionError};
 
-/// Sets the drive frequency of a model to that of a record, and its load if known: `load` names the
+/// Sets the drive frequency of a model as in a record, and its load if known: `load` names the
 /// circuit, by default the first.
 pub fn as_recorded(
     spec: &mut Spec,

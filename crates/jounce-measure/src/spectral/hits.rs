@@ -56,7 +56,7 @@ pub enum HitWarning {
     Double {
         /// Time to the second peak, s.
         after_s: f64,
-        /// Its force, N.
+        /// Force of the second peak, N.
         force_n: f64,
     },
     /// The top is flat: the amplifier was saturated.
@@ -74,7 +74,7 @@ pub enum HitWarning {
     /// A response moves before the hit: the structure still rings from the previous hit, or there
     /// is hum on the line.
     Ringing {
-        /// RMS before the hit relative to that of the block.
+        /// RMS before the hit relative to the RMS of the block.
         share: f64,
     },
 }
@@ -323,7 +323,7 @@ mod tests {
 
     /// A slow rise under noise of 2 % of the peak crosses the threshold many times: the complete
     /// pulse is found in each of 40 records, its peak within four deviations of the noise and its
-    /// time within 15 % of that of the half sine.
+    /// time within 15 % of the half sine.
     #[test]
     fn a_noisy_slow_pulse_is_found() {
         let time = 5e-3 * (1.0 - 2.0 * 0.1_f64.asin() / PI);

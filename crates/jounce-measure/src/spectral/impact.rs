@@ -81,7 +81,7 @@ pub struct ImpactResponses {
 
 /// Share of a block before its hit.
 const PRE_TRIGGER_SHARE: f64 = 0.01;
-/// Length of the slope of the force window relative to that of the pulse.
+/// Length of the slope of the force window relative to the pulse.
 const WINDOW_SLOPE_RATIO: f64 = 1.0;
 
 /// Averages the blocks of all hits of all records, or all blocks of a continuous force.

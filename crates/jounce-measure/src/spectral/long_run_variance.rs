@@ -1,7 +1,7 @@
 //! Uncertainty of the mean of a correlated series.
 //!
-//! The spectral density of the series at zero frequency is that of a fitted autoregressive process
-//! (Burg's recursion, the order by Schwarz's criterion):
+//! The spectral density of the series at zero frequency is taken from a fitted autoregressive
+//! process (Burg's recursion, the order by Schwarz's criterion):
 //!
 //! ```text
 //! var(mean) = S(0) / M,   S(0) = s^2 / (1 + a_1 + ... + a_m)^2,   n = M var(y) / S(0)

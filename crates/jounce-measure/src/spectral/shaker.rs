@@ -196,8 +196,8 @@ mod tests {
         )
     }
 
-    /// Random force and bursts of it: each is recognised as continuous, and the response is that of
-    /// the oscillator at 40 Hz, known in closed form, within 3 % of its peak at every driven line.
+    /// Random force and bursts of it: each is recognised as continuous, and the response agrees
+    /// with the closed form of the oscillator at 40 Hz within 3 % of its peak at every driven line.
     /// Leakage at the peak leaves a coherence of 0.995 there, hence a deviation of 0.9 % with 59
     /// blocks, and the largest of the dozen lines of the peak is at 2 % to 3 %. Offsets of force
     /// and response have no effect.
@@ -248,8 +248,8 @@ mod tests {
         }
     }
 
-    /// Noise of the force lowers H1 by `1 / (1 + n)`, where `n` is its density over that of the
-    /// force, and does not bias H2.
+    /// Noise of the force lowers H1 by `1 / (1 + n)`, where `n` is the ratio of the noise density
+    /// to the force density, and does not bias H2.
     #[test]
     fn noise_on_the_force_lowers_the_first_estimator_and_not_the_second() {
         let oscillator = Oscillator::new(40.0, 0.05, RATE);

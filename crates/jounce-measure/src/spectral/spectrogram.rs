@@ -81,9 +81,9 @@ mod tests {
     use jounce::signal::Window;
     use std::f64::consts::TAU;
 
-    /// A chirp of 2 V from 10 to 60 Hz within 100 s, segments of 1 s: the highest line is that of
-    /// the frequency in the middle of the segment, and shows 2 V. Measured: never off by more than
-    /// half a line; amplitude within 0.10 % with a flat top and 15.2 % with Hann, the loss of the
+    /// A chirp of 2 V from 10 to 60 Hz within 100 s, segments of 1 s: the highest line is at the
+    /// frequency in the middle of the segment, and shows 2 V. Measured: never off by more than half
+    /// a line; amplitude within 0.10 % with a flat top and 15.2 % with Hann, the loss of the
     /// windows for a frequency between two lines.
     #[test]
     fn a_chirp_is_seen_at_its_frequency_with_its_amplitude() {

@@ -123,9 +123,9 @@ fn a_single_number_of_a_matrix_file_tells_the_rate() {
             "{name}"
         );
         assert!(
-            found.findings[0]
-                .to_string()
-                .contains(&format!("at 2000 Hz, starting at 0 s, from {name} = {number} ")),
+            found.findings[0].to_string().contains(&format!(
+                "at 2000 Hz, starting at 0 s, from {name} = {number} "
+            )),
             "{:?}",
             found.findings
         );
