@@ -54,11 +54,10 @@ pub(super) fn read(path: &Path, store: &SampleStore) -> Result<FormatContents, D
     let (_, complex) = header.scalar()?;
     if complex {
         return Err(Damage::new(format!(
-            "its numbers are complex ({}), but an array without names must be real: save real and \
-            imaginary parts of a response over frequency as columns NAME.re and NAME.im next to \
-            frequency_hz in CSV or Parquet, which `modes --measured` reads, or with \
-            numpy.savez(file, frequency_hz=..., NAME=...), or save only the real parts of a \
-            record over time",
+            "its numbers are complex ({}), but an array without names must be real. For a \
+            response over frequency, save columns NAME.re and NAME.im next to frequency_hz in CSV \
+            or Parquet, which `modes --measured` reads, or use numpy.savez(file, \
+            frequency_hz=..., NAME=...). For a record over time, save only the real parts",
             header.dtype
         )));
     }

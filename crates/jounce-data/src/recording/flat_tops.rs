@@ -45,7 +45,7 @@ pub(super) struct FlatTops {
 }
 
 impl RangeEnd {
-    /// Returns an end without samples yet, and true if a converter has its limit there.
+    /// Returns an end without samples; `is_full_scale` marks a limit of a converter.
     pub(super) fn at(value: f64, is_full_scale: bool) -> Self {
         Self {
             value,

@@ -10,8 +10,8 @@ use crate::segmentation::{RecordSegment, Segmentation, SegmentationError, sectio
 /// Multiples of the drive frequency shown in a spectrum.
 const SHOWN_ORDERS: f64 = 8.0;
 
-/// Plots the record above the RMS of its segments; vertical lines mark changes, labelled with the
-/// period that begins there.
+/// Plots the record in one panel and the RMS of its segments in a second; vertical lines mark
+/// changes, labelled with the period that begins there.
 pub fn segments(
     title: &str,
     quantity: &str,

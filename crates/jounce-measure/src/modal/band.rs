@@ -243,10 +243,10 @@ impl Band {
     /// locations the references are the sensors where these are fewer, by reciprocity. A voltage is
     /// treated as a displacement, because the voltage of a patch follows its strain; a response
     /// without unit as an acceleration. Responses of several kinds may be combined, and so may
-    /// responses to a force, to a voltage, and to the base motion, whose inertial force is
-    /// proportional to its acceleration. An accelerometer on the structure adds 1 to the response
-    /// per base acceleration, which the term of the modes below the band absorbs. Coherence of
-    /// several blocks weights the lines.
+    /// responses to a force, a voltage and the base motion. The inertial force of the base motion
+    /// is proportional to its acceleration. An accelerometer on the structure adds 1 to the
+    /// response per base acceleration, which the term of the modes below the band absorbs.
+    /// Coherence of several blocks weights the lines.
     ///
     /// # Errors Those of [`Band::new`].
     pub fn of(responses: &MeasuredResponses, between_hz: (f64, f64)) -> Result<Self, ModalError> {

@@ -1,11 +1,10 @@
 //! Stable poles from nested bands.
 //!
 //! A mode far below the upper end of a band turns the angle `pi f / f_high` of the denominator's
-//! plane by little, and its acceleration is small relative to the modes above it, so it is not
-//! found. Therefore poles are sought in the complete band, in its lower half, in the lower half of
-//! that, and so on while there are enough lines. Each frequency is assigned to the narrowest band
-//! that contains it with margin. A band that begins far from 0 has no such modes, and is searched
-//! once.
+//! plane by little. Its acceleration is small relative to the modes above it, so it is not found.
+//! Therefore poles are sought in the complete band, in its lower half, in the lower half of that,
+//! and so on while there are enough lines. Each frequency is assigned to the narrowest band that
+//! contains it with margin. A band that begins far from 0 has no such modes, and is searched once.
 
 use super::plscf::from_zero;
 use super::stabilisation::{SAME_MODE_DISTANCE, modes};

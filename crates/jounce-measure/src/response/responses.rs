@@ -58,8 +58,8 @@ impl MeasuredResponses {
     /// averaged in blocks, like a shaker's. Recordings of each force location are averaged
     /// separately, over blocks of one length.
     ///
-    /// # Errors A channel that does not exist or is not a force, the force as its own response,
-    /// only some forces with a location, sensors that move, no channel other than the force, errors
+    /// # Errors A channel that does not exist or is not a force; the force as its own response;
+    /// only some forces with a location; sensors that move; no channel other than the force; errors
     /// of [`impact`].
     pub fn of_hits(
         records: &[Recording],
@@ -332,7 +332,10 @@ mod tests {
         ])
         .unwrap_err()
         .to_string();
-        assert!(told.contains("(mid, end), and three tell none"), "{told}");
+        assert!(
+            told.contains("(mid, end), but the place is missing in three"),
+            "{told}"
+        );
         assert!(
             of(&[struck("one", "mid"), struck("two", "mid")])
                 .unwrap()

@@ -8,11 +8,11 @@
 //! sum over stretches and features of n ln v + e / (s^2 v)  +  c ln(B) per stretch,   v = max(1, e / (n s^2))
 //! ```
 //!
-//! Here `e` is the residual of a mean and a trend over the `n` blocks of a segment, and `s` the
-//! noise of each feature, from the median difference of neighbouring blocks. A change counts only
-//! if it exceeds the noise, and 5 % of the record's largest feature. An irregular segment, such as
-//! a transient or chaos, has a larger noise of its own, and one with a slowly changing amplitude
-//! has a trend; neither is cut. The exact optimum is found by dynamic programming.
+//! Here `e` is the residual of a mean and a trend over the `n` blocks of a segment. The noise `s`
+//! of each feature is from the median difference of neighbouring blocks. A change counts only if it
+//! exceeds the noise, and 5 % of the record's largest feature. An irregular segment, such as a
+//! transient or chaos, has a larger noise of its own, and one with a slowly changing amplitude has
+//! a trend; neither is cut. The exact optimum is found by dynamic programming.
 //!
 //! Neighbouring segments whose noise-corrected amplitudes are equal, or drift, are merged, and the
 //! reason is reported.

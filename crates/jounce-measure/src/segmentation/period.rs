@@ -41,11 +41,11 @@ const MAX_TESTED_PERIOD_CYCLES: usize = 48;
 const WINDOW_CYCLES: usize = 144;
 const MAX_VALUES: usize = 1 << 18;
 const MIN_VALUES_PER_CYCLE: usize = 8;
-/// Share of the RMS below which residuals of two periods are equal, and multiple of the variance
-/// above which they are not.
+/// Difference of residuals that is always insignificant, relative to the RMS, and maximum ratio of
+/// residuals that can be insignificant.
 const EXACT_RESIDUAL_SHARE: f64 = 0.01;
 const RESIDUAL_RATIO: f64 = 2.0;
-/// Share of the variance that slow noise leaves at least by chance.
+/// Maximum ratio to the smallest residual that chance alone explains for slow noise.
 const CHANCE_FACTOR: f64 = 3.0;
 /// Number of neighbours on both sides used to estimate the residual of slow noise.
 const NEIGHBOUR_COUNT: usize = 3;

@@ -53,7 +53,7 @@ pub struct MeanPower {
 /// Numbers of batches, each with the quantile of Student's distribution for a two-sided interval of
 /// 95 % (Abramowitz and Stegun, table 26.10).
 const BATCHES: [(usize, f64); 2] = [(16, 2.131_450), (8, 2.364_624)];
-/// Number of means for the correlation time, and the number of independent values sufficient for an
+/// Number of means for the correlation time, and the minimum number of independent values of an
 /// interval.
 const MEMORY_MEANS: usize = 256;
 const MIN_INDEPENDENT_VALUES: f64 = 12.0;

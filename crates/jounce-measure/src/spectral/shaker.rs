@@ -29,7 +29,8 @@ const RECORD_PARTS: usize = 8;
 /// Share of the blocks, by their squared powers, below which a line is driven by a sweep; noise
 /// drives it in half of them.
 const MAX_SWEEP_SHARE: f64 = 0.25;
-/// Share of the blocks in which a sweep drives all lines together; less for a hit or a burst.
+/// Minimum share of the blocks in which a sweep drives all lines together; a hit or a burst has
+/// less.
 const MIN_STEADY_SHARE: f64 = 0.5;
 /// Number of blocks that distinguishes a sweep from noise; lines below this share of the power of
 /// the strongest are ignored.

@@ -22,7 +22,7 @@ pub fn signal(channel: &Channel, rate_hz: f64) -> Result<Samples<'_>, SpectralEr
 }
 
 /// First channel of a quantity with a signal, else the first channel with a signal, else the first
-/// of the quantity.
+/// channel of the quantity, else the first channel.
 pub fn first_live(record: &Recording, quantity: Quantity) -> Option<&Channel> {
     let live = |channel: &&Channel| signal(channel, record.rate()).is_ok();
     let all = || record.channels.iter();
