@@ -59,8 +59,9 @@ type Reader = fn(&Path, &SampleStore) -> Result<FormatContents, Damage>;
 
 /// Reads a file of any known format and the notes that belong to it.
 ///
-/// # Errors A file that cannot be opened, is damaged, has an unknown format or contains no time, or
-/// whose notes are wrong.
+/// # Errors
+/// A file that cannot be opened, is damaged, has an unknown format or contains no time, or whose
+/// notes are wrong.
 pub fn file(path: &Path) -> Result<Contents, ReadError> {
     read(path, &SampleStore::Memory, &Notes::beside(path)?)?.into_contents(path)
 }
@@ -68,14 +69,16 @@ pub fn file(path: &Path) -> Result<Contents, ReadError> {
 /// Reads a file as [`file()`] does, but stores its numbers in a scratch file, so memory does not
 /// grow with file size. Exception: for HDF5, the library holds an array of one row in memory.
 ///
-/// # Errors Those of [`file()`], and a scratch file that cannot be written.
+/// # Errors
+/// Those of [`file()`], and a scratch file that cannot be written.
 pub fn summary(path: &Path) -> Result<FileSummary, ReadError> {
     survey_noted(path, &Notes::beside(path)?)
 }
 
 /// Reads a file as [`summary()`] does, with these notes instead of those of the file.
 ///
-/// # Errors Those of [`summary()`].
+/// # Errors
+/// Those of [`summary()`].
 pub fn survey_noted(path: &Path, notes: &Notes) -> Result<FileSummary, ReadError> {
     read(path, &SampleStore::scratch(), notes)
 }
@@ -112,7 +115,8 @@ fn read(path: &Path, store: &SampleStore, notes: &Notes) -> Result<FileSummary, 
 
 /// Reads the first time-domain recording of a file.
 ///
-/// # Errors Those of [`file()`], and a file without such a recording.
+/// # Errors
+/// Those of [`file()`], and a file without such a recording.
 pub fn record(path: &Path) -> Result<Recording, ReadError> {
     let lost = |reason| ReadError::Scratch {
         path: path.to_owned(),
@@ -129,14 +133,16 @@ pub fn record(path: &Path) -> Result<Recording, ReadError> {
 /// Reads the first time-domain recording with its numbers in a scratch file, so that only the
 /// channels needed are loaded.
 ///
-/// # Errors Those of [`summary()`], and a file without such a recording.
+/// # Errors
+/// Those of [`summary()`], and a file without such a recording.
 pub fn survey_record(path: &Path) -> Result<RecordingSummary, ReadError> {
     survey_record_noted(path, &Notes::beside(path)?)
 }
 
 /// Reads a recording as [`survey_record()`] does, with these notes instead of those of the file.
 ///
-/// # Errors Those of [`survey_record()`].
+/// # Errors
+/// Those of [`survey_record()`].
 pub fn survey_record_noted(path: &Path, notes: &Notes) -> Result<RecordingSummary, ReadError> {
     first_over_time(path, survey_noted(path, notes)?)
 }

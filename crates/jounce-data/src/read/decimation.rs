@@ -18,7 +18,8 @@ impl RecordingSummary {
     /// Decimates the first channels to at most `most` points each. Returns all samples if they fit,
     /// else the minimum and maximum of each of `most / 2` segments, in order.
     ///
-    /// # Errors The scratch file cannot be read.
+    /// # Errors
+    /// The scratch file cannot be read.
     pub fn outline(&self, channels: usize, most: usize) -> io::Result<DecimatedRecording> {
         let count = self.places.count();
         let stretch = if count <= most {

@@ -35,7 +35,8 @@ pub enum ArraysError {
 /// Builds a recording from channels with units in instrument notation. Values are converted to SI
 /// and inspected for issues, as for a file.
 ///
-/// # Errors No channel, or a channel whose length differs from the grid.
+/// # Errors
+/// No channel, or a channel whose length differs from the grid.
 pub fn given(
     name: &str,
     over: Over,

@@ -80,7 +80,8 @@ impl Notes {
 
     /// Reads the notes of a file; they are empty if there is no such file.
     ///
-    /// # Errors Notes that cannot be read or contain faults; all faults at once.
+    /// # Errors
+    /// Notes that cannot be read or contain faults; all faults at once.
     pub fn beside(file: &Path) -> Result<Self, ReadError> {
         let path = Self::path_of(file);
         match std::fs::read_to_string(&path) {
@@ -92,7 +93,8 @@ impl Notes {
 
     /// Parses notes from text.
     ///
-    /// # Errors One sentence for each fault.
+    /// # Errors
+    /// One sentence for each fault.
     pub fn from_toml(text: &str) -> Result<Self, Vec<String>> {
         let document = text
             .parse::<DocumentMut>()

@@ -67,7 +67,8 @@ impl Scalar {
 
     /// Passes each of `count` numbers of a source to `take`, in order.
     ///
-    /// # Errors The source ends early, or `take` fails.
+    /// # Errors
+    /// The source ends early, or `take` fails.
     pub fn each(
         self,
         source: &mut dyn Read,

@@ -15,7 +15,8 @@ impl RecordingSummary {
     /// the interval contains no sample. Issues are those of the complete recording, with its sample
     /// numbers.
     ///
-    /// # Errors The scratch file cannot be read or written.
+    /// # Errors
+    /// The scratch file cannot be read or written.
     pub fn part(&self, (from, to): (f64, f64), channels: &[usize]) -> io::Result<Option<Self>> {
         let slack = END_ROUNDOFF / self.rate();
         let (mut first, mut count, mut number) = (0, 0, 0);

@@ -118,7 +118,8 @@ impl RecordingSummary {
     /// and returned in the requested order. Issues of the discarded channels are removed; those of
     /// the times remain.
     ///
-    /// # Errors The scratch file cannot be read, or the channel does not exist.
+    /// # Errors
+    /// The scratch file cannot be read, or the channel does not exist.
     pub fn into_recording_of(mut self, channels: &[usize]) -> io::Result<Recording> {
         let mut left: Vec<Option<ChannelSummary>> = self.channels.into_iter().map(Some).collect();
         let mut found: Vec<Channel> = Vec::new();
@@ -157,7 +158,8 @@ impl RecordingSummary {
 
     /// Loads the recording with all its numbers into memory.
     ///
-    /// # Errors The scratch file cannot be read.
+    /// # Errors
+    /// The scratch file cannot be read.
     pub fn into_recording(self) -> io::Result<Recording> {
         let grid = match self.places {
             SamplePlaces::Even { start, step, count } => Grid::Even { start, step, count },

@@ -63,7 +63,8 @@ impl ChannelHead<'_> {
 
 /// Returns the index of a channel, from its name or its number from 1.
 ///
-/// # Errors No such channel; the error lists the existing ones.
+/// # Errors
+/// No such channel; the error lists the existing ones.
 pub fn named(recording: &str, heads: &[ChannelHead<'_>], wanted: &str) -> Result<usize, NoChannel> {
     let numbered = || {
         wanted
@@ -87,7 +88,8 @@ pub fn named(recording: &str, heads: &[ChannelHead<'_>], wanted: &str) -> Result
 /// or the only channel. A channel without a unit is accepted for any quantity, one with another
 /// unit is refused.
 ///
-/// # Errors [`ChannelError`].
+/// # Errors
+/// [`ChannelError`].
 pub fn chosen(
     recording: &str,
     heads: &[ChannelHead<'_>],
@@ -124,7 +126,8 @@ impl Recording {
     /// only channel. A channel without a unit is accepted for any quantity, one with another unit
     /// is refused.
     ///
-    /// # Errors [`ChannelError`].
+    /// # Errors
+    /// [`ChannelError`].
     pub fn choose(
         &self,
         wanted: Option<&str>,

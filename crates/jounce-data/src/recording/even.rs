@@ -11,14 +11,16 @@ impl Recording {
     /// Linear interpolation of a sine of `f` Hz sampled at `r` Hz errs by up to `(pi f / r)^2 / 2`
     /// of its peak.
     ///
-    /// # Errors A grid without a rate.
+    /// # Errors
+    /// A grid without a rate.
     pub fn even(&self) -> Result<Self, GridError> {
         self.clone().into_even()
     }
 
     /// Resamples as [`Recording::even`] does, without a second copy of a long recording.
     ///
-    /// # Errors Those of [`Recording::even`].
+    /// # Errors
+    /// Those of [`Recording::even`].
     pub fn into_even(mut self) -> Result<Self, GridError> {
         let even = &mut self;
         for channel in &mut even.channels {

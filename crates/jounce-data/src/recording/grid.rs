@@ -71,7 +71,8 @@ pub enum GridError {
 impl Grid {
     /// Returns a uniform grid.
     ///
-    /// # Errors A step that is not positive, a start that is not a number.
+    /// # Errors
+    /// A step that is not positive, a start that is not a number.
     pub fn even(start: f64, step: f64, count: usize) -> Result<Self, GridError> {
         if step > 0.0 && step.is_finite() && start.is_finite() {
             Ok(Self::Even { start, step, count })
@@ -83,7 +84,8 @@ impl Grid {
     /// Determines positions from stamps, with issues. The grid is uniform if it explains all stamps
     /// within their printed digits, or within 2 % of a step; else it retains the stamps.
     ///
-    /// # Errors Fewer than two stamps, one that is not a number, one earlier than its predecessor.
+    /// # Errors
+    /// Fewer than two stamps, one that is not a number, one earlier than its predecessor.
     pub fn from_stamps(stamps: Vec<f64>) -> Result<(Self, Vec<Issue>), GridError> {
         let Ok(found) = Stamped::of(&stamps.as_slice(), None, "s");
         Ok(match found? {

@@ -34,7 +34,8 @@ pub struct NoChannel {
 impl Recording {
     /// Returns the channel of a name, or of a number from 1.
     ///
-    /// # Errors No such channel; the error lists the existing ones.
+    /// # Errors
+    /// No such channel; the error lists the existing ones.
     pub fn channel(&self, wanted: &str) -> Result<&Channel, NoChannel> {
         Ok(&self.channels[named(&self.name, &self.heads(), wanted)?])
     }

@@ -18,12 +18,14 @@ pub trait Series {
 
     /// Returns the numbers from `index * PIECE`, at most [`PIECE`] of them.
     ///
-    /// # Errors The numbers cannot be read.
+    /// # Errors
+    /// The numbers cannot be read.
     fn piece(&self, index: usize) -> Result<Cow<'_, [f64]>, Self::Fault>;
 
     /// Passes every number to `take` in order.
     ///
-    /// # Errors Those of [`Series::piece`].
+    /// # Errors
+    /// Those of [`Series::piece`].
     fn each(&self, mut take: impl FnMut(f64)) -> Result<(), Self::Fault>
     where
         Self: Sized,

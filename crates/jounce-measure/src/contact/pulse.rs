@@ -103,7 +103,8 @@ pub(super) const QUANTILE_95: f64 = 1.959_963_984_540_054;
 
 /// Fits the law to one hit of a force record. The body is assumed stationary during the contact.
 ///
-/// # Errors A pulse of too few samples, a mass that is not positive, a pulse that no law fits.
+/// # Errors
+/// A pulse of too few samples, a mass that is not positive, a pulse that no law fits.
 pub fn fit(
     force: &Samples<'_>,
     hit: &Hit,

@@ -80,7 +80,8 @@ pub fn stretch_section(
 /// Plots the spectrum of each segment (Hann window, peak amplitudes), up to eight times the drive
 /// frequency.
 ///
-/// # Errors A segment that is not a valid signal.
+/// # Errors
+/// A segment that is not a valid signal.
 pub fn stretch_spectra(
     title: &str,
     quantity: &str,

@@ -35,7 +35,8 @@ const NOISE: f64 = 0.01;
 /// Computes Table 2 and figures 10 to 13 in the virtual test, and the model updated to Table 2.
 /// `paper` supplies the printed numbers for comparison; `control` can stop the runs early.
 ///
-/// # Errors None expected unless `control` stops it, because the inputs are built in. See
+/// # Errors
+/// None expected unless `control` stops it, because the inputs are built in. See
 /// [`ExperimentError`].
 pub fn chapters(paper: &Reproduction, control: &Control) -> Result<Vec<Chapter>, ExperimentError> {
     let printed = |column: &str| {

@@ -30,10 +30,12 @@ impl FitResult {
     /// Computes a quantity from the fitted spec with `of`, positive, such as a power or an optimal
     /// load, and its confidence interval.
     ///
-    /// # Errors Those of `of`, and a key that cannot take a perturbed value.
+    /// # Errors
+    /// Those of `of`, and a key that cannot take a perturbed value.
     ///
-    /// # Limits To first order in the keys; a further measurement of the quantity has its own noise
-    /// in addition.
+    /// # Limits
+    /// To first order in the keys; a further measurement of the quantity has its own noise in
+    /// addition.
     pub fn derived<E: From<Fault>>(
         &self,
         fitted: &Spec,

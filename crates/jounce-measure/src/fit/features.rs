@@ -43,7 +43,8 @@ const KEYS: [&str; 9] = [
 impl Features {
     /// Reads a file.
     ///
-    /// # Errors A file that cannot be read; all faults in it.
+    /// # Errors
+    /// A file that cannot be read; all faults in it.
     pub fn read(path: &Path) -> Result<Self, FitError> {
         let text = std::fs::read_to_string(path).map_err(|reason| FitError::Open {
             path: path.to_owned(),
@@ -62,7 +63,8 @@ impl Features {
 
     /// Parses features from text.
     ///
-    /// # Errors One sentence for each fault.
+    /// # Errors
+    /// One sentence for each fault.
     pub fn from_toml(text: &str) -> Result<Self, Vec<String>> {
         let document = text
             .parse::<DocumentMut>()

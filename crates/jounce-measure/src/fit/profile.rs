@@ -54,7 +54,8 @@ impl Profile<'_> {
     /// Finds the end of the interval of unknown `k`, about `quantile` deviations to one side;
     /// `None` where the model cannot be evaluated that far.
     ///
-    /// # Errors Cancellation.
+    /// # Errors
+    /// Cancellation.
     pub fn end(&self, k: usize, quantile: f64) -> Result<Option<f64>, FitError> {
         let mut derivatives = self.derivatives.clone();
         let away = quantile * self.covariance[(k, k)].sqrt();

@@ -39,14 +39,17 @@ pub(super) struct Minimum {
 /// number of keys that they determine (the trace of their part of the hat matrix). It includes the
 /// errors of the model.
 ///
-/// # Errors A key that does not exist or is 0, features that cannot be read or are not in the
-/// model, no convergence, deviations that the features cannot determine, cancellation.
+/// # Errors
+/// A key that does not exist or is 0, features that cannot be read or are not in the model, no
+/// convergence, deviations that the features cannot determine, cancellation.
 ///
-/// # Limits The covariance and the prediction intervals are those of the model linearised at the
-/// minimum; the intervals of the keys are not (see the module `profile`). Modes are matched by
-/// number: where two may change order, free fewer keys.
+/// # Limits
+/// The covariance and the prediction intervals are those of the model linearised at the minimum;
+/// the intervals of the keys are not (see the module `profile`). Modes are matched by number: where
+/// two may change order, free fewer keys.
 ///
-/// # Source D. MacKay, Bayesian interpolation, Neural Computation 4 (1992) 415, for deviations from
+/// # Source
+/// D. MacKay, Bayesian interpolation, Neural Computation 4 (1992) 415, for deviations from
 /// residuals.
 pub fn fit(
     file: &SpecFile,

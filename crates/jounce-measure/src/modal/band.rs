@@ -88,7 +88,8 @@ impl Band {
     /// `frequency_hz`. `relative_deviation` refers to `|H|` at each line of each response where
     /// known (from the coherence), and empty otherwise.
     ///
-    /// # Errors Responses of unequal length, a line that is not a number.
+    /// # Errors
+    /// Responses of unequal length, a line that is not a number.
     pub fn new(
         frequency_hz: &[f64],
         response: &[Vec<c64>],
@@ -248,7 +249,8 @@ impl Band {
     /// response per base acceleration, which the term of the modes below the band absorbs.
     /// Coherence of several blocks weights the lines.
     ///
-    /// # Errors Those of [`Band::new`].
+    /// # Errors
+    /// Those of [`Band::new`].
     pub fn of(responses: &MeasuredResponses, between_hz: (f64, f64)) -> Result<Self, ModalError> {
         let first = responses.functions.first();
         let frequency_hz = first.map_or(&[][..], |function| &function.frequency_hz);

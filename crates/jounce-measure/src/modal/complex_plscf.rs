@@ -36,7 +36,8 @@ struct ComplexMoments {
 /// Poles above the lower end of the band for each order from 1 to `most`, in ascending frequency,
 /// without unstable ones. An order with singular equations is empty.
 ///
-/// # Errors Responses that are all zero.
+/// # Errors
+/// Responses that are all zero.
 pub(super) fn poles(band: &Band, most: usize) -> Result<Vec<Vec<Pole>>, ModalError> {
     let moments = ComplexMoments::of(band, most);
     let normal = moments.normal()?;

@@ -41,12 +41,14 @@ const NEIGHBOUR_LINES: usize = 4;
 /// responses. For correlations in blocks, the variance over the blocks weights each line, and
 /// deviations are computed by leaving out one block at a time.
 ///
-/// # Errors Too few lines, decays that are zero, no stable pole, no pole with significant damping.
+/// # Errors
+/// Too few lines, decays that are zero, no stable pole, no pole with significant damping.
 ///
-/// # Validation `tests`: exact decays that have fallen by only 45 % give their frequencies within
-/// 2e-16 and damping ratios within 2e-14, relative. With noise the truth lies within the stated
-/// intervals of 95 % in 93 % of 200 cases. The modes of 400 s under white noise: frequencies within
-/// 0.18 %, damping ratios within 8.6 %, 17 of 18 within their intervals.
+/// # Validation
+/// `tests`: exact decays that have fallen by only 45 % give their frequencies within 2e-16 and
+/// damping ratios within 2e-14, relative. With noise the truth lies within the stated intervals of
+/// 95 % in 93 % of 200 cases. The modes of 400 s under white noise: frequencies within 0.18 %,
+/// damping ratios within 8.6 %, 17 of 18 within their intervals.
 pub fn identify_decays(
     decays: &Decays,
     between_hz: (f64, f64),
@@ -433,8 +435,8 @@ mod tests {
 
     /// Two outputs, each also a reference, as by default, with white sensor noise instead of a
     /// structure: every combination must end in modes or in a message. With a structure, the poles
-    /// equal those from one reference. Measured: frequencies within
-    /// 4.2e-4, damping ratios within 8.4e-2.
+    /// equal those from one reference. Measured: frequencies within 4.2e-4, damping ratios within
+    /// 8.4e-2.
     #[test]
     fn every_output_may_be_a_reference() {
         let poles = [POLES[0], POLES[1], POLES[3]];

@@ -144,7 +144,8 @@ pub struct Identification {
 /// unexplained peaks of the responses are also modes, if a pole that begins at the peak becomes
 /// well determined.
 ///
-/// # Errors Too few lines, responses that are zero, no stable pole.
+/// # Errors
+/// Too few lines, responses that are zero, no stable pole.
 pub fn identify(band: &Band, settings: ModalSettings) -> Result<Identification, ModalError> {
     let (diagram, start) = candidates(band, settings)?;
     let mut found = if band.inputs > 1 {

@@ -17,7 +17,8 @@ const MAX_POLE_SHARE: f64 = 0.8;
 
 /// Returns the diagram of the poles of all bands and the stable poles, in ascending frequency.
 ///
-/// # Errors Too few lines in the complete band, responses that are zero.
+/// # Errors
+/// Too few lines in the complete band, responses that are zero.
 pub(super) fn stable(
     band: &Band,
     settings: ModalSettings,

@@ -38,7 +38,8 @@ struct PlscfMoments {
 /// unstable ones. For a band that begins far from 0, or whose equations from 0 cannot be solved,
 /// complex coefficients from its lower end are used.
 ///
-/// # Errors Too few lines, or responses that are all zero.
+/// # Errors
+/// Too few lines, or responses that are all zero.
 pub fn poles(band: &Band, most: usize) -> Result<Vec<Vec<Pole>>, ModalError> {
     enough(band, most)?;
     if band.begins_far_from_zero() {
@@ -49,8 +50,9 @@ pub fn poles(band: &Band, most: usize) -> Result<Vec<Vec<Pole>>, ModalError> {
 
 /// Poles from real coefficients, with the circle beginning at 0 Hz.
 ///
-/// # Errors Too few lines; lines that leave too much of the circle uncovered for the order;
-/// responses that are all zero.
+/// # Errors
+/// Too few lines; lines that leave too much of the circle uncovered for the order; responses that
+/// are all zero.
 pub(super) fn from_zero(band: &Band, most: usize) -> Result<Vec<Vec<Pole>>, ModalError> {
     enough(band, most)?;
     let moments = PlscfMoments::of(band, most);

@@ -29,7 +29,8 @@ impl ComplexParts {
 /// Combines the real channels of recordings over frequency in pairs to complex ones, each with the
 /// name and the unit of the first.
 ///
-/// # Errors A recording over time, an odd number of real channels, or no channel.
+/// # Errors
+/// A recording over time, an odd number of real channels, or no channel.
 pub fn paired(
     recordings: Vec<Recording>,
     parts: ComplexParts,

@@ -60,7 +60,8 @@ impl Decays {
     /// Free decays of the same channels of each record, between two times after its first sample;
     /// by default from the peak of the first response.
     ///
-    /// # Errors No record, a channel that does not exist, unequal rates, fewer than 32 samples.
+    /// # Errors
+    /// No record, a channel that does not exist, unequal rates, fewer than 32 samples.
     pub fn free(
         records: &[Recording],
         responses: &[String],
@@ -118,8 +119,9 @@ impl Decays {
 
     /// Correlations of a record under noise.
     ///
-    /// # Errors A channel that does not exist, lags of more than a quarter of the record or of
-    /// fewer than 32 samples.
+    /// # Errors
+    /// A channel that does not exist, lags of more than a quarter of the record or of fewer than 32
+    /// samples.
     pub fn ambient(record: &Recording, settings: &AmbientSettings) -> Result<Self, ResponseError> {
         let outputs = named(record, &settings.responses)?;
         let references = if settings.references.is_empty() {
@@ -188,7 +190,8 @@ impl Decays {
     /// Autocorrelations from amplitude spectra over uniformly spaced frequencies that begin at 0,
     /// or a few lines above it.
     ///
-    /// # Errors A channel that does not exist, a recording over time, uneven lines, too few lines.
+    /// # Errors
+    /// A channel that does not exist, a recording over time, uneven lines, too few lines.
     pub fn of_spectrum(spectrum: &Recording, responses: &[String]) -> Result<Self, ResponseError> {
         let outputs = named(spectrum, responses)?;
         let places = spectrum.grid.places();

@@ -108,7 +108,8 @@ pub(super) fn unit(output: &Channel, input: &Channel) -> String {
 
 /// Settings for an input: hits are detected in forces; other inputs are averaged in blocks.
 ///
-/// # Errors A pulse that is not a force; recordings in which one name has two quantities.
+/// # Errors
+/// A pulse that is not a force; recordings in which one name has two quantities.
 pub(super) fn settings(
     records: &[Recording],
     chosen: &ChannelChoice,

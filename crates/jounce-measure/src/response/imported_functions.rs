@@ -21,7 +21,8 @@ impl MeasuredResponses {
     /// accordingly. Otherwise each is an output, with an issue if several references are given.
     /// Their coherence is unknown.
     ///
-    /// # Errors No recording, no complex channel, unequal frequencies.
+    /// # Errors
+    /// No recording, no complex channel, unequal frequencies.
     pub fn given(recordings: &[Recording]) -> Result<Self, ResponseError> {
         let first = recordings.first().ok_or(ResponseError::Nothing)?;
         let frequency_hz = first.grid.places();

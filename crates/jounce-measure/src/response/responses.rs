@@ -58,9 +58,10 @@ impl MeasuredResponses {
     /// averaged in blocks, like a shaker's. Recordings of each force location are averaged
     /// separately, over blocks of one length.
     ///
-    /// # Errors A channel that does not exist or is not a force; the force as its own response;
-    /// only some forces with a location; sensors that move; no channel other than the force; errors
-    /// of [`impact`].
+    /// # Errors
+    /// A channel that does not exist or is not a force; the force as its own response; only some
+    /// forces with a location; sensors that move; no channel other than the force; errors of
+    /// [`impact`].
     pub fn of_hits(
         records: &[Recording],
         chosen: &ChannelChoice,

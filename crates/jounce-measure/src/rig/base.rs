@@ -11,7 +11,8 @@ use jounce_data::recording::Recording;
 /// which is also the averaging time. Returns the mean of the channel, m/s^2. Unless `keep_mean` is
 /// true the mean is subtracted, because the mean of an accelerometer is gravity and offset.
 ///
-/// # Errors [`spec::RecordingError`], and a base in addition to the ground.
+/// # Errors
+/// [`spec::RecordingError`], and a base in addition to the ground.
 pub fn on_recorded_base(
     spec: &mut Spec,
     recording: &Recording,

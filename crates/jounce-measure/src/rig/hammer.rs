@@ -77,7 +77,8 @@ pub fn ringing(plant: &Plant, block_s: f64) -> Option<ResidualRinging> {
 
 /// Records a hammer test of a linear plant: `force`, then the responses under their names.
 ///
-/// # Errors A setting out of its range, a point that does not exist, a mode without damping.
+/// # Errors
+/// A setting out of its range, a point that does not exist, a mode without damping.
 pub fn hammer_test(plant: &Plant, test: &HammerTest) -> Result<Recording, RigError> {
     check(test)?;
     let count = (test.hits as f64 * test.block_s * test.rate_hz).round() as usize;

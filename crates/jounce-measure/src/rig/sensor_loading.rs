@@ -25,7 +25,8 @@ pub struct Cable {
 impl Cable {
     /// Connects a cable to every patch of a spec.
     ///
-    /// # Errors A capacitance below 0, a resistance that is not above 0.
+    /// # Errors
+    /// A capacitance below 0, a resistance that is not above 0.
     pub fn wire(&self, spec: &mut Spec) -> Result<(), RigError> {
         let fault = |name, value, allowed| {
             Err(RigError::Setting {
@@ -61,7 +62,8 @@ impl Cable {
 
 /// Fixes an accelerometer of a given mass to each point.
 ///
-/// # Errors A mass that is not above 0.
+/// # Errors
+/// A mass that is not above 0.
 pub fn carry(spec: &mut Spec, points: &[String], mass_kg: f64) -> Result<(), RigError> {
     if !(mass_kg > 0.0 && mass_kg.is_finite()) {
         return Err(RigError::Setting {

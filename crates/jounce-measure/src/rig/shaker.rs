@@ -41,7 +41,8 @@ pub struct ShakerTest {
 /// first one that moves, by the name of its drive, else the one shaken by the first force. The
 /// first sample is at 0 s.
 ///
-/// # Errors A setting out of its range, a name that does not exist, a run that fails.
+/// # Errors
+/// A setting out of its range, a name that does not exist, a run that fails.
 pub fn shaker_test(
     spec: &Spec,
     modes: &Modes,

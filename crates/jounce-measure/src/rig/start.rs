@@ -11,7 +11,8 @@ use jounce::structure::Modes;
 /// Returns the start that `run.start` of a spec names, for modes with held bodies; a state file is
 /// relative to `folder`.
 ///
-/// # Errors A plant that cannot be built, a state file that cannot be read or does not match.
+/// # Errors
+/// A plant that cannot be built, a state file that cannot be read or does not match.
 pub fn start_of_run(
     spec: &Spec,
     modes: &Modes,

@@ -1,9 +1,10 @@
 //! Merges neighbouring segments of one solution that differ only by the noise, a slow drift, or one
 //! irregular block.
 //!
-//! For each segment the amplitude at each order is corrected for noise, `A^2 = mean |x_b|^2 - mean
-//! |x_b+1 - x_b|^2 / 2` over its blocks `b`. Equal amplitudes and equal periods mean one solution.
-//! Amplitudes of equal shape that differ overall but hardly across the change indicate drift.
+//! For each segment the amplitude at each order is corrected for noise over its blocks `b`:
+//! `A^2 = mean |x_b|^2 - mean |x_b+1 - x_b|^2 / 2`. Equal amplitudes and equal periods mean one
+//! solution. Amplitudes of equal shape that differ overall but hardly across the change indicate
+//! drift.
 
 use faer::c64;
 use jounce::signal::Samples;

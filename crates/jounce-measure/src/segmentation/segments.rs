@@ -88,8 +88,9 @@ const SEGMENT_COST: f64 = 3.0;
 
 /// Segments a record under a drive of known frequency.
 ///
-/// # Errors A drive that is not suitable for the sampling rate, a record of fewer than 24 cycles, a
-/// constant record.
+/// # Errors
+/// A drive that is not suitable for the sampling rate, a record of fewer than 24 cycles, a constant
+/// record.
 pub fn regimes(samples: &Samples<'_>, drive_hz: f64) -> Result<Segmentation, SegmentationError> {
     regimes_watched(samples, drive_hz, &Control::default())
 }
@@ -97,7 +98,8 @@ pub fn regimes(samples: &Samples<'_>, drive_hz: f64) -> Result<Segmentation, Seg
 /// Segments a record as [`regimes`] does, with a cancellation check for each block, each end of a
 /// piece and each tested period.
 ///
-/// # Errors Those of [`regimes`], and [`SegmentationError::Stopped`].
+/// # Errors
+/// Those of [`regimes`], and [`SegmentationError::Stopped`].
 pub fn regimes_watched(
     samples: &Samples<'_>,
     drive_hz: f64,

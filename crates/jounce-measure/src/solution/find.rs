@@ -59,7 +59,8 @@ pub struct Solution {
 /// Finds the solutions of a spec under its single sinusoidal drive; a solution whose share is below
 /// about `3 / starts` may be missed. `control` can cancel the runs.
 ///
-/// # Errors [`SolutionError`].
+/// # Errors
+/// [`SolutionError`].
 pub fn solutions(
     spec: &Spec,
     search: &SolutionSearch,

@@ -29,7 +29,8 @@ pub fn as_recorded(
 
 /// Returns the initial state on the solution of an id.
 ///
-/// # Errors An id without solution, a solution without an orbit.
+/// # Errors
+/// An id without solution, a solution without an orbit.
 pub fn start_of(found: &[Solution], id: &str) -> Result<StartState, SolutionError> {
     let start = found
         .iter()

@@ -25,7 +25,8 @@ pub struct Waveform {
 impl Waveform {
     /// Integrates one period from a state on the orbit and transforms the voltage across a load.
     ///
-    /// # Errors [`RunError`].
+    /// # Errors
+    /// [`RunError`].
     pub fn of(
         kernel: &Kernel,
         start: &StartState,

@@ -33,14 +33,16 @@ impl Density {
     /// Computes `S(f_k) = c_k / (r sum w^2) mean |X_k|^2`, `c_k = 2` but 1 at zero and half the
     /// rate, after subtracting the mean of the record.
     ///
-    /// # Errors A segment longer than the record.
+    /// # Errors
+    /// A segment longer than the record.
     pub fn welch(samples: &Samples<'_>, segments: &Segments) -> Result<Self, SpectralError> {
         Self::welch_watched(samples, segments, &Control::default())
     }
 
     /// Computes the density with a cancellation check before each segment.
     ///
-    /// # Errors Those of [`Density::welch`], and [`SpectralError::Stopped`].
+    /// # Errors
+    /// Those of [`Density::welch`], and [`SpectralError::Stopped`].
     pub fn welch_watched(
         samples: &Samples<'_>,
         segments: &Segments,
@@ -90,7 +92,8 @@ impl Density {
 impl Segments {
     /// Returns default segments for a record: an eighth of it, Hann, half overlapping.
     ///
-    /// # Errors A record of fewer than 8 samples.
+    /// # Errors
+    /// A record of fewer than 8 samples.
     pub fn usual(samples: &Samples<'_>) -> Result<Self, SpectralError> {
         let count = samples.values().len();
         let length = (count / 8).max(256).min(count) / 2 * 2;

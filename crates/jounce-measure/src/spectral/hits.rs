@@ -109,7 +109,8 @@ const MIN_FLAT_SAMPLES: usize = 3;
 
 /// Detects all hits in a force record, compression positive.
 ///
-/// # Errors A record without a force above its noise.
+/// # Errors
+/// A record without a force above its noise.
 pub fn hits(force: &Samples<'_>, search: HitSearch) -> Result<Vec<Hit>, SpectralError> {
     let values = force.values();
     let largest_n = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);

@@ -86,8 +86,9 @@ const WINDOW_SLOPE_RATIO: f64 = 1.0;
 
 /// Averages the blocks of all hits of all records, or all blocks of a continuous force.
 ///
-/// # Errors No record, records of unequal rate or number of responses, one without a hit, a block
-/// longer than its record.
+/// # Errors
+/// No record, records of unequal rate or number of responses, one without a hit, a block longer
+/// than its record.
 pub fn impact(
     records: &[ImpactRecord<'_>],
     settings: &ImpactSettings,

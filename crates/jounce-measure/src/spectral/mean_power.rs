@@ -71,7 +71,8 @@ const SIGNIFICANT_DEVIATIONS: f64 = 1.645;
 /// Computes the mean power of a voltage across a resistance, `mean(v^2) / R`, with the mean voltage
 /// subtracted first if `remove_mean`.
 ///
-/// # Errors A record too short for batches.
+/// # Errors
+/// A record too short for batches.
 pub fn mean_power(
     voltage: &Samples<'_>,
     resistance_ohm: f64,
@@ -163,7 +164,8 @@ fn correlation(values: &[f64]) -> f64 {
 
 /// Computes the mean power of a part of a record; `None` if it is too short for an interval.
 ///
-/// # Errors Those of [`mean_power`] except for a record too short.
+/// # Errors
+/// Those of [`mean_power`] except for a record too short.
 pub fn mean_power_if_long(
     samples: &Samples<'_>,
     resistance_ohm: f64,
@@ -248,10 +250,10 @@ mod tests {
         )
     }
 
-    /// Records whose correlation time is at most a tenth of their length: those of `0.9^k` by `N (1
-    /// - 0.81) / (1 + 0.81)`, those of a narrow band by `2 zeta w N`. Measured, with an uncertainty
-    /// of 0.7 %: 93.4, 94.8, 95.7 and 96.4 % of those with `0.9^k`, 94.9, 95.7, 97.2 and 97.4 % of
-    /// narrow bands.
+    /// Records whose correlation time is at most a tenth of their length. Number of independent
+    /// values: `N (1 - 0.81) / (1 + 0.81)` for `0.9^k`, `2 zeta w N` for a narrow band. Measured,
+    /// with an uncertainty of 0.7 %: 93.4, 94.8, 95.7 and 96.4 % of those with `0.9^k`, 94.9, 95.7,
+    /// 97.2 and 97.4 % of narrow bands.
     #[test]
     fn intervals_hold_the_truth_where_the_memory_is_a_tenth_of_the_record() {
         let samples = |number: f64| (number * 1.81 / 0.19) as usize;

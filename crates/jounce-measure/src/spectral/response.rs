@@ -140,7 +140,8 @@ impl SpectrumAverages {
 
     /// Adds the transforms of one block of force and response.
     ///
-    /// # Errors Another number of lines.
+    /// # Errors
+    /// Another number of lines.
     pub fn add(
         &mut self,
         force: &[Complex<f64>],
@@ -185,7 +186,8 @@ impl SpectrumAverages {
 
     /// Computes the response at frequencies `frequency_hz` for blocks with a given window bias.
     ///
-    /// # Errors No block was added.
+    /// # Errors
+    /// No block was added.
     pub fn response(
         &self,
         frequency_hz: Vec<f64>,

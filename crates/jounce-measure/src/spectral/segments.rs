@@ -33,7 +33,8 @@ impl std::fmt::Debug for Segments {
 impl Segments {
     /// Returns segments of `length` samples, each `1 - overlap` of a length after the previous one.
     ///
-    /// # Errors Fewer than 8 samples, an overlap outside 0 to 0.95.
+    /// # Errors
+    /// Fewer than 8 samples, an overlap outside 0 to 0.95.
     pub fn new(length: usize, overlap: f64, window: Window) -> Result<Self, SpectralError> {
         if length < MIN_SEGMENT_SAMPLES {
             return Err(SpectralError::Few { samples: length });

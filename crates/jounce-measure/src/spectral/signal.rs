@@ -7,8 +7,8 @@ use jounce_data::recording::{Channel, Quantity, Recording};
 
 /// Returns the samples of a channel with a signal.
 ///
-/// # Errors All samples are equal, as from a disconnected sensor; no sample, or one that is not a
-/// number.
+/// # Errors
+/// All samples are equal, as from a disconnected sensor; no sample, or one that is not a number.
 pub fn signal(channel: &Channel, rate_hz: f64) -> Result<Samples<'_>, SpectralError> {
     let samples = Samples::new(&channel.values, rate_hz)?;
     match samples.values() {

@@ -43,8 +43,9 @@ pub struct Spectra {
 
 /// Computes density and order lines of a record, and its segments.
 ///
-/// # Errors A segment that does not fit the record, an overlap out of its range, a record too short
-/// to resolve the lines of the drive.
+/// # Errors
+/// A segment that does not fit the record, an overlap out of its range, a record too short to
+/// resolve the lines of the drive.
 pub fn spectra(
     samples: &Samples<'_>,
     settings: &SpectraSettings,
@@ -54,7 +55,8 @@ pub fn spectra(
 
 /// Computes spectra with a cancellation check.
 ///
-/// # Errors Those of [`spectra`], and [`SpectralError::Stopped`].
+/// # Errors
+/// Those of [`spectra`], and [`SpectralError::Stopped`].
 pub fn spectra_watched(
     samples: &Samples<'_>,
     settings: &SpectraSettings,

@@ -33,7 +33,8 @@ pub struct Spectrogram {
 
 /// Computes the spectrogram of a record; the mean remains, at 0 Hz.
 ///
-/// # Errors A segment longer than the record.
+/// # Errors
+/// A segment longer than the record.
 pub fn spectrogram(
     samples: &Samples<'_>,
     segments: &Segments,
@@ -43,7 +44,8 @@ pub fn spectrogram(
 
 /// Computes the spectrogram with a cancellation check before each segment.
 ///
-/// # Errors Those of [`spectrogram`], and [`SpectralError::Stopped`].
+/// # Errors
+/// Those of [`spectrogram`], and [`SpectralError::Stopped`].
 pub fn spectrogram_watched(
     samples: &Samples<'_>,
     segments: &Segments,

@@ -79,15 +79,17 @@ pub enum WriteError {
 /// Writes a recording atomically, in the format of the extension of `path`: `.uff` (or `.unv`),
 /// `.parquet`, `.csv` (with its notes). Values are in SI units.
 ///
-/// # Errors Another extension, samples or units that the format does not support, a destination
-/// that cannot be written.
+/// # Errors
+/// Another extension, samples or units that the format does not support, a destination that cannot
+/// be written.
 pub fn write(recording: &Recording, path: &Path) -> Result<(), WriteError> {
     write_surveyed(&recording.clone().into(), path)
 }
 
 /// Writes a recording whose numbers need not be in memory, piece by piece.
 ///
-/// # Errors Those of [`write()`], and a scratch file that cannot be read.
+/// # Errors
+/// Those of [`write()`], and a scratch file that cannot be read.
 pub fn write_surveyed(recording: &RecordingSummary, path: &Path) -> Result<(), WriteError> {
     match path.extension().and_then(|ending| ending.to_str()) {
         Some("uff" | "unv") => uff(recording, path),

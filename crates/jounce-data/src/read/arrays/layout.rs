@@ -63,7 +63,8 @@ impl ArrayLayout {
 
     /// Returns empty series for [`Self::push`].
     ///
-    /// # Errors Not enough memory.
+    /// # Errors
+    /// Not enough memory.
     pub fn series(&self, store: &SampleStore) -> Result<Vec<ColumnNumbers>, Damage> {
         let mut series: Vec<ColumnNumbers> = (0..self.count).map(|_| store.column()).collect();
         let room = series
