@@ -294,7 +294,7 @@ fn what_cannot_be_recorded_is_told() {
     assert!(
         code == 0
             && stderr.contains("43.0 % of its motion")
-            && stderr.contains("make a block 44 s long"),
+            && stderr.contains("use blocks of 44 s"),
         "{stderr}"
     );
     let (code, json, _) = jounce(folder.path(), &["frf", "--measured", "a.csv", "--json"]);

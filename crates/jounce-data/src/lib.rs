@@ -1,4 +1,4 @@
-//! Recordings: channels in SI units, and the files that instruments write.
+//! Recordings: channels in SI units, and readers of instrument files.
 //!
 //! ```
 //! let folder = tempfile::tempdir()?;

@@ -1,9 +1,11 @@
-//! From a laboratory's recordings to answers: powers, spectra, frequency responses, modes, contacts, regimes.
+//! Analysis of laboratory recordings: powers, spectra, frequency responses, modes, contacts,
+//! segments.
 //!
-//! A file becomes a [`recording::Recording`]: channels in SI units with names, places and directions, and everything that is odd about them as
-//! findings. What follows takes recordings or plain numbers and knows nothing of files.
+//! A file becomes a [`recording::Recording`]: channels in SI units with names, locations and
+//! directions, and data-quality issues. The analyses accept recordings or plain numbers and are
+//! independent of file formats.
 //!
-//! The layers of this crate stand in ARCHITECTURE.md; a folder uses only what stands before it there.
+//! ARCHITECTURE.md lists the layers of this crate; a folder uses only those listed before it.
 
 pub use jounce_data::{read, recording};
 

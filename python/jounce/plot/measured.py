@@ -36,8 +36,8 @@ def plot_coherence(result: MeasuredFrf, ax: Any = None) -> Any:
 
 
 _POLES = {
-    "pole": ("o", COLOURS[0], "full", "frequency and damping stay"),
-    "frequency": ("o", COLOURS[1], "none", "frequency stays"),
+    "pole": ("o", COLOURS[0], "full", "frequency and damping stable"),
+    "frequency": ("o", COLOURS[1], "none", "frequency stable"),
     "new": ("s", "#999999", "full", "new"),
 }
 

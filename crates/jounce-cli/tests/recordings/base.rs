@@ -299,7 +299,7 @@ fn response_functions_without_a_header_are_read_and_their_gaps_bridged() {
     assert!(code == 4 && stderr.contains("--bridge"), "{code} {stderr}");
     let (code, json, stderr) = jounce(folder.path(), &[&modes[..], &["--bridge"]].concat());
     assert_eq!(code, 0, "{stderr}");
-    assert!(stderr.contains("bridged"), "{stderr}");
+    assert!(stderr.contains("interpolated linearly"), "{stderr}");
     let mode = &json["modes"][0];
     let off = [
         mode["frequency_hz"].as_f64().unwrap() / 20.0 - 1.0,

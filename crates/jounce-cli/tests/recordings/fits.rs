@@ -254,7 +254,7 @@ fn a_fit_to_the_modes_of_another_support_says_so() {
         .find(|warning| warning.contains("the model misses frequencies by"))
         .expect("a warning");
     assert!(
-        warning.contains("9.01 Hz lies nearest to mode 2 of the model as given")
+        warning.contains("9.01 Hz is nearest to mode 2 of the initial model")
             && warning.contains("`hold`"),
         "{warning}"
     );

@@ -220,7 +220,7 @@ fn a_force_that_goes_on_is_a_shaker() {
         here,
         &["frf", "--measured", "shaken.csv", "--end-ratio", "0.01"],
     );
-    assert!(code != 0 && told.contains("goes on"), "{told}");
+    assert!(code != 0 && told.contains("is continuous"), "{told}");
 }
 
 /// Hits at two places and two sensors, one file for each place, as CSV whose notes keep the places: one matrix of responses, and modes whose

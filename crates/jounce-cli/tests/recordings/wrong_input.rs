@@ -52,13 +52,9 @@ fn wrong_input_ends_with_its_code_and_one_clear_sentence() {
     odd_files(here);
     for (arguments, code, words) in [
         (vec!["read", "missing.csv"], 4, "missing.csv"),
-        (vec!["read", "."], 4, "no file"),
+        (vec!["read", "."], 4, "not a file"),
         (vec!["read", "cut.npy"], 4, "NPY"),
-        (
-            vec!["read", "timeless.csv"],
-            4,
-            "nothing tells when the samples were taken",
-        ),
+        (vec!["read", "timeless.csv"], 4, "no sampling times found"),
         (vec!["read", "switch.csv", "--to", "a.xlsx"], 4, ".parquet"),
         (
             vec!["read", "switch.csv", "--out", "/proc/nowhere"],
@@ -192,7 +188,7 @@ fn wrong_input_ends_with_its_code_and_one_clear_sentence() {
         (
             vec!["frf", "--measured", "hammer.csv"],
             4,
-            "no channel beside",
+            "no channel other than",
         ),
         (vec!["frf", "--measured", "switch.csv"], 4, "newtons"),
         (
@@ -302,7 +298,7 @@ fn what_is_not_written_is_told() {
     ] {
         let (_, _, told) = jounce(here, &command);
         assert!(
-            told.contains("is taken") && told.contains("left out: two 2"),
+            told.contains("is used") && told.contains("left out: two 2"),
             "{command:?}: {told}"
         );
     }

@@ -1,4 +1,4 @@
-//! Raw columns and notes to a recording: names, time, SI units, findings.
+//! Builds a recording from raw columns and notes: names, time, SI units, data-quality issues.
 
 use std::io;
 use std::path::Path;
@@ -14,7 +14,7 @@ use crate::recording::{
     sizes_with, usual_step,
 };
 
-/// The recording of a data set.
+/// Builds the recording of a data set.
 pub(super) fn recording(
     path: &Path,
     name: String,
@@ -38,7 +38,7 @@ pub(super) fn recording(
         reason,
     };
     let mut findings = std::mem::take(&mut raw.findings);
-    // What the notes tell of a channel is assumed no more.
+    // A property of a channel given in the notes is not an assumption.
     let is_told = |name: &String| {
         columns
             .iter()
@@ -85,7 +85,7 @@ pub(super) fn recording(
                     IssueKind::Skipped,
                     1,
                     None,
-                    format!("{why}; the column is no channel"),
+                    format!("{why}; the column is not a channel"),
                 )
                 .of(&column.name),
             ),
@@ -121,7 +121,8 @@ pub(super) fn recording(
     })
 }
 
-/// A column `NAME.im` behind `NAME.re` in the same unit holds its imaginary parts: so are complex channels written.
+/// Joins a column `NAME.im` that follows `NAME.re` in the same unit to it, as the imaginary part of
+/// a complex channel.
 fn paired(columns: Vec<RawColumn>) -> Vec<RawColumn> {
     let mut paired: Vec<RawColumn> = Vec::new();
     for column in columns {
@@ -146,7 +147,7 @@ fn paired(columns: Vec<RawColumn>) -> Vec<RawColumn> {
     paired
 }
 
-/// Notes that name a column that is not there say so.
+/// Refuses notes that name a column which does not exist.
 fn check_notes(path: &Path, notes: &Notes, columns: &[String]) -> Result<(), ReadError> {
     let there = |key: &String| {
         columns.contains(key)
@@ -177,8 +178,8 @@ fn check_notes(path: &Path, notes: &Notes, columns: &[String]) -> Result<(), Rea
     }
 }
 
-/// Why a column beside the time is no channel: nobody would take it for one, it counts the samples, or it is a time that is not used. What the notes
-/// speak of is one.
+/// Returns why a column other than the time is not a channel: an index column, a count of the
+/// samples, or an unused time. A column named in the notes is always a channel.
 fn no_channel(
     column: &RawColumn,
     said: &ChannelNotes,
@@ -192,10 +193,10 @@ fn no_channel(
     }
     let rises = is_time_column(column) && time::ascends(&column.values)?;
     Ok(rises
-        .then(|| "it is a time that is not used, since the time comes from elsewhere".to_owned()))
+        .then(|| "it is a time that is not used, because the time comes from elsewhere".to_owned()))
 }
 
-/// Where the samples lie: by stamps, or by the first of the rates that the notes and the file give.
+/// Sample positions: from stamps, or from the first rate given by the notes or the file.
 fn places(
     path: &Path,
     raw: &mut Raw,
@@ -225,7 +226,7 @@ fn places(
     };
     let stamps = match (given, time) {
         (Some(stamps), _) => stamps,
-        // A time column is no channel: its numbers may be taken.
+        // A time column is not a channel, so its numbers may be moved out.
         (None, Some((k, said))) => {
             let named = (raw.over, rate.as_ref(), notes.time.is_some());
             let found = time::seconds(&mut raw.columns[k], said, named, findings).map_err(lost)?;
@@ -269,7 +270,7 @@ fn even(path: &Path, start: f64, step: f64, count: usize) -> Result<SamplePlaces
         .map_err(fault)
 }
 
-/// How a rate of the file that differs from another one is told.
+/// Reports a rate of the file that differs from another one.
 fn differs(rate: Option<&Rate>, rate_hz: f64, what: &str, used: &str) -> Option<Issue> {
     let rate = rate.filter(|rate| rate.differs_from(rate_hz))?;
     let about = format!(
@@ -279,17 +280,18 @@ fn differs(rate: Option<&Rate>, rate_hz: f64, what: &str, used: &str) -> Option<
     Some(Issue::new(IssueKind::HeaderDisagrees, 1, None, about))
 }
 
-/// The step that the notes or else the file give where no column is a time, and what is said of it.
+/// Step given by the notes, else by the file, where no column is a time; with the issue to report.
 fn told_step(rate: Option<&Rate>, start: f64, notes: &Notes) -> Option<(f64, Option<Issue>)> {
     if let Some(rate_hz) = notes.rate_hz {
         return Some((
             1.0 / rate_hz,
-            differs(rate, rate_hz, "the notes say", "the notes are"),
+            differs(rate, rate_hz, "the notes specify", "the notes are"),
         ));
     }
     let Rate { told, rate_hz } = rate?;
     let about = format!(
-        "no column is a time; the samples are taken at {rate_hz} Hz from {start} s on, by {told} in the file"
+        "no column is a time; the samples are placed at {rate_hz} Hz, starting at {start} s, from \
+        {told} in the file"
     );
     Some((
         1.0 / rate_hz,
@@ -297,7 +299,7 @@ fn told_step(rate: Option<&Rate>, start: f64, notes: &Notes) -> Option<(f64, Opt
     ))
 }
 
-/// The places of stamps, in s or Hz, beside a rate of the file and the notes.
+/// Positions from stamps, in s or Hz, checked against rates of the file and the notes.
 fn by_stamps(
     path: &Path,
     stamps: ColumnNumbers,
@@ -336,19 +338,21 @@ fn by_stamps(
             (rate, SamplePlaces::Stamped { stamps, rate })
         }
     };
-    findings.extend(differs(rate, found, "the stamps say", "the stamps are"));
+    findings.extend(differs(rate, found, "the stamps give", "the stamps are"));
     if let Some(rate_hz) = notes
         .rate_hz
         .filter(|rate_hz| (rate_hz / found - 1.0).abs() > SAME_RATE)
     {
-        let about =
-            format!("the notes say {rate_hz} Hz, the stamps {found:.6} Hz; the stamps are used");
+        let about = format!(
+            "the notes specify {rate_hz} Hz, the stamps give {found:.6} Hz; the stamps \
+                are used"
+        );
         findings.push(Issue::new(IssueKind::HeaderDisagrees, 1, None, about));
     }
     Ok(places)
 }
 
-/// A column in SI, its samples not looked at yet.
+/// Column in SI units, before inspection of its samples.
 pub(super) fn settled(
     mut column: RawColumn,
     said: ChannelNotes,
@@ -365,20 +369,23 @@ pub(super) fn settled(
         findings.push(noticed(
             IssueKind::NonAsciiUnit,
             1,
-            format!("the unit {told:?} holds characters outside ASCII"),
+            format!("the unit {told:?} contains characters outside ASCII"),
         ));
     }
     let unit = Unit::read(&told);
     let factor = scale * unit.as_ref().map_or(1.0, |unit| unit.factor);
     if let Some(unit) = unit.as_ref().filter(|unit| unit.converts()) {
-        let about = format!("values in {told} times {} are {}", unit.factor, unit.si);
+        let about = format!(
+            "values in {told} are multiplied by {} to give {}",
+            unit.factor, unit.si
+        );
         findings.push(noticed(IssueKind::Converted, column.values.count(), about));
     }
     if unit.is_none() && !told.trim().is_empty() && told.trim() != "NONE" {
         findings.push(noticed(
             IssueKind::UnknownUnit,
             1,
-            format!("the unit {told:?} is not known; values are as in the file"),
+            format!("the unit {told:?} is not known; values are unchanged"),
         ));
     }
     let (quantity, unit) = unit.map_or((Quantity::Unknown, told.clone()), |unit| {

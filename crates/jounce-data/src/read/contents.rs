@@ -1,4 +1,4 @@
-//! A file to everything that is in it.
+//! Reads the complete contents of a file.
 
 use std::io::Read as _;
 use std::path::Path;
@@ -12,25 +12,25 @@ use super::{
 };
 use crate::recording::{Issue, IssueKind, Over, Recording};
 
-/// What a file holds.
+/// Contents of a file.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Contents {
-    /// Its recordings, one for each set of channels with a grid of their own.
+    /// Recordings: one for each set of channels that share a grid.
     pub recordings: Vec<Recording>,
-    /// Its mode shapes (UFF 55).
+    /// Mode shapes (UFF 55).
     pub shapes: Vec<ModeShape>,
-    /// What concerns the file as a whole.
+    /// Issues that concern the complete file.
     pub findings: Vec<Issue>,
 }
 
-/// A mode shape, or another set of numbers at nodes, of UFF 55.
+/// Mode shape or other set of nodal values, from UFF 55.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ModeShape {
-    /// Natural frequency, Hz; NaN where the set tells none.
+    /// Natural frequency, Hz; NaN if missing.
     pub frequency_hz: f64,
-    /// Viscous damping ratio; NaN where the set tells none.
+    /// Viscous damping ratio; NaN if missing.
     pub damping_ratio: f64,
-    /// Numbers of the nodes.
+    /// Node numbers.
     pub nodes: Vec<i64>,
     /// Real part of each component at each node.
     pub real: Vec<Vec<f64>>,
@@ -38,7 +38,7 @@ pub struct ModeShape {
     pub imaginary: Option<Vec<Vec<f64>>>,
 }
 
-/// What a reader of a format returns.
+/// Contents as returned by the reader of a format.
 pub(super) struct FormatContents {
     pub sets: Vec<Raw>,
     pub shapes: Vec<ModeShape>,
@@ -57,27 +57,28 @@ impl From<Raw> for FormatContents {
 
 type Reader = fn(&Path, &SampleStore) -> Result<FormatContents, Damage>;
 
-/// Reads a file of any known format, with the notes beside it.
+/// Reads a file of any known format and the notes that belong to it.
 ///
 /// # Errors
-/// A file that cannot be opened, that is none of the formats or damaged, that tells no time, or whose notes are wrong.
+/// A file that cannot be opened, is damaged, has an unknown format or contains no time, or whose
+/// notes are wrong.
 pub fn file(path: &Path) -> Result<Contents, ReadError> {
     read(path, &SampleStore::Memory, &Notes::beside(path)?)?.into_contents(path)
 }
 
-/// Reads a file as [`file()`] does, with its numbers in a scratch file: memory does not grow with the file, but for HDF5, whose library holds
-/// an array of one row whole.
+/// Reads a file as [`file()`] does, but stores its numbers in a scratch file, so memory does not
+/// grow with file size. Exception: for HDF5, the library holds an array of one row in memory.
 ///
 /// # Errors
-/// As [`file()`], and a scratch file that cannot be written.
+/// Those of [`file()`], and a scratch file that cannot be written.
 pub fn summary(path: &Path) -> Result<FileSummary, ReadError> {
     survey_noted(path, &Notes::beside(path)?)
 }
 
-/// Reads a file as [`summary()`] does, with these notes in place of those beside it.
+/// Reads a file as [`summary()`] does, with these notes instead of those of the file.
 ///
 /// # Errors
-/// As [`summary()`].
+/// Those of [`summary()`].
 pub fn survey_noted(path: &Path, notes: &Notes) -> Result<FileSummary, ReadError> {
     read(path, &SampleStore::scratch(), notes)
 }
@@ -112,10 +113,10 @@ fn read(path: &Path, store: &SampleStore, notes: &Notes) -> Result<FileSummary, 
     Ok(survey)
 }
 
-/// The first recording over time in a file.
+/// Reads the first time-domain recording of a file.
 ///
 /// # Errors
-/// As [`file()`], and a file without one.
+/// Those of [`file()`], and a file without such a recording.
 pub fn record(path: &Path) -> Result<Recording, ReadError> {
     let lost = |reason| ReadError::Scratch {
         path: path.to_owned(),
@@ -129,23 +130,24 @@ pub fn record(path: &Path) -> Result<Recording, ReadError> {
     .map_err(lost)
 }
 
-/// The same with its numbers in a scratch file, so that only the channels that are needed come to memory.
+/// Reads the first time-domain recording with its numbers in a scratch file, so that only the
+/// channels needed are loaded.
 ///
 /// # Errors
-/// As [`summary()`], and a file without one.
+/// Those of [`summary()`], and a file without such a recording.
 pub fn survey_record(path: &Path) -> Result<RecordingSummary, ReadError> {
     survey_record_noted(path, &Notes::beside(path)?)
 }
 
-/// The same with these notes in place of those beside the file.
+/// Reads a recording as [`survey_record()`] does, with these notes instead of those of the file.
 ///
 /// # Errors
-/// As [`survey_record()`].
+/// Those of [`survey_record()`].
 pub fn survey_record_noted(path: &Path, notes: &Notes) -> Result<RecordingSummary, ReadError> {
     first_over_time(path, survey_noted(path, notes)?)
 }
 
-/// The first recording over time; it tells which others were left out.
+/// Returns the first time-domain recording and reports those left out.
 fn first_over_time(path: &Path, survey: FileSummary) -> Result<RecordingSummary, ReadError> {
     let mut others = survey.recordings;
     let first = others
@@ -160,7 +162,7 @@ fn first_over_time(path: &Path, survey: FileSummary) -> Result<RecordingSummary,
             .map(|recording| recording.name.as_str())
             .collect();
         let about = format!(
-            "{} is taken, the first recording over time of its file; left out: {}",
+            "{} is used, the first recording over time in the file; left out: {}",
             taken.name,
             names.join(", ")
         );
@@ -171,7 +173,7 @@ fn first_over_time(path: &Path, survey: FileSummary) -> Result<RecordingSummary,
     Ok(taken)
 }
 
-/// The format, by what the file begins with.
+/// Identifies the format by the first bytes of a file.
 fn format_of(path: &Path) -> Result<(&'static str, Reader), ReadError> {
     let open = |reason| ReadError::Open {
         path: path.to_owned(),
@@ -182,7 +184,7 @@ fn format_of(path: &Path) -> Result<(&'static str, Reader), ReadError> {
     if !file.metadata().map_err(open)?.is_file() {
         return Err(ReadError::Format {
             path: path.to_owned(),
-            why: "it is no file".to_owned(),
+            why: "it is not a file".to_owned(),
         });
     }
     file.take(4096).read_to_end(&mut head).map_err(open)?;
@@ -215,7 +217,7 @@ fn format_of(path: &Path) -> Result<(&'static str, Reader), ReadError> {
         }
         () if head.contains(&0) => match magic::named(path, &head) {
             Some(what) => refused(&format!("it is {what}")),
-            None => refused("it is binary and begins like no known format"),
+            None => refused("it is a binary file of unknown format"),
         },
         () => Ok(("text", text::read)),
     }

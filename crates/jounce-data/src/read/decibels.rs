@@ -2,29 +2,30 @@
 
 use crate::recording::{Quantity, Unit, unbracketed};
 
-/// What may stand before the reference, the longer ones first.
+/// Words that may precede the reference, the longer ones first.
 const WORDS: [&str; 6] = ["rel.", "rel", "ref.", "ref", "re:", "re"];
 
-/// What levels in decibels are told of.
+/// Reference of levels in decibels.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Decibels {
-    /// The size at 0 dB, in the unit.
+    /// Size at 0 dB, in the unit.
     pub reference: f64,
-    /// Its unit; empty where none is told.
+    /// Unit; empty if not given.
     pub unit: String,
-    /// Decibels of a factor of ten: 20 of amplitudes, 10 of densities, which are powers.
+    /// Decibels per factor of ten: 20 for amplitudes, 10 for power densities.
     pub decade: f64,
 }
 
 impl Decibels {
-    /// True for a unit that begins as decibels do, understood or not.
+    /// True for a unit that begins with `dB`, even if the remainder is invalid.
     pub(super) fn begin(unit: &str) -> bool {
         unbracketed(unit)
             .get(..2)
             .is_some_and(|start| start.eq_ignore_ascii_case("dB"))
     }
 
-    /// `dB [re | rel | ref] [number] [unit]`; none for anything else, as `dBm`, which is no level of metres, and where the unit is not known.
+    /// Parses `dB [re | rel | ref] [number] [unit]`. Returns `None` for anything else, such as
+    /// `dBm` (not a level in metres), and for an unknown unit.
     pub(super) fn read(unit: &str) -> Option<Self> {
         let rest = unbracketed(unit).get(2..).filter(|_| Self::begin(unit))?;
         let apart = rest.is_empty()
@@ -44,7 +45,8 @@ impl Decibels {
             .filter(|levels| levels.reference > 0.0 && levels.reference.is_finite())
     }
 
-    /// Levels of a column that is known to hold some, whether its unit says so or tells what they refer to.
+    /// Levels of a column known to be in decibels; the unit may give either the level or its
+    /// reference.
     pub(super) fn meant(unit: &str) -> Option<Self> {
         if Self::begin(unit) {
             Self::read(unit)
@@ -78,7 +80,7 @@ impl Decibels {
     }
 }
 
-/// The number at the beginning of a text, 1 where there is none, and what stands behind it: `20`, `1e-6`, `10^-6`.
+/// Splits off the number at the beginning of a text, 1 if absent: `20`, `1e-6`, `10^-6`.
 fn leading_number(text: &str) -> (f64, &str) {
     let number = |c: char| c.is_ascii_digit() || matches!(c, '.' | 'e' | 'E' | '-' | '+');
     let most = text.find(|c| !number(c)).unwrap_or(text.len());

@@ -1,22 +1,22 @@
-//! The outline of a long recording: so few points that it can be drawn, and the same picture.
+//! Decimates a long recording for plotting while preserving its envelope.
 
 use std::io;
 
 use super::summary::RecordingSummary;
 use crate::recording::{Over, PIECE, Series};
 
-/// Points of the first channels of a recording.
+/// Decimated points of the first channels of a recording.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DecimatedRecording {
-    /// Where the points lie, s or Hz.
+    /// Positions of the points, s or Hz.
     pub places: Vec<f64>,
-    /// Points of each channel: samples over time, sizes of samples over frequency.
+    /// Points of each channel: samples over time, magnitudes over frequency.
     pub channels: Vec<Vec<f64>>,
 }
 
 impl RecordingSummary {
-    /// The first channels, with `most` points each at most: all samples where that is enough, else the lowest and the highest one of each of
-    /// `most / 2` stretches, in their order.
+    /// Decimates the first channels to at most `most` points each. Returns all samples if they fit,
+    /// else the minimum and maximum of each of `most / 2` segments, in order.
     ///
     /// # Errors
     /// The scratch file cannot be read.
@@ -76,7 +76,7 @@ impl RecordingSummary {
 /// Points of a channel so far.
 struct DecimatedPoints {
     stretch: usize,
-    /// Samples of the stretch that lasts, its lowest and its highest one with their numbers in it.
+    /// Samples of the current segment, and its minimum and maximum with their indices.
     inside: usize,
     lowest: (f64, usize),
     highest: (f64, usize),
@@ -85,7 +85,7 @@ struct DecimatedPoints {
 
 impl DecimatedPoints {
     fn take(&mut self, x: f64) {
-        // Any number is better than none.
+        // Any number replaces NaN.
         if self.inside == 0 || x < self.lowest.0 || self.lowest.0.is_nan() {
             self.lowest = (x, self.inside);
         }

@@ -1,4 +1,4 @@
-//! Why a file gives no recording.
+//! Errors of reading a file.
 
 use std::path::PathBuf;
 
@@ -7,51 +7,53 @@ use crate::recording::{GridError, Issue, IssuePlace};
 /// A file that cannot be read.
 #[derive(Debug, thiserror::Error)]
 pub enum ReadError {
-    /// It cannot be opened.
+    /// The file cannot be opened.
     #[error("{}: {reason}", path.display())]
     Open {
         /// The file.
         path: PathBuf,
-        /// What the system says.
+        /// Error of the operating system.
         reason: std::io::Error,
     },
-    /// It is none of the formats.
-    #[error("{}: {why}; CSV and text, Parquet, NPY, NPZ, MAT, HDF5, TDMS, WAV, UFF and LVM can be read", path.display())]
+    /// The format is unknown.
+    #[error("{}: {why}; supported formats: CSV and text, Parquet, NPY, NPZ, MAT, HDF5, TDMS, WAV, \
+        UFF and LVM", path.display())]
     Format {
         /// The file.
         path: PathBuf,
-        /// What it is instead.
+        /// Description of the file.
         why: String,
     },
-    /// It is damaged, cut, or of a kind that its format allows and jounce does not read.
+    /// The file is damaged, truncated, or of a variant that jounce does not read.
     #[error("{}: as {format}, {}{why}", path.display(), at(*place))]
     Damaged {
         /// The file.
         path: PathBuf,
         /// The format.
         format: &'static str,
-        /// Where.
+        /// Position in the file.
         place: Option<IssuePlace>,
-        /// What is wrong, and what to do.
+        /// Fault and remedy.
         why: String,
     },
-    /// Nothing tells when the samples were taken.
+    /// The file contains no sampling times.
     #[error(
-        "{}: nothing tells when the samples were taken: no column has a unit of time or the name of one, and no rate is given (columns: {}{}); write \
-         `rate = \"... Hz\"`, or `time = \"COLUMN\"` and under `[channel.\"COLUMN\"]` its `unit = \"s\"`, in {}",
+        "{}: no sampling times found: no column has a unit of time or the name of one, and no \
+        rate is given (columns: {}{}); write `rate = \"... Hz\"`, or `time = \"COLUMN\"` and \
+        under `[channel.\"COLUMN\"]` its `unit = \"s\"`, in {}",
         path.display(), columns.join(", "), noted(about), notes.display()
     )]
     NoTime {
         /// The file.
         path: PathBuf,
-        /// Its columns.
+        /// Columns of the file.
         columns: Vec<String>,
-        /// What is known of columns that are no time.
+        /// Properties found of columns that are not times.
         about: Vec<String>,
-        /// Where the notes belong.
+        /// Path of the notes.
         notes: PathBuf,
     },
-    /// Its stamps are whole numbers of an unknown unit.
+    /// The stamps are integers of an unknown unit.
     #[error(
         "{}: the stamps of {column:?} are whole numbers without a unit, {step} from one to the next: in s that is {:.6} Hz, in ms {:.6} Hz, in us {:.6} Hz; \
          write under `[channel.\"{column}\"]` its `unit = \"s\"`, `\"ms\"` or `\"us\"` in {}",
@@ -62,47 +64,47 @@ pub enum ReadError {
         path: PathBuf,
         /// The column.
         column: String,
-        /// Its usual step.
+        /// Typical step.
         step: f64,
-        /// Where the notes belong.
+        /// Path of the notes.
         notes: PathBuf,
     },
-    /// It tells times and nothing else.
-    #[error("{}: no channel is left beside the time{}", path.display(), noticed(findings))]
+    /// The file contains times and no channel.
+    #[error("{}: no channel remains apart from the time{}", path.display(), noticed(findings))]
     NoChannel {
         /// The file.
         path: PathBuf,
-        /// What was noticed, columns that were left out among it.
+        /// Issues found, including columns that were left out.
         findings: Vec<Issue>,
     },
-    /// It holds nothing over time, only over frequency or mode shapes.
-    #[error("{} holds no recording over time", path.display())]
+    /// The file contains no time-domain recording, only frequency data or mode shapes.
+    #[error("{} contains no recording over time", path.display())]
     NoRecord {
         /// The file.
         path: PathBuf,
     },
-    /// Its time stamps are no times.
+    /// The time stamps are invalid.
     #[error("{}: {fault}", path.display())]
     Grid {
         /// The file.
         path: PathBuf,
-        /// What is wrong.
+        /// The fault.
         fault: GridError,
     },
-    /// Its numbers cannot be kept or found again in the scratch file.
+    /// The scratch file cannot be written or read.
     #[error("{}: {}", path.display(), kept(reason))]
     Scratch {
         /// The file.
         path: PathBuf,
-        /// What the system says.
+        /// Error of the operating system.
         reason: std::io::Error,
     },
-    /// The notes beside it are wrong; all faults.
+    /// The notes of the file are wrong; lists all faults.
     #[error("{}: {}", path.display(), faults.join("; "))]
     Notes {
-        /// The notes.
+        /// Path of the notes.
         path: PathBuf,
-        /// One sentence each.
+        /// One sentence for each fault.
         faults: Vec<String>,
     },
 }
@@ -121,7 +123,7 @@ fn noticed(findings: &[Issue]) -> String {
         String::new()
     } else {
         format!(
-            " ({}); save channels and time equally long",
+            " ({}); save channels and time with equal lengths",
             told.join("; ")
         )
     }
@@ -134,12 +136,13 @@ fn at(place: Option<IssuePlace>) -> String {
 fn kept(reason: &std::io::Error) -> String {
     let folder = super::samples::folder();
     format!(
-        "its numbers cannot be kept in {}: {reason}; set TMPDIR to a folder with room for 8 bytes per number",
+        "its numbers cannot be stored in {}: {reason}; set TMPDIR to a folder with room for 8 \
+        bytes per number",
         folder.display()
     )
 }
 
-/// What is wrong inside a file, before its name is known.
+/// Fault inside a file, before its path is known.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Damage {
     pub place: Option<IssuePlace>,
@@ -160,17 +163,17 @@ impl Damage {
         }
     }
 
-    /// A source that cannot be read to its end.
+    /// Error of a source that cannot be read to its end.
     pub(super) fn cut(reason: std::io::Error) -> Self {
         let why = if reason.kind() == std::io::ErrorKind::UnexpectedEof {
             "it ends too early".to_owned()
         } else {
             reason.to_string()
         };
-        Self::new(format!("{why}; was the file cut?"))
+        Self::new(format!("{why}; is the file truncated?"))
     }
 
-    /// The same at a byte, where it has no place yet.
+    /// Adds a byte position unless a position is set.
     pub(super) fn at_byte(self, byte: u64) -> Self {
         let place = self.place.or(Some(IssuePlace::Byte(
             usize::try_from(byte).unwrap_or(usize::MAX),

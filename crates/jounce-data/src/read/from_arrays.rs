@@ -1,40 +1,42 @@
-//! Samples that no file holds to a recording: what another program has read or measured.
+//! Builds recordings from samples in memory, measured or read by another program.
 
 use super::assemble;
 use super::raw::RawChannel;
 use crate::recording::{Grid, Over, Recording, inspect};
 
-/// Samples that make no recording.
+/// Error of samples that cannot form a recording.
 #[derive(Debug, Clone, PartialEq, thiserror::Error, serde::Serialize)]
 #[serde(untagged)]
 pub enum ArraysError {
-    /// No channel at all.
+    /// No channel.
     #[error("there is no channel; give at least one")]
     NoChannel,
-    /// Numbers that got lost on the way.
-    #[error("the samples cannot be kept: {reason}")]
+    /// The scratch file cannot be read back.
+    #[error("the samples cannot be stored: {reason}")]
     Kept {
-        /// What the system says.
+        /// Error of the operating system.
         reason: String,
     },
     /// Channels of unequal length.
     #[error(
-        "channel {channel} has {samples} samples for {places} places; every channel needs one sample for each"
+        "channel {channel} has {samples} samples for {places} times or frequencies; the numbers \
+        must be equal"
     )]
     Length {
         /// The channel.
         channel: String,
-        /// Its samples.
+        /// Number of samples.
         samples: usize,
-        /// Places of the grid.
+        /// Number of grid positions.
         places: usize,
     },
 }
 
-/// A recording of channels whose units stand as instruments write them: values become SI, and what is odd about them is found, as in a file.
+/// Builds a recording from channels with units in instrument notation. Values are converted to SI
+/// and inspected for issues, as for a file.
 ///
 /// # Errors
-/// No channel, or one of another length than the grid.
+/// No channel, or a channel whose length differs from the grid.
 pub fn given(
     name: &str,
     over: Over,

@@ -1,4 +1,5 @@
-//! What jounce noted of a file that it wrote: in the metadata of Parquet, in `NAME.manifest.json` beside `NAME.csv`.
+//! Notes that jounce writes with a file: in the metadata of Parquet, in `NAME.manifest.json` next
+//! to `NAME.csv`.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -8,21 +9,22 @@ use serde::Deserialize;
 use super::name;
 use super::raw::RawColumn;
 
-/// What stands before the name of a channel in the notes that tell where it was measured.
+/// Prefix of a channel name in the notes that give its node.
 pub const PLACE: &str = "place of ";
-/// The same for its direction.
+/// Prefix of a channel name in the notes that give its direction.
 pub const DIRECTION: &str = "direction of ";
-/// The same for where the force of a response function acts.
+/// Prefix of a channel name in the notes that give the location of the force of a response
+/// function.
 pub const REFERENCE: &str = "reference of ";
 
-/// The notes of a file of columns.
+/// Notes of a file of columns.
 #[derive(Deserialize)]
 pub(super) struct WrittenNotes {
     manifest: Manifest,
     columns: Vec<NotedChannel>,
 }
 
-/// Of the manifest, what a reader needs.
+/// Fields of the manifest that the reader needs.
 #[derive(Deserialize)]
 struct Manifest {
     options: BTreeMap<String, String>,
@@ -35,12 +37,12 @@ struct NotedChannel {
 }
 
 impl WrittenNotes {
-    /// The notes of a text; none where it is not of jounce.
+    /// Parses the notes; `None` if they are not from jounce.
     pub(super) fn from_json(text: &str) -> Option<Self> {
         serde_json::from_str(text).ok()
     }
 
-    /// The notes beside a text of columns; none where there are none, or where they tell of other columns.
+    /// Notes for a text file of columns; `None` if absent or about other columns.
     pub(super) fn beside(path: &Path, columns: &[RawColumn]) -> Option<Self> {
         let found =
             Self::from_json(&std::fs::read_to_string(path.with_extension("manifest.json")).ok()?)?;
@@ -52,7 +54,7 @@ impl WrittenNotes {
         of_these.then_some(found)
     }
 
-    /// The unit of a column.
+    /// Returns the unit of a column.
     pub(super) fn unit(&self, head: &str) -> Option<String> {
         self.columns
             .iter()
@@ -60,9 +62,9 @@ impl WrittenNotes {
             .map(|column| column.unit.clone())
     }
 
-    /// Tells a column where it was measured, which way, and against what.
+    /// Sets node, direction and reference of a column.
     pub(super) fn tell(&self, column: &mut RawColumn) {
-        // Both parts of a complex channel have one place.
+        // Both parts of a complex channel have the same location.
         let name = column.name.strip_suffix(".re").unwrap_or(&column.name);
         let told = |key: &str| {
             self.manifest

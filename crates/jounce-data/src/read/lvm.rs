@@ -1,9 +1,11 @@
 //! LabVIEW measurement files (LVM): text with a header of the file and a header of each segment.
 //!
-//! With `X_Columns` `Multi` a column of times stands before each channel, and what the header says of a channel stands above it, not above its times.
+//! With `X_Columns` `Multi`, a column of times precedes each channel. Header entries of a channel
+//! are above its values, not above its times.
 //!
-//! Source: National Instruments, "LabVIEW Measurement File (LVM) Format". Where the stamps of the data fit `Delta_X` of the header within their digits, it
-//! is their step. Elsewhere they win: programs that thin out a record often leave its `Delta_X` and `Samples` behind.
+//! Source: National Instruments, "LabVIEW Measurement File (LVM) Format". If the stamps agree with
+//! `Delta_X` within their digits, `Delta_X` is the step. Otherwise the stamps are used: programs
+//! that decimate a record often leave its `Delta_X` and `Samples` unchanged.
 
 use std::fs::File;
 use std::io::{BufReader, Read as _};
@@ -21,10 +23,10 @@ use super::text::{
 use crate::recording::{Issue, IssueKind, IssuePlace, Over, Series};
 
 const HEAD_BYTES: u64 = 1 << 18;
-/// Heads of a column of times, and of one of remarks.
+/// Headings of a time column and of a comment column.
 const X_VALUE: &str = "X_Value";
 const COMMENT: &str = "Comment";
-/// How far a step of the header may lie from that of the stamps, relative.
+/// Maximum relative difference between the steps of header and stamps.
 const SAME_STEP: f64 = 1e-3;
 
 pub(super) fn read(path: &Path, store: &SampleStore) -> Result<FormatContents, Damage> {
@@ -54,13 +56,13 @@ pub(super) fn read(path: &Path, store: &SampleStore) -> Result<FormatContents, D
     })
 }
 
-/// Channels with the numbers of their columns.
+/// Channels with their column numbers.
 type Members = Vec<(usize, RawColumn)>;
 
-/// What the two headers say.
+/// Contents of the two headers.
 struct Header {
     layout: TextLayout,
-    /// The keys of the segment with their values, one for each column of the data.
+    /// Keys of the segment with their values, one for each data column.
     fields: Vec<(String, Vec<String>)>,
     x_columns: String,
 }
@@ -72,7 +74,7 @@ impl Header {
         let heads = heads.ok_or_else(|| {
             Damage::at(
                 IssuePlace::Line(lines.len()),
-                "no line of column heads (X_Value ...) follows; was the file cut?",
+                "no line of column headings (X_Value ...) follows; is the file truncated?",
             )
         })?;
         let separator = if value(&lines[..heads], "Separator") == Some("Comma") {
@@ -125,7 +127,8 @@ impl Header {
         })
     }
 
-    /// The value of a key for a column. It stands in that column; some programs leave no room for the columns of times and write one value behind the other.
+    /// Returns the value of a key for a column. It is normally in that column; some programs
+    /// reserve no columns for times and write the values consecutively.
     fn value(&self, key: &str, column: usize) -> Option<&str> {
         let (_, fields) = self.fields.iter().rev().find(|(name, _)| name == key)?;
         let names = || {
@@ -150,7 +153,7 @@ impl Header {
     }
 
     fn number(&self, key: &str, column: usize) -> Option<f64> {
-        // Where all channels share a value it may stand once.
+        // A value shared by all channels may be given once.
         let text = self.value(key, column).or_else(|| self.value(key, 1))?;
         text.replace(',', ".")
             .parse::<f64>()
@@ -158,7 +161,7 @@ impl Header {
             .filter(|number| number.is_finite())
     }
 
-    /// The channels by their times: one set for all that share them.
+    /// Groups channels by their times: one set for channels that share them.
     fn sets(
         &self,
         columns: Vec<RawColumn>,
@@ -174,7 +177,8 @@ impl Header {
             .count();
         if channels == 0 || rows < 2 {
             let why = format!(
-                "{rows} rows of {channels} channels follow; at least two rows of one are due"
+                "{rows} rows of {channels} channels follow; at least two rows of one channel are \
+                needed"
             );
             return Err(Damage::at(IssuePlace::Line(self.layout.skip), why));
         }
@@ -222,7 +226,7 @@ impl Header {
         Ok((found, findings))
     }
 
-    /// Channels over one column of times.
+    /// Builds the set of channels over one time column.
     fn set(
         &self,
         x: Option<ColumnNumbers>,
@@ -242,7 +246,7 @@ impl Header {
                 .map_or(String::new(), |column| column.name.clone());
             return Err(Damage::at(
                 IssuePlace::Line(self.layout.skip),
-                format!("{rows} rows of {name} follow; at least two are due"),
+                format!("{rows} rows of {name} follow; at least two are needed"),
             ));
         }
         if let Some(samples) = self
@@ -250,7 +254,7 @@ impl Header {
             .and_then(|text| text.parse::<usize>().ok())
             .filter(|samples| *samples != rows)
         {
-            let about = format!("the header says {samples} samples, {rows} follow");
+            let about = format!("the header specifies {samples} samples, but {rows} follow");
             findings.push(Issue::new(
                 IssueKind::HeaderDisagrees,
                 samples.abs_diff(rows),
@@ -264,7 +268,7 @@ impl Header {
         let stamps = match (x.filter(|_| self.x_columns != "No" && whole), step) {
             (Some(x), Some(step)) => {
                 findings.extend(self.rescaled(step, x.count(), x.ends()?));
-                // Of two steps that explain the stamps the header's is the one that was set.
+                // Of two steps that agree with the stamps, use the one set in the header.
                 let rate = Rate {
                     told: format!("Delta_X = {step}"),
                     rate_hz: 1.0 / step,
@@ -286,7 +290,7 @@ impl Header {
             (None, Some(step)) => TimeStamps::Even { start, step },
             (None, None) => {
                 return Err(Damage::new(
-                    "neither a column X_Value nor a Delta_X tells when the samples were taken",
+                    "neither a column X_Value nor a Delta_X gives the sampling times",
                 ));
             }
         };
@@ -307,13 +311,14 @@ impl Header {
         })
     }
 
-    /// A step of the header that is not that of the stamps.
+    /// Reports a step of the header that differs from the step of the stamps.
     fn rescaled(&self, told: f64, count: usize, ends: Option<(f64, f64)>) -> Option<Issue> {
         let (first, last) = ends?;
         let step = (last - first) / (count - 1) as f64;
         let told = Some(told).filter(|told| (told / step - 1.0).abs() > SAME_STEP)?;
         let about = format!(
-            "the header says Delta_X = {told:.6e}, the stamps are {step:.6e} apart ({:.4} times as much); the stamps are used",
+            "the header specifies Delta_X = {told:.6e}, but the stamps are {step:.6e} apart \
+            ({:.4} times as much); the stamps are used",
             step / told
         );
         Some(Issue::new(
@@ -325,16 +330,17 @@ impl Header {
     }
 }
 
-/// What spectra in levels become, and that they are spectra.
+/// Converts spectra in levels to linear values, and reports spectra.
 fn linear(columns: &mut [RawColumn]) -> Result<Vec<Issue>, Damage> {
-    let about = "the channels are spectra by their names; the first column is taken as frequency in Hz, whatever X_Dimension says";
+    let about = "the channels are spectra by their names; the first column is used as frequency \
+        in Hz, whatever X_Dimension specifies";
     let mut findings = vec![Issue::new(
         IssueKind::HeaderDisagrees,
         1,
         None,
         about.to_owned(),
     )];
-    // An amplitude is never negative: such a spectrum holds levels.
+    // Amplitudes are never negative, so a spectrum with negative values contains levels.
     for column in columns {
         let mut negative = false;
         column.values.each(|x| negative |= x < 0.0)?;
@@ -350,7 +356,7 @@ fn is_whole(x: &ColumnNumbers) -> Result<bool, Damage> {
     Ok(whole)
 }
 
-/// Channels up to the row where their column of times ends: a channel may be shorter than those beside it.
+/// Cuts channels at the row where their time column ends; lengths of channels may differ.
 fn ended(
     x: Option<ColumnNumbers>,
     members: Members,
@@ -364,7 +370,7 @@ fn ended(
         number += 1;
         last = if t.is_finite() { number } else { last };
     })?;
-    // Without a single time the header tells them all.
+    // Without any time, the header gives the times of all samples.
     if last == number || last == 0 {
         return Ok((Some(times), members));
     }
@@ -399,7 +405,7 @@ fn ended(
     ))
 }
 
-/// The first value of a key of the header.
+/// Returns the first value of a key of the header.
 fn value<'a>(lines: &[&'a str], key: &str) -> Option<&'a str> {
     let line = lines
         .iter()

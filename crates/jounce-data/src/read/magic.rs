@@ -2,13 +2,14 @@
 
 use std::path::Path;
 
-/// Where the first bytes stand, the bytes, and what a file that has them is. Longer beginnings stand before shorter ones.
+/// Offset of the magic number, the bytes, and a description. Longer magic numbers precede shorter
+/// ones.
 const BEGINNINGS: [(usize, &[u8], &str); 27] = [
     (0, b"\x1aE\xdf\xa3", IDE),
     (
         0,
         b"TDSh",
-        "the index of a TDMS file: read the .tdms file beside it",
+        "the index of a TDMS file: read the .tdms file in the same folder",
     ),
     (
         0,
@@ -67,20 +68,21 @@ const BEGINNINGS: [(usize, &[u8], &str); 27] = [
     (
         0,
         b"fLaC",
-        "FLAC sound: convert it to WAV, as by ffmpeg -i FILE FILE.wav",
+        "FLAC sound: convert it to WAV, for example with ffmpeg -i FILE FILE.wav",
     ),
     (
         0,
         b"OggS",
-        "Ogg sound: convert it to WAV, as by ffmpeg -i FILE FILE.wav",
+        "Ogg sound: convert it to WAV, for example with ffmpeg -i FILE FILE.wav",
     ),
     (
         0,
         b"\x1f\x8b",
-        "compressed by gzip: unpack it with gunzip and read what comes out",
+        "compressed by gzip: unpack it with gunzip and read the result",
     ),
 ];
-const IDE: &str = "EBML, as IDE recordings of enDAQ and Slam Stick loggers are: export it as CSV or MAT in enDAQ Lab, or with idelib in Python";
+const IDE: &str = "EBML, the format of enDAQ and Slam Stick loggers (IDE): export it as CSV or \
+    MAT in enDAQ Lab, or with idelib in Python";
 const KEYSIGHT: &str =
     "a waveform of a Keysight or Agilent oscilloscope: save it as CSV on the instrument";
 const RIGOL: &str = "a waveform of a Rigol oscilloscope: save it as CSV on the instrument, or convert it with RigolWFM in Python";
@@ -89,7 +91,7 @@ const LECROY: &str = "a waveform of a LeCroy oscilloscope: save it as ASCII on t
 const NETCDF: &str = "NetCDF 3: convert it in Python: import xarray; xarray.open_dataset('FILE').to_netcdf('FILE.h5', engine='h5netcdf')";
 const PICKLE: &str = "a pickle of Python: save the arrays in it with numpy.savez";
 
-/// Endings of names, in small letters, and what such files usually are.
+/// File extensions in lower case, with the usual kind of file.
 const ENDINGS: [(&str, &str); 14] = [
     ("ide", IDE),
     ("dxd", DEWESOFT),
@@ -130,7 +132,7 @@ const ENDINGS: [(&str, &str); 14] = [
 const DEWESOFT: &str = "a recording of DewesoftX: export it as MAT, CSV or UFF in DewesoftX";
 const TESTLAB: &str = "a recording of Simcenter Testlab: export it as UFF or MAT in Testlab";
 
-/// What a binary file is by its first bytes, else what files of its ending usually are.
+/// Describes a binary file by its first bytes, else by its extension.
 pub(super) fn named(path: &Path, head: &[u8]) -> Option<String> {
     let begins = |(at, bytes, _): &&(usize, &[u8], &str)| {
         head.get(*at..).is_some_and(|head| head.starts_with(bytes))
@@ -140,5 +142,5 @@ pub(super) fn named(path: &Path, head: &[u8]) -> Option<String> {
     }
     let ending = path.extension()?.to_str()?.to_lowercase();
     let (_, what) = ENDINGS.iter().find(|(known, _)| *known == ending)?;
-    Some(format!("by its ending it is {what}"))
+    Some(format!("by its extension it is {what}"))
 }

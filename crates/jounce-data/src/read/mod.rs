@@ -1,18 +1,18 @@
-//! Files of instruments to recordings.
+//! Reads instrument files into recordings.
 //!
 //! | format | read by |
 //! |---|---|
-//! | CSV and text with any header | the crate `csv` for the fields; which lines and columns hold numbers is found here |
+//! | CSV and text with any header | the crate `csv` for the fields; this module finds the lines and columns of numbers |
 //! | Parquet | the crate `parquet` |
 //! | HDF5, MAT v7.3 | the crate `hdf5-pure` |
-//! | MAT v5, structs and cells included | here: the libraries read no structs |
-//! | NPY, NPZ | here, archives by the crate `rawzip` |
-//! | TDMS | here: the libraries hold a file whole |
-//! | WAV | here: the libraries read no 64-bit samples |
-//! | UFF 55, 58, 58b | here: no kept library reads it |
-//! | LVM | here: no kept library reads it |
+//! | MAT v5, including structs and cells | this module: the libraries read no structs |
+//! | NPY, NPZ | this module; archives by the crate `rawzip` |
+//! | TDMS | this module: the libraries hold the complete file in memory |
+//! | WAV | this module: the libraries read no 64-bit samples |
+//! | UFF 55, 58, 58b | this module: no maintained library reads it |
+//! | LVM | this module: no maintained library reads it |
 //!
-//! A file of notes beside it, `FILE.channels.toml`, names what the file does not: see [`Notes`].
+//! A file of notes, `FILE.channels.toml`, supplies what the file lacks: see [`Notes`].
 mod arrays;
 mod assemble;
 mod contents;

@@ -1,14 +1,14 @@
-//! Dates and times of day as loggers write them.
+//! Dates and times of day in the notations of data loggers.
 //!
 //! | written | read as |
 //! |---|---|
-//! | `2024-03-05T14:07:01.25`, `2024/03/05 14:07:01,25`, behind it `Z` or `+01:00` | a moment |
+//! | `2024-03-05T14:07:01.25`, `2024/03/05 14:07:01,25`, optionally with `Z` or `+01:00` | a moment |
 //! | `05.03.2024 14:07:01.25` | a moment, the day before the month |
-//! | `03/05/2024 2:07:01.25 PM`, `05-Mar-2024 14:07:01` | the time of day: nothing tells the order of day and month in all of them |
+//! | `03/05/2024 2:07:01.25 PM`, `05-Mar-2024 14:07:01` | the time of day only, because the order of day and month is ambiguous |
 //! | `14:07:01.25`, `14:07:01:250` | a time of day |
 //! | `07:01.25` | minutes and seconds |
 //!
-//! A date without a time is the beginning of its day.
+//! A date without a time means the beginning of the day.
 
 use chrono::NaiveDate;
 
@@ -19,13 +19,13 @@ const DAY: i64 = 86_400 * SECOND;
 /// A point in time.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Moment {
-    /// Since 1970 where it has a date, else since midnight, ns.
+    /// Since 1970 if dated, else since midnight, ns.
     pub nanoseconds: i64,
-    /// True where it has a date that counts.
+    /// True where the date is known.
     pub dated: bool,
 }
 
-/// Moments of a column one after the other to seconds since the first one.
+/// Converts consecutive moments of a column to seconds since the first one.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Clock {
     first: i64,
@@ -43,7 +43,8 @@ impl Clock {
         }
     }
 
-    /// Seconds since the first moment. A time of day that falls back by more than half a day is one of the next day.
+    /// Returns the seconds since the first moment. A time of day that drops by more than half a day
+    /// belongs to the next day.
     pub(super) fn seconds(&mut self, moment: Moment) -> f64 {
         if !moment.dated && self.before.saturating_sub(moment.nanoseconds) > DAY / 2 {
             self.days += 1;
@@ -53,19 +54,19 @@ impl Clock {
             .nanoseconds
             .saturating_sub(self.first)
             .saturating_add(self.days.saturating_mul(DAY));
-        // Whole seconds and the rest apart, so that long records keep their digits.
+        // Separate whole seconds from the remainder to preserve the digits of long records.
         (passed / SECOND) as f64 + (passed % SECOND) as f64 / SECOND as f64
     }
 }
 
 impl Moment {
-    /// Reads a moment; none for anything else.
+    /// Parses a moment; `None` for other text.
     pub(super) fn read(text: &str) -> Option<Self> {
         if !text.starts_with(|c: char| c.is_ascii_digit()) || text.len() > 48 || !text.is_ascii() {
             return None;
         }
         let clock_at = text.find(':');
-        // The date ends at the last blank or `T` before the first colon.
+        // The date ends at the last space or `T` before the first colon.
         let split = clock_at.and_then(|at| text[..at].rfind(['T', ' ', '_']));
         match (clock_at, split) {
             (None, _) => date(text)?.map(|days| Self {
@@ -119,7 +120,8 @@ impl std::fmt::Display for Moment {
     }
 }
 
-/// The beginning of a day since 1970, ns; the inner none where the order of day and month is not told.
+/// Beginning of a day since 1970, ns; the inner value is `None` where the order of day and month is
+/// ambiguous.
 fn date(text: &str) -> Option<Option<i64>> {
     let parts: Vec<&str> = text.split(['-', '/', '.']).collect();
     let [a, b, c] = parts[..] else { return None };
@@ -144,7 +146,7 @@ fn date(text: &str) -> Option<Option<i64>> {
     days.checked_mul(DAY).map(Some)
 }
 
-/// Time of day since midnight in its own zone taken to Greenwich where it tells one, ns.
+/// Time of day since midnight, ns: UTC where a zone is given, else local.
 fn time(text: &str) -> Option<i64> {
     let (text, noon) = match text
         .len()
@@ -179,7 +181,7 @@ fn time(text: &str) -> Option<i64> {
     (minutes < 60).then_some((hours * 3600 + minutes * 60) * SECOND + seconds - offset)
 }
 
-/// The text before a zone, and the offset of the zone from Greenwich, ns.
+/// Text before a time zone, and the offset of the zone from UTC, ns.
 fn zone(text: &str) -> Option<(&str, i64)> {
     if let Some(bare) = text.strip_suffix(['Z', 'z']) {
         return Some((bare, 0));
@@ -202,7 +204,7 @@ fn zone(text: &str) -> Option<(&str, i64)> {
     ))
 }
 
-/// Seconds below 61 with a fraction of any length, ns.
+/// Parses seconds below 61 with a fraction of any length; returns ns.
 fn fraction(text: &str) -> Option<i64> {
     let (whole, rest) = text.split_once(['.', ',']).unwrap_or((text, ""));
     let digits = |part: &str| part.bytes().all(|b| b.is_ascii_digit());

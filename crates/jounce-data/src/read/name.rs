@@ -1,9 +1,9 @@
-//! Units in the heads of columns.
+//! Units in column headings.
 
 use super::decibels::Decibels;
 use crate::recording::{Issue, IssueKind, Quantity, Unit};
 
-/// Endings of names that tell a unit: `accel_m_s2`, `timestamp_ms`.
+/// Name suffixes that give a unit: `accel_m_s2`, `timestamp_ms`.
 const ENDINGS: [(&str, &str); 21] = [
     ("_m_s2", "m/s^2"),
     ("_m_s^2", "m/s^2"),
@@ -28,7 +28,8 @@ const ENDINGS: [(&str, &str); 21] = [
     ("_db", "dB"),
 ];
 
-/// Words that tell a place, a direction, a channel or what was done to it, in small letters: in round brackets they belong to the name.
+/// Words for a location, direction, channel or processing, in lower case. In round brackets they
+/// are part of the name.
 const REMARKS: [&str; 62] = [
     "x",
     "y",
@@ -94,14 +95,14 @@ const REMARKS: [&str; 62] = [
     "total",
 ];
 
-/// What is labelled by a letter: `sensor (A)`, `channel 2 (B)`; in small letters.
+/// Items labelled by a letter, in lower case: `sensor (A)`, `channel 2 (B)`.
 const LABELLED: [&str; 22] = [
     "sensor", "channel", "chan", "ch", "probe", "point", "position", "pos", "place", "location",
     "node", "input", "output", "signal", "gauge", "side", "line", "port", "module", "station",
     "site", "dof",
 ];
 
-/// What takes an argument in round brackets, in small letters.
+/// Functions that take an argument in round brackets, in lower case.
 const FUNCTIONS: [&str; 14] = [
     "re",
     "im",
@@ -119,24 +120,25 @@ const FUNCTIONS: [&str; 14] = [
     "diff",
 ];
 
-/// Single letters that are units of other things than recordings hold.
+/// Single letters that are units of quantities not found in recordings.
 const LETTERS: [char; 11] = [
     'A', 'C', 'F', 'H', 'J', 'K', 'S', 'T', 'W', '\u{3a9}', '\u{2126}',
 ];
 
-/// Units of other things than recordings hold, whose quotients are no name and unit.
+/// Units of quantities not found in recordings; a quotient of them is not a name and a unit.
 const ABOVE: [&str; 19] = [
     "pC", "nC", "C", "A", "mA", "uA", "count", "counts", "LSB", "rad", "deg", "rpm", "kg", "W",
     "mW", "J", "ohm", "strain", "ue",
 ];
 
-/// Name and unit of a head: `a [m/s^2]`, `a (g)`, `a, m/s2`, `a/g`, `a_m_s2`. The unit is empty where none is told, and may be one that is not
-/// known where brackets hold it.
+/// Splits a heading into name and unit: `a [m/s^2]`, `a (g)`, `a, m/s2`, `a/g`, `a_m_s2`. The unit
+/// is empty if not given; a unit in brackets may be unknown.
 pub(super) fn split(head: &str) -> (String, String) {
     let head = head.trim().trim_matches('"').trim();
     for (open, close) in [('[', ']'), ('(', ')')] {
         if let Some((name, unit)) = bracketed(head, open, close) {
-            // In `a/(m/s^2)` a line stands between name and unit; brackets with something else inside belong to the name.
+            // In `a/(m/s^2)` a slash separates name and unit; brackets with other content belong to
+            // the name.
             let name = name.trim_end_matches('/').trim_end();
             if name.eq_ignore_ascii_case("v")
                 && !matches!(
@@ -147,7 +149,7 @@ pub(super) fn split(head: &str) -> (String, String) {
                     })
                 )
             {
-                // The voltage of a node, `V(in)`.
+                // The voltage at a node, `V(in)`.
                 break;
             }
             if is_time(name) && unit.ends_with('S') && Unit::read(unit).is_none() {
@@ -187,13 +189,14 @@ pub(super) fn split(head: &str) -> (String, String) {
     )
 }
 
-/// True for units that are known, and for all decibels.
+/// True for known units, and for all decibels.
 pub(super) fn is_known(unit: &str) -> bool {
     Decibels::begin(unit) || Unit::read(unit).is_some()
 }
 
-/// True where round brackets behind a name hold a unit, if not one that is known: a formula of units, or one word that is no place, no direction,
-/// no channel and no argument. Numbers and what ends in one, as `ch1`, words with blanks, and single letters that no unit has, are names.
+/// True where round brackets after a name contain an unknown unit: a formula of units, or one word
+/// that is not a location, direction, channel or argument. Numbers, words that end in one (`ch1`),
+/// phrases, and single letters that are not units are names.
 fn may_be_unit(name: &str, inside: &str) -> bool {
     let function = name
         .rsplit(|c: char| !c.is_alphanumeric())
@@ -225,7 +228,8 @@ fn is_labelled(name: &str) -> bool {
         .any(|word| LABELLED.contains(&word.to_lowercase().as_str()))
 }
 
-/// How one letter in round brackets was read that may be a unit and a label: `sensor (V)`, `channel (A)`; none in a head without such.
+/// Reports how a single letter in round brackets was read if it may be a unit or a label: `sensor
+/// (V)`, `channel (A)`. `None` for other headings.
 pub(super) fn doubt(head: &str) -> Option<Issue> {
     let head = head.trim().trim_matches('"').trim();
     let (_, letter) = bracketed(head, '(', ')')
@@ -233,12 +237,14 @@ pub(super) fn doubt(head: &str) -> Option<Issue> {
     let about = match Unit::read(letter) {
         Some(_) => {
             format!(
-                "({letter}) in {head:?} is read as the unit {letter}, not as a label; where it is one, say its unit in the notes beside the file"
+                "({letter}) in {head:?} is read as the unit {letter}, not as a label; if it is a \
+                label, specify the unit of the column in the notes of the file"
             )
         }
         None if letter.contains(LETTERS) => {
             format!(
-                "({letter}) in {head:?} is read as a label, not as a unit; where it is one, say its name in the notes beside the file"
+                "({letter}) in {head:?} is read as a label, not as a unit; if it is a unit, \
+                specify the name of the column in the notes of the file"
             )
         }
         None => return None,
@@ -246,7 +252,8 @@ pub(super) fn doubt(head: &str) -> Option<Issue> {
     Some(Issue::new(IssueKind::Assumed, 1, None, about).of(&split(head).0))
 }
 
-/// `U/V` and `t/s`: a name over its unit, as in axes of figures. A quotient of two units is none.
+/// Splits `U/V` and `t/s`, a name over its unit, as on axes of figures. A quotient of two units is
+/// not split.
 fn divided(head: &str) -> Option<(&str, &str)> {
     let (name, unit) = head.split_once('/').filter(|_| !is_known(head))?;
     let (name, unit) = (name.trim(), unit.trim());
@@ -261,7 +268,7 @@ fn divided(head: &str) -> Option<(&str, &str)> {
     (is_name && fits).then_some((name, unit))
 }
 
-/// What stands before a bracket that closes at the end, and what stands in it, further brackets included.
+/// Text before a bracket that closes at the end, and its contents, including nested brackets.
 fn bracketed(head: &str, open: char, close: char) -> Option<(&str, &str)> {
     let inside = head.strip_suffix(close)?;
     let mut depth = 0;
@@ -296,7 +303,7 @@ pub(super) fn is_time(name: &str) -> bool {
             .any(|start| small.starts_with(start))
 }
 
-/// The unit of names that are one: `seconds`, `millis`.
+/// Unit implied by a name: `seconds`, `millis`.
 pub(super) fn time_unit(name: &str) -> Option<&'static str> {
     match name.trim().to_lowercase().as_str() {
         "s" | "sec" | "second" | "seconds" | "sekunden" => Some("s"),

@@ -1,4 +1,4 @@
-//! Notes beside a file: what it does not tell itself.
+//! Notes of a file: information that the file itself lacks.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -9,7 +9,8 @@ use toml_edit::{DocumentMut, Item, Table};
 use super::ReadError;
 use crate::recording::Unit;
 
-/// What a file of notes says. `measurement.npy` has its notes in `measurement.npy.channels.toml`:
+/// Contents of a file of notes. The notes of `measurement.npy` are in
+/// `measurement.npy.channels.toml`:
 ///
 /// ```toml
 /// rate = "25600 Hz"         # where no column holds the time
@@ -29,30 +30,30 @@ use crate::recording::Unit;
 /// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Notes {
-    /// Samples per second, Hz.
+    /// Sampling rate, Hz.
     pub rate_hz: Option<f64>,
-    /// The column of the time.
+    /// Name or number of the time column.
     pub time: Option<String>,
-    /// True where the samples are taken over frequency.
+    /// True for spectra, sampled over frequency.
     pub over_frequency: bool,
-    /// What is said of channels, by name or number.
+    /// Notes on channels, by name or number.
     pub channels: BTreeMap<String, ChannelNotes>,
 }
 
-/// What notes say of a channel.
+/// Notes on one channel.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ChannelNotes {
-    /// Its name from now on.
+    /// New name.
     pub name: Option<String>,
-    /// The unit of its numbers times `scale`.
+    /// Unit of the stored numbers times `scale`.
     pub unit: Option<String>,
-    /// Factor to the unit.
+    /// Factor that converts the stored numbers to the unit.
     pub scale: Option<f64>,
-    /// Where the sensor sits.
+    /// Location of the sensor.
     pub place: Option<String>,
-    /// Which way it points.
+    /// Direction of the sensor.
     pub direction: Option<String>,
-    /// Where and which way the force of a response function acts.
+    /// Node and direction of the force of a response function.
     pub reference: Option<String>,
     /// True where the channel is left out.
     pub left_out: bool,
@@ -70,17 +71,17 @@ const CHANNEL_KEYS: [&str; 7] = [
 ];
 
 impl Notes {
-    /// Where the notes of a file lie.
+    /// Returns the path of the notes of a file.
     pub fn path_of(file: &Path) -> PathBuf {
         let mut name = file.as_os_str().to_owned();
         name.push(".channels.toml");
         PathBuf::from(name)
     }
 
-    /// The notes beside a file; empty ones where there are none.
+    /// Reads the notes of a file; they are empty if there is no such file.
     ///
     /// # Errors
-    /// Notes that cannot be read or hold a fault; all faults at once.
+    /// Notes that cannot be read or contain faults; all faults at once.
     pub fn beside(file: &Path) -> Result<Self, ReadError> {
         let path = Self::path_of(file);
         match std::fs::read_to_string(&path) {
@@ -90,7 +91,7 @@ impl Notes {
         }
     }
 
-    /// The notes of a text.
+    /// Parses notes from text.
     ///
     /// # Errors
     /// One sentence for each fault.
@@ -139,7 +140,7 @@ impl Notes {
         }
     }
 
-    /// What is said of a channel by its name or its number from 1.
+    /// Returns the notes on a channel by its name or number from 1.
     pub(super) fn of(&self, name: &str, number: usize) -> ChannelNotes {
         self.channels
             .get(name)
@@ -154,7 +155,10 @@ fn channel(name: &str, table: &Table, faults: &mut Vec<String>) -> ChannelNotes 
     faults.extend(unknown(table, &CHANNEL_KEYS, &place));
     let unit = text_of(table, "unit", &place, faults);
     if let Some(unit) = unit.as_ref().filter(|unit| Unit::read(unit).is_none()) {
-        faults.push(format!("{place}unit = {unit:?} is no known unit; m/s^2, g, N, lbf, V, m, Pa, s, Hz and more will do"));
+        faults.push(format!(
+            "{place}unit = {unit:?} is not a known unit; expected one such as \
+            m/s^2, g, N, lbf, V, m, Pa, s or Hz"
+        ));
     }
     let scale = table.get("scale").and_then(|item| {
         item.as_float()
@@ -199,7 +203,7 @@ fn unknown(table: &Table, keys: &[&str], place: &str) -> Vec<String> {
     strange
         .map(|key| {
             format!(
-                "{place}{key} is no key of notes; there are {}",
+                "{place}{key} is not a key of notes; the keys are {}",
                 keys.join(", ")
             )
         })

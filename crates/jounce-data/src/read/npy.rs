@@ -1,6 +1,7 @@
 //! NumPy arrays: one or two dimensions of real numbers; the longer side is time.
 //!
-//! Source: NumPy Enhancement Proposal 1, "A Simple File Format for NumPy Arrays", versions 1.0 to 3.0.
+//! Source: NumPy Enhancement Proposal 1, "A Simple File Format for NumPy Arrays", versions 1.0 to
+//! 3.0.
 
 use std::fs::File;
 use std::io::{BufReader, Read};
@@ -16,19 +17,19 @@ use super::scalar::{Kind, Scalar};
 use crate::recording::{Issue, IssueKind};
 
 pub(super) const BEGIN: &[u8] = b"\x93NUMPY";
-/// Bytes of a header that is read.
+/// Maximum number of bytes of a header.
 const MAX_HEADER_BYTES: usize = 1 << 16;
 
-/// What the header of an array says.
+/// Contents of the header of an array.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Header {
-    /// Type of the numbers, `<f8`; the whole description where they are records.
+    /// Number type, `<f8`; for records, the complete description.
     pub dtype: String,
     fortran: bool,
     pub shape: Vec<u64>,
 }
 
-/// An array as series along its longest side.
+/// Array split into series along its longest side.
 pub(super) struct SeriesOf {
     pub series: Vec<ColumnNumbers>,
     pub imaginary: Option<Vec<ColumnNumbers>>,
@@ -45,7 +46,7 @@ pub(super) fn read(path: &Path, store: &SampleStore) -> Result<FormatContents, D
         [rows, columns] => (rows, columns),
         _ => {
             return Err(Damage::new(format!(
-                "the array has {} dimensions; one or two are due",
+                "the array has {} dimensions; expected one or two",
                 header.shape.len()
             )));
         }
@@ -53,9 +54,10 @@ pub(super) fn read(path: &Path, store: &SampleStore) -> Result<FormatContents, D
     let (_, complex) = header.scalar()?;
     if complex {
         return Err(Damage::new(format!(
-            "its numbers are complex ({}), and an array without names is a record of real ones: save real and imaginary parts of a response \
-             over frequency as columns NAME.re and NAME.im beside frequency_hz in CSV or Parquet, which `modes --measured` takes, or with \
-             numpy.savez(file, frequency_hz=..., NAME=...), or the real parts alone of a record over time",
+            "its numbers are complex ({}), but an array without names must be real. For a \
+            response over frequency, save columns NAME.re and NAME.im next to frequency_hz in CSV \
+            or Parquet, which `modes --measured` reads, or use numpy.savez(file, \
+            frequency_hz=..., NAME=...). For a record over time, save only the real parts",
             header.dtype
         )));
     }
@@ -68,19 +70,19 @@ pub(super) fn read(path: &Path, store: &SampleStore) -> Result<FormatContents, D
         .map(|(k, values)| RawColumn::new(&name(k), "", values))
         .collect();
     let about =
-        format!("an array of {rows} x {columns} without names: its longer side is taken as time");
+        format!("an array of {rows} x {columns} without names: its longer side is used as time");
     Ok(Raw::columns(series, vec![Issue::new(IssueKind::Assumed, 1, None, about)]).into())
 }
 
 impl Header {
-    /// Reads `{'descr': '<f8', 'fortran_order': False, 'shape': (3, 2), }` and what stands before it.
+    /// Reads `{'descr': '<f8', 'fortran_order': False, 'shape': (3, 2), }` and the bytes before it.
     pub fn read(source: &mut dyn Read) -> Result<Self, Damage> {
         let mut begin = [0; 8];
         source.read_exact(&mut begin).map_err(Damage::cut)?;
         let version = begin[BEGIN.len()];
         if !begin.starts_with(BEGIN) || !(1..=3).contains(&version) {
             return Err(Damage::new(format!(
-                "version {version} of the format is not known; 1 to 3 are"
+                "version {version} of the format is not known; expected 1 to 3"
             )));
         }
         let mut length = [0; 4];
@@ -90,7 +92,7 @@ impl Header {
         let length = u32::from_le_bytes(length) as usize;
         if length > MAX_HEADER_BYTES {
             return Err(Damage::new(format!(
-                "its header is {length} bytes long; at most {MAX_HEADER_BYTES} are due"
+                "its header is {length} bytes long; the limit is {MAX_HEADER_BYTES}"
             )));
         }
         let mut text = vec![0; length];
@@ -98,7 +100,7 @@ impl Header {
         let text: String = text.iter().map(|b| char::from(*b)).collect();
         Self::parse(&text).ok_or_else(|| {
             Damage::new(format!(
-                "its header tells no type, order and shape: {:?}",
+                "its header does not give type, order and shape: {:?}",
                 text.trim()
             ))
         })
@@ -138,17 +140,18 @@ impl Header {
         })
     }
 
-    /// How the numbers are stored, and whether each is a pair of real and imaginary part.
+    /// Storage type of the numbers, and true where each is a pair of real and imaginary part.
     pub fn scalar(&self) -> Result<(Scalar, bool), Damage> {
         let dtype = self.dtype.as_str();
         if dtype.starts_with('[') || dtype.contains('V') {
             return Err(Damage::new(format!(
-                "its numbers are records ({dtype}); save each as an array of its own"
+                "its numbers are records ({dtype}); save each field as a separate array"
             )));
         }
         let other = || {
             Damage::new(format!(
-                "its numbers are of type {dtype}; real numbers are due, of 2, 4 or 8 bytes, or whole ones of 1 to 8"
+                "its numbers are of type {dtype}; expected real numbers of 2, 4 or 8 bytes, or \
+                integers of 1 to 8"
             ))
         };
         let little_endian = match dtype.chars().next() {
@@ -176,7 +179,7 @@ impl Header {
         ))
     }
 
-    /// The numbers behind the header, of which at most so many bytes can follow.
+    /// Reads the numbers after the header; at most `bytes` bytes can follow.
     pub fn numbers(
         &self,
         source: &mut dyn Read,
@@ -193,7 +196,7 @@ impl Header {
         let layout = ArrayLayout::new(&self.shape, !self.fortran);
         let layout = layout.ok_or_else(|| {
             Damage::new(format!(
-                "an array of {sizes} numbers is no series of numbers"
+                "an array of {sizes} numbers is not a series of numbers"
             ))
         })?;
         let parts = if complex { 2 } else { 1 };
@@ -203,7 +206,8 @@ impl Header {
             .is_none_or(|due| due > bytes)
         {
             return Err(Damage::new(format!(
-                "an array of {sizes} numbers is more than the {bytes} bytes of the file hold; was it cut?"
+                "an array of {sizes} numbers is longer than the {bytes} bytes of the file; is the \
+                file truncated?"
             )));
         }
         let mut series = layout.series(store)?;

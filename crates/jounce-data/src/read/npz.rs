@@ -1,4 +1,4 @@
-//! Archives of NumPy arrays (`numpy.savez`): arrays by their names, texts among them.
+//! Archives of NumPy arrays (`numpy.savez`): named arrays, including texts.
 
 use std::fs::File;
 use std::io::{self, Read};
@@ -13,9 +13,9 @@ use super::error::Damage;
 use super::npy::Header;
 use super::samples::SampleStore;
 
-/// Bytes that one compressed byte can stand for.
+/// Maximum compression ratio.
 const MAX_RATIO: u64 = 1032;
-/// Characters of all texts of an array.
+/// Maximum total number of characters of a text array.
 const MAX_CHARACTERS: u64 = 1 << 20;
 
 pub(super) fn read(path: &FilePath, store: &SampleStore) -> Result<FormatContents, Damage> {
@@ -29,14 +29,14 @@ pub(super) fn read(path: &FilePath, store: &SampleStore) -> Result<FormatContent
         let file_name = String::from_utf8_lossy(entry.file_path().as_ref()).into_owned();
         let Some(name) = file_name.strip_suffix(".npy") else {
             tree.skip(format!(
-                "{file_name} in the archive is no array and was left out"
+                "{file_name} in the archive is not an array and was left out"
             ));
             continue;
         };
         found += 1;
         if found > MAX_ARRAYS {
             return Err(Damage::new(format!(
-                "it holds more than {MAX_ARRAYS} arrays"
+                "it contains more than {MAX_ARRAYS} arrays"
             )));
         }
         let of_array = |damage: Damage| Damage {
@@ -56,7 +56,7 @@ pub(super) fn read(path: &FilePath, store: &SampleStore) -> Result<FormatContent
             CompressionMethod::DEFLATE => Box::new(DeflateDecoder::new(stored)),
             other => {
                 return Err(of_array(Damage::new(format!(
-                    "it is compressed by {other:?}; save it by numpy.savez_compressed"
+                    "it is compressed by {other:?}; save it with numpy.savez_compressed"
                 ))));
             }
         };
@@ -69,20 +69,22 @@ pub(super) fn read(path: &FilePath, store: &SampleStore) -> Result<FormatContent
             &mut tree,
         )
         .map_err(of_array)?;
-        // The check sum is looked at behind the last byte.
+        // Reading past the last byte verifies the checksum.
         io::copy(&mut checked.take(bytes), &mut io::sink())
             .map_err(|fault| of_array(Damage::cut(fault)))?;
     }
     if found == 0 {
         return Err(Damage::new(
-            "it is a ZIP archive without arrays of NumPy: unpack it and read the files in it; an Excel workbook (.xlsx) save as CSV; a PicoScope recording (.psdata) save as CSV there",
+            "it is a ZIP archive without NumPy arrays: unpack it and read the files in it; save \
+            an Excel workbook (.xlsx) as CSV; save a PicoScope recording (.psdata) as CSV in \
+            PicoScope",
         ));
     }
     into_found(tree)
 }
 
 fn wrong(fault: &rawzip::Error) -> Damage {
-    Damage::new(format!("{fault}; was the file cut?"))
+    Damage::new(format!("{fault}; is the file truncated?"))
 }
 
 fn array(
@@ -117,7 +119,7 @@ fn array(
     Ok(())
 }
 
-/// Texts of so many characters of four bytes each, filled up with zeros.
+/// Reads texts of `length` characters of four bytes each, padded with zeros.
 fn texts(source: &mut dyn Read, header: &Header, length: u64) -> Result<Vec<String>, Damage> {
     let count = header
         .shape

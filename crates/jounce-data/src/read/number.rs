@@ -1,8 +1,8 @@
-//! Numbers as files spell them.
+//! Notations of numbers in text files.
 
 use super::moment::Moment;
 
-/// What a field of a text holds.
+/// Contents of a text field.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum TextField {
     /// A number.
@@ -11,13 +11,13 @@ pub(super) enum TextField {
     Complex(f64, f64),
     /// A date, a time of day, or both.
     Moment(Moment),
-    /// Nothing, or a word for nothing; a sample beyond the range of an instrument too.
+    /// Empty, a word for a missing sample, or a sample beyond the range of an instrument.
     Missing,
-    /// Something else.
+    /// Any other text.
     Text,
 }
 
-/// Words for a sample that is missing, in small letters.
+/// Words for a missing sample, in lower case.
 const MISSING: [&str; 11] = [
     "",
     "nan",
@@ -33,11 +33,12 @@ const MISSING: [&str; 11] = [
 ];
 
 impl TextField {
-    /// Reads a field; Fortran's `D` is an exponent too, and a comma is the decimal mark where asked for.
+    /// Parses a field. `D` is also read as an exponent (Fortran); a comma is the decimal mark if
+    /// requested.
     pub(super) fn read(text: &str, decimal_comma: bool) -> Self {
         let text = text.trim().trim_matches('"').trim();
         if let Ok(value) = text.parse::<f64>() {
-            // `inf` and `nan` are words that parse as numbers.
+            // `inf` and `nan` parse as numbers.
             return if value.is_finite() {
                 Self::Real(value)
             } else {
@@ -64,18 +65,18 @@ impl TextField {
         complex(text).map_or(Self::Text, |(re, im)| Self::Complex(re, im))
     }
 
-    /// True for what may stand in a column of numbers.
+    /// True for a field that may stand in a column of numbers.
     pub(super) fn is_sample(self) -> bool {
         self != Self::Text
     }
 
-    /// True for a number, and for a date or a time.
+    /// True for a number, a date or a time.
     pub(super) fn is_value(self) -> bool {
         !matches!(self, Self::Text | Self::Missing)
     }
 }
 
-/// `0x1f`, as instruments write eight digital lines.
+/// Parses `0x1f`, written by instruments for eight digital lines.
 fn hexadecimal(text: &str) -> Option<f64> {
     let digits = text
         .strip_prefix("0x")
@@ -93,7 +94,7 @@ fn fortran(text: &str) -> Option<f64> {
     }
 }
 
-/// `(re+imj)` as Python writes it, with or without brackets, `i` or `j`.
+/// Parses `(re+imj)` as Python writes it, with or without brackets, `i` or `j`.
 fn complex(text: &str) -> Option<(f64, f64)> {
     let bare = text.trim_start_matches('(').trim_end_matches(')');
     let bare = bare.strip_suffix(['j', 'i'])?;

@@ -1,4 +1,4 @@
-//! The numbers of a column, wherever a reader put them.
+//! Numbers of a column, in memory or in a scratch file.
 
 use std::borrow::Cow;
 use std::cell::RefCell;
@@ -8,13 +8,13 @@ use std::rc::Rc;
 use super::samples::{SampleStore, Scratch, StoredPiece};
 use crate::recording::{PIECE, Series};
 
-/// The numbers of a column.
+/// Numbers of a column.
 #[derive(Debug)]
 pub struct ColumnNumbers {
     kept: NumberStore,
-    /// Where the numbers are levels in decibels of what is asked for: the decibels of a factor of ten.
+    /// For levels in decibels to be returned as linear values: decibels per factor of ten.
     levels: Option<f64>,
-    /// What is asked for over what was put in.
+    /// Factor applied to stored numbers on reading.
     factor: f64,
 }
 
@@ -45,7 +45,7 @@ impl ColumnNumbers {
         }
     }
 
-    /// Puts a number behind the others; it may fail where the scratch file cannot be written.
+    /// Appends a number; fails where the scratch file cannot be written.
     pub(super) fn push(&mut self, x: f64) -> io::Result<()> {
         match &mut self.kept {
             NumberStore::Memory(numbers) => numbers.push(x),
@@ -63,7 +63,8 @@ impl ColumnNumbers {
         Ok(())
     }
 
-    /// Takes room for so many more numbers, where they go to memory; false where there is none.
+    /// Reserves memory for more numbers, if they are stored in memory; false if there is not
+    /// enough.
     pub(super) fn expect(&mut self, more: usize) -> bool {
         match &mut self.kept {
             NumberStore::Memory(numbers) => numbers.try_reserve_exact(more).is_ok(),
@@ -71,7 +72,7 @@ impl ColumnNumbers {
         }
     }
 
-    /// From now on numbers are asked for that are so many times as large.
+    /// Multiplies all returned numbers by a factor.
     pub(super) fn scale(&mut self, factor: f64) {
         match &mut self.kept {
             NumberStore::Memory(numbers) if factor != 1.0 => {
@@ -82,7 +83,7 @@ impl ColumnNumbers {
         }
     }
 
-    /// From now on sizes `10^(L/decade)` are asked for of the levels `L` that were put in.
+    /// Returns the stored levels `L` as linear values `10^(L/decade)` in subsequent reads.
     pub(super) fn made_linear(&mut self, decade: f64) {
         match &mut self.kept {
             NumberStore::Memory(numbers) => numbers
@@ -92,7 +93,7 @@ impl ColumnNumbers {
         }
     }
 
-    /// The first and the last number.
+    /// First and last number.
     pub(super) fn ends(&self) -> io::Result<Option<(f64, f64)>> {
         let Some(last) = self.count().checked_sub(1) else {
             return Ok(None);
@@ -101,7 +102,7 @@ impl ColumnNumbers {
         Ok(head.first().copied().zip(tail.last().copied()))
     }
 
-    /// True where both hold the same numbers.
+    /// True where both columns contain equal numbers.
     pub(super) fn same(&self, other: &Self) -> io::Result<bool> {
         if self.count() != other.count() {
             return Ok(false);
@@ -114,7 +115,7 @@ impl ColumnNumbers {
         Ok(true)
     }
 
-    /// All numbers in memory.
+    /// Loads all numbers into memory.
     pub(super) fn into_vec(self) -> io::Result<Vec<f64>> {
         if let NumberStore::Memory(numbers) = self.kept {
             return Ok(numbers);
@@ -186,7 +187,7 @@ fn size(level: f64, decade: f64) -> f64 {
 mod tests {
     use super::*;
 
-    /// More numbers than stay in memory, in two columns by turns.
+    /// Uses more numbers than fit in memory, written to two columns alternately.
     #[test]
     fn a_shelf_gives_back_what_was_put_on_it() {
         let store = SampleStore::scratch();

@@ -1,4 +1,5 @@
-//! Apache Parquet: every column of numbers; unit and meaning from the notes of jounce where it wrote the file.
+//! Apache Parquet: every numeric column; unit and quantity from the notes of jounce if it wrote the
+//! file.
 
 mod pages;
 
@@ -21,13 +22,18 @@ use super::samples::SampleStore;
 use crate::recording::{Issue, IssueKind, Series};
 use pages::CheckedPages;
 
-/// Key of the notes of jounce in the metadata.
+/// Metadata key of the notes of jounce.
 const NOTES: &str = "jounce";
-/// Numbers that are decoded at once.
+/// Number of values decoded at once.
 const BATCH: usize = 1 << 16;
 
 pub(super) fn read(path: &Path, store: &SampleStore) -> Result<FormatContents, Damage> {
-    let told = |fault: &dyn std::fmt::Display| Damage::new(format!("{fault}; was the file cut?"));
+    let told = |fault: &dyn std::fmt::Display| {
+        Damage::new(format!(
+            "{fault}; is the file \
+        truncated?"
+        ))
+    };
     let file = File::open(path).map_err(|fault| told(&fault))?;
     let size = file.metadata().map_err(|fault| told(&fault))?.len();
     let reader = SerializedFileReader::new(file).map_err(|fault| told(&fault))?;
@@ -41,7 +47,8 @@ pub(super) fn read(path: &Path, store: &SampleStore) -> Result<FormatContents, D
             .map_err(|why| Damage::new(format!("column {head}: {why}")))?
         {
             Some(values) => {
-                // The notes of jounce tell the unit, and the head is the name, whatever brackets it ends in.
+                // The notes of jounce give the unit; the heading is the name, including any
+                // brackets.
                 let noted = notes
                     .as_ref()
                     .and_then(|notes| notes.unit(&head))
@@ -58,12 +65,12 @@ pub(super) fn read(path: &Path, store: &SampleStore) -> Result<FormatContents, D
                 IssueKind::Skipped,
                 1,
                 None,
-                format!("column {head} holds no numbers"),
+                format!("column {head} contains no numbers"),
             )),
         }
     }
     if columns.is_empty() {
-        return Err(Damage::new("it holds no column of numbers"));
+        return Err(Damage::new("it contains no column of numbers"));
     }
     Ok(Raw {
         stamps: TimeStamps::Named,
@@ -81,7 +88,7 @@ fn check_places(reader: &SerializedFileReader<File>, size: u64) -> Result<(), Da
         .try_fold(0_i64, |rows, group| rows.checked_add(group.num_rows()));
     if rows != Some(metadata.file_metadata().num_rows()) {
         return Err(Damage::new(
-            "its groups have another number of rows than the file: was the file cut?",
+            "its groups differ in number of rows from the file: is the file truncated?",
         ));
     }
     for group in metadata.row_groups() {
@@ -107,7 +114,7 @@ fn check_places(reader: &SerializedFileReader<File>, size: u64) -> Result<(), Da
                     group.num_rows(),
                 );
                 return Err(Damage::new(format!(
-                    "column {path} has {values} values for {rows} rows: was the file cut?"
+                    "column {path} has {values} values for {rows} rows: is the file truncated?"
                 )));
             }
             if group.num_rows() < 0
@@ -115,17 +122,17 @@ fn check_places(reader: &SerializedFileReader<File>, size: u64) -> Result<(), Da
                 || end.is_none_or(|end| end > size)
             {
                 let why = format!(
-                    "column {} lies at bytes {start} and on, outside the file of {size}",
+                    "column {} starts at byte {start}, outside the file of {size} bytes",
                     column.column_path().string()
                 );
-                return Err(Damage::new(format!("{why}; was the file cut?")));
+                return Err(Damage::new(format!("{why}; is the file truncated?")));
             }
         }
     }
     Ok(())
 }
 
-/// What jounce noted; none in a file of another program.
+/// Reads the notes of jounce; `None` for a file of another program.
 fn notes(reader: &SerializedFileReader<File>) -> Option<WrittenNotes> {
     let noted = reader.metadata().file_metadata().key_value_metadata()?;
     WrittenNotes::from_json(
@@ -137,7 +144,7 @@ fn notes(reader: &SerializedFileReader<File>) -> Option<WrittenNotes> {
     )
 }
 
-/// The numbers of a column, NaN where one is absent; none where it holds something else.
+/// Reads the numbers of a column, NaN where missing; `None` for other types.
 fn values(
     reader: &SerializedFileReader<File>,
     index: usize,

@@ -1,13 +1,13 @@
-//! What a format's reader finds, before names, units and time are settled.
+//! Output of a format reader, before names, units and time are determined.
 
 use super::decibels::Decibels;
 use super::numbers::ColumnNumbers;
 use crate::recording::{Issue, IssueKind, IssuePlace, Over, Series};
 
-/// Columns of equal length as they stand in a file.
+/// Columns of equal length as stored in a file.
 #[derive(Debug)]
 pub(super) struct Raw {
-    /// Title of the data set; empty where it has none.
+    /// Title of the data set; empty if missing.
     pub title: String,
     pub over: Over,
     pub stamps: TimeStamps,
@@ -15,44 +15,45 @@ pub(super) struct Raw {
     pub findings: Vec<Issue>,
 }
 
-/// How a file tells when its samples were taken.
+/// Source of the sampling times.
 #[derive(Debug)]
 pub(super) enum TimeStamps {
-    /// By a start and a step, in SI.
+    /// Start and step, in SI units.
     Even { start: f64, step: f64 },
-    /// By stamps in SI.
+    /// Stamps in SI units.
     Given(ColumnNumbers),
-    /// By one of the columns, or not at all; columns have no names of their own, so that a first one that rises evenly may be meant.
+    /// One of the columns, if any. Columns have no names, so the first one may be the time if it
+    /// rises uniformly.
     Column,
-    /// By a column whose name or unit says so, or not at all.
+    /// A column identified by name or unit, if any.
     Named,
-    /// By one of the columns, or else by a number that tells the rate.
+    /// One of the columns, else a number that gives the rate.
     Rate(Rate),
-    /// By that column, counted from 0, beside which a number may tell the rate.
+    /// A given column, counted from 0, with a number that may give the rate.
     Of { column: usize, rate: Option<Rate> },
-    /// By a header with a rate and a start, and by stamps or one of the columns where there are any.
+    /// A header with rate and start, and stamps or one of the columns if present.
     Header(Header),
 }
 
-/// What a header says of the time.
+/// Time information of a header.
 #[derive(Debug)]
 pub(super) struct Header {
     pub rate: Rate,
-    /// Of the first sample, s.
+    /// Time of the first sample, s.
     pub start: f64,
-    /// Stamps in SI beside it.
+    /// Stamps in SI units.
     pub stamps: Option<ColumnNumbers>,
 }
 
 /// Relative difference up to which two rates are the same.
 pub(super) const SAME_RATE: f64 = 1e-3;
 
-/// A number of a file that tells the rate of its samples.
+/// Sampling rate stored in a file.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Rate {
-    /// Its name and value as they stand there, `fs = 2048`.
+    /// Name and value as stored, `fs = 2048`.
     pub told: String,
-    /// Samples per second, Hz.
+    /// Sampling rate, Hz.
     pub rate_hz: f64,
 }
 
@@ -62,7 +63,7 @@ impl Rate {
     }
 }
 
-/// A column as it stands in a file, its numbers wherever they were put.
+/// Column as stored in a file, with its numbers in any store.
 #[derive(Debug)]
 pub(super) struct RawColumn {
     pub name: String,
@@ -70,35 +71,37 @@ pub(super) struct RawColumn {
     pub place: String,
     pub direction: String,
     pub reference: String,
-    /// Why it is no channel, one sentence, or an empty text where nobody would take it for one; none for a channel.
+    /// Reason why the column is not a channel, one sentence; empty for an obvious case. `None` for
+    /// a channel.
     pub left_out: Option<String>,
-    /// The samples, real parts of complex ones.
+    /// Samples; real parts of complex ones.
     pub values: ColumnNumbers,
-    /// Imaginary parts of a complex column, as many.
+    /// Imaginary parts of a complex column, equally many.
     pub imaginary: Option<ColumnNumbers>,
 }
 
-/// A column as it stands in a file.
+/// Column as stored in a file.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct RawChannel {
-    /// Its name.
+    /// Channel name.
     pub name: String,
-    /// Its unit as an instrument writes it; empty where nothing is told.
+    /// Unit in instrument notation; empty if not given.
     pub unit: String,
-    /// Where the sensor sits; empty where nothing is told.
+    /// Location of the sensor; empty if not given.
     pub place: String,
-    /// Which way it points; empty where nothing is told.
+    /// Direction of the sensor; empty if not given.
     pub direction: String,
-    /// Where and which way the force of a response function acts, as `node 3 +z`; empty where nothing is told.
+    /// Node and direction of the force of a response function, such as `node 3 +z`; empty if not
+    /// given.
     pub reference: String,
-    /// The samples, real parts of complex ones.
+    /// Samples; real parts of complex ones.
     pub values: Vec<f64>,
-    /// Imaginary parts of a complex column, as many.
+    /// Imaginary parts of a complex column, equally many.
     pub imaginary: Option<Vec<f64>>,
 }
 
 impl RawChannel {
-    /// A real column without place and direction.
+    /// Returns a real column without location and direction.
     pub fn new(name: &str, unit: &str, values: Vec<f64>) -> Self {
         Self {
             name: name.to_owned(),
@@ -134,7 +137,7 @@ impl From<RawChannel> for RawColumn {
 }
 
 impl RawColumn {
-    /// A real column without place and direction.
+    /// Returns a real column without location and direction.
     pub(super) fn new(name: &str, unit: &str, values: ColumnNumbers) -> Self {
         let (name, unit) = (name.to_owned(), unit.to_owned());
         let [place, direction, reference] = [(); 3].map(|()| String::new());
@@ -150,7 +153,8 @@ impl RawColumn {
         }
     }
 
-    /// Levels `L` in decibels to amplitudes `10^(L/20)`, or densities `10^(L/10)`, times their reference, in its unit.
+    /// Converts levels `L` in decibels to amplitudes `10^(L/20)`, or densities `10^(L/10)`, times
+    /// their reference, in the unit of the reference.
     pub(super) fn made_linear(&mut self, levels: Decibels) -> Issue {
         let Decibels {
             reference,
@@ -174,7 +178,10 @@ impl RawColumn {
         } else {
             &unit
         };
-        let about = format!("levels in decibels became {sizes} {times}10^(L/{decade}) in {of}");
+        let about = format!(
+            "levels in decibels were converted to {sizes} {times}10^(L/{decade}) \
+            in {of}"
+        );
         self.unit = unit;
         Issue::new(
             IssueKind::Decibels,
@@ -187,7 +194,7 @@ impl RawColumn {
 }
 
 impl Raw {
-    /// Columns over a time that one of them may hold.
+    /// Returns columns that may include the time.
     pub(super) fn columns(columns: Vec<RawColumn>, findings: Vec<Issue>) -> Self {
         Self {
             title: String::new(),

@@ -1,7 +1,9 @@
-//! Where the numbers of a file are put: in memory, or on a store whose memory does not grow with the file.
+//! Stores for the numbers of a file: in memory, or in a scratch file so that memory does not grow
+//! with the file.
 //!
-//! A store keeps the first numbers in memory and lays all others down in a scratch file, in pieces of one column each. The file lies in
-//! `TMPDIR`, else in `/var/tmp`, has no name and is gone with the store.
+//! A scratch store keeps the first numbers in memory and writes all others to a scratch file, in
+//! pieces of one column each. The scratch file is in `TMPDIR`, else in `/var/tmp`. It has no name
+//! and is deleted with the store.
 
 use std::cell::RefCell;
 use std::fs::File;
@@ -12,38 +14,38 @@ use std::rc::Rc;
 use super::numbers::ColumnNumbers;
 use crate::recording::PIECE;
 
-/// Pieces that a store keeps in memory, 16 MiB of all columns together.
+/// Pieces that a store keeps in memory, 16 MiB for all columns together.
 const MAX_PIECES_IN_MEMORY: usize = (16 << 20) / (8 * PIECE);
 
-/// Where a reader puts the numbers that it finds.
+/// Store for the numbers of a file.
 #[derive(Debug, Clone)]
 pub(super) enum SampleStore {
-    /// In memory, however many.
+    /// All numbers in memory.
     Memory,
-    /// In memory the first ones, in a scratch file all others.
+    /// The first numbers in memory, all others in a scratch file.
     Scratch(Rc<RefCell<Scratch>>),
 }
 
-/// A scratch file that begins to be once it is needed.
+/// Scratch file, created at first use.
 #[derive(Debug)]
 pub(super) struct Scratch {
-    /// Pieces that may still stay in memory.
+    /// Pieces that may still be kept in memory.
     left: usize,
     file: Option<File>,
     end: u64,
     bytes: Vec<u8>,
 }
 
-/// A piece of a column on a store.
+/// Piece of a stored column.
 #[derive(Debug)]
 pub(super) enum StoredPiece {
     Memory(Vec<f64>),
-    /// Where it begins in the scratch file.
+    /// Offset in the scratch file.
     Scratch(u64),
 }
 
 impl SampleStore {
-    /// A store with a scratch file.
+    /// Returns a store with a scratch file.
     pub(super) fn scratch() -> Self {
         Self::Scratch(Rc::new(RefCell::new(Scratch {
             left: MAX_PIECES_IN_MEMORY,
@@ -53,14 +55,14 @@ impl SampleStore {
         })))
     }
 
-    /// A column without numbers yet.
+    /// Returns an empty column.
     pub(super) fn column(&self) -> ColumnNumbers {
         ColumnNumbers::on(self)
     }
 }
 
 impl Scratch {
-    /// Puts a full piece where it belongs; `numbers` is empty afterwards.
+    /// Stores a full piece and empties `numbers`.
     pub(super) fn put(&mut self, numbers: &mut Vec<f64>) -> io::Result<StoredPiece> {
         if self.left > 0 {
             self.left -= 1;
@@ -81,12 +83,12 @@ impl Scratch {
         Ok(StoredPiece::Scratch(begin))
     }
 
-    /// The piece of [`PIECE`] numbers that begins there.
+    /// Reads the piece of [`PIECE`] numbers at an offset.
     pub(super) fn get(&mut self, begin: u64) -> io::Result<Vec<f64>> {
         let file = self
             .file
             .as_mut()
-            .ok_or_else(|| io::Error::other("the scratch file was never made"))?;
+            .ok_or_else(|| io::Error::other("the scratch file was never created"))?;
         file.seek(SeekFrom::Start(begin))?;
         self.bytes.resize(8 * PIECE, 0);
         file.read_exact(&mut self.bytes)?;
@@ -100,7 +102,7 @@ impl Scratch {
     }
 }
 
-/// Where scratch files go. `/tmp` itself lies in memory on many systems.
+/// Folder of scratch files. On many systems `/tmp` is in memory.
 pub(super) fn folder() -> PathBuf {
     let wanted = std::env::var_os("TMPDIR").map(PathBuf::from);
     let large = Some(PathBuf::from("/var/tmp")).filter(|folder| folder.is_dir());

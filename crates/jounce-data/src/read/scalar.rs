@@ -6,7 +6,7 @@ use half::f16;
 
 use super::error::Damage;
 
-/// Bytes that are read at once: a multiple of every size of a number.
+/// Bytes read at once: a multiple of every size of a number.
 const BYTES_AT_ONCE: usize = 3 << 14;
 
 /// Storage type of a number. Integers beyond 2^53 are rounded to the nearest `f64`.
@@ -30,7 +30,7 @@ pub(super) enum Kind {
 }
 
 impl Scalar {
-    /// A number of that kind and size; `None` where there is no such.
+    /// Returns the type of that kind and size; `None` if it does not exist.
     pub fn new(kind: Kind, size: usize, little_endian: bool) -> Option<Self> {
         let there = matches!(
             (kind, size),
@@ -43,7 +43,7 @@ impl Scalar {
         })
     }
 
-    /// The number of [`Self::size`] bytes.
+    /// Decodes a number of [`Self::size`] bytes.
     pub fn number(self, bytes: &[u8]) -> f64 {
         let mut ordered = [0; 8];
         let size = self.size.min(bytes.len());
@@ -58,17 +58,17 @@ impl Scalar {
             (Kind::Float, _) => f16::from_bits(bits as u16).to_f64(),
             (Kind::Unsigned, _) => bits as f64,
             (Kind::Signed, _) => {
-                // The sign goes to the highest bit and comes back over all bits before it.
+                // Shift the sign bit to the top, then back, to extend the sign.
                 let unused = 64 - 8 * size.clamp(1, 8) as u32;
                 ((bits << unused) as i64 >> unused) as f64
             }
         }
     }
 
-    /// Hands so many numbers of a source to `take`, in their order.
+    /// Passes each of `count` numbers of a source to `take`, in order.
     ///
     /// # Errors
-    /// The source ends before, or `take` fails.
+    /// The source ends early, or `take` fails.
     pub fn each(
         self,
         source: &mut dyn Read,

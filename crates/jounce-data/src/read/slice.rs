@@ -1,4 +1,4 @@
-//! A part of a recording, cut without holding its numbers in memory.
+//! Cuts a part of a recording without holding its numbers in memory.
 
 use std::io;
 
@@ -7,12 +7,13 @@ use super::samples::SampleStore;
 use super::summary::{ChannelSummary, RecordingSummary, SamplePlaces};
 use crate::recording::{Issue, IssueKind, IssuePlace, Over, PIECE, Series, inspected, sizes_with};
 
-/// Share of a step by which an end of the part may miss a sample: the roundoff of numbers such as `0.1`.
+/// Tolerance at the ends of a part, relative to the step: roundoff of numbers such as `0.1`.
 const END_ROUNDOFF: f64 = 1e-6;
 
 impl RecordingSummary {
-    /// Some channels, numbered from 0, from one place to another (s or Hz), both included; `None` where no sample lies there. What was noticed of
-    /// them stays that of the whole, whose samples are numbered from its own first one.
+    /// Selects channels, counted from 0, between two positions (s or Hz), both included; `None` if
+    /// the interval contains no sample. Issues are those of the complete recording, with its sample
+    /// numbers.
     ///
     /// # Errors
     /// The scratch file cannot be read or written.
@@ -70,7 +71,8 @@ impl RecordingSummary {
         let mut findings: Vec<Issue> = self.findings.iter().filter(is_kept).cloned().collect();
         let unit = if self.over == Over::Time { "s" } else { "Hz" };
         let about = format!(
-            "{count} of {number} samples, from {from} {unit} to {to} {unit}; the other findings are those of the whole"
+            "{count} of {number} samples, from {from} {unit} to {to} {unit}; the other issues are \
+            those of the complete recording"
         );
         if count < number {
             findings.push(Issue::new(
@@ -90,7 +92,7 @@ impl RecordingSummary {
     }
 }
 
-/// So many numbers from one on, on a store.
+/// Copies `count` numbers from an index to a store.
 fn cut(
     numbers: &ColumnNumbers,
     first: usize,
@@ -127,7 +129,8 @@ mod tests {
         .into()
     }
 
-    /// Over several pieces, at even and at stamped places; both ends belong to it, whatever their roundoff.
+    /// Covers several pieces, with uniform and stamped positions; both ends are included despite
+    /// roundoff.
     #[test]
     fn a_part_holds_the_samples_between_its_ends() {
         let count = 3 * PIECE + 11;

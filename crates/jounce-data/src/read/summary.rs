@@ -1,4 +1,4 @@
-//! What a file holds, told without holding its numbers in memory.
+//! Summary of a file without its numbers in memory.
 
 use std::borrow::Cow;
 use std::io;
@@ -10,78 +10,80 @@ use crate::recording::{
     Channel, ChannelHead, Grid, Issue, Over, PIECE, Quantity, Recording, Series, Sizes, sizes_with,
 };
 
-/// What a file holds; its numbers lie in a scratch file beyond the first 16 MiB of them, so that memory does not grow with the file.
+/// Contents of a file. Numbers beyond the first 16 MiB are in a scratch file, so memory does not
+/// grow with the file.
 #[derive(Debug)]
 pub struct FileSummary {
-    /// Its recordings, one for each set of channels with a grid of their own.
+    /// Recordings: one for each set of channels that share a grid.
     pub recordings: Vec<RecordingSummary>,
-    /// Its mode shapes (UFF 55).
+    /// Mode shapes (UFF 55).
     pub shapes: Vec<ModeShape>,
-    /// What concerns the file as a whole.
+    /// Issues that concern the complete file.
     pub findings: Vec<Issue>,
 }
 
-/// A recording whose numbers need not lie in memory.
+/// Recording whose numbers need not be in memory.
 #[derive(Debug)]
 pub struct RecordingSummary {
-    /// Its name: that of the file, with the number of the data set where a file holds several.
+    /// Name: the file name, with the number of the data set if the file contains several.
     pub name: String,
-    /// What the samples are taken over.
+    /// Independent variable of the samples.
     pub over: Over,
-    /// Where the samples lie, s or Hz.
+    /// Sample positions, s or Hz.
     pub places: SamplePlaces,
-    /// The channels, each with one sample for each place.
+    /// Channels, each with one sample per position.
     pub channels: Vec<ChannelSummary>,
-    /// Everything that was noticed or done.
+    /// Data-quality issues and conversions.
     pub findings: Vec<Issue>,
 }
 
-/// Where samples lie, s or Hz.
+/// Sample positions, s or Hz.
 #[derive(Debug)]
 pub enum SamplePlaces {
-    /// Even: `start + k step`.
+    /// Uniform: `start + k step`.
     Even {
-        /// The first place.
+        /// First position.
         start: f64,
-        /// Their distance, > 0.
+        /// Spacing, > 0.
         step: f64,
-        /// Their number.
+        /// Number of positions.
         count: usize,
     },
-    /// One place for each sample, ascending.
+    /// One position for each sample, ascending.
     Stamped {
-        /// The places.
+        /// Positions.
         stamps: ColumnNumbers,
         /// Samples per unit of the grid.
         rate: f64,
     },
 }
 
-/// A channel in SI whose numbers need not lie in memory.
+/// Channel in SI units whose numbers need not be in memory.
 #[derive(Debug)]
 pub struct ChannelSummary {
-    /// Its name.
+    /// Channel name.
     pub name: String,
-    /// What it measures.
+    /// Measured quantity.
     pub quantity: Quantity,
-    /// SI unit of the values; as in the file where the quantity is unknown, and empty where nothing is told.
+    /// SI unit of the values; for an unknown quantity the unit of the file, empty if not given.
     pub unit: String,
-    /// Where the sensor sits; empty where nothing is told.
+    /// Location of the sensor; empty if not given.
     pub place: String,
-    /// Which way it points; empty where nothing is told.
+    /// Direction of the sensor; empty if not given.
     pub direction: String,
-    /// Where and which way the force of a response function acts, as `node 3 +z`; empty where nothing is told.
+    /// Node and direction of the force of a response function, such as `node 3 +z`; empty if not
+    /// given.
     pub reference: String,
-    /// Rms and largest size; of complex samples those of their absolute value.
+    /// RMS and peak; for complex samples of the magnitude.
     pub sizes: Sizes,
-    /// The samples, real parts of complex ones. NaN where one is missing.
+    /// Samples; real parts of complex ones. NaN where missing.
     pub values: ColumnNumbers,
-    /// Imaginary parts of a complex channel, as many.
+    /// Imaginary parts of a complex channel, equally many.
     pub imaginary: Option<ColumnNumbers>,
 }
 
 impl FileSummary {
-    /// Everything in memory.
+    /// Loads everything into memory.
     pub(super) fn into_contents(self, path: &Path) -> Result<Contents, ReadError> {
         let lost = |reason| ReadError::Scratch {
             path: path.to_owned(),
@@ -107,16 +109,17 @@ impl RecordingSummary {
         self.places.rate()
     }
 
-    /// What each channel is chosen by: see [`crate::recording::chosen`].
+    /// Properties by which channels are selected: see [`crate::recording::chosen`].
     pub fn heads(&self) -> Vec<ChannelHead<'_>> {
         self.channels.iter().map(ChannelSummary::head).collect()
     }
 
-    /// The recording with the numbers of some channels in memory and without the others. Channels are numbered from 0 and come in the order asked
-    /// for; what was noticed of the others is left out, that of the times stays.
+    /// Loads the selected channels into memory and discards the others. Channels are counted from 0
+    /// and returned in the requested order. Issues of the discarded channels are removed; those of
+    /// the times remain.
     ///
     /// # Errors
-    /// The scratch file cannot be read, or there is no such channel.
+    /// The scratch file cannot be read, or the channel does not exist.
     pub fn into_recording_of(mut self, channels: &[usize]) -> io::Result<Recording> {
         let mut left: Vec<Option<ChannelSummary>> = self.channels.into_iter().map(Some).collect();
         let mut found: Vec<Channel> = Vec::new();
@@ -153,7 +156,7 @@ impl RecordingSummary {
         })
     }
 
-    /// The recording with all its numbers in memory.
+    /// Loads the recording with all its numbers into memory.
     ///
     /// # Errors
     /// The scratch file cannot be read.
@@ -178,7 +181,7 @@ impl RecordingSummary {
 }
 
 impl ChannelSummary {
-    /// What it is chosen by.
+    /// Properties by which the channel is selected.
     pub fn head(&self) -> ChannelHead<'_> {
         ChannelHead {
             name: &self.name,
@@ -201,7 +204,7 @@ impl ChannelSummary {
     }
 }
 
-/// How large the samples of a channel in memory are.
+/// Computes the sizes of a channel in memory.
 fn of_channel(channel: &Channel) -> Sizes {
     let imaginary = channel.imaginary.as_deref();
     let Ok(sizes) = sizes_with(

@@ -1,8 +1,9 @@
-//! Which column of a data set holds the time, and in which unit.
+//! Identifies the time column of a data set and its unit.
 //!
-//! A column is the time where the notes say so, where its name or its unit does, or where it has the step of a rate that is told. A column that only
-//! ascends is none: it may count samples, or hold milliseconds. Arrays of NPY and MAT have no name for it: there a first one that rises evenly by a
-//! fraction is taken in seconds, and that is told.
+//! A column is the time if the notes, its name or its unit specify it, or if its step equals a
+//! given rate. A column that only ascends is not the time: it may count samples, or contain
+//! milliseconds. Arrays of NPY and MAT have no name for it. There, a first one that rises uniformly
+//! by a fraction is read in seconds, with an issue.
 
 use std::borrow::Cow;
 use std::io;
@@ -13,7 +14,7 @@ use super::raw::{Rate, Raw, RawColumn, TimeStamps};
 use super::{ChannelNotes, Notes, SamplePlaces};
 use crate::recording::{Issue, IssueKind, Over, PIECE, Quantity, Series, Unit};
 
-/// Names of columns that count, in small letters without blanks and dots.
+/// Names of index columns, in lower case without spaces and dots.
 const COUNTERS: [&str; 29] = [
     "#",
     "n",
@@ -45,21 +46,21 @@ const COUNTERS: [&str; 29] = [
     "line",
     "number",
 ];
-/// Units that stamps without one are tried in where a rate is told: seconds in each.
+/// Units tried for stamps without a unit where a rate is given: seconds in each.
 const UNITS: [(&str, f64); 4] = [("s", 1.0), ("ms", 1e-3), ("us", 1e-6), ("ns", 1e-9)];
 
-/// Share of a step by which a number may miss the time of its sample and still be it.
+/// Maximum deviation of a number from the time of its sample, relative to the step.
 const MAX_STAMP_DEVIATION: f64 = 0.02;
 
-/// A column that tells no unit where it must.
+/// Column without a required unit.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct MissingUnit {
     pub column: String,
-    /// Its usual step, in its unit.
+    /// Typical step, in the unit of the column.
     pub step: f64,
 }
 
-/// What the notes make of the name and the unit of a column.
+/// Name and unit of a column after the notes are applied.
 fn head<'a>(column: &'a RawColumn, said: Option<&'a ChannelNotes>) -> (&'a str, &'a str) {
     let name = said
         .and_then(|said| said.name.as_deref())
@@ -75,13 +76,13 @@ fn measures(unit: &str) -> Option<Quantity> {
     Unit::read(unit).map(|unit| unit.quantity)
 }
 
-/// True for a column whose name or unit says that it holds the time.
+/// True for a column that is the time by its name or unit.
 pub(super) fn is_time_column(column: &RawColumn) -> bool {
     says_time(head(column, None))
 }
 
 fn says_time((name, unit): (&str, &str)) -> bool {
-    // A time constant in V is none.
+    // A time constant in V is not a time.
     let silent = matches!(unit.trim(), "" | "NONE");
     measures(unit) == Some(Quantity::Time) || silent && is_time(name)
 }
@@ -91,8 +92,8 @@ fn says_frequency((name, unit): (&str, &str)) -> bool {
     is_frequency(name) && (silent || measures(unit) == Some(Quantity::Frequency))
 }
 
-/// The column that holds the time (or frequency): the one that the notes name, whose name or unit tells it, or a first one with the step of a rate that
-/// is told.
+/// Finds the time (or frequency) column: the one named in the notes, identified by name or unit, or
+/// the first one whose step equals a given rate.
 pub(super) fn time_column(
     raw: &mut Raw,
     said: &[ChannelNotes],
@@ -151,7 +152,8 @@ pub(super) fn time_column(
     let Some(step) = even_step(values)? else {
         return Ok(None);
     };
-    // Arrays cannot name their time: one that rises evenly by a fraction neither counts nor holds whole milliseconds.
+    // Arrays cannot name their time: one that rises uniformly by a fraction is neither a count nor
+    // whole milliseconds.
     let may_be = match told {
         Some(rate) => !rate.differs_from(1.0 / step),
         None => !is_whole(values)?,
@@ -159,7 +161,7 @@ pub(super) fn time_column(
     Ok(may_be.then_some(first))
 }
 
-/// The step of a column that ascends evenly.
+/// Returns the step of a column that ascends uniformly.
 pub(super) fn even_step(values: &ColumnNumbers) -> io::Result<Option<f64>> {
     let Some((first, last)) = values.ends()? else {
         return Ok(None);
@@ -175,7 +177,7 @@ pub(super) fn even_step(values: &ColumnNumbers) -> io::Result<Option<f64>> {
     Ok(even.then_some(step))
 }
 
-/// What a channel is that holds the time of its samples, or counts them; none for any other.
+/// Describes a channel that equals the time of its samples, or counts them; `None` for any other.
 pub(super) fn equals(values: &ColumnNumbers, places: &SamplePlaces) -> io::Result<Option<String>> {
     if counts(values)? == Some(1.0) {
         return Ok(Some("it counts the samples".to_owned()));
@@ -183,7 +185,7 @@ pub(super) fn equals(values: &ColumnNumbers, places: &SamplePlaces) -> io::Resul
     let (step, mut equal, mut k) = (1.0 / places.rate(), values.count() > 2, 0);
     let (mut piece, mut at) = (Vec::new(), 0);
     values.each(|x| {
-        // Both series come in pieces of one length.
+        // Pieces of both series have equal length.
         if equal && k % PIECE == 0 {
             piece = places
                 .piece(k / PIECE)
@@ -196,10 +198,10 @@ pub(super) fn equals(values: &ColumnNumbers, places: &SamplePlaces) -> io::Resul
             .is_some_and(|place| (x - place).abs() < MAX_STAMP_DEVIATION * step);
         (k, at) = (k + 1, at + 1);
     })?;
-    Ok(equal.then(|| "it holds the time of its samples".to_owned()))
+    Ok(equal.then(|| "it is equal to the time of its samples".to_owned()))
 }
 
-/// True for numbers that never fall and end above where they begin.
+/// True for numbers that never decrease and end above their first value.
 pub(super) fn ascends(values: &ColumnNumbers) -> io::Result<bool> {
     let (mut rises, mut before) = (true, f64::NEG_INFINITY);
     values.each(|x| {
@@ -209,7 +211,8 @@ pub(super) fn ascends(values: &ColumnNumbers) -> io::Result<bool> {
     Ok(rises && values.ends()?.is_some_and(|(first, last)| last > first))
 }
 
-/// True for a column by the name of a counter whose numbers are whole and rise by the same whole number, and for one without a name that rises by 1.
+/// True for a column with the name of a counter whose integers rise by a constant integer, and for
+/// an unnamed one that rises by 1.
 pub(super) fn is_counter(column: &RawColumn) -> io::Result<bool> {
     let name: String = column
         .name
@@ -228,7 +231,7 @@ pub(super) fn is_counter(column: &RawColumn) -> io::Result<bool> {
     Ok(counts(&column.values)?.is_some_and(|step| !unnamed || step == 1.0))
 }
 
-/// The step of whole numbers that all rise by it.
+/// Returns the constant step of integers.
 fn counts(values: &ColumnNumbers) -> io::Result<Option<f64>> {
     let Some((first, last)) = values.ends()? else {
         return Ok(None);
@@ -247,7 +250,7 @@ fn counts(values: &ColumnNumbers) -> io::Result<Option<f64>> {
     Ok(counts.then_some(step))
 }
 
-/// What is said of columns that are not read as channels, for an error: `a counts the samples`.
+/// Describes columns that are not read as channels, for an error: `a counts the samples`.
 pub(super) fn told(columns: &[RawColumn]) -> io::Result<Vec<String>> {
     let mut told = Vec::new();
     for column in columns.iter().filter(|column| column.left_out.is_none()) {
@@ -255,7 +258,7 @@ pub(super) fn told(columns: &[RawColumn]) -> io::Result<Vec<String>> {
             told.push(format!("{:?} counts", column.name));
         } else if let Some(step) = even_step(&column.values)? {
             told.push(format!(
-                "{:?} rises by {} and tells no unit of time",
+                "{:?} rises by {} and has no unit of time",
                 column.name,
                 short(step)
             ));
@@ -264,13 +267,14 @@ pub(super) fn told(columns: &[RawColumn]) -> io::Result<Vec<String>> {
     Ok(told)
 }
 
-/// A number without the roundoff behind its ninth digit.
+/// Rounds a number to nine digits.
 fn short(step: f64) -> f64 {
     format!("{step:.8e}").parse().unwrap_or(step)
 }
 
-/// The stamps of a column in s or Hz. Stamps without a unit are seconds where their column's name says that it is a time and they have fractions of one; a
-/// `rate` that is told may tell the unit too. Whole numbers may be anything.
+/// Converts the stamps of a column to s or Hz. Stamps without a unit are seconds if their column is
+/// named as a time and they have fractions; a given `rate` may determine the unit too. Integers are
+/// ambiguous.
 pub(super) fn seconds(
     column: &mut RawColumn,
     said: &ChannelNotes,
@@ -306,7 +310,7 @@ pub(super) fn seconds(
                 let by = rate.map_or("", |rate| &rate.told);
                 findings.push(noticed(
                     IssueKind::Assumed,
-                    format!("the stamps tell no unit; they are in {unit} by {by}"),
+                    format!("the stamps have no unit; they are in {unit} by {by}"),
                 ));
                 ((*unit).to_owned(), *factor)
             } else if said.scale.is_none() && is_whole(&column.values)? {
@@ -321,9 +325,9 @@ pub(super) fn seconds(
                 }));
             } else {
                 let what = if is_time(&name) {
-                    "the stamps tell no unit that is known"
+                    "the stamps have no known unit"
                 } else {
-                    "no name and no unit says that this is the time"
+                    "no name or unit identifies this column as the time"
                 };
                 findings.push(noticed(
                     IssueKind::Assumed,
@@ -335,7 +339,7 @@ pub(super) fn seconds(
         None => {
             findings.push(noticed(
                 IssueKind::Assumed,
-                format!("the stamps tell no unit that is known; {si} is assumed"),
+                format!("the stamps have no known unit; {si} is assumed"),
             ));
             (si.to_owned(), 1.0)
         }
@@ -344,7 +348,10 @@ pub(super) fn seconds(
     if factor * scale != 1.0 {
         findings.push(noticed(
             IssueKind::Converted,
-            format!("stamps in {unit} times {} are {si}", factor * scale),
+            format!(
+                "stamps in {unit} are multiplied by {} to give {si}",
+                factor * scale
+            ),
         ));
     }
     column.values.scale(factor * scale);

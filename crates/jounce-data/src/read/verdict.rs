@@ -1,10 +1,11 @@
-//! What a recording is, and what can be done with it next, in one line.
+//! One-line verdict on a recording and the applicable commands.
 
 use super::{ChannelSummary, RecordingSummary, SamplePlaces};
 use crate::recording::{IssueKind, Over, Quantity, Series as _};
 
 impl RecordingSummary {
-    /// One line: what the recording holds, and the commands that take it, or what its notes must say first.
+    /// Returns one line: the contents of the recording and the commands that accept it, or what its
+    /// notes must specify first.
     pub fn verdict(&self) -> String {
         let live: Vec<&ChannelSummary> = self
             .channels
@@ -46,11 +47,11 @@ impl RecordingSummary {
                 .iter()
                 .all(|channel| channel.quantity == Quantity::Unknown) =>
             {
-                "spectra; give units in the notes beside the file for power, frf, modes and contact"
+                "spectra; give units in the notes of the file for power, frf, modes and contact"
             }
             Over::Frequency if has(Quantity::Response) => "modes --measured",
             Over::Frequency => {
-                "spectra over frequency: modes --output-only where it is an amplitude spectrum"
+                "spectra over frequency: modes --output-only for an amplitude spectrum"
             }
             Over::Time if has(Quantity::Force) && (motion || has(Quantity::Voltage)) => {
                 "frf and modes --measured, contact, spectra"
@@ -80,7 +81,7 @@ impl RecordingSummary {
         )
     }
 
-    /// True for a channel that holds no signal.
+    /// True for a channel without a signal.
     fn is_dead(&self, channel: &ChannelSummary) -> bool {
         let dead = |kind: IssueKind| matches!(kind, IssueKind::Constant | IssueKind::EqualsTime);
         let number = channel.sizes.peak == 0.0;

@@ -1,7 +1,9 @@
-//! WAV: samples of sound cards and acoustic analysers, whole numbers or floating point, any number of channels.
+//! WAV: samples of sound cards and acoustic analysers, integer or floating point, any number of
+//! channels.
 //!
-//! Source: IBM and Microsoft, "Multimedia Programming Interface and Data Specifications 1.0", 1991; EBU Tech 3306 for files beyond 4 GiB (RF64).
-//! The crate `hound` does not read 64-bit samples, which SciPy writes.
+//! Source: IBM and Microsoft, "Multimedia Programming Interface and Data Specifications 1.0", 1991;
+//! EBU Tech 3306 for files beyond 4 GiB (RF64). The crate `hound` does not read 64-bit samples,
+//! which SciPy writes.
 
 use std::fs::File;
 use std::io::{self, BufReader, Read, Seek as _, SeekFrom};
@@ -14,20 +16,20 @@ use super::samples::SampleStore;
 use super::scalar::{Kind, Scalar};
 use crate::recording::{Issue, IssueKind, IssuePlace, Over};
 
-/// Kinds of samples: whole numbers, floating point, and one of both that stands further behind.
+/// Format codes: integers, floating point, and an extension with the code further on.
 const WHOLE: u16 = 1;
 const FLOAT: u16 = 3;
 const EXTENDED: u16 = 0xfffe;
-/// Bytes of the description of samples that are read.
+/// Maximum length of a format chunk, bytes.
 const FORMAT: usize = 40;
 
-/// How samples are stored.
+/// Format of the samples.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Format {
     scalar: Scalar,
     channels: u16,
     rate_hz: u32,
-    /// What stands for 0.
+    /// Stored value of 0.
     zero: f64,
 }
 
@@ -65,9 +67,10 @@ pub(super) fn read(path: &Path, store: &SampleStore) -> Result<FormatContents, D
             }
             b"data" => {
                 let Some(format) = format else {
-                    return Err(
-                        Damage::new("no description of the samples stands before them").at_byte(at),
-                    );
+                    return Err(Damage::new(
+                        "the format of the samples is not described before them",
+                    )
+                    .at_byte(at));
                 };
                 let length = if length == u64::from(u32::MAX) {
                     long.unwrap_or(length)
@@ -94,7 +97,7 @@ impl Format {
             .map_err(Damage::cut)?;
         if bytes.len() < 16 {
             return Err(Damage::new(
-                "the description of the samples is not whole: was the file cut?",
+                "the description of the samples is incomplete: is the file truncated?",
             ));
         }
         let half = |at: usize| u16::from_le_bytes([bytes[at], bytes[at + 1]]);
@@ -139,7 +142,7 @@ impl Format {
     }
 }
 
-/// The samples of all channels by turns.
+/// Reads the interleaved samples of all channels.
 fn samples(
     source: &mut impl Read,
     format: Format,
@@ -152,15 +155,18 @@ fn samples(
     let block = format.scalar.size as u64 * channels;
     let mut findings = Vec::new();
     let there = length.min(left) / block;
-    // Recorders that were switched off leave a length of 0 or of everything.
+    // Recorders that lose power leave a length of 0 or the maximum.
     if length > left && length < u64::from(u32::MAX) - 1024 {
-        let why = format!("{length} bytes of samples are due, {left} follow: was the file cut?");
+        let why = format!(
+            "expected {length} bytes of samples, but {left} follow: is the file \
+            truncated?"
+        );
         return Err(Damage::new(why).at_byte(at));
     }
     let there = if length == 0 { left / block } else { there };
     if length == 0 || length > left {
         let about = format!(
-            "the header tells no length; all {there} samples up to the end of the file are taken"
+            "the header gives no length; all {there} samples up to the end of the file are read"
         );
         let place = IssuePlace::Byte(usize::try_from(at).unwrap_or(usize::MAX));
         findings.push(Issue::new(

@@ -1,30 +1,31 @@
-//! One channel.
+//! Channel of a recording.
 
 use super::{ChannelHead, Quantity};
 
-/// Samples of one quantity at one place.
+/// Samples of one quantity at one location.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Channel {
-    /// Its name.
+    /// Channel name.
     pub name: String,
-    /// What it measures.
+    /// Measured quantity.
     pub quantity: Quantity,
-    /// SI unit of the values; as in the file where the quantity is unknown, and empty where nothing is told.
+    /// SI unit of the values; for an unknown quantity the unit of the file, empty if not given.
     pub unit: String,
-    /// Where the sensor sits; empty where nothing is told.
+    /// Location of the sensor; empty if not given.
     pub place: String,
-    /// Which way it points, as `+z`; empty where nothing is told.
+    /// Direction of the sensor, such as `+z`; empty if not given.
     pub direction: String,
-    /// Where and which way the force of a response function acts, as `node 3 +z`; empty where nothing is told.
+    /// Node and direction of the force of a response function, such as `node 3 +z`; empty if not
+    /// given.
     pub reference: String,
-    /// The samples, real parts of complex ones. NaN where one is missing.
+    /// Samples; real parts of complex ones. NaN where missing.
     pub values: Vec<f64>,
-    /// Imaginary parts of a complex channel, as many.
+    /// Imaginary parts of a complex channel, equally many.
     pub imaginary: Option<Vec<f64>>,
 }
 
 impl Channel {
-    /// A real channel without place and direction.
+    /// Returns a real channel without location and direction.
     pub fn new(name: &str, quantity: Quantity, unit: &str, values: Vec<f64>) -> Self {
         Self {
             name: name.to_owned(),
@@ -38,7 +39,7 @@ impl Channel {
         }
     }
 
-    /// What it is chosen by.
+    /// Properties by which the channel is selected.
     pub fn head(&self) -> ChannelHead<'_> {
         ChannelHead {
             name: &self.name,

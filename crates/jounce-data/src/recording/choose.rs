@@ -1,69 +1,70 @@
-//! The channel that a question is about.
+//! Selection of a channel by name, number or quantity.
 
 use super::{Channel, Issue, IssueKind, NoChannel, Quantity, Recording};
 
-/// A channel that cannot be chosen.
+/// Error of selecting a channel.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum ChannelError {
-    /// No such channel.
+    /// The channel does not exist.
     #[error(transparent)]
     Missing(#[from] NoChannel),
-    /// None of the quantity, and more than one to choose from.
+    /// No channel has the quantity, and there is more than one.
     #[error("name the channel; {recording} has {}", channels.join(", "))]
     Unnamed {
         /// The recording.
         recording: String,
-        /// Its channels.
+        /// Channels of the recording.
         channels: Vec<String>,
     },
-    /// Another quantity.
+    /// The channel has another quantity.
     #[error(
-        "channel {channel} is in {unit}, which is not the unit wanted here; choose another one, or correct its unit in the notes beside {recording}"
+        "channel {channel} is in {unit}, which is not the required unit; choose another channel, \
+        or correct its unit in the notes of {recording}"
     )]
     Unit {
-        /// The channel.
+        /// Channel name.
         channel: String,
-        /// Its unit.
+        /// Channel unit.
         unit: String,
         /// The recording.
         recording: String,
     },
 }
 
-/// What a channel is chosen by.
+/// Properties by which a channel is selected.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ChannelHead<'a> {
-    /// Its name.
+    /// Channel name.
     pub name: &'a str,
-    /// What it measures.
+    /// Measured quantity.
     pub quantity: Quantity,
-    /// Its unit.
+    /// Channel unit.
     pub unit: &'a str,
 }
 
 impl ChannelHead<'_> {
-    /// True where it tells a unit, known or not.
+    /// True where the channel has a unit, known or not.
     pub fn tells_unit(&self) -> bool {
         !matches!(self.unit.trim(), "" | "NONE")
     }
 
-    /// True where it measures a quantity, or may do so since it tells no unit at all.
+    /// True where the channel measures a quantity, or may do so because it has no unit.
     pub fn may_be(&self, quantity: Quantity) -> bool {
         self.quantity == quantity || self.quantity == Quantity::Unknown && !self.tells_unit()
     }
 
-    /// What is assumed where it is taken for a quantity without telling a unit.
+    /// Issue to report if a channel without a unit is used for a quantity.
     pub fn assumed(&self, quantity: Quantity) -> Option<Issue> {
-        let about = || format!("no unit is told; {} is assumed", quantity.si_unit());
+        let about = || format!("no unit is given; {} is assumed", quantity.si_unit());
         let silent = self.quantity == Quantity::Unknown && !self.tells_unit();
         silent.then(|| Issue::new(IssueKind::Assumed, 1, None, about()).of(self.name))
     }
 }
 
-/// The number from 0 of the channel of a name, or of a number from 1.
+/// Returns the index of a channel, from its name or its number from 1.
 ///
 /// # Errors
-/// No such channel; the error lists those that there are.
+/// No such channel; the error lists the existing ones.
 pub fn named(recording: &str, heads: &[ChannelHead<'_>], wanted: &str) -> Result<usize, NoChannel> {
     let numbered = || {
         wanted
@@ -83,8 +84,9 @@ pub fn named(recording: &str, heads: &[ChannelHead<'_>], wanted: &str) -> Result
         })
 }
 
-/// The number from 0 of the channel of a name or number; without one the first of a quantity, or the only channel. A channel that tells no unit
-/// may be what it is asked for; one that tells another is not.
+/// Returns the index of a channel by name or number; without one, the first channel of a quantity,
+/// or the only channel. A channel without a unit is accepted for any quantity, one with another
+/// unit is refused.
 ///
 /// # Errors
 /// [`ChannelError`].
@@ -120,8 +122,9 @@ fn names(heads: &[ChannelHead<'_>]) -> Vec<String> {
 }
 
 impl Recording {
-    /// The channel of a name or number; without one the first of a quantity, or the only channel. A channel that tells no unit may be what it
-    /// is asked for; one that tells another is not.
+    /// Selects a channel by name or number; without one, the first channel of a quantity, or the
+    /// only channel. A channel without a unit is accepted for any quantity, one with another unit
+    /// is refused.
     ///
     /// # Errors
     /// [`ChannelError`].
@@ -133,12 +136,12 @@ impl Recording {
         Ok(&self.channels[chosen(&self.name, &self.heads(), wanted, quantity)?])
     }
 
-    /// What each channel is chosen by.
+    /// Properties by which each channel is selected.
     pub fn heads(&self) -> Vec<ChannelHead<'_>> {
         self.channels.iter().map(Channel::head).collect()
     }
 
-    /// The error of a question that does not name its channel.
+    /// Returns the error for a request that does not name its channel.
     pub fn unnamed(&self) -> ChannelError {
         ChannelError::Unnamed {
             recording: self.name.clone(),
@@ -193,7 +196,7 @@ mod tests {
         let chosen = untold.choose(None, Quantity::Force).unwrap();
         assert_eq!(
             chosen.head().assumed(Quantity::Force).unwrap().to_string(),
-            "x: no unit is told; N is assumed"
+            "x: no unit is given; N is assumed"
         );
         let odd = recording(&[("x", Quantity::Unknown, "furlong")]);
         assert!(matches!(

@@ -1,9 +1,9 @@
-//! How large the samples of a complex channel are.
+//! RMS, peak and mean of a complex channel.
 
 use super::{PIECE, Series, Sizes};
 
-/// Rms and peak of `|z|` and the modulus of the mean of `z`, over the samples of which both parts are numbers; `real` as they are without an imaginary
-/// part.
+/// RMS and peak of `|z|` and the modulus of the mean of `z`, over samples whose two parts are
+/// numbers; `real` unchanged without an imaginary part.
 pub(crate) fn sizes_with<S: Series>(
     real: Sizes,
     values: &S,
@@ -40,7 +40,7 @@ pub(crate) fn sizes_with<S: Series>(
 mod tests {
     use super::*;
 
-    /// 3 + 4 j and 0 - 5 j have the size 5; what is no number does not count.
+    /// 3 + 4 j and 0 - 5 j have the magnitude 5; samples that are not numbers are ignored.
     #[test]
     fn a_complex_channel_is_as_large_as_its_absolute_value() {
         let (re, im) = ([3.0, 0.0, f64::NAN, 1.0], [4.0, -5.0, 1.0, f64::NAN]);

@@ -2,10 +2,12 @@
 //!
 //! Source: J. O'Rourke, "An on-line algorithm for fitting straight lines between data ranges", CACM 24 (1981), 574-578.
 
-/// Stands for all lines that pass the intervals so far: the steepest and the flattest of them, and the points that may bound a later one.
+/// Set of all lines through the intervals so far: the steepest and the flattest line, and the
+/// points that may bound a later one.
 #[derive(Default)]
 pub(super) struct Corridor {
-    /// Lower ends that bound slopes from above, a concave chain, and the first of them that still counts; upper ends the other way round.
+    /// Lower ends that bound slopes from above, a concave chain, with the first active one; upper
+    /// ends, mirrored.
     lower: Chain,
     upper: Chain,
     steepest: Option<CorridorLine>,
@@ -49,7 +51,8 @@ struct Chain {
 }
 
 impl Chain {
-    /// The line from a point of the chain to a later one that `better` prefers over its neighbours; points before it count no more.
+    /// Returns the line from a point of the chain to a later one that `better` prefers over its
+    /// neighbours; deactivates the points before it.
     fn tangent(&mut self, to: CorridorPoint, better: fn(f64, f64) -> bool) -> Option<CorridorLine> {
         let mut best = slope(*self.points.get(self.first)?, to);
         while let Some(next) = self
@@ -67,7 +70,8 @@ impl Chain {
         })
     }
 
-    /// Puts a point behind the others; `bends` tells from the slopes before and behind a point whether the chain keeps it.
+    /// Appends a point; `bends` decides from the slopes before and after a point if it stays in the
+    /// chain.
     fn push(&mut self, point: CorridorPoint, bends: fn(f64, f64) -> bool) {
         while let [.., a, b] = self.points[self.first..] {
             if bends(slope(a, b), slope(b, point)) {
@@ -80,7 +84,7 @@ impl Chain {
 }
 
 impl Corridor {
-    /// Takes the interval of the next place; places ascend.
+    /// Adds the interval of the next position; positions ascend.
     pub(super) fn take(&mut self, x: f64, low: f64, high: f64) {
         if self.closed {
             return;
@@ -113,7 +117,8 @@ impl Corridor {
         self.upper.push(high, |before, behind| before < behind);
     }
 
-    /// The flattest and the steepest slope of lines that pass all intervals; none where no line does, or fewer than two intervals came.
+    /// Flattest and steepest slope of the lines through all intervals; `None` if there is no such
+    /// line, or fewer than two intervals.
     pub(super) fn slopes(&self) -> Option<(f64, f64)> {
         let (flattest, steepest) = self.flattest.zip(self.steepest)?;
         (!self.closed && flattest.slope <= steepest.slope)
@@ -125,7 +130,8 @@ impl Corridor {
 mod tests {
     use super::*;
 
-    /// Against the definition: the steepest line over all pairs of a lower end and a later upper end.
+    /// Compares with the definition: the steepest line over all pairs of a lower end and a later
+    /// upper end.
     #[test]
     fn slopes_are_those_of_all_pairs() {
         let random =

@@ -1,18 +1,19 @@
-//! How finely stamps were printed, found from the numbers themselves.
+//! Resolution of printed stamps, determined from the numbers.
 
 use std::fmt::Write as _;
 
 use super::Series;
 
-/// Roundoff of a stamp that was read, scaled and compared, relative.
+/// Roundoff of a stamp after reading, scaling and comparison, relative.
 const DIGIT_ROUNDOFF: f64 = 8.0 * f64::EPSILON;
-/// Digits that a double keeps whatever roundoff of a few units in its last place it suffers.
+/// Digits of a double that survive a roundoff of a few units in its last place.
 const MIN_SURE_DIGITS: usize = 15;
-/// A number of at most so many digits was printed so, and its further digits are roundoff.
+/// A number with at most so many digits was printed with them; further digits are roundoff.
 const PRINTED: usize = 13;
 
-/// The digits that numbers were printed with: so many behind the point, or so many that count, whichever is coarser for a number. The shortest
-/// decimal of a double that reads back as the same double shows them.
+/// Digits with which numbers were printed: decimal places or significant digits, whichever is
+/// coarser for a number. They are found from the shortest decimal that reads back as the same
+/// double.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Digits {
     decimals: i32,
@@ -20,7 +21,7 @@ pub(crate) struct Digits {
 }
 
 impl Digits {
-    /// Digits of numbers as they were printed, or times a power of ten since.
+    /// Determines the digits of printed numbers, which may have been scaled by a power of ten.
     pub(crate) fn of<S: Series>(stamps: &S) -> Result<Self, S::Fault> {
         let mut digits = Self {
             decimals: 0,
@@ -36,7 +37,7 @@ impl Digits {
         Ok(digits)
     }
 
-    /// How far the number behind a stamp may lie from it: half a unit of its last digit.
+    /// Maximum rounding error of a stamp: half a unit of its last digit.
     pub(crate) fn rounding(&self, stamp: f64) -> f64 {
         let size = stamp.abs();
         let power = if size > 0.0 {
@@ -49,7 +50,7 @@ impl Digits {
     }
 }
 
-/// How many digits a number was printed with, and the power of ten of the first one; `text` is room to write in.
+/// Number of printed digits, and the power of ten of the first one; `text` is a buffer.
 fn printed(x: f64, text: &mut String) -> Option<(i32, i32)> {
     if !x.is_finite() {
         return None;
@@ -67,7 +68,7 @@ fn printed(x: f64, text: &mut String) -> Option<(i32, i32)> {
     Some((found.0 as i32, found.1))
 }
 
-/// Digits before the zeros at the end, and the exponent.
+/// Digits before trailing zeros, and the exponent.
 fn counted(text: &str) -> Option<(usize, i32)> {
     let (mantissa, power) = text.split_once('e')?;
     let count = mantissa

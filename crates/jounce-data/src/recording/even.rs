@@ -1,24 +1,26 @@
-//! A recording at even places, without missing samples.
+//! Resampling to a uniform grid without missing samples.
 
 use super::{Channel, Grid, GridError, Issue, IssueKind, IssuePlace, Recording, StampsWithGaps};
 
 impl Recording {
-    /// The recording at even places: samples that are not numbers are bridged by straight lines (ends by the nearest number), and stamped
-    /// samples are interpolated by straight lines at the usual rate. Where stamps lie at even places but for samples that are missing, these are
-    /// bridged, and all others stay as they are. What was done is added to the findings.
+    /// Returns the recording on a uniform grid. Samples that are not numbers are interpolated
+    /// linearly, at the ends by the nearest number. Stamped samples are interpolated linearly at
+    /// the typical rate. If the stamps lie on a uniform grid with missing samples, only the missing
+    /// samples are interpolated. Issues record what was done.
     ///
-    /// Linear interpolation of a sine of `f` Hz sampled at `r` Hz errs by up to `(pi f / r)^2 / 2` of its peak.
+    /// Linear interpolation of a sine of `f` Hz sampled at `r` Hz errs by up to `(pi f / r)^2 / 2`
+    /// of its peak.
     ///
     /// # Errors
-    /// A grid that has no rate.
+    /// A grid without a rate.
     pub fn even(&self) -> Result<Self, GridError> {
         self.clone().into_even()
     }
 
-    /// The same without a second copy of a long recording.
+    /// Resamples as [`Recording::even`] does, without a second copy of a long recording.
     ///
     /// # Errors
-    /// As [`Recording::even`].
+    /// Those of [`Recording::even`].
     pub fn into_even(mut self) -> Result<Self, GridError> {
         let even = &mut self;
         for channel in &mut even.channels {
@@ -53,7 +55,7 @@ impl Recording {
                 .map(|imaginary| interpolated(&stamps, imaginary, &even.grid));
         }
         let about = format!(
-            "{} stamped samples were interpolated by straight lines at {} even places, {:.6} Hz",
+            "{} stamped samples were interpolated linearly at {} uniform positions, {:.6} Hz",
             stamps.len(),
             count,
             1.0 / step
@@ -67,7 +69,7 @@ impl Recording {
         Ok(self)
     }
 
-    /// Every sample at its own place, the empty ones bridged by straight lines.
+    /// Puts every sample at its grid position and interpolates the empty ones linearly.
     fn filled(mut self, holed: &StampsWithGaps) -> Result<Self, GridError> {
         let start = self.grid.at(0);
         let count = self.grid.len() + holed.missing;
@@ -92,7 +94,7 @@ impl Recording {
             .find(|(k, place)| k < *place)
             .map(|(k, _)| IssuePlace::Sample(k));
         let about = format!(
-            "missing samples were bridged by straight lines at {:.6} Hz; all others are as they were",
+            "missing samples were interpolated linearly at {:.6} Hz; all others are unchanged",
             1.0 / holed.step
         );
         self.findings
@@ -101,7 +103,7 @@ impl Recording {
     }
 }
 
-/// Values at ascending places, the places between two of them on the straight line.
+/// Values at ascending positions, with linear interpolation in between.
 fn spread(places: &[usize], values: &[f64], count: usize) -> Vec<f64> {
     let mut spread: Vec<f64> = Vec::with_capacity(count);
     for (place, value) in places.iter().zip(values) {
@@ -117,7 +119,7 @@ fn spread(places: &[usize], values: &[f64], count: usize) -> Vec<f64> {
     spread
 }
 
-/// Replaces runs of NaN between numbers by straight lines, at the ends by the nearest number.
+/// Replaces runs of NaN by linear interpolation, at the ends by the nearest number.
 fn bridged(channel: &mut Channel) -> Option<Issue> {
     let values = &mut channel.values;
     let first = values.iter().position(|x| !x.is_finite())?;
@@ -136,7 +138,7 @@ fn bridged(channel: &mut Channel) -> Option<Issue> {
             .enumerate()
             .for_each(|(k, value)| *value = a + (k + 1) as f64 * step);
     }
-    let about = "samples that are no numbers were bridged by straight lines".to_owned();
+    let about = "samples that are not numbers were interpolated linearly".to_owned();
     Some(
         Issue::new(
             IssueKind::Bridged,
@@ -184,7 +186,7 @@ mod tests {
         }
     }
 
-    /// A straight line is its own interpolation, wherever the stamps lie; the gap is bridged too.
+    /// Linear interpolation reproduces a straight line for any stamps, across the gap too.
     #[test]
     fn jittered_stamps_and_missing_samples_of_a_line_come_out_exact() {
         let stamps: Vec<f64> = (0..200)
@@ -198,7 +200,7 @@ mod tests {
             panic!("even places")
         };
         for (k, value) in even.channels[0].values.iter().enumerate() {
-            // Sample 20 is bridged as if its stamp were even: off by its jitter.
+            // Sample 20 is interpolated as if its stamp were uniform: the error is its jitter.
             let place = start + k as f64 * step;
             let error = (value - (2.0 * place - 3.0)).abs();
             assert!(
@@ -222,8 +224,9 @@ mod tests {
         }
     }
 
-    /// A sine of 200 Hz and rms 1 at 1 kHz, its stamps written to seven digits, some samples lost: the rate is that of the places, all that was
-    /// recorded stays, and the mean power errs by no more than the bridges may.
+    /// A sine of 200 Hz and rms 1 at 1 kHz, its stamps written to seven digits, some samples lost.
+    /// The rate equals the grid rate, recorded samples are unchanged, and the error of the mean
+    /// power is within the bound of the interpolation.
     #[test]
     fn samples_that_are_lost_do_not_touch_the_others() {
         for lost in [vec![1234], vec![7, 8, 9, 10, 11, 12, 13, 2000, 2002]] {
@@ -264,7 +267,8 @@ mod tests {
         }
     }
 
-    /// Stamps in steps of their last digit: one that is missing is lost; where the rate is lower than the digits, every 19th step is long.
+    /// Stamps in steps of their last digit: a missing one is lost; where the rate is lower than the
+    /// digits, every 19th step is long.
     #[test]
     fn a_lost_sample_is_no_rounded_stamp() {
         let kinds = |stamps: Vec<f64>| -> Vec<IssueKind> {

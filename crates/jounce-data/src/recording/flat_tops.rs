@@ -1,49 +1,51 @@
-//! Flat tops of a signal: where it was clipped.
+//! Flat tops of a clipped signal.
 
 use super::{Issue, IssueKind, IssuePlace};
 
-/// Equal samples in a row at an extreme from this many on may be a flat top.
+/// Minimum number of equal consecutive samples at an extreme that may be a flat top.
 pub(super) const FLAT: usize = 3;
-/// Samples at the end of a converter's range from this many on are clipped, each of them apart from its neighbours by more than this share of it.
+/// Minimum number of clipped samples at the end of a converter's range, each different from its
+/// neighbours by more than this share of the range.
 const AT_FULL_SCALE: usize = 2;
 const APART: f64 = 0.1;
-/// A signal that passes from one flat top to the next in fewer samples than this, on average, is a square wave.
+/// Average number of samples between flat tops below which a signal is a square wave.
 const SQUARE: usize = 2;
 
 /// One end of the range of a channel.
 #[derive(Clone, Copy, Default)]
 pub(super) struct RangeEnd {
     value: f64,
-    /// True where a converter ends there too.
+    /// True where a converter has its limit there.
     is_full_scale: bool,
-    /// Samples at it, and the first of them.
+    /// Count of samples at the end, and the first of them.
     samples: usize,
     first: Option<usize>,
     /// True once a flat top was entered or left by a jump.
     is_flat: bool,
-    /// Samples at it that stand out.
+    /// Samples at the end that differ from their neighbours.
     strokes: usize,
 }
 
-/// The flat tops of a channel whose range and smallest step are known.
+/// Flat tops of a channel with known range and smallest step.
 #[derive(Default)]
 pub(super) struct FlatTops {
     ends: [RangeEnd; 2],
     quantum: f64,
     /// Samples so far.
     number: usize,
-    /// The run of equal samples that lasts: its value, its length, and the sample before it.
+    /// Current run of equal samples: its value, its length, and the sample before it.
     value: f64,
     run: usize,
     before: Option<f64>,
-    /// Flat runs at the ends so far, samples since the last of them, and samples between any two that follow each other.
+    /// Flat runs at the ends so far, samples since the last of them, and samples between
+    /// consecutive runs.
     runs: usize,
     since: usize,
     between: usize,
 }
 
 impl RangeEnd {
-    /// An end without samples yet, and whether a converter ends there too.
+    /// Returns an end without samples; `is_full_scale` marks a limit of a converter.
     pub(super) fn at(value: f64, is_full_scale: bool) -> Self {
         Self {
             value,
@@ -52,14 +54,14 @@ impl RangeEnd {
         }
     }
 
-    /// True where a converter ends there too.
+    /// True where a converter has its limit there.
     pub(super) fn is_full_scale(&self) -> bool {
         self.is_full_scale
     }
 }
 
 impl FlatTops {
-    /// Of a channel between two ends, whose smallest step is `quantum`.
+    /// Returns the flat tops of a channel between two ends, with smallest step `quantum`.
     pub(super) fn between(ends: [RangeEnd; 2], quantum: f64) -> Self {
         Self {
             ends,
@@ -78,7 +80,7 @@ impl FlatTops {
         self.number += 1;
     }
 
-    /// Judges the run that ends before the sample `next`.
+    /// Evaluates the run that ends before the sample `next`.
     pub(super) fn close(&mut self, next: Option<f64>) {
         let (value, run) = (self.value, self.run);
         let beside = || [self.before, next].into_iter().flatten();

@@ -1,9 +1,9 @@
-//! Where samples lie in time or frequency.
+//! Sample positions in time or frequency.
 
 use super::Issue;
 use super::stamps::{self, Stamped};
 
-/// What the samples are taken over.
+/// Independent variable of the samples.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Over {
     /// Time, s.
@@ -12,27 +12,27 @@ pub enum Over {
     Frequency,
 }
 
-/// Places of samples, s or Hz.
+/// Sample positions, s or Hz.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Grid {
-    /// Even: `start + k step`.
+    /// Uniform: `start + k step`.
     Even {
-        /// The first place.
+        /// First position.
         start: f64,
-        /// Their distance, > 0.
+        /// Spacing, > 0.
         step: f64,
-        /// Their number.
+        /// Number of positions.
         count: usize,
     },
-    /// One place for each sample, ascending.
+    /// One position for each sample, ascending.
     Stamped(Vec<f64>),
 }
 
-/// Stamps that are no places of samples.
+/// Error of invalid stamps.
 #[derive(Debug, Clone, PartialEq, thiserror::Error, serde::Serialize)]
 #[serde(untagged)]
 pub enum GridError {
-    /// A step or a start that is not a number, or a step at or below zero.
+    /// The step or the start is not finite, or the step is not positive.
     #[error("the step is {step} from {start}; a step must be a finite number > 0")]
     Step {
         /// The start.
@@ -41,35 +41,35 @@ pub enum GridError {
         step: f64,
     },
     /// Fewer than two stamps.
-    #[error("there are {count} stamps; at least two are needed to tell a rate")]
+    #[error("there are {count} stamps; a rate needs at least two")]
     Few {
-        /// How many there are.
+        /// Number of stamps.
         count: usize,
     },
-    /// A stamp that is not a number.
+    /// A stamp is not a number.
     #[error("the stamp of sample {sample} is {value}; every stamp must be a number")]
     NotANumber {
-        /// The sample, from 0.
+        /// Index of the sample, from 0.
         sample: usize,
-        /// Its stamp.
+        /// Stamp.
         value: f64,
     },
-    /// A stamp before the one of an earlier sample.
+    /// A stamp is earlier than the previous one.
     #[error(
         "the stamp of sample {sample} is {value}, before {before} of the sample before it; sort the recording or cut it there"
     )]
     Backwards {
-        /// The sample, from 0.
+        /// Index of the sample, from 0.
         sample: usize,
-        /// Its stamp.
+        /// Stamp.
         value: f64,
-        /// The stamp before.
+        /// Previous stamp.
         before: f64,
     },
 }
 
 impl Grid {
-    /// Even places.
+    /// Returns a uniform grid.
     ///
     /// # Errors
     /// A step that is not positive, a start that is not a number.
@@ -81,11 +81,11 @@ impl Grid {
         }
     }
 
-    /// Places from stamps: even where they explain all stamps within the digits that these were printed with, or within 2 % of a step, and as they
-    /// stand elsewhere; with what was noticed.
+    /// Determines positions from stamps, with issues. The grid is uniform if it explains all stamps
+    /// within their printed digits, or within 2 % of a step; else it retains the stamps.
     ///
     /// # Errors
-    /// Fewer than two stamps, one that is not a number, one that goes back.
+    /// Fewer than two stamps, one that is not a number, one earlier than its predecessor.
     pub fn from_stamps(stamps: Vec<f64>) -> Result<(Self, Vec<Issue>), GridError> {
         let Ok(found) = Stamped::of(&stamps.as_slice(), None, "s");
         Ok(match found? {
@@ -105,7 +105,7 @@ impl Grid {
         })
     }
 
-    /// Number of places.
+    /// Number of positions.
     pub fn len(&self) -> usize {
         match self {
             Self::Even { count, .. } => *count,
@@ -113,12 +113,12 @@ impl Grid {
         }
     }
 
-    /// True without any place.
+    /// True without positions.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
-    /// The place of sample `k`.
+    /// Position of sample `k`.
     pub fn at(&self, k: usize) -> f64 {
         match self {
             Self::Even { start, step, .. } => start + k as f64 * step,
@@ -126,12 +126,13 @@ impl Grid {
         }
     }
 
-    /// All places.
+    /// All positions.
     pub fn places(&self) -> Vec<f64> {
         (0..self.len()).map(|k| self.at(k)).collect()
     }
 
-    /// Samples per unit of the grid (Hz over time): exact where even, the usual one (over the mean step, long gaps left out) elsewhere.
+    /// Samples per unit of the grid (Hz over time): exact for uniform grids, else the typical rate
+    /// (over the mean step without long gaps).
     pub fn rate(&self) -> f64 {
         match self {
             Self::Even { step, .. } => 1.0 / step,

@@ -1,43 +1,44 @@
-//! Looks at the samples of a channel for what instruments do to signals.
+//! Inspects the samples of a channel for data-quality issues.
 
 use super::flat_tops::{FLAT, FlatTops, RangeEnd};
 use super::{Channel, Issue, IssueKind, IssuePlace, Quantity, Series};
 
-/// Leading or trailing zeros from this many on are padding.
+/// Minimum number of leading or trailing zeros that are padding.
 const PADDING: usize = 10;
-/// Bits of converters.
+/// Resolutions of converters, bits.
 const BITS: [i32; 4] = [8, 12, 16, 24];
-/// How far a value may lie from a whole number of the smallest steps, in such steps.
+/// Tolerance on a multiple of the smallest step, in such steps.
 const OFF_CODE: f64 = 1e-6;
 /// Roundoff of a conversion to SI, and 1 g, m/s^2.
 const ROUND: f64 = 1e-12;
 const GRAVITY: f64 = 9.80665;
-/// Whole numbers beyond this size, without unit, are counts.
+/// Size beyond which integers without unit are converter counts.
 const COUNTS: f64 = 100.0;
 
-/// How large the samples of a channel are.
+/// RMS, peak and mean of a channel.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sizes {
-    /// Rms of the samples that are numbers.
+    /// RMS of the samples that are numbers.
     pub rms: f64,
-    /// Largest size of them.
+    /// Maximum absolute value.
     pub peak: f64,
-    /// Their mean.
+    /// Mean.
     pub mean: f64,
 }
 
 impl Sizes {
-    /// Sizes of samples.
+    /// Computes the sizes of samples.
     pub fn of(samples: &[f64]) -> Self {
         let Ok((_, sizes)) = inspected(&samples, false);
         sizes
     }
 }
 
-/// Everything that is odd about the samples of a channel.
+/// Returns all data-quality issues of the samples of a channel.
 ///
-/// A flat top is told from a slow maximum of a coarsely quantised signal by how the signal enters it: by a jump of more than two of the
-/// smallest steps that the channel makes. A square wave has flat tops of its own, and is not clipped.
+/// A flat top differs from a slow maximum of a coarsely quantised signal by a jump at its beginning
+/// of more than two of the smallest steps of the channel. A square wave has flat tops without
+/// clipping.
 pub fn inspect(channel: &Channel) -> Vec<Issue> {
     let counts = may_be_counts(channel.quantity, channel.imaginary.is_some());
     let Ok((found, _)) = inspected(&channel.values.as_slice(), counts);
@@ -47,13 +48,13 @@ pub fn inspect(channel: &Channel) -> Vec<Issue> {
         .collect()
 }
 
-/// True where nothing tells that the samples of a channel are no counts of a converter.
+/// True where the samples of a channel may be counts of a converter.
 pub(crate) fn may_be_counts(quantity: Quantity, complex: bool) -> bool {
     quantity == Quantity::Unknown && !complex
 }
 
-/// What is odd about samples, not yet said of a channel, and how large they are: one pass over them, and a second one where some are
-/// equal for so long that they may be a flat top.
+/// Returns issues and sizes of samples, without channel name. Needs one pass, and a second one
+/// where a long run of equal samples may be a flat top.
 pub(crate) fn inspected<S: Series>(
     samples: &S,
     may_be_counts: bool,
@@ -84,13 +85,13 @@ pub(crate) fn inspected<S: Series>(
     ))
 }
 
-/// What one pass over samples tells.
+/// Statistics from one pass over samples.
 struct ChannelStatistics {
     /// Samples so far.
     number: usize,
     first: f64,
     before: f64,
-    /// Samples that are no numbers, and the first of them.
+    /// Count of samples that are not numbers, and the first of them.
     missing: usize,
     first_missing: Option<usize>,
     /// True while all samples equal the first one.
@@ -98,11 +99,11 @@ struct ChannelStatistics {
     /// Zeros at the beginning and, so far, at the end.
     leading: usize,
     trailing: usize,
-    /// Smallest and largest number, and the smallest step above 0 from sample to sample.
+    /// Minimum and maximum, and the smallest nonzero step between samples.
     low: f64,
     high: f64,
     quantum: f64,
-    /// Equal samples in a row: now, and at most.
+    /// Run of equal samples: current and longest.
     run: usize,
     longest: usize,
     whole: bool,
@@ -174,7 +175,7 @@ impl ChannelStatistics {
             IssueKind::NotANumber,
             self.missing,
             Some(first),
-            "samples are no numbers".to_owned(),
+            "samples are not numbers".to_owned(),
         ))
     }
 
@@ -195,8 +196,7 @@ impl ChannelStatistics {
         } else {
             self.number - trailing
         };
-        let about =
-            format!("{leading} exact zeros stand before the signal and {trailing} after it");
+        let about = format!("{leading} exact zeros precede the signal and {trailing} follow it");
         Some(Issue::new(
             IssueKind::ZeroPadding,
             leading + trailing,
@@ -205,12 +205,13 @@ impl ChannelStatistics {
         ))
     }
 
-    /// True for an end of a converter's range: a round size of 2, 4, 8, 16 and so on, in SI or in g, or the last code of 8, 12, 16 or 24 bits, in
-    /// counts or in the smallest steps of the channel.
+    /// True for a limit of a converter: a power of 2 from 2 on, in SI or in g, or the last code of
+    /// 8, 12, 16 or 24 bits, in counts or in the smallest steps of the channel.
     fn is_full_scale(&self, value: f64) -> bool {
         let is_round =
             |size: f64| size > 1.5 && (size / size.log2().round().exp2() - 1.0).abs() < ROUND;
-        // The two ends of a range differ by one code; the smallest step from sample to sample is one where the signal is slow.
+        // The limits of a range differ by one code; for a slow signal the smallest step between
+        // samples is one code.
         let steps = if self.whole {
             [1.0; 2]
         } else {
@@ -230,7 +231,8 @@ impl ChannelStatistics {
     }
 
     fn counts(&self) -> Option<Issue> {
-        let about = "whole numbers without unit: counts of a converter? give the scale in the notes beside the file";
+        let about = "integers without unit: if they are converter counts, give the scale in the \
+            notes of the file";
         (self.whole && self.peak > COUNTS)
             .then(|| Issue::new(IssueKind::RawCounts, self.number, None, about.to_owned()))
     }
@@ -308,7 +310,8 @@ mod tests {
             found(clipped),
             [(IssueKind::Clipping, flat, Some(IssuePlace::Sample(first)))]
         );
-        // Two single samples at the end of a range of 8, where the strokes are steep; at 7.9, or smooth as a sine's peaks of 8, they are none.
+        // Two single samples at the end of a range of 8, where the strokes are steep, are clipped.
+        // At 7.9, or smooth as a sine's peaks of 8, they are not.
         let strokes = |end: f64| {
             let mut values = sine(1.0, 1000);
             (values[200], values[700]) = (-end, -end);
@@ -327,7 +330,7 @@ mod tests {
             ),
             []
         );
-        // Codes of converters, at one sample in five, in counts and in volts; all of them are counted.
+        // Converter codes, at one sample in five, in counts and in volts; all of them are counted.
         for (bits, scale) in [
             (8, 1.0),
             (12, 1.0),

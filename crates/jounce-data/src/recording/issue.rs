@@ -1,59 +1,59 @@
-//! What is odd about a recording.
+//! Data-quality issues of a recording.
 
 use serde::Serialize;
 
-/// Something that a reader noticed or did.
+/// Data-quality issue, or an operation on the data.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Issue {
-    /// What it is.
+    /// Kind of the issue.
     pub kind: IssueKind,
-    /// The channel; none where it concerns the whole recording.
+    /// Channel; `None` for the complete recording.
     pub channel: Option<String>,
-    /// How many samples, stamps, lines or data sets.
+    /// Number of affected samples, stamps, lines or data sets.
     pub count: usize,
-    /// Where the first one is.
+    /// Position of the first one.
     pub first: Option<IssuePlace>,
     /// One sentence with the numbers.
     pub about: String,
 }
 
-/// A place in a file or a record.
+/// Position in a file or a recording.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum IssuePlace {
-    /// Number of a sample, from 0.
+    /// Index of a sample, from 0.
     Sample(usize),
     /// Number of a line, from 1.
     Line(usize),
-    /// Number of a byte, from 0.
+    /// Offset of a byte, from 0.
     Byte(usize),
 }
 
-/// Kinds of findings.
+/// Kinds of issues.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum IssueKind {
-    /// Time stamps do not lie at even places.
+    /// Time stamps are not uniform.
     Jitter,
     /// Samples are missing between two stamps.
     Gap,
-    /// A stamp that is not later than the one before.
+    /// A stamp is not later than the previous one.
     RepeatedStamp,
-    /// Time stamps with so few digits that only all of them together show their even places.
+    /// Time stamps are rounded; only all of them together show the uniform grid.
     RoundedStamps,
-    /// A channel that holds the time, or counts the samples.
+    /// A channel contains the time, or counts the samples.
     EqualsTime,
-    /// The header's step is not that of the stamps.
+    /// The steps of header and stamps differ.
     RescaledStamps,
-    /// The header says something else than the data.
+    /// The header contradicts the data.
     HeaderDisagrees,
-    /// Samples that are no numbers.
+    /// Samples are not numbers.
     NotANumber,
-    /// Exact zeros before the signal begins or after it ends.
+    /// Exact zeros precede or follow the signal.
     ZeroPadding,
     /// Flat tops at the largest or smallest value.
     Clipping,
-    /// Whole numbers without unit: counts of a converter.
+    /// Integers without unit: counts of a converter.
     RawCounts,
     /// All samples are equal.
     Constant,
@@ -61,7 +61,7 @@ pub enum IssueKind {
     Decibels,
     /// Values converted to SI.
     Converted,
-    /// A unit that is not known; values are as in the file.
+    /// A unit is not known; values are unchanged.
     UnknownUnit,
     /// A unit with characters outside ASCII.
     NonAsciiUnit,
@@ -69,33 +69,33 @@ pub enum IssueKind {
     Encoding,
     /// Lines with too few or too many fields.
     Ragged,
-    /// Something in the file that was left out.
+    /// A part of the file was left out.
     Skipped,
-    /// Missing samples replaced by straight lines.
+    /// Missing samples interpolated linearly.
     Bridged,
-    /// Samples interpolated at even times.
+    /// Samples interpolated at uniform times.
     Resampled,
-    /// The mean taken away.
+    /// The mean was subtracted.
     MeanRemoved,
-    /// The structure still rings from one hit when the next one comes.
+    /// The structure still rings from one hit when the next one occurs.
     Ringing,
-    /// A part of a longer recording.
+    /// Part of a longer recording.
     Cut,
-    /// Made by a model, and how.
+    /// Simulated, with the method.
     Simulated,
-    /// Assumed, since nothing is told.
+    /// Assumed for lack of information.
     Assumed,
 }
 
 impl IssueKind {
-    /// True for what changes no number of an answer.
+    /// True for an issue without effect on the values of results.
     pub fn is_note(self) -> bool {
         matches!(self, Self::NonAsciiUnit | Self::Encoding | Self::Converted)
     }
 }
 
 impl Issue {
-    /// A finding about a whole recording.
+    /// Returns an issue of a complete recording.
     pub fn new(kind: IssueKind, count: usize, first: Option<IssuePlace>, about: String) -> Self {
         Self {
             kind,
@@ -106,7 +106,7 @@ impl Issue {
         }
     }
 
-    /// The same about one channel.
+    /// Assigns the issue to a channel.
     #[must_use]
     pub fn of(mut self, channel: &str) -> Self {
         self.channel = Some(channel.to_owned());

@@ -1,6 +1,7 @@
-//! Recordings: channels in SI units over time or frequency, with everything that is odd about them.
+//! Recordings: channels in SI units over time or frequency, with their data-quality issues.
 //!
-//! Nothing is repaired in silence: what was converted, missing, clipped or resampled is a [`Issue`] with its count and its first place.
+//! Every conversion, gap, clipping or resampling is recorded as an [`Issue`] with its count and
+//! first position.
 mod channel;
 mod choose;
 mod complex_sizes;

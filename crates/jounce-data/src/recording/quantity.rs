@@ -1,4 +1,4 @@
-//! What a channel measures.
+//! Measured quantities.
 
 use serde::{Deserialize, Serialize};
 
@@ -26,16 +26,16 @@ pub enum Quantity {
     AccelerationPsd,
     /// N^2/Hz, one-sided
     ForcePsd,
-    /// A response per input, in the quotient of their SI units
+    /// Response per input, in the quotient of their SI units
     Response,
-    /// A pure number
+    /// Pure number
     Number,
-    /// Not told: the values are as they stand in the file
+    /// Not given: the values are as in the file
     Unknown,
 }
 
 impl Quantity {
-    /// The SI unit of its values; empty where it has none of its own.
+    /// SI unit of the values; empty for quantities without a fixed unit.
     pub fn si_unit(self) -> &'static str {
         match self {
             Self::Acceleration => "m/s^2",

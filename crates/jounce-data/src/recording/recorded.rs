@@ -1,4 +1,4 @@
-//! A recording: channels over one grid.
+//! Recording: channels over one grid.
 
 use super::choose::named;
 use super::{Channel, Grid, Issue, Over};
@@ -6,35 +6,36 @@ use super::{Channel, Grid, Issue, Over};
 /// Channels of equal length over one grid of time or frequency.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Recording {
-    /// Its name: that of the file, with the number of the data set where a file holds several.
+    /// Name: the file name, with the number of the data set if the file contains several.
     pub name: String,
-    /// What the samples are taken over.
+    /// Independent variable of the samples.
     pub over: Over,
-    /// Where the samples lie, s or Hz.
+    /// Sample positions, s or Hz.
     pub grid: Grid,
-    /// The channels, each with one sample for each place of the grid.
+    /// Channels, each with one sample per grid position.
     pub channels: Vec<Channel>,
-    /// Everything that was noticed or done.
+    /// Data-quality issues and conversions.
     pub findings: Vec<Issue>,
 }
 
-/// A channel that a recording does not have.
+/// Error of a channel that does not exist.
 #[derive(Debug, Clone, PartialEq, thiserror::Error, serde::Serialize)]
-#[error("there is no channel {wanted:?} in {recording}; its channels are {}; a number from 1 will do too", channels.join(", "))]
+#[error("there is no channel {wanted:?} in {recording}; its channels are {}; a number from 1 is \
+    also accepted", channels.join(", "))]
 pub struct NoChannel {
-    /// What was asked for.
+    /// Requested channel.
     pub wanted: String,
     /// The recording.
     pub recording: String,
-    /// Its channels.
+    /// Existing channels.
     pub channels: Vec<String>,
 }
 
 impl Recording {
-    /// The channel of that name, or of that number from 1.
+    /// Returns the channel of a name, or of a number from 1.
     ///
     /// # Errors
-    /// No such channel; the error lists those that there are.
+    /// No such channel; the error lists the existing ones.
     pub fn channel(&self, wanted: &str) -> Result<&Channel, NoChannel> {
         Ok(&self.channels[named(&self.name, &self.heads(), wanted)?])
     }

@@ -1,31 +1,31 @@
-//! Numbers that can be gone through any number of times, wherever they lie.
+//! Number series that can be iterated repeatedly, in memory or on disk.
 
 use std::borrow::Cow;
 use std::convert::Infallible;
 
 use super::Grid;
 
-/// Numbers in each piece of a series, but for the last one.
+/// Numbers in each piece of a series except the last.
 pub const PIECE: usize = 4096;
 
-/// A series of numbers that is handed over piece by piece.
+/// Series of numbers, read piece by piece.
 pub trait Series {
-    /// What may go wrong where the numbers lie.
+    /// Error of reading.
     type Fault;
 
-    /// How many numbers there are.
+    /// Number of values.
     fn count(&self) -> usize;
 
-    /// The numbers from `index * PIECE` on, at most [`PIECE`] of them.
+    /// Returns the numbers from `index * PIECE`, at most [`PIECE`] of them.
     ///
     /// # Errors
-    /// The place where they lie cannot be read.
+    /// The numbers cannot be read.
     fn piece(&self, index: usize) -> Result<Cow<'_, [f64]>, Self::Fault>;
 
-    /// Hands over every number in order.
+    /// Passes every number to `take` in order.
     ///
     /// # Errors
-    /// As [`Series::piece`].
+    /// Those of [`Series::piece`].
     fn each(&self, mut take: impl FnMut(f64)) -> Result<(), Self::Fault>
     where
         Self: Sized,

@@ -1,41 +1,44 @@
-//! How even the stamps of samples are, found in a few passes over them.
+//! Detects uniform, rounded and missing stamps in a few passes.
 
 use super::corridor::Corridor;
 use super::digits::Digits;
 use super::{GridError, Issue, IssueKind, IssuePlace, PIECE, Series};
 
-/// Stamps closer to even places than this share of a step are even: their digits end there.
+/// Maximum deviation from the uniform grid, in steps, of stamps that are only rounded.
 const ROUNDED: f64 = 0.02;
-/// A step longer than this many usual steps is a gap.
+/// A step longer than this many typical steps is a gap.
 const GAP: f64 = 1.9;
-/// A step longer than this many usual steps is no late sample.
+/// A step longer than this many typical steps is not a late sample.
 const LONG_GAP: f64 = 5.0;
-/// A step shorter than this many usual steps is one step.
+/// A step shorter than this many typical steps is one step.
 const ONE_STEP: f64 = 1.5;
-/// Share of steps over places without a stamp beyond which no samples were lost, but the stamps have too few digits for the rate.
+/// Share of long steps above which the stamps have too few digits for the rate, rather than samples
+/// being lost.
 const RARE: f64 = 0.05;
 
-/// Long steps between equal ones that are lost samples, though stamps rounded to a whole step would have them too.
+/// Maximum number of long steps between equal ones that are read as lost samples, though rounded
+/// stamps would show them too.
 const FEW: usize = 2;
 
-/// Stamps that differ from even places by less than this share of a step are those places, and their roundoff.
+/// Maximum deviation from the uniform grid, in steps, that is roundoff.
 const EXACT: f64 = 1e-6;
 
-/// What stamps are.
+/// Result for stamps.
 pub(crate) enum Stamped {
-    /// Even places, with what was noticed: all stamps within the digits that they were printed with, or within 2 % of a step.
+    /// Uniform grid, with issues: all stamps agree within their printed digits, or within 2 % of a
+    /// step.
     Even {
         start: f64,
         step: f64,
         noticed: Vec<Issue>,
     },
-    /// Uneven ones, with what was noticed.
+    /// Uneven stamps, with issues.
     Uneven(Vec<Issue>),
 }
 
 impl Stamped {
-    /// Looks at stamps, in s or Hz by `unit`. Of steps that explain them all, `told` of a header wins. The inner error is one of the stamps, the outer
-    /// one of where they lie.
+    /// Analyses stamps, in s or Hz by `unit`. Among steps that explain all stamps, `told` from a
+    /// header is preferred. The inner error concerns the stamps, the outer one their storage.
     pub(crate) fn of<S: Series>(
         stamps: &S,
         told: Option<f64>,
@@ -76,8 +79,8 @@ impl Stamped {
     }
 }
 
-/// True where all steps are equal to the last digit but for one or two, which are multiples of the others. A stamp rounded to a whole step would
-/// explain a few of these too; three or more have to be evenly spread for that.
+/// True where all steps are equal to the last digit except one or two, which are multiples. Rounded
+/// stamps would also explain a few of these; three or more must be evenly spread for that.
 fn has_lost_samples<S: Series>(stamps: &S) -> Result<bool, S::Fault> {
     let usual = median_step(stamps)?;
     let (mut equal, mut long) = (true, 0);
@@ -89,7 +92,7 @@ fn has_lost_samples<S: Series>(stamps: &S) -> Result<bool, S::Fault> {
     Ok(equal && (1..=FEW).contains(&long) && long as f64 <= RARE * stamps.count() as f64)
 }
 
-/// The largest distance of a stamp from its even place, in steps.
+/// Maximum deviation of a stamp from the uniform grid, in steps.
 fn farthest_off<S: Series>(stamps: &S, start: f64, step: f64) -> Result<f64, S::Fault> {
     let (mut off, mut k) = (0.0, 0.0);
     stamps.each(|t| {
@@ -99,25 +102,25 @@ fn farthest_off<S: Series>(stamps: &S, start: f64, step: f64) -> Result<f64, S::
     Ok(off)
 }
 
-/// Even places that explain all stamps within their digits.
+/// Uniform grid that explains all stamps within their digits.
 struct EvenStamps {
     start: f64,
     step: f64,
-    /// Half the range of steps that would do.
+    /// Half the range of admissible steps.
     uncertain: f64,
-    /// The largest rounding of a stamp.
+    /// Maximum rounding error of a stamp.
     rounding: f64,
 }
 
-/// The even places behind rounded stamps, if there are any: those of the step `told` where it fits, else of the mean step, else of the middle of all
-/// steps that fit.
+/// Finds the uniform grid of rounded stamps, if there is one. The step is `told` if admissible,
+/// else the mean step, else the middle of the admissible range.
 fn even_places<S: Series>(
     stamps: &S,
     digits: &Digits,
     mean: (f64, f64),
     told: Option<f64>,
 ) -> Result<Option<EvenStamps>, S::Fault> {
-    // Distances from the places of the mean step keep their digits.
+    // Deviations from the grid of the mean step retain their digits.
     let (start, step) = mean;
     let (mut corridor, mut rounding, mut k) = (Corridor::default(), 0.0, 0.0);
     stamps.each(|t| {
@@ -142,7 +145,7 @@ fn even_places<S: Series>(
         most = f64::min(most, off + reach);
         k += 1.0;
     })?;
-    // The first stamp stays where it is if it may.
+    // Leave the first stamp unchanged if admissible.
     let shift = if (least..=most).contains(&0.0) {
         0.0
     } else {
@@ -157,7 +160,7 @@ fn even_places<S: Series>(
 }
 
 impl EvenStamps {
-    /// Stamps that were rounded by more than a small share of a step say so.
+    /// Reports stamps rounded by more than a small share of a step.
     fn stamped(self, count: usize, unit: &str) -> Stamped {
         let Self {
             start,
@@ -167,7 +170,8 @@ impl EvenStamps {
         } = self;
         let share = 200.0 * rounding / step;
         let about = format!(
-            "the stamps are rounded to {:.1e} {unit}, {share:.3} % of a step; even places explain them all: a step of {step:.9e} {unit}, within {:.1e}",
+            "the stamps are rounded to {:.1e} {unit}, {share:.3} % of a step; a uniform grid \
+            explains them all: a step of {step:.9e} {unit}, within {:.1e}",
             2.0 * rounding,
             uncertain / step
         );
@@ -184,7 +188,7 @@ impl EvenStamps {
     }
 }
 
-/// The first and the last stamp of stamps that are numbers and never go back.
+/// Returns the first and the last stamp, after a check that all are numbers and do not decrease.
 fn checked<S: Series>(stamps: &S) -> Result<Result<(f64, f64), GridError>, S::Fault> {
     let count = stamps.count();
     if count < 2 {
@@ -215,7 +219,7 @@ fn checked<S: Series>(stamps: &S) -> Result<Result<(f64, f64), GridError>, S::Fa
     Ok(none.or(back).map_or(Ok((first, before)), Err))
 }
 
-/// Hands over each step with the number of the sample at its end.
+/// Passes each step to `take` with the index of the sample at its end.
 fn steps<S: Series>(stamps: &S, mut take: impl FnMut(usize, f64)) -> Result<(), S::Fault> {
     let (mut number, mut before) = (0, 0.0);
     stamps.each(|t| {
@@ -227,8 +231,8 @@ fn steps<S: Series>(stamps: &S, mut take: impl FnMut(usize, f64)) -> Result<(), 
     })
 }
 
-/// The middle of all steps, which are at least one and none below 0: a gap does not move it. Doubles at or above 0 are in the order of
-/// their bits, so that four counts of sixteen bits each find it without a copy.
+/// Median of all steps (at least one, none negative): gaps do not affect it. Nonnegative doubles
+/// are ordered like their bits, so four counts of sixteen bits each find it without a copy.
 fn median_step<S: Series>(stamps: &S) -> Result<f64, S::Fault> {
     let (mut rank, mut high) = (stamps.count().saturating_sub(1) / 2, 0);
     for shift in [48u32, 32, 16, 0] {
@@ -249,17 +253,17 @@ fn median_step<S: Series>(stamps: &S) -> Result<f64, S::Fault> {
     Ok(f64::from_bits(high))
 }
 
-/// Even places at which all stamps lie, some places without a stamp.
+/// Uniform grid that contains all stamps, with some empty positions.
 pub(crate) struct StampsWithGaps {
-    /// The distance of the places.
+    /// Spacing of the grid.
     pub step: f64,
-    /// Places without a stamp.
+    /// Number of positions without a stamp.
     pub missing: usize,
 }
 
 impl StampsWithGaps {
-    /// The places of stamps that lie within their digits or 2 % of a step of them, each at a place of its own, and few places empty; none where
-    /// there are no such places.
+    /// Finds a uniform grid in which each stamp has its own position within its digits or 2 % of a
+    /// step, and few positions are empty. `None` if there is no such grid.
     pub(crate) fn of<S: Series>(stamps: &S) -> Result<Option<Self>, S::Fault> {
         Self::about(stamps, median_step(stamps)?, &Digits::of(stamps)?)
     }
@@ -285,7 +289,7 @@ impl StampsWithGaps {
             .last()
             .copied()
             .unwrap_or(0.0);
-        // The first stamp and the last one are rounded too.
+        // The first and the last stamp are rounded too.
         let rounding = 2.0 * digits.rounding(last);
         steps(stamps, |_, passed| {
             at += passed;
@@ -301,13 +305,13 @@ impl StampsWithGaps {
     }
 }
 
-/// How many places a step passes.
+/// Number of grid positions that a step spans.
 fn places_passed(step: f64, near: f64) -> f64 {
     (step / near).round()
 }
 
-/// The distance of the even places at which all stamps lie; where there are none the mean of all steps but those of long gaps: a median would
-/// follow the digits of coarse stamps.
+/// Step of the uniform grid that contains all stamps; without one, the mean step without long gaps.
+/// A median would follow the digits of coarse stamps.
 pub(crate) fn usual_step<S: Series>(stamps: &S) -> Result<f64, S::Fault> {
     let median = median_step(stamps)?;
     match StampsWithGaps::about(stamps, median, &Digits::of(stamps)?)? {
@@ -316,7 +320,7 @@ pub(crate) fn usual_step<S: Series>(stamps: &S) -> Result<f64, S::Fault> {
     }
 }
 
-/// Mean of the steps below a length; NaN where there are none.
+/// Mean of the steps below a length; NaN if there are none.
 fn mean_below<S: Series>(stamps: &S, most: f64) -> Result<f64, S::Fault> {
     let (mut sum, mut count) = (0.0, 0.0);
     steps(stamps, |_, step| {
@@ -341,7 +345,7 @@ fn mean_step<S: Series>(stamps: &S, median: f64) -> Result<f64, S::Fault> {
     Ok((last - first.unwrap_or(f64::NAN)) / stamps.count().saturating_sub(1) as f64)
 }
 
-/// How often, and at which sample first.
+/// Count and first sample.
 #[derive(Default)]
 struct StampTally(usize, Option<usize>);
 
@@ -382,7 +386,8 @@ fn oddities<S: Series>(stamps: &S, digits: &Digits, unit: &str) -> Result<Vec<Is
     })?;
     if let Some(StampsWithGaps { step, missing }) = holed {
         let about = format!(
-            "samples are missing, {missing} in all: a step of up to {longest:.6e} {unit} where {step:.6e} {unit} is usual; all others are even"
+            "samples are missing, {missing} in all: a step of up to {longest:.6e} {unit} where \
+            {step:.6e} {unit} is usual; all others are uniform"
         );
         return Ok(vec![gaps.finding(IssueKind::Gap, about)]);
     }
@@ -394,7 +399,7 @@ fn oddities<S: Series>(stamps: &S, digits: &Digits, unit: &str) -> Result<Vec<Is
     let missing = format!(
         "samples are missing: a step of up to {longest:.6e} {unit} where {usual:.6e} {unit} is usual"
     );
-    let again = "the stamp is that of the sample before".to_owned();
+    let again = "the stamp equals the stamp of the previous sample".to_owned();
     let found = [
         (uneven, IssueKind::Jitter, jitter),
         (gaps, IssueKind::Gap, missing),
@@ -411,7 +416,7 @@ fn oddities<S: Series>(stamps: &S, digits: &Digits, unit: &str) -> Result<Vec<Is
 mod tests {
     use super::*;
 
-    /// Against sorting all steps.
+    /// Compares with sorting all steps.
     #[test]
     fn the_median_by_counts_is_that_of_sorted_steps() {
         let mut stamps = vec![0.0];

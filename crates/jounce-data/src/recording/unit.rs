@@ -1,7 +1,7 @@
-//! Units as instruments write them, to SI.
+//! Converts units in instrument notation to SI.
 //!
-//! The grammar of units is that of the specs ([`jounce_units::Quantity`]); this file adds the spellings and the customary units that
-//! recordings bring.
+//! The specs define the unit grammar ([`jounce_units::Quantity`]); this file adds the spellings and
+//! the customary units found in recordings.
 
 use std::borrow::Cow;
 
@@ -9,18 +9,18 @@ use jounce_units::Quantity as Spec;
 
 use super::Quantity;
 
-/// A unit that was understood.
+/// Parsed unit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Unit {
-    /// What it measures.
+    /// Measured quantity.
     pub quantity: Quantity,
-    /// The SI unit that values get.
+    /// SI unit of the converted values.
     pub si: Cow<'static, str>,
-    /// A value times this is in SI.
+    /// Factor that converts values to SI.
     pub factor: f64,
 }
 
-/// Quantities in the order in which a unit is tried: `g` alone is an acceleration, never a gram.
+/// Quantities in the order of trial: `g` alone is an acceleration, never a gram.
 const KNOWN: [(Quantity, Spec, &str); 11] = [
     (Quantity::Acceleration, Spec::Acceleration, "m/s^2"),
     (
@@ -34,13 +34,13 @@ const KNOWN: [(Quantity, Spec, &str); 11] = [
     (Quantity::ForcePsd, Spec::ForcePsd, "N^2/Hz"),
     (Quantity::Voltage, Spec::Voltage, "V"),
     (Quantity::Pressure, Spec::Pressure, "Pa"),
-    // Seconds and hertz are told apart by dimension.
+    // Seconds and hertz differ in dimension.
     (Quantity::Time, Spec::Time, "s"),
     (Quantity::Frequency, Spec::Frequency, "Hz"),
     (Quantity::Response, Spec::Stiffness, "N/m"),
 ];
 
-/// Units that are no SI: spelling in small letters, quantity, SI unit, factor (NIST SP 811, appendix B.8).
+/// Units outside SI: spelling in lower case, quantity, SI unit, factor (NIST SP 811, appendix B.8).
 const CUSTOMARY: [(&[&str], Quantity, &str, f64); 12] = [
     (
         &["lbf", "lb", "lbs", "pound", "pounds", "pound-force"],
@@ -76,13 +76,13 @@ const CUSTOMARY: [(&[&str], Quantity, &str, f64); 12] = [
         "m/s^2",
         0.3048,
     ),
-    // Never a milligram, as g is no gram.
+    // Never a milligram, because g is not a gram.
     (&["mg"], Quantity::Acceleration, "m/s^2", 9.806_65e-3),
     (&["psi"], Quantity::Pressure, "Pa", 6_894.757_293_168),
     (&["gal", "gals"], Quantity::Acceleration, "m/s^2", 0.01),
 ];
 
-/// Whole words for symbols, in small letters.
+/// Words for unit symbols, in lower case.
 const WORDS: [(&str, &str); 15] = [
     ("volts", "V"),
     ("volt", "V"),
@@ -101,7 +101,7 @@ const WORDS: [(&str, &str); 15] = [
     ("m/sec^2", "m/s^2"),
 ];
 
-/// Raised characters and what they stand for.
+/// Superscript characters and their meaning.
 const RAISED: [(char, char); 5] = [
     ('\u{207b}', '-'),
     ('\u{b9}', '1'),
@@ -110,7 +110,7 @@ const RAISED: [(char, char); 5] = [
     ('\u{2074}', '4'),
 ];
 
-/// What may stand above and below the line of a response.
+/// Quantities allowed in the numerator and denominator of a response.
 const PARTS: [Quantity; 6] = [
     Quantity::Acceleration,
     Quantity::Velocity,
@@ -121,11 +121,12 @@ const PARTS: [Quantity; 6] = [
 ];
 
 impl Unit {
-    /// The unit of a text as instruments write it (`m/s2`, `m/s²`, `Pounds`, `[g]`, `cm/s/s`, `g/N`); none where it is not known.
+    /// Parses a unit in instrument notation (`m/s2`, `m/s²`, `Pounds`, `[g]`, `cm/s/s`, `g/N`);
+    /// `None` if unknown.
     pub fn read(text: &str) -> Option<Self> {
         Self::plain(text).or_else(|| {
             let (above, below) = Self::quotient(text)?;
-            // What is below the line takes brackets where it is a quotient itself.
+            // A denominator that is a quotient itself gets brackets.
             let si = if below.si.contains('/') {
                 format!("{}/({})", above.si, below.si)
             } else {
@@ -139,17 +140,17 @@ impl Unit {
         })
     }
 
-    /// What stands above the line in the unit of a response: an acceleration in `m/s^2/N`.
+    /// Numerator of the unit of a response: an acceleration in `m/s^2/N`.
     pub fn responds(text: &str) -> Option<Quantity> {
         Self::quotient(text).map(|(above, _)| above.quantity)
     }
 
-    /// What stands below the line in the unit of a response: a force in `m/s^2/N`.
+    /// Denominator of the unit of a response: a force in `m/s^2/N`.
     pub fn per(text: &str) -> Option<Quantity> {
         Self::quotient(text).map(|(_, below)| below.quantity)
     }
 
-    /// The unit of one quantity.
+    /// Parses the unit of one quantity.
     fn plain(text: &str) -> Option<Self> {
         let plain = spelled(text);
         let small = plain.to_lowercase();
@@ -174,7 +175,8 @@ impl Unit {
         KNOWN.iter().find_map(known)
     }
 
-    /// The units above and below the line: `A/B`, the last line that has one on each side, or `(1/B)*(A)`, as some analysers write it.
+    /// Splits a quotient into numerator and denominator: `A/B` at the last valid slash, or
+    /// `(1/B)*(A)`, as some analysers write it.
     fn quotient(text: &str) -> Option<(Self, Self)> {
         let bare = unbracketed(text);
         let part = |text: &str| Self::plain(text).filter(|unit| PARTS.contains(&unit.quantity));
@@ -192,13 +194,13 @@ impl Unit {
         divided().or_else(|| bare.match_indices(['*', '\u{b7}']).find_map(product))
     }
 
-    /// True where values change by the conversion, or the unit is no SI.
+    /// True where the conversion changes values, or the unit is not SI.
     pub fn converts(&self) -> bool {
         self.factor != 1.0
     }
 }
 
-/// The text without the brackets around all of it.
+/// Removes brackets around the complete text.
 pub(crate) fn unbracketed(text: &str) -> &str {
     let bare = text.trim();
     let inside = [('[', ']'), ('(', ')')].iter().find_map(|(open, close)| {
@@ -214,7 +216,7 @@ pub(crate) fn unbracketed(text: &str) -> &str {
     inside.map_or(bare, unbracketed)
 }
 
-/// The text without brackets around it and with plain powers.
+/// Removes brackets around the text and superscripts.
 fn spelled(text: &str) -> String {
     let mut plain = plain_powers(unbracketed(text))
         .replace("**", "^")
@@ -237,7 +239,7 @@ fn spelled(text: &str) -> String {
     plain
 }
 
-/// The text with `^` and digits for what is raised: `s^-2` for `s⁻²`.
+/// Writes superscripts with `^` and digits: `s^-2` for `s⁻²`.
 fn plain_powers(text: &str) -> String {
     let (mut plain, mut raised) = (String::new(), false);
     for c in text.chars() {
@@ -306,7 +308,7 @@ mod tests {
         }
     }
 
-    /// The quotient of two factors of NIST SP 811, appendix B.8, and what stands above the line.
+    /// The quotient of two factors of NIST SP 811, appendix B.8, and the quantity of the numerator.
     #[test]
     fn units_of_responses_are_understood_and_their_si_unit_reads_back() {
         let cases = [

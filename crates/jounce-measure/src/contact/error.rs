@@ -1,6 +1,6 @@
-//! Why a pulse tells nothing.
+//! Errors of fitting a contact law.
 
-/// A pulse that no law is fitted to.
+/// Error of a pulse to which no law can be fitted.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error, serde::Serialize)]
 #[serde(untagged)]
 pub enum ContactError {
@@ -14,15 +14,15 @@ pub enum ContactError {
         /// Samples needed.
         needed: usize,
     },
-    /// A hammer without mass.
+    /// The hammer mass is not positive.
     #[error("the mass of the hammer is {mass_kg} kg; it must be a finite number > 0")]
     Mass {
-        /// The mass, kg.
+        /// Mass, kg.
         mass_kg: f64,
     },
     /// The fit does not converge.
     #[error(
-        "no law of contact follows this pulse: the fit does not converge; is the pulse one single hit?"
+        "no contact law fits this pulse: the fit does not converge; is the pulse a single hit?"
     )]
     NoFit,
 }

@@ -1,4 +1,5 @@
-//! Stiffness of a fitted pulse, whatever its exponent, and the laws of given exponents that a pulse allows.
+//! Stiffness of a fitted pulse for any exponent, and the laws of fixed exponent that a pulse
+//! allows.
 
 use nalgebra::{DMatrix, DVector};
 use serde::Serialize;
@@ -8,25 +9,25 @@ use super::pulse::{QUANTILE_95, minimised};
 use super::{ContactError, PulseShape};
 use crate::spectral::Hit;
 
-/// A law whose exponent is held, fitted to the same pulse.
+/// Contact law with a fixed exponent, fitted to the same pulse.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct FixedExponentLaw {
-    /// Its exponent: 1 for a linear spring, 1.5 for Hertz.
+    /// Exponent: 1 for a linear spring, 1.5 for Hertz.
     pub exponent: f64,
-    /// Speed after over speed before.
+    /// Coefficient of restitution.
     pub restitution: f64,
-    /// Stiffness, N/m^exponent, for the mass of the hammer; none without a mass.
+    /// Stiffness, N/m^exponent, for the mass of the hammer; `None` without a mass.
     pub stiffness: Option<f64>,
-    /// Ends of its interval of 95 %; none without a mass.
+    /// Confidence interval of the stiffness, 95 %; `None` without a mass.
     pub stiffness_95: Option<(f64, f64)>,
-    /// Speed at which the hammer came, m/s; none without a mass.
+    /// Approach velocity of the hammer, m/s; `None` without a mass.
     pub speed_m_s: Option<f64>,
-    /// Rms of what the law leaves over the peak force.
+    /// RMS residual of the law relative to the peak force.
     pub relative_error: f64,
 }
 
 impl FixedExponentLaw {
-    /// Fits the law of an exponent.
+    /// Fits the law with a given exponent.
     pub(super) fn of(
         exponent: f64,
         (time_s, force_n): (&[f64], &[f64]),
@@ -48,7 +49,7 @@ impl FixedExponentLaw {
     }
 }
 
-/// Covariance of the unknowns of a fit, each over its size, by what is left over.
+/// Covariance of the scaled unknowns of a fit, estimated from the residuals.
 pub(super) fn covariance(
     problem: &PulseProblem<'_>,
     squared: f64,
@@ -61,18 +62,18 @@ pub(super) fn covariance(
         * (squared / freedom))
 }
 
-/// Rms of what a fit leaves over the peak force.
+/// RMS residual of a fit relative to the peak force.
 pub(super) fn relative_error(squared: f64, time_s: &[f64], hit: &Hit) -> f64 {
     (squared / time_s.len() as f64).sqrt() / hit.peak_force_n
 }
 
-/// Speed of the hammer, m/s.
+/// Approach velocity of the hammer, m/s.
 pub(super) fn speed_m_s(problem: &PulseProblem<'_>, mass_kg: f64) -> f64 {
     let [_, unit_s, unit_n, ..] = problem.parameters(&problem.unknowns);
     unit_n * unit_s / mass_kg
 }
 
-/// Stiffness for a mass of the hammer: `ln k = n ln m + (1 - n) ln F0 - 2 n ln T0`.
+/// Stiffness for a given hammer mass: `ln k = n ln m + (1 - n) ln F0 - 2 n ln T0`.
 pub(super) struct Stiffness {
     /// N/m^n
     pub value: f64,
@@ -85,7 +86,8 @@ impl Stiffness {
         let [_, unit_s, unit_n, exponent, _] = problem.parameters(&problem.unknowns);
         let value =
             mass_kg.powf(exponent) * unit_n.powf(1.0 - exponent) * unit_s.powf(-2.0 * exponent);
-        // Slopes of ln k over start, unit of time, unit of force, the exponent where it is free, and damping.
+        // Derivatives of ln k by start, unit of time, unit of force, the exponent where it is free,
+        // and damping.
         let mut slope = vec![0.0, -2.0 * exponent / unit_s, (1.0 - exponent) / unit_n];
         slope.extend(
             problem
@@ -101,7 +103,7 @@ impl Stiffness {
         }
     }
 
-    /// Ends of the interval of 95 %.
+    /// Confidence interval, 95 %.
     pub fn interval_95(&self) -> (f64, f64) {
         let reach = QUANTILE_95 * self.relative_deviation;
         (self.value * (-reach).exp(), self.value * reach.exp())

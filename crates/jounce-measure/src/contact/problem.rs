@@ -1,4 +1,4 @@
-//! The fit of a pulse as a least-squares problem.
+//! Pulse fit as a least-squares problem.
 
 use levenberg_marquardt::LeastSquaresProblem;
 use nalgebra::storage::Owned;
@@ -6,26 +6,28 @@ use nalgebra::{DMatrix, DVector, Dyn};
 
 use super::PulseShape;
 
-/// Unknowns: start (s), unit of time (s), force unit (N), then the exponent where it is free, then the damping; each over its first guess.
+/// Least-squares problem with the unknowns start (s), unit of time (s), force unit (N), exponent if
+/// free, and damping, each scaled by its initial guess.
 #[derive(Clone)]
 pub(super) struct PulseProblem<'a> {
     pub time_s: &'a [f64],
     pub force_n: &'a [f64],
-    /// The exponent where it is held.
+    /// Exponent, if fixed.
     pub exponent: Option<f64>,
-    /// Size of each unknown.
+    /// Scale of each unknown.
     pub scale: Vec<f64>,
     pub unknowns: DVector<f64>,
 }
 
-/// Share of an unknown's size by which it is moved for a derivative.
+/// Relative step of an unknown for finite differences.
 const DIFFERENCE_SHARE: f64 = 1e-4;
 const EXPONENTS: (f64, f64) = (0.5, 5.0);
-/// Below 0 the body would gain speed: noise around a lossless contact must be free to go there, or the fit would end on an edge.
+/// Below 0 the body would gain speed. Noise on a lossless contact needs this range, or the fit
+/// would end at a bound.
 const DAMPINGS: (f64, f64) = (-0.5, 20.0);
 
 impl PulseProblem<'_> {
-    /// Start, unit of time, unit of force, exponent, damping.
+    /// Returns start, unit of time, unit of force, exponent, damping.
     pub fn parameters(&self, unknowns: &DVector<f64>) -> [f64; 5] {
         let value = |k: usize| unknowns[k] * self.scale[k];
         match self.exponent {

@@ -1,4 +1,4 @@
-//! A law of contact fitted to a pulse.
+//! Fit of a contact law to a pulse.
 
 use jounce::signal::Samples;
 use levenberg_marquardt::LevenbergMarquardt;
@@ -10,44 +10,47 @@ use super::problem::PulseProblem;
 use super::{ContactError, FixedExponentLaw, PulseShape};
 use crate::spectral::Hit;
 
-/// A law of contact with its uncertainty, as standard deviations.
+/// Contact law with its uncertainty, as standard deviations.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct ContactFit {
-    /// Time in contact of the law, from touch to parting, s; that of a hit above a tenth of its peak is shorter.
+    /// Contact duration of the law, from touch to separation, s; longer than the time of a hit
+    /// above a tenth of its peak.
     pub contact_time_s: f64,
     /// Exponent of the law: 1 for a linear spring, 1.5 for Hertz.
     pub exponent: f64,
-    /// Its deviation.
+    /// Standard deviation of the exponent.
     pub exponent_deviation: f64,
-    /// Speed after over speed before.
+    /// Coefficient of restitution.
     pub restitution: f64,
-    /// Its deviation.
+    /// Standard deviation of the restitution.
     pub restitution_deviation: f64,
-    /// Stiffness, N/m^exponent, for the mass of the hammer; none without a mass.
+    /// Stiffness, N/m^exponent, for the mass of the hammer; `None` without a mass.
     pub stiffness: Option<f64>,
-    /// Standard deviation of the logarithm of the stiffness, that of exponent and units together; none without a mass.
+    /// Standard deviation of the logarithm of the stiffness, including exponent and units; `None`
+    /// without a mass.
     pub stiffness_relative_deviation: Option<f64>,
-    /// Ends of the interval of 95 % of the stiffness, N/m^exponent with the fitted exponent; none without a mass.
+    /// Confidence interval of the stiffness, 95 %, in N/m^exponent with the fitted exponent; `None`
+    /// without a mass.
     pub stiffness_95: Option<(f64, f64)>,
-    /// Speed at which the hammer came, m/s; none without a mass.
+    /// Approach velocity of the hammer, m/s; `None` without a mass.
     pub speed_m_s: Option<f64>,
-    /// Rms of what the law leaves over the peak force.
+    /// RMS residual of the law relative to the peak force.
     pub relative_error: f64,
-    /// What the pulse tells about the law.
+    /// Laws that the pulse allows.
     pub told: AllowedLaws,
-    /// The same pulse under a linear spring; none where the pulse does not allow it.
+    /// Fit of a linear spring; `None` where the pulse does not allow it.
     pub linear: Option<FixedExponentLaw>,
-    /// The same pulse under Hertz's law; none where the pulse does not allow it.
+    /// Fit of Hertz's law; `None` where the pulse does not allow it.
     pub hertz: Option<FixedExponentLaw>,
-    /// Where the fitted pulse lies and how large its units are.
+    /// Start and units of the fitted pulse.
     #[serde(skip)]
     pub units: PulseUnits,
 }
 
-/// A fitted pulse in time and force.
+/// Start and units of a fitted pulse.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PulseUnits {
-    /// Its begin, s from the first sample of the record.
+    /// Start, s from the first sample of the record.
     pub start_s: f64,
     /// Unit of time, s.
     pub unit_s: f64,
@@ -58,17 +61,17 @@ pub struct PulseUnits {
 }
 
 impl ContactFit {
-    /// Half of the interval of 95 % of the exponent.
+    /// Half-width of the 95 % confidence interval of the exponent.
     pub fn exponent_half_width(&self) -> f64 {
         QUANTILE_95 * self.exponent_deviation
     }
 
-    /// Half of the interval of 95 % of the restitution.
+    /// Half-width of the 95 % confidence interval of the restitution.
     pub fn restitution_half_width(&self) -> f64 {
         QUANTILE_95 * self.restitution_deviation
     }
 
-    /// The force of the law at times of the record, N.
+    /// Force of the law at times of the record, N.
     pub fn force_n(&self, time_s: &[f64]) -> Vec<f64> {
         let shape = PulseShape::new(self.exponent, self.units.damping);
         time_s
@@ -78,7 +81,7 @@ impl ContactFit {
     }
 }
 
-/// Which laws a pulse allows, at 95 %.
+/// Laws that a pulse allows, at 95 %.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum AllowedLaws {
@@ -88,20 +91,20 @@ pub enum AllowedLaws {
     Linear,
     /// Hertz's law, not the linear spring.
     Hertz,
-    /// Both: the data cannot tell them apart.
+    /// Both: the data do not distinguish them.
     Both,
 }
 
-/// Unknowns of the fit with a free exponent, and a sample for the noise.
+/// Unknowns of the fit with a free exponent, plus one sample for the noise.
 const MIN_SAMPLES: usize = 6;
-/// Samples beside the pulse that are fitted as well, as a share of it.
+/// Samples before and after the pulse that are also fitted, relative to its length.
 const MARGIN_SHARE: f64 = 0.25;
 pub(super) const QUANTILE_95: f64 = 1.959_963_984_540_054;
 
-/// Fits the law to one hit of a record of force. The body is taken to stand still during the contact.
+/// Fits the law to one hit of a force record. The body is assumed stationary during the contact.
 ///
 /// # Errors
-/// A pulse of too few samples, a mass that is not positive, a pulse that no law follows.
+/// A pulse of too few samples, a mass that is not positive, a pulse that no law fits.
 pub fn fit(
     force: &Samples<'_>,
     hit: &Hit,
@@ -172,7 +175,7 @@ fn told(exponent: f64, deviation: f64) -> AllowedLaws {
     }
 }
 
-/// The best fit, from a guess that has the peak and the length of the hit, and its squared error.
+/// Returns the best fit and its squared error, from a guess with the peak and length of the hit.
 pub(super) fn minimised<'a>(
     time_s: &'a [f64],
     force_n: &'a [f64],
@@ -180,7 +183,7 @@ pub(super) fn minimised<'a>(
     exponent: Option<f64>,
 ) -> Result<(PulseProblem<'a>, f64), ContactError> {
     let mut best: Option<(PulseProblem<'a>, f64)> = None;
-    // The damping's guess decides on which side of a nearly symmetrical pulse the fit begins.
+    // The initial damping decides on which side of a nearly symmetrical pulse the fit begins.
     for (guess, damping) in [(1.5, 0.1), (1.5, 0.6), (2.5, 0.3)] {
         let guess = exponent.unwrap_or(guess);
         let shape = PulseShape::new(guess, damping);
@@ -247,8 +250,8 @@ mod tests {
         fit(&samples, &found[0], Some(0.1)).unwrap()
     }
 
-    /// With hardly any noise (1e-6 N beside a peak of hundreds) the parameters come back; measured: exponent 4e-9, restitution 1e-9,
-    /// stiffness 4e-8, speed 4e-10.
+    /// With hardly any noise (1e-6 N at a peak of hundreds) the fit recovers the parameters;
+    /// measured: exponent 4e-9, restitution 1e-9, stiffness 4e-8, speed 4e-10.
     #[test]
     fn a_pulse_of_a_known_law_gives_the_law_back() {
         for (exponent, damping) in [(1.5, 0.3), (1.0, 0.2), (2.2, 0.5), (1.0, 0.0), (1.5, 0.0)] {
@@ -271,8 +274,9 @@ mod tests {
         }
     }
 
-    /// The laws that a pulse allows, each with its own stiffness: with hardly any noise only the true one, and its stiffness comes back; where the
-    /// pulse cannot tell them apart both, neither of which is told as closely by a free exponent.
+    /// Each law that a pulse allows has its own stiffness. With hardly any noise only the true law
+    /// is allowed, and the fit recovers its stiffness. If the pulse does not distinguish them, both
+    /// are allowed, each with a narrower interval than under a free exponent.
     #[test]
     fn every_law_that_a_pulse_allows_has_its_stiffness() {
         for (exponent, is_linear) in [(1.0, true), (1.5, false)] {
@@ -329,7 +333,8 @@ mod tests {
         );
     }
 
-    /// With noise the truth lies within 1.96 deviations as often as it should: 95 +- 4 % of 150 trials; measured 96 %.
+    /// With noise the truth lies within 1.96 deviations at the nominal rate: 95 +- 4 % of 150
+    /// trials; measured 96 %.
     #[test]
     fn stated_deviations_hold_the_truth() {
         let inside = (0..150).filter(|seed| {
@@ -340,7 +345,8 @@ mod tests {
         assert!((0.91..=0.99).contains(&share), "{share}");
     }
 
-    /// Of the stiffness, the exponent and the restitution alike, and of the stiffness under the true law: 95 +- 4 % of 150 trials each.
+    /// Coverage of stiffness, exponent and restitution, and of the stiffness under the true law: 95
+    /// +- 4 % of 150 trials each.
     #[test]
     fn intervals_hold_the_truth() {
         let (mut inside, mut held_inside, mut allowed) = ([0.0; 3], 0.0, 0.0);

@@ -1,25 +1,26 @@
-//! The shape of a pulse: the law of contact in units of the pulse.
+//! Pulse shape: the contact law in units of the pulse.
 
-/// The pulse of one exponent and one damping, in units of the pulse.
+/// Pulse of one exponent and one damping, in units of the pulse.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PulseShape {
-    /// Force at even times.
+    /// Force at uniformly spaced times.
     force: Vec<f64>,
-    /// Distance of those times.
+    /// Time step.
     step: f64,
     /// End of the contact.
     pub length: f64,
-    /// Speed at the end over speed at the start.
+    /// Ratio of the final speed to the initial speed.
     pub restitution: f64,
 }
 
 /// Steps of a lossless contact.
 const LOSSLESS_STEPS: f64 = 400.0;
-/// No contact lasts longer than this in its own unit.
+/// Maximum contact duration in units of the pulse.
 const MAX_DURATION: f64 = 30.0;
 
 impl PulseShape {
-    /// `x'' = -x^n (1 + c x')` from `x = 0`, `x' = 1` until `x` returns to 0, by the classical Runge-Kutta method; the force is never pulling.
+    /// Integrates `x'' = -x^n (1 + c x')` from `x = 0`, `x' = 1` until `x` returns to 0, by the
+    /// classical Runge-Kutta method; negative forces are set to 0.
     pub fn new(exponent: f64, damping: f64) -> Self {
         let law = |x: f64, v: f64| (x.max(0.0).powf(exponent) * (1.0 + damping * v)).max(0.0);
         let step = std::f64::consts::PI / LOSSLESS_STEPS;
@@ -56,7 +57,7 @@ impl PulseShape {
         }
     }
 
-    /// Force at a time, by straight lines; 0 outside of the contact.
+    /// Force at a time, interpolated linearly; 0 outside of the contact.
     pub fn at(&self, time: f64) -> f64 {
         if !(0.0..self.length).contains(&time) {
             return 0.0;
@@ -67,7 +68,7 @@ impl PulseShape {
         value(k) + share * (value(k + 1) - value(k))
     }
 
-    /// Largest force and when.
+    /// Peak force and its time.
     pub fn peak(&self) -> (f64, f64) {
         let highest = (0..self.force.len())
             .max_by(|a, b| self.force[*a].total_cmp(&self.force[*b]))
@@ -81,8 +82,9 @@ mod tests {
     use super::*;
     use std::f64::consts::PI;
 
-    /// A linear spring gives a half sine of length pi; Hertz's contact lasts 2.943275 times depth over speed, which is 3.2181 units of the pulse
-    /// (Goldsmith 1960: T = 2.943275 d/v, d = (1.25)^0.4 units). Measured: lengths 3e-11 and 3e-9, force 9e-7 relative.
+    /// A linear spring gives a half sine of length pi; Hertz's contact lasts 2.943275 times depth
+    /// over speed, which is 3.2181 units of the pulse (Goldsmith 1960: T = 2.943275 d/v, d =
+    /// (1.25)^0.4 units). Measured: lengths 3e-11 and 3e-9, force 9e-7 relative.
     #[test]
     fn linear_and_hertzian_pulses_are_the_known_ones() {
         let linear = PulseShape::new(1.0, 0.0);
@@ -103,9 +105,10 @@ mod tests {
         assert!((hertz.peak().0 / 1.25_f64.powf(0.6) - 1.0).abs() < 1e-5);
     }
 
-    /// The approach returns to zero, so that the centre of the impulse tells the restitution; and the closed form of Hunt and Crossley's law
-    /// relates it to the damping: e + ln(1 - c..): both independent of the exponent. Measured: closed form 4e-6,
-    /// centre 1e-5 (both for the linear spring, whose force jumps at the end).
+    /// The approach returns to zero, so the impulse centre gives the restitution. The closed form
+    /// of Hunt and Crossley's law relates it to the damping: e + ln(1 - c..). Both are independent
+    /// of the exponent. Measured: closed form 4e-6, centre 1e-5 (both for the linear spring, whose
+    /// force jumps at the end).
     #[test]
     fn restitution_is_that_of_the_closed_form_and_of_the_centre() {
         for (exponent, damping) in [(1.0, 0.2), (1.5, 0.2), (1.5, 0.6), (2.5, 0.6)] {

@@ -4,8 +4,9 @@ use jounce::picture::{Along, Axis, Colour, Figure, Line, Marker, Panel, Series};
 
 use crate::fit::{FitResult, FittedCurve, FittedFeature};
 
-/// Relative error of every feature before and after, in percent, upright lines being the intervals of 95 % of the measurement; every measured
-/// curve with that of the model before and after, and the interval of 95 % of a further measurement.
+/// Plots the relative error of every feature before and after, in percent, with vertical lines for
+/// the 95 % confidence intervals of the measurement. Each measured curve is shown with the model
+/// before and after, and the 95 % prediction interval.
 pub fn fitted(title: &str, answer: &FitResult) -> Figure {
     let mut panels = Vec::new();
     if !answer.features.is_empty() {

@@ -2,26 +2,27 @@
 
 use jounce::picture::{Axis, Colour, Figure, Line, Marker, Panel, Series};
 
-/// The mean power of one record.
+/// Mean power of one record.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LoadPoint {
-    /// Resistance of the load, ohm.
+    /// Load resistance, ohm.
     pub resistance_ohm: f64,
     /// Mean power, in the unit of the figure.
     pub power: f64,
-    /// Half the width of its interval of 95 %.
+    /// Half-width of its 95 % confidence interval.
     pub half_width: f64,
 }
 
-/// Mean power over resistance (logarithmic axis); `unit` is `W`, or `W/(m/s^2)^2` where it is divided by the mean square of the base's
-/// acceleration. Intervals of 95 % are upright lines.
+/// Plots mean power over resistance (logarithmic axis) with vertical lines for the 95 % confidence
+/// intervals. `unit` is `W`, or `W/(m/s^2)^2` for power divided by the mean square of the base
+/// acceleration.
 pub fn power_over_load(title: &str, unit: &str, points: &[LoadPoint]) -> Figure {
     let mut sorted = points.to_vec();
     sorted.sort_by(|a, b| a.resistance_ohm.total_cmp(&b.resistance_ohm));
     let resistance: Vec<f64> = sorted.iter().map(|point| point.resistance_ohm).collect();
     let power: Vec<f64> = sorted.iter().map(|point| point.power).collect();
     let upright = |point: &LoadPoint| {
-        // A gap behind each line parts it from the next one.
+        // A gap after each line separates it from the next one.
         [
             (point.power - point.half_width),
             (point.power + point.half_width),

@@ -1,4 +1,4 @@
-//! Figures of what was measured, from plain numbers.
+//! Figures of measurements, from plain numbers.
 mod fitted;
 mod loads;
 mod pulses;

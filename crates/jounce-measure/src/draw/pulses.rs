@@ -6,24 +6,24 @@ use jounce::signal::Samples;
 use crate::contact::ContactFit;
 use crate::spectral::Hit;
 
-/// Points of a law for each sample of the pulse.
+/// Points of a law per sample of the pulse.
 const POINTS_PER_SAMPLE: usize = 20;
 
-/// The samples of one pulse, and the law fitted to it.
+/// Samples of one pulse, and the law fitted to it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PulseFigure {
     /// Name in the legend.
     pub label: String,
-    /// Time of each sample, s from the largest force.
+    /// Time of each sample, s from the peak force.
     pub time_s: Vec<f64>,
     /// Force, N.
     pub force_n: Vec<f64>,
-    /// Times and forces of the law; empty where none was fitted.
+    /// Times and forces of the law; empty without a fitted law.
     pub law: (Vec<f64>, Vec<f64>),
 }
 
 impl PulseFigure {
-    /// The samples of a hit, half its length on both sides too, and the law between them.
+    /// Returns the samples of a hit, extended by half its length on both sides, with the law.
     pub fn of(force: &Samples<'_>, hit: &Hit, law: Option<&ContactFit>) -> Self {
         let beside = (hit.end - hit.start) / 2 + 1;
         let (first, last) = (
@@ -49,7 +49,7 @@ impl PulseFigure {
     }
 }
 
-/// Pulses in one panel: rings for samples, lines for laws.
+/// Plots pulses in one panel: rings for samples, lines for laws.
 pub fn pulses(title: &str, pulses: &[PulseFigure]) -> Figure {
     let panel = Panel::new(
         Axis::linear("Time from the largest force", "s"),

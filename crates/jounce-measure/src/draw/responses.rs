@@ -1,4 +1,5 @@
-//! Frequency responses with their coherence, stabilisation diagrams, and the modes' fit to the responses.
+//! Figures of frequency responses with coherence, stabilisation diagrams, and the modal fit to the
+//! responses.
 
 use jounce::picture::{
     Along, Axis, Colour, Figure, Line, Marker, Panel, ResponseLine, Scale, Series,
@@ -8,12 +9,12 @@ use jounce::picture::{
 use crate::modal::{Identification, Stability};
 use crate::response::MeasuredResponses;
 
-/// Magnitude, phase and, where there are several blocks, coherence of every response.
+/// Plots magnitude, phase and, for several blocks, coherence of every response.
 pub fn measured_responses(title: &str, found: &MeasuredResponses) -> Figure {
     let Some(first) = found.functions.first() else {
         return Figure::new(title);
     };
-    // The line at 0 Hz is that of the sensor's offset.
+    // The line at 0 Hz contains the sensor's offset.
     let frequency_hz = first.frequency_hz[1..].to_vec();
     let one = |(name, function): (&String, &crate::spectral::FrequencyResponse)| {
         let (re, im) = function.value[1..].iter().map(|h| (h.re, h.im)).unzip();
@@ -52,8 +53,8 @@ pub fn measured_responses(title: &str, found: &MeasuredResponses) -> Figure {
     figure
 }
 
-/// Poles by order: filled where frequency and damping stay, rings where the frequency does, small squares where neither does; the modes that
-/// were chosen are upright lines.
+/// Plots poles by order: filled for stable frequency and damping, rings for stable frequency, small
+/// squares for unstable poles; vertical lines for selected modes.
 pub fn stabilisation(title: &str, found: &Identification) -> Figure {
     let (low, high) = (
         found.frequency_hz.first().copied().unwrap_or(0.0),
@@ -72,13 +73,13 @@ pub fn stabilisation(title: &str, found: &Identification) -> Figure {
             Stability::Pole,
             Marker::Circle,
             Colour::nth(0),
-            "frequency and damping stay",
+            "frequency and damping stable",
         ),
         (
             Stability::Frequency,
             Marker::Ring,
             Colour::nth(1),
-            "frequency stays",
+            "frequency stable",
         ),
         (Stability::New, Marker::Square, Colour::Grey, "new"),
     ];
@@ -96,7 +97,7 @@ pub fn stabilisation(title: &str, found: &Identification) -> Figure {
     Figure::new(title).with(panel)
 }
 
-/// The responses of the band as displacement per force, and what the modes give there.
+/// Plots the responses of the band as displacement per force, with the fitted modal model.
 pub fn modal_fit(title: &str, names: &[String], found: &Identification) -> Figure {
     let panel = |(k, name): (usize, &String)| {
         let size = |response: &[faer::c64]| response.iter().map(|h| h.norm()).collect::<Vec<f64>>();

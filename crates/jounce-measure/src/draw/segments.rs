@@ -1,4 +1,4 @@
-//! A long record with the stretches that it was cut into, and their spectra.
+//! Figures of a long record with its segments, and of their spectra.
 
 use jounce::picture::{
     Along, Axis, Colour, Figure, Line, Marker, Panel, Scale, Series, SpectrumLine, spectra,
@@ -7,10 +7,11 @@ use jounce::signal::{Samples, Window};
 
 use crate::segmentation::{RecordSegment, Segmentation, SegmentationError, section};
 
-/// Multiples of the drive that a spectrum shows.
+/// Multiples of the drive frequency shown in a spectrum.
 const SHOWN_ORDERS: f64 = 8.0;
 
-/// The record over its rms by stretches; changes are upright lines, named after the period that begins there.
+/// Plots the record in one panel and the RMS of its segments in a second; vertical lines mark
+/// changes, labelled with the period that begins there.
 pub fn segments(
     title: &str,
     quantity: &str,
@@ -44,7 +45,8 @@ pub fn segments(
     Figure::new(title).with(record).with(size)
 }
 
-/// One value for each drive cycle over time, coloured by stretches: a solution of `n` drive cycles shows `n` rows of points.
+/// Plots one value per drive cycle over time, coloured by segment: a solution of `n` drive cycles
+/// shows `n` rows of points.
 pub fn stretch_section(
     title: &str,
     quantity: &str,
@@ -75,10 +77,11 @@ pub fn stretch_section(
     Figure::new(title).with(found.stretches.iter().enumerate().fold(axes, add))
 }
 
-/// The spectrum of each stretch (Hann window, peak amplitudes), up to eight times the drive.
+/// Plots the spectrum of each segment (Hann window, peak amplitudes), up to eight times the drive
+/// frequency.
 ///
 /// # Errors
-/// A stretch that is no signal.
+/// A segment that is not a valid signal.
 pub fn stretch_spectra(
     title: &str,
     quantity: &str,

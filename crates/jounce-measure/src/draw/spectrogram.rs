@@ -1,13 +1,14 @@
-//! Spectra of a record: over time, and averaged.
+//! Figures of spectra: over time, and averaged.
 
 use jounce::picture::{DensityLine, Figure, TimeSpectrum, densities, spectrogram};
 
 use crate::spectral::{Density, Spectrogram, density_unit};
 
-/// Multiples of the drive that a picture shows.
+/// Multiples of the drive frequency shown.
 const SHOWN_ORDERS: f64 = 8.0;
 
-/// A spectrogram, up to eight times the drive where that is known; each spectrum stands for the time around the middle of its segment, each line for the frequencies around it.
+/// Plots a spectrogram, up to eight times the drive frequency if known. Each spectrum covers the
+/// time around the middle of its segment, each line the frequencies around it.
 pub fn spectrogram_of(
     title: &str,
     quantity: &str,
@@ -45,7 +46,7 @@ pub fn spectrogram_of(
     spectrogram(title, &of, drive_hz)
 }
 
-/// A power spectral density.
+/// Plots a power spectral density.
 pub fn densities_of(title: &str, quantity: &str, unit: &str, found: &Density) -> Figure {
     let unit = density_unit(unit);
     let line = DensityLine {

@@ -1,4 +1,4 @@
-//! What can stop the experimental half; its inputs are built in, so that each would be a fault of jounce.
+//! Errors of the experimental half; all inputs are built in, so each would be a defect of jounce.
 
 use jounce::plant::PlantError;
 use jounce::reproduce::ReproduceError;
@@ -15,7 +15,7 @@ use crate::solution::SolutionError;
 use crate::spectral::SpectralError;
 use jounce_data::recording::NoChannel;
 
-/// Why the experimental half could not be computed.
+/// Error of the experimental half.
 #[derive(Debug, thiserror::Error)]
 pub enum ExperimentError {
     /// The paper's spec.
@@ -30,7 +30,7 @@ pub enum ExperimentError {
     /// The rig.
     #[error(transparent)]
     Rig(#[from] RigError),
-    /// The model's solutions.
+    /// The solutions of the model.
     #[error(transparent)]
     Solution(#[from] SolutionError),
     /// A channel.
@@ -45,10 +45,10 @@ pub enum ExperimentError {
     /// The responses of the hammer test.
     #[error(transparent)]
     Response(#[from] ResponseError),
-    /// Its modes.
+    /// The modes.
     #[error(transparent)]
     Modal(#[from] ModalError),
-    /// The stretches of the record.
+    /// The segments of the record.
     #[error(transparent)]
     Regime(#[from] SegmentationError),
     /// The fit to Table 2.

@@ -1,4 +1,5 @@
-//! Figures 10 and 11: mean power over the load from records, normalised by the mean square of the base's acceleration.
+//! Figures 10 and 11: mean power over the load from records, normalised by the mean square of the
+//! base acceleration.
 
 use jounce::integrate::Control;
 use jounce::picture::{LineDirection, SweepLine, power_against_resistance};
@@ -14,7 +15,8 @@ use super::{ExperimentError, NOISE, RATE_HZ, RECORD_S};
 use crate::rig::{Disturbance, Sensor, ShakerTest, shaker_test};
 use crate::spectral::mean_power;
 
-/// A drive of the experiment. The paper prints the frequencies only; the forces are those of its figures 8 and 9.
+/// Drive of the experiment. The paper prints only the frequencies; the forces are those of its
+/// figures 8 and 9.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Case {
     number: u32,
@@ -36,12 +38,12 @@ pub(super) const BELOW_RESONANCE: Case = Case {
 };
 
 const LOADS_OHM: [f64; 6] = [1e4, 3e4, 6e4, 1e5, 2e5, 1e6];
-/// A stop so far away that it is never reached.
+/// Gaps; the second is so large that the stop is never reached.
 const GAPS: [&str; 2] = ["1 mm", "1 m"];
-/// Marched before the record: without contact the first mode decays to 1 % in 44 s.
+/// Transient before the record: without contact the first mode decays to 1 % in 44 s.
 const BEFORE_S: f64 = 60.0;
 
-/// One record's answer.
+/// Result of one record.
 #[derive(Debug, Clone, Copy)]
 struct Point {
     resistance_ohm: f64,
@@ -58,7 +60,7 @@ pub(super) struct PowerOverLoad {
 }
 
 impl PowerOverLoad {
-    /// A record for each load, with the stop and without.
+    /// Computes a record for each load, with and without the stop.
     pub fn compute(case: Case, control: &Control) -> Result<Self, ExperimentError> {
         let all: Vec<(usize, f64)> = (0..GAPS.len())
             .flat_map(|gap| LOADS_OHM.map(|ohm| (gap, ohm)))
@@ -79,7 +81,7 @@ impl PowerOverLoad {
         })
     }
 
-    /// Smallest and largest ratio of the powers per mean square with impact and without.
+    /// Smallest and largest ratio of power per mean square with impact to that without.
     pub fn gains(&self) -> (f64, f64) {
         let per = |point: &Point| point.power_w / point.mean_square_m2_s4;
         let gains = self
@@ -92,7 +94,7 @@ impl PowerOverLoad {
         })
     }
 
-    /// The load of the highest point, with impact and without, ohm.
+    /// Load of the highest point, with and without impact, ohm.
     fn best_ohm(&self) -> [f64; 2] {
         let best = |points: &[Point]| {
             points
@@ -174,7 +176,7 @@ impl PowerOverLoad {
                 number(&|point| point.power_w / point.mean_square_m2_s4),
             ),
         ])?;
-        // Without a caption: the figure shows it, the files hold it.
+        // No caption: the figure shows the table, the files contain it.
         Ok(NamedTable::new(
             &format!("figure-{}", self.case.number),
             "",
@@ -184,13 +186,14 @@ impl PowerOverLoad {
     }
 }
 
-/// What the records say about the paper's sentences.
+/// Compares the records with the statements of the paper.
 pub(super) fn words(loads: &[PowerOverLoad]) -> Vec<String> {
     let told = |load: &PowerOverLoad| {
         let ((low, high), [impact, linear]) = (load.gains(), load.best_ohm());
         format!(
-            "At {} and {} the records with impact give {low:.2} to {high:.2} times the power of those without, per mean square of the base's \
-             acceleration; the highest points lie at {:.0} kΩ with impact and {:.0} kΩ without.",
+            "At {} and {} the records with impact give {low:.2} to {high:.2} times the power of \
+            those without, per mean square of the base's acceleration; the maxima are at {:.0} kΩ \
+            with impact and {:.0} kΩ without.",
             load.case.frequency,
             load.case.amplitude,
             impact / 1e3,
@@ -252,7 +255,8 @@ mod tests {
     use super::*;
     use jounce::linear::{FrfInput, FrfResponse, frf, steady_power_w};
 
-    /// Without contact the power of a record and the mean square of its base are the closed forms; noise of 1 % adds 1e-4 to both.
+    /// Without contact the power of a record and the mean square of its base match the closed
+    /// forms; noise of 1 % adds 1e-4 to both.
     #[test]
     fn a_record_without_contact_has_the_power_of_the_closed_form() -> Result<(), ExperimentError> {
         let settings = [

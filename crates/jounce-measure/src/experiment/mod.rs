@@ -1,8 +1,10 @@
-//! The experimental half of the 2019 paper: Table 2 measured and figures 10 to 13 on the virtual rig, and the model updated to Table 2.
+//! Experimental half of the 2019 paper: Table 2 and figures 10 to 13 measured in a virtual test,
+//! and the model updated to Table 2.
 //!
-//! The paper prints its records as pictures only, so no record here is of a laboratory: a model is recorded as the paper's sensors would
-//! have recorded it (1536 Hz, 85 s), noise and a wandering shaker with it, and the commands for recordings analyse it. What was put in is
-//! known, and stands beside what comes out. The frequencies of Table 2 are printed, and the model is fitted to those.
+//! The paper prints its records only as figures, so no laboratory record is used. Instead, a model
+//! is recorded as by the paper's sensors (1536 Hz, 85 s), with noise and drift of the shaker. The
+//! commands for recordings analyse these records. Results are compared with the known inputs. The
+//! frequencies of Table 2 are printed, and the model is fitted to those.
 //!
 //! Source: "Experimental validation of an impact off-resonance energy harvester" (2019), section 5.
 mod error;
@@ -22,17 +24,20 @@ use modal_test::ModalTest;
 use record::Alternating;
 use updated::Updated;
 
-/// Samples per second of the paper's records.
+/// Sampling rate of the paper's records, Hz.
 const RATE_HZ: f64 = 1536.0;
-/// Their length, s.
+/// Length of the records, s.
 const RECORD_S: f64 = 85.0;
-/// White noise of every sensor, over the rms of its signal: a guess, the paper does not tell.
+/// White noise of every sensor, relative to the RMS of its signal: an assumption, not given in the
+/// paper.
 const NOISE: f64 = 0.01;
 
-/// Table 2 and figures 10 to 13 from the virtual rig, and the model updated to Table 2; `paper` has the printed numbers beside them, `control` ends the marches early.
+/// Computes Table 2 and figures 10 to 13 in the virtual test, and the model updated to Table 2.
+/// `paper` supplies the printed numbers for comparison; `control` can stop the runs early.
 ///
 /// # Errors
-/// None is expected but where the control stops it: the inputs are built in. See [`ExperimentError`].
+/// None expected unless `control` stops it, because the inputs are built in. See
+/// [`ExperimentError`].
 pub fn chapters(paper: &Reproduction, control: &Control) -> Result<Vec<Chapter>, ExperimentError> {
     let printed = |column: &str| {
         paper

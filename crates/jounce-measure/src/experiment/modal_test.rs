@@ -16,35 +16,36 @@ use crate::rig::{HammerTest, Sensor, hammer_test};
 use crate::spectral::ImpactSettings;
 use jounce_data::recording::Recording;
 
-/// Recordings of one hit each, so that the beam is at rest before each: its first mode needs 45 s to fall to 1 %.
+/// Recordings of one hit each, so that the beam is at rest before each: its first mode needs 45 s
+/// to decay to 1 %.
 const HITS: u64 = 4;
 const BLOCK_S: f64 = 20.0;
 const RATE_HZ: f64 = 2560.0;
-/// A metal tip: its force reaches the seventh mode.
+/// A metal tip, whose force reaches the seventh mode.
 const CONTACT_S: f64 = 1.2e-3;
 const NOISE: f64 = 1e-3;
-/// End of the exponential window.
+/// Final value of the exponential window.
 const END_RATIO: f64 = 1e-3;
-/// The first mode shows little acceleration: in the whole band it is lost beside the others.
+/// The first mode has little acceleration: in the complete band the other modes mask it.
 const FIRST_BAND_HZ: (f64, f64) = (4.0, 100.0);
 const WHOLE_BAND_HZ: (f64, f64) = (30.0, 1000.0);
 const ORDER: usize = 30;
 
-/// What was put in and what came out.
+/// True and identified modes.
 pub(super) struct ModalTest {
     /// Frequency (Hz) and damping ratio of each mode of the model, its patch over 1 Mohm.
     truth: Vec<(f64, f64)>,
-    /// The modes found, in order.
+    /// Identified modes, in order.
     found: Vec<Mode>,
     paper_hz: Vec<f64>,
-    /// First mode with the patch short-circuited.
+    /// Frequency of the first mode with the patch short-circuited.
     short_circuit_hz: f64,
     responses: MeasuredResponses,
     whole: Identification,
 }
 
 impl ModalTest {
-    /// The clamped beam with its patch as a laminate, struck where the paper struck it.
+    /// Tests the clamped beam with its patch as a laminate, struck at the paper's location.
     pub fn compute(paper_hz: &[f64]) -> Result<Self, ExperimentError> {
         let mut spec = paper_spec(&[("patch.mfc.section", "laminate")])?;
         spec.take_drives_away();
@@ -87,7 +88,7 @@ impl ModalTest {
         })
     }
 
-    /// The found mode nearest to each of the truth, within 2 %.
+    /// Identified mode nearest to each true mode, within 2 %.
     fn pairs(&self) -> Vec<Option<&Mode>> {
         let near = |(hz, _): &(f64, f64)| {
             let apart = |mode: &&Mode| (mode.frequency_hz / hz - 1.0).abs();
@@ -99,7 +100,7 @@ impl ModalTest {
         self.truth.iter().map(near).collect()
     }
 
-    /// Largest relative errors of frequency and damping ratio; infinite where a mode was not found.
+    /// Largest relative errors of frequency and damping ratio; infinite if a mode was not found.
     pub fn worst(&self) -> (f64, f64) {
         let off = |found: Option<f64>, truth: f64| {
             found.map_or(f64::INFINITY, |found| (found / truth - 1.0).abs())
@@ -116,7 +117,7 @@ impl ModalTest {
         })
     }
 
-    /// How many frequencies and damping ratios lie within their intervals.
+    /// Number of frequencies and damping ratios within their intervals.
     fn inside(&self) -> (usize, usize) {
         let pairs = self.pairs();
         let count = |off: &dyn Fn(&(f64, f64), &Mode) -> bool| {
@@ -137,12 +138,14 @@ impl ModalTest {
     pub fn words(&self) -> Vec<String> {
         let ((frequency, damping), inside) = (self.worst(), self.inside());
         vec![format!(
-            "Simulated. The virtual rig is the laminate model with the damping ratios of Table 2, clamped, its patch over 1 MΩ; its {HITS} \
-             recordings hold one hit each (1.2 ms, about 20 N, {BLOCK_S} s at {RATE_HZ} Hz), with noise of {} % on every channel. Identified as a \
-             laboratory's recordings are, {} of {} modes come back, frequencies within {:.1e} and damping ratios within {:.2} % of what was put \
-             in. {} of the frequencies and {} of the damping ratios lie within their intervals of 95 %. \
-             The patch stiffens the beam: what was put in is the beam with its load, which for the first mode lies {:.1} % above the \
-             short-circuited laminate.",
+            "Simulated. The virtual rig is the laminate model with the damping ratios of Table 2, \
+            clamped, its patch over 1 MΩ. Each of its {HITS} recordings contains one hit (1.2 ms, \
+            about 20 N, {BLOCK_S} s at {RATE_HZ} Hz), with noise of {} % on every channel. \
+            Identification as for laboratory recordings finds {} of {} modes; the errors are \
+            within {:.1e} in frequency and {:.2} % in damping ratio. {} of the frequencies and {} \
+            of the damping ratios lie within their 95 % confidence intervals. The patch stiffens \
+            the beam: the true model is the beam with its load, whose first mode is {:.1} % \
+            higher than in the short-circuited laminate.",
             100.0 * NOISE,
             self.pairs().iter().flatten().count(),
             self.truth.len(),
@@ -268,8 +271,9 @@ fn eigenvalues(plant: &Plant) -> Vec<(f64, f64)> {
 mod tests {
     use super::*;
 
-    /// All seven modes come back, and the intervals of 95 % hold them. Measured: frequencies within 2.9e-6 and damping ratios within 0.4 %, the latter of the
-    /// first mode, and of the others within 7e-5; all within their intervals.
+    /// All seven modes are found, and the 95 % intervals contain them. Measured: frequencies within
+    /// 2.9e-6; damping ratio of the first mode within 0.4 %, of the others within 7e-5; all within
+    /// their intervals.
     #[test]
     fn what_was_put_in_is_found_again() {
         let found = ModalTest::compute(&[]).unwrap_or_else(|fault| panic!("{fault}"));

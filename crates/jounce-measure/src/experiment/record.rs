@@ -1,4 +1,4 @@
-//! Figures 12 and 13: a record that goes from one solution to another, cut into its stretches.
+//! Figures 12 and 13: a record that changes between two solutions, segmented.
 
 use jounce::integrate::Control;
 use jounce::reproduce::{NamedFigure, NamedTable, paper_spec};
@@ -13,7 +13,8 @@ use crate::segmentation::{SegmentMatches, Segmentation, match_segments, regimes}
 use crate::solution::{Solution, SolutionSearch, solutions, start_of};
 use crate::spectral::{MeanPower, Segments, mean_power, spectrogram};
 
-/// The paper's drive and load, at the force at which the model's solutions have the ratio of powers that the paper measured.
+/// The paper's drive and load, at the force for which the powers of the model's solutions have the
+/// measured ratio.
 const DRIVE_HZ: f64 = 13.5;
 const LOAD_OHM: f64 = 1e5;
 const SETTINGS: [(&str, &str); 3] = [
@@ -21,11 +22,11 @@ const SETTINGS: [(&str, &str); 3] = [
     ("drive.shaker.amplitude", "42 N"),
     ("circuit.load.resistance", "100 kohm"),
 ];
-/// What the record shows, and from when on, s.
+/// Solutions in the record, with their start times, s.
 const SHOWN_SOLUTIONS: [(&str, f64); 3] = [("1a", 0.0), ("3a", 31.0), ("1a", 63.0)];
-/// Mean powers of the paper's two stretches, W.
+/// Mean powers of the paper's two segments, W.
 const PAPER_W: [f64; 2] = [31.1e-6, 48.1e-6];
-/// The shaker wanders: a guess, the paper does not tell.
+/// Drift of the shaker: an assumption, not given in the paper.
 const WANDER: Disturbance = Disturbance {
     amplitude_ratio: 2e-3,
     frequency_ratio: 5e-5,
@@ -33,13 +34,13 @@ const WANDER: Disturbance = Disturbance {
     amplitude_drift: 0.0,
     frequency_drift: 0.0,
 };
-/// Largest distance at which a solution fits.
+/// Maximum distance of a matching solution.
 const MAX_SOLUTION_DISTANCE: f64 = 0.2;
-/// Cycles of the drive in a segment of the spectrogram, and how much the next one overlaps.
+/// Drive cycles in a segment of the spectrogram, and the overlap.
 const SEGMENT_CYCLES: f64 = 24.0;
 const OVERLAP: f64 = 0.5;
 
-/// The record and what it tells.
+/// Record with its analysis.
 pub(super) struct Alternating {
     voltage_v: Vec<f64>,
     found: Segmentation,
@@ -130,9 +131,11 @@ impl Alternating {
             });
         vec![
             format!(
-                "Simulated. A record of {RECORD_S} s at {RATE_HZ} Hz: 13.5 Hz, 100 kΩ, 42 N, a force that the paper does not print. Put in: {}; what \
-                 pushes the beam from one solution to the other is not modelled. The shaker wanders by {} % in amplitude, noise is {} % of the \
-                 signal. Found, without knowing it: {}; a change lies within {:.2} s of its place.",
+                "Simulated. A record of {RECORD_S} s at {RATE_HZ} Hz: 13.5 Hz, 100 kΩ, 42 N, a \
+                force that the paper does not print. Input: {}; the disturbance that moves the \
+                beam from one solution to the other is not modelled. The shaker drifts by {} % in \
+                amplitude, noise is {} % of the signal. Segmentation finds, without these inputs: \
+                {}; changes are located within {:.2} s.",
                 put_in.join(", "),
                 100.0 * WANDER.amplitude_ratio,
                 100.0 * NOISE,
@@ -140,9 +143,10 @@ impl Alternating {
                 self.found.uncertainty_s
             ),
             format!(
-                "The two solutions have the ratio {:.2} of mean powers; the paper's stretches have {:.1} and {:.1} µW, ratio {:.2}. The paper's \
-                 second stretch has lines at half the drive frequency; the model's upper solution repeats after three cycles, and has lines at \
-                 thirds of it. The model has no solution of two cycles there.",
+                "The mean powers of the two solutions have the ratio {:.2}; the paper's segments \
+                have {:.1} and {:.1} µW, ratio {:.2}. The paper's second segment has lines at \
+                half the drive frequency. The model's upper solution repeats after three cycles \
+                and has lines at thirds of it; the model has no solution of two cycles there.",
                 high / low,
                 1e6 * PAPER_W[0],
                 1e6 * PAPER_W[1],
@@ -231,7 +235,8 @@ impl Alternating {
             ),
         ])?;
         let caption = format!(
-            "Stretches of the record of figure 12 (simulated), beside the {} solutions of the model.",
+            "Segments of the record of figure 12 (simulated), compared with the {} solutions of \
+            the model.",
             self.known.len()
         );
         Ok(NamedTable::new("figure-12-stretches", &caption, 4, table))
@@ -245,7 +250,7 @@ impl Alternating {
         let figures = [
             (
                 "figure-12",
-                "Figure 12, simulated: the voltage at 13.5 Hz and 100 kΩ, and its rms by stretches.",
+                "Figure 12, simulated: the voltage at 13.5 Hz and 100 kΩ, and its rms by segments.",
                 segments(
                     "Voltage at 13.5 Hz (simulated)",
                     quantity,
@@ -279,9 +284,10 @@ impl Alternating {
             ),
             (
                 "figure-13",
-                "Figure 13, simulated: spectra of the voltage (Hann window, peak amplitudes) for the stretches of figure 12.",
+                "Figure 13, simulated: spectra of the voltage (Hann window, peak amplitudes) for \
+                the segments of figure 12.",
                 stretch_spectra(
-                    "Spectra of the stretches (simulated)",
+                    "Spectra of the segments (simulated)",
                     quantity,
                     unit,
                     &samples,
@@ -301,8 +307,9 @@ impl Alternating {
 mod tests {
     use super::*;
 
-    /// What was put in comes back: three stretches, each change within a block of its place (measured 0.11 s), each solution by name, waveforms
-    /// within 0.003, powers within 0.4 % of the orbits': the amplitude wanders by 0.2 %.
+    /// Segmentation recovers the inputs: three segments, each change within a block (measured 0.11
+    /// s), each solution by name, waveforms within 0.003, powers within 0.4 % of the orbits'. The
+    /// amplitude drifts by 0.2 %.
     #[test]
     fn the_record_is_cut_where_it_was_put_together() {
         let found =

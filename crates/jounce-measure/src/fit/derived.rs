@@ -1,4 +1,4 @@
-//! Numbers that follow from a fitted spec, with their uncertainty.
+//! Quantities derived from a fitted spec, with their uncertainty.
 //!
 //! ```text
 //! var ln y = sum_kl g_k g_l cov(x_k, x_l),   g_k = d ln y / d ln p_k
@@ -10,30 +10,32 @@ use jounce::spec::{Fault, Spec};
 
 use super::FitResult;
 
-/// By how much the logarithm of a key is moved for a derivative.
+/// Step in the logarithm of a key for finite differences.
 const LOG_DIFFERENCE: f64 = 1e-4;
 
-/// A number that follows from a fitted spec.
+/// Quantity derived from a fitted spec.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct Derived {
-    /// Its value.
+    /// Value.
     pub value: f64,
-    /// Relative standard deviation, from that of the keys.
+    /// Relative standard deviation, propagated from the keys.
     pub deviation: f64,
-    /// Lower end of the interval of 95 %.
+    /// Lower end of the 95 % confidence interval.
     pub low: f64,
-    /// Its upper end.
+    /// Upper end of the 95 % confidence interval.
     pub high: f64,
 }
 
 impl FitResult {
-    /// What `of` makes of the spec as fitted, a number above 0 such as a power or an optimal load, with the interval that the keys leave it.
+    /// Computes a quantity from the fitted spec with `of`, positive, such as a power or an optimal
+    /// load, and its confidence interval.
     ///
     /// # Errors
-    /// Those of `of`, and of a key that a moved value cannot have.
+    /// Those of `of`, and a key that cannot take a perturbed value.
     ///
     /// # Limits
-    /// To first order in the keys; a further measurement of the number scatters by its own noise besides.
+    /// To first order in the keys; a further measurement of the quantity has its own noise in
+    /// addition.
     pub fn derived<E: From<Fault>>(
         &self,
         fitted: &Spec,

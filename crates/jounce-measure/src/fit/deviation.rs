@@ -1,21 +1,21 @@
-//! How far a measurement may be from the truth.
+//! Standard deviations of measurements.
 
-/// A standard deviation of measurements: relative, or over the rms of a time history.
+/// Standard deviation of measurements: relative, or relative to the RMS of a time history.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Deviation {
-    /// As the user knows it.
+    /// Given by the user.
     Given(f64),
-    /// Unknown: taken from what the fit leaves over, that of the model included.
+    /// Unknown: estimated from the residuals, including the error of the model.
     Residuals,
 }
 
-/// What a fit begins with where nothing is known.
+/// Initial value where unknown.
 const INITIAL_DEVIATION: f64 = 0.01;
-/// Residuals are not believed to be smaller than this.
+/// Lower bound on the estimate from residuals.
 pub(super) const MIN_DEVIATION: f64 = 1e-7;
 
 impl Deviation {
-    /// What a fit begins with.
+    /// Returns the initial value.
     pub(super) fn first(self) -> f64 {
         match self {
             Self::Given(deviation) => deviation,
@@ -24,7 +24,7 @@ impl Deviation {
     }
 }
 
-/// Measurements that share a deviation.
+/// Measurements that share a standard deviation.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct DeviationGroup {
     pub name: String,

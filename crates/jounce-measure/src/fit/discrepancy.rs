@@ -1,4 +1,5 @@
-//! Features that the model misses at its best by more than a measurement could be off: a deviation from residuals takes that for noise.
+//! Detects features whose residuals at the optimum exceed any plausible measurement error: a
+//! deviation estimated from residuals would read them as noise.
 
 use std::f64::consts::TAU;
 
@@ -8,10 +9,11 @@ use super::Deviation;
 use super::observations::MeasuredNumber;
 use super::problem::FitProblem;
 
-/// A deviation from residuals above this is that of a model that does not fit.
+/// Estimated deviation above which the model does not fit.
 const MAX_FIT_DEVIATION: f64 = 0.05;
 
-/// One sentence for each group of features whose deviation comes from residuals and is large; `errors` are those over the deviations.
+/// Returns one sentence for each group of features with a large deviation from residuals; `errors`
+/// are relative to the deviations.
 pub(super) fn missed(problem: &FitProblem<'_>, errors: &[f64]) -> Vec<String> {
     let mut found = Vec::new();
     for (g, group) in problem.asked.groups.iter().enumerate() {
@@ -39,7 +41,8 @@ pub(super) fn missed(problem: &FitProblem<'_>, errors: &[f64]) -> Vec<String> {
         let question = other_mode(problem, worst)
             .unwrap_or_else(|| "is the model missing something?".to_owned());
         found.push(format!(
-            "the model misses {} by {:.0} % rms, {} by {:+.0} %: {question} The intervals rest on errors of the model",
+            "the model misses {} by {:.0} % rms, {} by {:+.0} %: {question} The intervals are \
+            based on errors of the model",
             group.name,
             100.0 * problem.deviation[g],
             worst.name,
@@ -49,7 +52,7 @@ pub(super) fn missed(problem: &FitProblem<'_>, errors: &[f64]) -> Vec<String> {
     found
 }
 
-/// What a frequency asks that lies nearer to another mode of the model as it was given.
+/// Question about a frequency that is nearer to another mode of the initial model.
 fn other_mode(problem: &FitProblem<'_>, worst: &MeasuredNumber) -> Option<String> {
     let number: usize = worst
         .name
@@ -66,7 +69,8 @@ fn other_mode(problem: &FitProblem<'_>, worst: &MeasuredNumber) -> Option<String
         .min_by(|a, b| far(a.1).total_cmp(&far(b.1)))?;
     (nearest + 1 != number).then(|| {
         format!(
-            "{} Hz lies nearest to mode {} of the model as given, at {at_hz:.4} Hz; is a mass to be held (`hold`), or a mode missing?",
+            "{} Hz is nearest to mode {} of the initial model, at {at_hz:.4} Hz; should a mass be \
+            held (`hold`), or is a mode missing?",
             worst.value,
             nearest + 1
         )

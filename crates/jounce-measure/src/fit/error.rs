@@ -1,112 +1,116 @@
-//! Why a spec is not fitted.
+//! Errors of fitting a spec.
 
 use std::path::PathBuf;
 
 use jounce::spec::{Fault, Faults};
 use jounce::structure::StructureError;
 
-/// A fit that cannot be done.
+/// Error of a fit.
 #[derive(Debug, thiserror::Error)]
 pub enum FitError {
-    /// The features cannot be read.
+    /// The features file cannot be read.
     #[error("{}: {reason}", path.display())]
     Open {
         /// The file.
         path: PathBuf,
-        /// What the system says.
+        /// Error of the operating system.
         reason: std::io::Error,
     },
-    /// The features hold faults; all of them.
+    /// The features file contains faults; lists all of them.
     #[error("{}", faults.join("; "))]
     Features {
-        /// One sentence each.
+        /// One sentence for each fault.
         faults: Vec<String>,
     },
-    /// A key that the spec does not have.
+    /// A key does not exist in the spec.
     #[error("free.{key}: {faults}")]
     Key {
         /// The key.
         key: String,
-        /// What is wrong.
+        /// The faults.
         faults: Faults,
     },
-    /// A key at 0: relative deviations mean nothing there.
+    /// A free key is 0, so relative deviations are undefined.
     #[error(
         "free.{key} is {value} in the spec; a key that is fitted needs a start value other than 0"
     )]
     Start {
         /// The key.
         key: String,
-        /// Its value.
+        /// Value.
         value: f64,
     },
-    /// A number of a list that is free by itself and with its list.
+    /// A number of a list is free both separately and with its list.
     #[error(
-        "{key} is free twice, by itself and with its list; name the list, or its numbers one by one"
+        "{key} is free twice, separately and with its list; name the list, or its numbers one by \
+        one"
     )]
     Twice {
         /// The key.
         key: String,
     },
-    /// A mode that the model does not have.
+    /// A mode does not exist in the model.
     #[error(
-        "mode {number} is measured and the model has {modes}; raise reduction.modes, or correct the number"
+        "mode {number} is measured, but the model has only {modes} modes; raise reduction.modes, \
+        or correct the number"
     )]
     NoMode {
-        /// Its number.
+        /// Mode number.
         number: usize,
-        /// Modes of the model.
+        /// Number of modes in the model.
         modes: usize,
     },
-    /// A damping ratio of 0 in the model, which no change of keys makes another.
+    /// The damping ratio in the model is 0, and no key can change it.
     #[error(
         "mode {number} has a damping ratio of {damping_ratio} in the model; a damping ratio to be fitted must be above 0"
     )]
     Undamped {
         /// The mode.
         number: usize,
-        /// Its damping ratio.
+        /// Damping ratio.
         damping_ratio: f64,
     },
-    /// A condition of a test that the spec refuses.
+    /// The spec refuses a condition of a test.
     #[error("{place}, set.{key}: {reason}")]
     Condition {
         /// The test.
         place: String,
         /// The key.
         key: String,
-        /// What is wrong.
+        /// The fault.
         reason: String,
     },
-    /// A recording of a test that cannot be used.
+    /// A recording of a test cannot be used.
     #[error("{place}, {}: {reason}", path.display())]
     File {
         /// The test.
         place: String,
         /// The file.
         path: PathBuf,
-        /// What is wrong.
+        /// The fault.
         reason: String,
     },
-    /// A point or patch that the model does not have.
+    /// A point or patch does not exist in the model.
     #[error("there is no point or patch {name:?} in the model; there are {known}")]
     NoPlace {
-        /// What was asked for.
+        /// Requested name.
         name: String,
-        /// What there is.
+        /// Existing names.
         known: String,
     },
-    /// A model without power.
+    /// The mean power of the model is not positive.
     #[error(
-        "the model gives a mean power of {mean_power_w} W where one was measured; has it a load, a drive, and long enough a run?"
+        "the mean power of the model is {mean_power_w} W where a power was measured; check for a \
+        load, a drive, and a sufficiently long run"
     )]
     NoPower {
-        /// Its mean power, W.
+        /// Mean power, W.
         mean_power_w: f64,
     },
-    /// No fold where a jump was measured.
+    /// There is no fold in the range of a measured jump.
     #[error(
-        "no branch through {key} = {low} or {high} turns back between them; widen `between`, or correct the start values of the free keys"
+        "no branch through {key} = {low} or {high} has a fold between them; widen `between`, or \
+        correct the start values of the free keys"
     )]
     NoJump {
         /// The key.
@@ -116,31 +120,32 @@ pub enum FitError {
         /// Upper end.
         high: String,
     },
-    /// Deviations that the residuals cannot tell.
+    /// The residuals cannot determine a deviation.
     #[error(
-        "{features} of {name} cannot tell their own deviation, since the fit takes up {taken:.1} of them; give the deviation, or free fewer keys"
+        "{features} of {name} cannot determine their own deviation, because the fit uses \
+        {taken:.1} degrees of freedom; give the deviation, or free fewer keys"
     )]
     NoResiduals {
-        /// The features.
+        /// Name of the features.
         name: String,
-        /// Their number.
+        /// Number of features.
         features: usize,
-        /// Keys that they determine.
+        /// Number of keys that they determine.
         taken: f64,
     },
-    /// Branches that cannot be followed.
+    /// Continuation of a branch failed.
     #[error("{0}")]
     Orbit(String),
-    /// What the plant refuses.
+    /// Error of the plant.
     #[error(transparent)]
     Plant(#[from] jounce::plant::PlantError),
-    /// What a march or a study refuses.
+    /// Error of a run or an analysis.
     #[error(transparent)]
     Study(#[from] jounce::analysis::AnalysisError),
-    /// A value that the spec refuses.
+    /// The spec refuses a value.
     #[error(transparent)]
     Value(#[from] Fault),
-    /// A structure without modes.
+    /// The structure has no modes.
     #[error(transparent)]
     Structure(#[from] StructureError),
     /// The fit does not converge.
@@ -151,7 +156,7 @@ pub enum FitError {
         /// Evaluations of the model.
         evaluations: usize,
     },
-    /// Somebody wished that it ends.
+    /// The fit was cancelled.
     #[error("the fit was stopped after {evaluations} evaluations")]
     Stopped {
         /// Evaluations of the model.

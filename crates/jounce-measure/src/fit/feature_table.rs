@@ -1,20 +1,20 @@
-//! Tables of a features file, every fault kept.
+//! Parses tables of a features file and collects all faults.
 
 use jounce::spec::Quantity;
 use toml_edit::{Array, Item, TableLike, Value};
 
 use super::Deviation;
 
-/// A table and what is wrong with it.
+/// Table with its faults.
 pub(super) struct FeatureTable<'t> {
     pub table: &'t dyn TableLike,
-    /// What stands before each fault: `mode 2, `.
+    /// Prefix of each fault: `mode 2, `.
     pub place: String,
     pub faults: &'t mut Vec<String>,
 }
 
 impl<'t> FeatureTable<'t> {
-    /// Keys that the table must not have.
+    /// Reports keys that the table must not contain.
     pub fn refuse_all_but(&mut self, keys: &[&str]) {
         let strange = self
             .table
@@ -23,7 +23,7 @@ impl<'t> FeatureTable<'t> {
             .filter(|key| !keys.contains(key));
         let told = strange.map(|key| {
             format!(
-                "{}{key} is no key of features; there are {}",
+                "{}{key} is not a key of features; the keys are {}",
                 self.place,
                 keys.join(", ")
             )
@@ -35,7 +35,7 @@ impl<'t> FeatureTable<'t> {
         self.faults.push(format!("{}{why}", self.place));
     }
 
-    /// A text that must be there.
+    /// Returns a required text.
     pub fn text(&mut self, key: &str, example: &str) -> Option<String> {
         let found = self
             .table
@@ -43,12 +43,14 @@ impl<'t> FeatureTable<'t> {
             .and_then(Item::as_str)
             .map(str::to_owned);
         if found.is_none() {
-            self.fault(format!("{key} must be a text, as in {key} = \"{example}\""));
+            self.fault(format!(
+                "{key} must be a text, such as {key} = \"{example}\""
+            ));
         }
         found
     }
 
-    /// A text that may be there.
+    /// Returns an optional text.
     pub fn text_if_any(&mut self, key: &str, example: &str) -> Option<String> {
         if self.table.contains_key(key) {
             self.text(key, example)
@@ -57,7 +59,7 @@ impl<'t> FeatureTable<'t> {
         }
     }
 
-    /// A relative deviation, or `"residuals"`; a fault where it is there and neither.
+    /// Returns a relative deviation, or `"residuals"`; any other value is a fault.
     pub fn deviation(&mut self, key: &str) -> Option<Deviation> {
         let item = self.table.get(key)?;
         let found = match item.as_str() {
@@ -65,20 +67,26 @@ impl<'t> FeatureTable<'t> {
             _ => positive(item).map(Deviation::Given),
         };
         if found.is_none() {
-            self.fault(format!("{key} must be a relative standard deviation, a number above 0, as in 0.002, or \"residuals\""));
+            self.fault(format!(
+                "{key} must be a relative standard deviation, a number above 0 \
+                such as 0.002, or \"residuals\""
+            ));
         }
         found
     }
 
-    /// The deviation of its own, which must be there.
+    /// Returns the required deviation of the table.
     pub fn own_deviation(&mut self) -> Deviation {
         if !self.table.contains_key("deviation") {
-            self.fault("deviation is missing: the relative standard deviation, as in 0.02, or \"residuals\"");
+            self.fault(
+                "deviation is missing: expected the relative standard deviation, such as \
+                0.02, or \"residuals\"",
+            );
         }
         self.deviation("deviation").unwrap_or(Deviation::Residuals)
     }
 
-    /// True or false; false where it is not there.
+    /// Returns a flag, false by default.
     pub fn flag(&mut self, key: &str) -> bool {
         let Some(item) = self.table.get(key) else {
             return false;
@@ -90,19 +98,19 @@ impl<'t> FeatureTable<'t> {
         found.unwrap_or(false)
     }
 
-    /// A positive quantity with its unit.
+    /// Returns a positive quantity with its unit.
     pub fn quantity(&mut self, key: &str, quantity: Quantity, example: &str) -> Option<f64> {
         let text = self.text(key, example)?;
         let found = quantity.read(&text).ok().filter(|value| *value > 0.0);
         if found.is_none() {
             self.fault(format!(
-                "{key} is \"{text}\"; it must be above 0, with its unit, as in \"{example}\""
+                "{key} is \"{text}\"; it must be above 0, with its unit, such as \"{example}\""
             ));
         }
         found
     }
 
-    /// Positive quantities with their units.
+    /// Returns positive quantities with their units.
     pub fn quantities(&mut self, key: &str, quantity: Quantity, example: &str) -> Vec<f64> {
         let texts = self.texts(key, example);
         let found: Option<Vec<f64>> = texts
@@ -111,13 +119,14 @@ impl<'t> FeatureTable<'t> {
             .collect();
         if found.is_none() {
             self.fault(format!(
-                "{key} must hold values above 0 with their units, as in {key} = [\"{example}\"]"
+                "{key} must contain values above 0 with their units, such as {key} = \
+                [\"{example}\"]"
             ));
         }
         found.unwrap_or_default()
     }
 
-    /// A list of texts that must be there.
+    /// Returns a required list of texts.
     pub fn texts(&mut self, key: &str, example: &str) -> Vec<String> {
         let text = |value: &Value| value.as_str().map(str::to_owned);
         let found = self
@@ -126,13 +135,13 @@ impl<'t> FeatureTable<'t> {
             .filter(|list| !list.is_empty());
         if found.is_none() {
             self.fault(format!(
-                "{key} must be a list of texts, as in {key} = [\"{example}\"]"
+                "{key} must be a list of texts, such as {key} = [\"{example}\"]"
             ));
         }
         found.unwrap_or_default()
     }
 
-    /// As many numbers as are wanted.
+    /// Returns a list of `wanted` numbers.
     pub fn numbers(&mut self, key: &str, wanted: usize) -> Vec<f64> {
         let number = |value: &Value| {
             value
@@ -145,7 +154,7 @@ impl<'t> FeatureTable<'t> {
             .and_then(|list| list.iter().map(number).collect::<Option<Vec<f64>>>());
         if found.as_ref().is_none_or(|list| list.len() != wanted) {
             self.fault(format!(
-                "{key} must be a list of {wanted} numbers, one for each place"
+                "{key} must be a list of {wanted} numbers, one for each value of the swept key"
             ));
         }
         found
@@ -153,13 +162,17 @@ impl<'t> FeatureTable<'t> {
             .unwrap_or_default()
     }
 
-    /// Keys of the spec that hold during this test, with their values as on a command line.
+    /// Returns the keys of the spec that apply during this test, with their values in command-line
+    /// notation.
     pub fn conditions(&mut self) -> Vec<(String, String)> {
         let Some(item) = self.table.get("set") else {
             return Vec::new();
         };
         let Some(table) = item.as_table_like() else {
-            self.fault("set must be a table of keys, as in set = { \"circuit.load.resistance\" = \"100 kohm\" }");
+            self.fault(
+                "set must be a table of keys, such as set = { \"circuit.load.resistance\" \
+                = \"100 kohm\" }",
+            );
             return Vec::new();
         };
         let said = |item: &Item| {
@@ -177,7 +190,7 @@ impl<'t> FeatureTable<'t> {
     }
 }
 
-/// A finite number above 0.
+/// Returns a finite number above 0.
 pub(super) fn positive(item: &Item) -> Option<f64> {
     let number = item
         .as_float()

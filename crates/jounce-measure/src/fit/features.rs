@@ -1,4 +1,4 @@
-//! What was measured, and which keys may move: a TOML file.
+//! Features file (TOML): measured values and free keys.
 
 use std::path::{Path, PathBuf};
 
@@ -7,10 +7,10 @@ use toml_edit::{DocumentMut, Item, TableLike};
 use super::feature_table::{FeatureTable, positive};
 use super::{FitError, HistoryFeature, JumpFeature, ModeFeature, PowerFeature, ResponseFeature};
 
-/// Free keys and everything that was measured.
+/// Free keys and measured values.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Features {
-    /// Bodies that were held in the tests of modes and responses.
+    /// Bodies held during the tests of modes and responses.
     pub hold: Vec<String>,
     /// Free keys, each with the relative standard deviation of its prior.
     pub free: Vec<(String, f64)>,
@@ -24,7 +24,7 @@ pub struct Features {
     pub jumps: Vec<JumpFeature>,
     /// Time histories.
     pub histories: Vec<HistoryFeature>,
-    /// Folder that files of the features are relative to.
+    /// Folder to which paths in the features are relative.
     pub folder: PathBuf,
 }
 
@@ -44,7 +44,7 @@ impl Features {
     /// Reads a file.
     ///
     /// # Errors
-    /// A file that cannot be read; every fault in it.
+    /// A file that cannot be read; all faults in it.
     pub fn read(path: &Path) -> Result<Self, FitError> {
         let text = std::fs::read_to_string(path).map_err(|reason| FitError::Open {
             path: path.to_owned(),
@@ -61,7 +61,7 @@ impl Features {
             })
     }
 
-    /// The features of a text.
+    /// Parses features from text.
     ///
     /// # Errors
     /// One sentence for each fault.
@@ -108,7 +108,7 @@ impl Features {
     }
 }
 
-/// Every table of a kind, with its number in front of its faults.
+/// Parses every table of a kind and prefixes its faults with its number.
 fn each<T>(
     root: &dyn TableLike,
     kind: &str,
@@ -120,7 +120,7 @@ fn each<T>(
     };
     let Some(tables) = item.as_array_of_tables() else {
         faults.push(format!(
-            "{kind} must be tables: write [[{kind}]] before each"
+            "{kind} must be tables: write [[{kind}]] before each table"
         ));
         return Vec::new();
     };
@@ -144,7 +144,7 @@ fn hold(reader: &mut FeatureTable<'_>) -> Vec<String> {
             .collect()
     });
     if names.is_none() {
-        reader.fault("hold must be a list of names, as in hold = [\"table\"]");
+        reader.fault("hold must be a list of names, such as hold = [\"table\"]");
     }
     names.unwrap_or_default()
 }
@@ -161,12 +161,16 @@ fn free(reader: &mut FeatureTable<'_>) -> Vec<(String, f64)> {
         match positive(item) {
             Some(deviation) => free.push((key.to_owned(), deviation)),
             None => reader.fault(format!(
-                "free.{key:?} must be its relative standard deviation, a number above 0, as in 0.05"
+                "free.{key:?} must be its relative standard deviation, a number above 0 such as \
+                0.05"
             )),
         }
     }
     if free.is_empty() && reader.faults.len() == before {
-        reader.fault("no key is free: give [free] with lines as \"beam.NAME.thickness\" = 0.01");
+        reader.fault(
+            "no key is free: give [free] with lines such as \"beam.NAME.thickness\" = \
+            0.01",
+        );
     }
     free
 }

@@ -13,37 +13,39 @@ use super::response::output;
 use super::{Deviation, FitError, FitModel, Question};
 use jounce_data::read;
 
-/// A record whose stamps are times of the run, unless it says when it begins.
+/// Measured time history. Its stamps are times of the run, unless `begins` is given.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HistoryFeature {
-    /// The recording, relative to the features.
+    /// Recording, relative to the features.
     pub file: PathBuf,
-    /// Its channel.
+    /// Channel of the recording.
     pub channel: String,
-    /// What the channel measures: a displacement, a velocity, or the voltage of a patch.
+    /// Measured output: a displacement, a velocity, or the voltage of a patch.
     pub output: FrfResponse,
-    /// Deviation of each sample over the rms of the record.
+    /// Standard deviation of each sample relative to the RMS of the record.
     pub deviation: Deviation,
-    /// Time of the run at the first sample, s; without it the stamps of the record are times of the run.
+    /// Time of the run at the first sample, s; without it the stamps of the record are times of the
+    /// run.
     pub begins_s: Option<f64>,
-    /// Keys that hold during the test.
+    /// Keys that apply during the test.
     pub set: Vec<(String, String)>,
 }
 
 const KEYS: [&str; 6] = ["file", "channel", "output", "begins", "deviation", "set"];
 const HISTORIES: &str = "a history is a .displacement, a .velocity or the .voltage of a patch";
-/// Fewest samples that are a history.
+/// Minimum number of samples of a history.
 const MIN_SAMPLES: usize = 8;
-/// Share of a step by which a stamp may miss the start of the run, or its end: roundoff.
+/// Tolerance of stamps at the start and end of the run, relative to a step: roundoff.
 const STAMP_ROUNDOFF: f64 = 1e-6;
-const BEGINS: &str = "give `begins`, the time of the run at the first sample, as in begins = \"0 s\" where it is that of the start";
+const BEGINS: &str = "give `begins`, the time of the run at the first sample, such as begins = \
+    \"0 s\" for the start of the run";
 
-/// The samples of a record at times of the run.
+/// Samples of a record at times of the run.
 pub(super) struct HistorySamples {
     pub time_s: Vec<f64>,
     pub values: Vec<f64>,
     pub unit: String,
-    /// The record begins later than the run, by its stamps alone.
+    /// True where the record begins later than the run, by its stamps alone.
     pub begins_late: bool,
 }
 
@@ -65,9 +67,15 @@ impl HistoryFeature {
             return None;
         }
         let begins_s = reader.text_if_any("begins", "0 s").map(|text| {
-            let found = Quantity::Time.read(&text).ok().filter(|time_s| *time_s >= 0.0);
+            let found = Quantity::Time
+                .read(&text)
+                .ok()
+                .filter(|time_s| *time_s >= 0.0);
             if found.is_none() {
-                reader.fault(format!("begins is \"{text}\"; it must be a time of the run from 0 on, with its unit, as in \"0 s\""));
+                reader.fault(format!(
+                    "begins is \"{text}\"; it must be a time of the run, not \
+                    negative, with its unit, such as \"0 s\""
+                ));
             }
             found.unwrap_or_default()
         });
@@ -90,7 +98,7 @@ impl HistoryFeature {
         }
     }
 
-    /// The samples with their times.
+    /// Reads the samples with their times.
     pub(super) fn samples(&self, folder: &Path, place: &str) -> Result<HistorySamples, FitError> {
         let told = |reason: String| self.told(place, reason);
         let record =
@@ -131,7 +139,7 @@ impl HistoryFeature {
         })
     }
 
-    /// Stamps beyond the run are hardly times of it: a clock has them that was not set.
+    /// Refuses stamps beyond the run, which are usually from a clock that was not set.
     pub(super) fn within(
         &self,
         time_s: &[f64],
@@ -143,22 +151,23 @@ impl HistoryFeature {
             return Ok(());
         }
         let reason = format!(
-            "its stamps go from {first_s} to {last_s} s, and the run ends at run.duration = {duration_s} s: where they are times of the run, raise \
-             run.duration; where they are not, {BEGINS}"
+            "its stamps range from {first_s} to {last_s} s, but the run ends at run.duration = \
+            {duration_s} s: if they are times of the run, raise run.duration; otherwise {BEGINS}"
         );
         Err(self.told(place, reason))
     }
 
-    /// What is told of a record whose stamps begin later than the run.
+    /// Warning about a record whose stamps begin later than the run.
     pub(super) fn late(&self, first_s: f64, place: &str) -> String {
         format!(
-            "{place}, {}: its first stamp is {first_s} s, and is taken as that time of the run; `begins` says otherwise, as in begins = \"0 s\"",
+            "{place}, {}: its first stamp, {first_s} s, is read as a time of the run; use \
+            `begins` for another time, such as begins = \"0 s\"",
             self.file.display()
         )
     }
 }
 
-/// The run at the times of the record.
+/// Run of the model, sampled at the times of the record.
 pub(super) struct HistoryQuestion {
     pub output: FrfResponse,
     pub time_s: Vec<f64>,
@@ -188,11 +197,11 @@ impl Question for HistoryQuestion {
     }
 }
 
-/// An output of a physical state.
+/// Output as a function of the physical state.
 type Reading<'p> = Box<dyn Fn(&[f64]) -> f64 + 'p>;
 
 impl HistoryQuestion {
-    /// What a physical state has of the output.
+    /// Returns the function that computes the output from a physical state.
     fn reader<'p>(&self, prepared: &'p Model) -> Result<Reading<'p>, FitError> {
         let plant = &prepared.kernel.plant;
         let modes = &plant.system.modes;

@@ -1,4 +1,4 @@
-//! Jumps as features: the value of a key at which a branch of periodic answers turns back.
+//! Jumps as features: the value of a key at a fold of a branch of periodic responses.
 
 use jounce::analysis::{BranchKind, BranchSearch, OrbitMethodKind, Parameter};
 use jounce::spec::NumericKey;
@@ -10,15 +10,15 @@ use super::{Deviation, FitError, FitModel, Question};
 /// A measured jump.
 #[derive(Debug, Clone, PartialEq)]
 pub struct JumpFeature {
-    /// The key that was swept.
+    /// Swept key.
     pub over: String,
-    /// Its value at the jump, as on a command line.
+    /// Value at the jump, in command-line notation.
     pub at: String,
-    /// Range in which branches are followed; both ends must lie beside the jump.
+    /// Range of continuation; its ends must be on both sides of the jump.
     pub between: [String; 2],
-    /// Relative deviation of the value.
+    /// Relative standard deviation of the value.
     pub deviation: Deviation,
-    /// Keys that hold during the test.
+    /// Keys that apply during the test.
     pub set: Vec<(String, String)>,
 }
 
@@ -34,7 +34,10 @@ impl JumpFeature {
         let between = reader.texts("between", "12 Hz");
         let between: Result<[String; 2], _> = between.try_into();
         if between.is_err() {
-            reader.fault("between must be two values beside the jump, as in between = [\"12 Hz\", \"13 Hz\"]");
+            reader.fault(
+                "between must be two values on both sides of the jump, such as between = \
+                [\"12 Hz\", \"13 Hz\"]",
+            );
         }
         let (deviation, set) = (reader.own_deviation(), reader.conditions());
         Some(Self {
@@ -47,7 +50,7 @@ impl JumpFeature {
     }
 }
 
-/// The fold nearest to where the jump was measured, on the branches through both ends of a range.
+/// Fold nearest to the measured jump, on the branches through both ends of a range.
 pub(super) struct JumpQuestion {
     pub key: NumericKey,
     pub at: f64,

@@ -1,6 +1,6 @@
-//! Keys of a spec fitted to what was measured: modes, frequency responses, powers, jumps, time histories.
+//! Fits keys of a spec to measured modes, frequency responses, powers, jumps and time histories.
 //!
-//! With the keys `p_k = p0_k exp(x_k)` and the model's answers `m_i(p)` the fit minimises
+//! With the keys `p_k = p0_k exp(x_k)` and the results `m_i(p)` of the model the fit minimises
 //!
 //! ```text
 //! sum_i (e_i / s_i)^2 + sum_k (x_k / t_k)^2
@@ -9,11 +9,13 @@
 //! e_i = (m_i(p) - m_i,measured) / rms              samples of a time history
 //! ```
 //!
-//! `s` the relative standard deviations of the features and `t` those of the keys before the test (their priors), so that the minimum is the
-//! most probable set of keys. Covariance is that of the linearised model, `C = (J^T J)^-1`; intervals are of 95 %. A further measurement is
-//! expected within the deviation of the model, from `C`, and that of the measurement together.
+//! Here `s` are the relative standard deviations of the features and `t` those of the keys before
+//! the test (their priors). The minimum is therefore the most probable set of keys. The covariance
+//! is that of the linearised model, `C = (J^T J)^-1`; confidence intervals are 95 %. Prediction
+//! intervals combine the deviations of the model, from `C`, and of the measurement.
 //!
-//! Source: M. Friswell, J. Mottershead, Finite Element Model Updating in Structural Dynamics (1995), chapter 8; levenberg-marquardt after MINPACK.
+//! Source: M. Friswell, J. Mottershead, Finite Element Model Updating in Structural Dynamics
+//! (1995), chapter 8; levenberg-marquardt after MINPACK.
 mod derived;
 mod deviation;
 mod discrepancy;

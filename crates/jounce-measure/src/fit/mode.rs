@@ -14,16 +14,16 @@ use super::{Deviation, FitError, FitModel, Question};
 /// A measured mode.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ModeFeature {
-    /// Its number in the model, from 1.
+    /// Number in the model, from 1.
     pub number: usize,
     /// Frequency, Hz, and its relative standard deviation.
     pub frequency: Option<(f64, Deviation)>,
     /// Damping ratio and its relative standard deviation.
     pub damping_ratio: Option<(f64, Deviation)>,
-    /// True for a mode of the harvester with its circuits connected: stiffer and more damped than that of the structure with its patches
-    /// short-circuited.
+    /// True for a mode of the harvester with its circuits connected: stiffer and more damped than
+    /// with short-circuited patches.
     pub loaded: bool,
-    /// Keys that hold during the test.
+    /// Keys that apply during the test.
     pub set: Vec<(String, String)>,
 }
 
@@ -65,14 +65,15 @@ impl ModeFeature {
             reader.fault("damping_ratio must be a number above 0");
         }
         if frequency_hz.is_none() && damping.is_none() {
-            reader.fault("there is neither frequency nor damping_ratio");
+            reader.fault("frequency and damping_ratio are both missing");
         }
         let mut with = |value: Option<Option<f64>>, k: usize, name: &str| {
             let value = value.flatten()?;
             let deviation = own[k].or(usual[k]);
             if deviation.is_none() {
                 reader.fault(format!(
-                    "{name} is missing: the relative standard deviation, as in 0.002, or \"residuals\", here or at the top of the file"
+                    "{name} is missing: expected the relative standard deviation, such as 0.002, \
+                    or \"residuals\", here or at the top of the file"
                 ));
             }
             Some((value, deviation?))
@@ -91,7 +92,7 @@ impl ModeFeature {
         })
     }
 
-    /// What stands behind its name: the keys that hold, and that circuits are connected.
+    /// Suffix of the name: the conditions, and that circuits are connected.
     pub(super) fn conditions_in_words(&self) -> String {
         let set = self
             .set
@@ -113,7 +114,7 @@ impl ModeFeature {
 
 /// Modes under the same conditions.
 pub(super) struct ModeQuestion {
-    /// Numbers of modes, from 0, and whether their frequency or their damping ratio is asked for.
+    /// Mode numbers from 0, with true for a frequency, false for a damping ratio.
     pub asked: Vec<(usize, bool)>,
     pub loaded: bool,
     pub conditions: Conditions,
@@ -152,8 +153,9 @@ impl Question for ModeQuestion {
     }
 }
 
-/// Undamped frequency, rad/s, and damping ratio of every mode of the structure with its circuits: `|p|` and `-re p / |p|` of the poles `p` that
-/// turn, in ascending frequency behind the rigid-body modes.
+/// Undamped frequency, rad/s, and damping ratio of every mode of the structure with its circuits:
+/// `|p|` and `-re p / |p|` of the oscillatory poles `p`, in ascending frequency after the
+/// rigid-body modes.
 fn loaded(mut spec: Spec, modes: Modes) -> Result<Vec<(f64, f64)>, FitError> {
     spec.take_drives_away();
     spec.stop.clear();

@@ -1,4 +1,4 @@
-//! The model that a fit asks, at one set of its keys.
+//! Evaluation of the model at one set of keys.
 
 use std::cell::OnceCell;
 use std::path::Path;
@@ -9,37 +9,37 @@ use jounce::spec::{NumericKey, Spec, SpecFile};
 
 use super::FitError;
 
-/// The spec of a fit, and the folder in which its files lie.
+/// Spec of a fit, and the folder of its files.
 #[derive(Clone, Copy)]
 pub(super) struct FitSource<'a> {
     pub file: &'a SpecFile,
     pub folder: &'a Path,
 }
 
-/// The model at one set of keys.
+/// Model at one set of keys.
 pub(super) struct FitModel<'a> {
     pub spec: Spec,
     pub hold: &'a [String],
-    /// Folder of the spec, where its files lie.
+    /// Folder of the spec and its files.
     pub folder: &'a Path,
-    /// Ends its marches early.
+    /// Cancels the runs.
     pub control: Control,
-    /// The harvester without conditions, made when first asked for.
+    /// Harvester without conditions, built at first use.
     pub prepared: OnceCell<Model>,
 }
 
-/// Something that was measured, to be asked of the model too.
+/// Measurement with a corresponding model result.
 pub(super) trait Question {
-    /// What the model has for every measured number of this test.
+    /// Computes the model's value for every measured number of this test.
     fn ask(&self, model: &FitModel<'_>) -> Result<Vec<f64>, FitError>;
 }
 
-/// Values of keys that hold during a test.
+/// Values of keys that apply during a test.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Conditions(Vec<(NumericKey, f64)>);
 
 impl Conditions {
-    /// Keys and values as on a command line.
+    /// Parses keys and values in command-line notation.
     pub fn new(
         source: FitSource<'_>,
         set: &[(String, String)],
@@ -68,7 +68,7 @@ impl Conditions {
             .map(Self)
     }
 
-    /// The spec as given, under these.
+    /// Applies the conditions to the initial spec.
     pub fn spec(&self, source: FitSource<'_>) -> Result<Spec, FitError> {
         let mut spec = source.file.spec().map_err(|faults| FitError::Features {
             faults: vec![faults.to_string()],
@@ -79,12 +79,12 @@ impl Conditions {
         Ok(spec)
     }
 
-    /// The first of them.
+    /// First condition.
     pub fn first(&self) -> Option<&(NumericKey, f64)> {
         self.0.first()
     }
 
-    /// The same and one more.
+    /// Returns the conditions with one more.
     pub fn with(&self, key: &NumericKey, value: f64) -> Self {
         Self(
             self.0
@@ -97,7 +97,7 @@ impl Conditions {
 }
 
 impl FitModel<'_> {
-    /// The spec under conditions.
+    /// Spec under conditions.
     pub fn spec_at(&self, conditions: &Conditions) -> Result<Spec, FitError> {
         let mut spec = self.spec.clone();
         for (key, value) in &conditions.0 {
@@ -106,7 +106,7 @@ impl FitModel<'_> {
         Ok(spec)
     }
 
-    /// The harvester under conditions.
+    /// Harvester under conditions.
     pub fn prepared_at(&self, conditions: &Conditions) -> Result<Model, FitError> {
         let base = match self.prepared.get() {
             Some(base) => base,

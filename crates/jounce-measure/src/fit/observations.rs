@@ -1,4 +1,4 @@
-//! Everything that was measured, as numbers, and the questions whose answers they are.
+//! Measured numbers, and the model evaluations that correspond to them.
 
 use jounce::spec::NumericKey;
 
@@ -14,21 +14,21 @@ use super::{
     Question, ResponseFeature,
 };
 
-/// A measured number.
+/// Measured number.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct MeasuredNumber {
     pub name: String,
     pub unit: String,
     pub value: f64,
-    /// What its deviation is relative to; its own size, by logarithms, without.
+    /// Scale of the deviation; without one the error is logarithmic.
     pub scale: Option<f64>,
-    /// Number of its group.
+    /// Index of its group.
     pub group: usize,
-    /// Number of the curve that it lies on, and where on it.
+    /// Index of its curve, and the position on it.
     pub on: Option<(usize, f64)>,
 }
 
-/// A curve of measured numbers.
+/// Measured curve.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct MeasuredCurve {
     pub name: String,
@@ -37,19 +37,19 @@ pub(super) struct MeasuredCurve {
     pub over: &'static str,
 }
 
-/// All questions with all measured numbers, in the same order.
+/// All model evaluations with all measured numbers, in the same order.
 #[derive(Default)]
 pub(super) struct Observations {
     pub questions: Vec<Box<dyn Question>>,
     pub measured: Vec<MeasuredNumber>,
     pub groups: Vec<DeviationGroup>,
     pub curves: Vec<MeasuredCurve>,
-    /// How something was taken that could be taken in another way, one sentence each.
+    /// Assumptions about ambiguous inputs, one sentence each.
     pub told: Vec<String>,
 }
 
 impl Observations {
-    /// Reads what lies in files, and checks every key.
+    /// Reads the files and checks every key.
     pub fn of(source: FitSource<'_>, features: &Features) -> Result<Self, FitError> {
         let mut asked = Self::default();
         asked.modes(source, features)?;
@@ -93,7 +93,7 @@ impl Observations {
         });
     }
 
-    /// Modes without conditions are one question, those of each condition one more.
+    /// Groups modes by condition: one evaluation without conditions, and one for each condition.
     fn modes(&mut self, source: FitSource<'_>, features: &Features) -> Result<(), FitError> {
         let (plain, others): (Vec<_>, Vec<_>) = features
             .modes
@@ -125,7 +125,7 @@ impl Observations {
         Ok(())
     }
 
-    /// The numbers of a mode, and what is asked for them.
+    /// Adds the numbers of a mode and returns the requested quantities.
     fn mode(&mut self, mode: &ModeFeature) -> Vec<(usize, bool)> {
         let (mut asked, words) = (Vec::new(), mode.conditions_in_words());
         if let Some((hz, deviation)) = mode.frequency {
@@ -272,7 +272,7 @@ impl Observations {
         );
         if !(low < at && at < high && at > 0.0) {
             let reason = format!(
-                "{} does not lie between {} and {}, above 0",
+                "{} is not between {} and {}, above 0",
                 key.show(at),
                 key.show(low),
                 key.show(high)
@@ -329,7 +329,7 @@ impl Observations {
     }
 }
 
-/// A key and a value of it as on a command line.
+/// Parses a key and its value in command-line notation.
 fn key_and_value(
     source: FitSource<'_>,
     key: &str,

@@ -7,18 +7,18 @@ use super::feature_table::FeatureTable;
 use super::model::Conditions;
 use super::{Deviation, FitError, FitModel, Question};
 
-/// Measured mean powers of all loads over one key.
+/// Measured mean powers over one key.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PowerFeature {
-    /// The key.
+    /// Swept key.
     pub over: String,
-    /// Its values, as on a command line.
+    /// Values, in command-line notation.
     pub values: Vec<String>,
-    /// Mean power at each, W.
+    /// Mean power at each value, W.
     pub mean_power_w: Vec<f64>,
-    /// Relative deviation of each.
+    /// Relative standard deviation of each power.
     pub deviation: Deviation,
-    /// Keys that hold during the test.
+    /// Keys that apply during the test.
     pub set: Vec<(String, String)>,
 }
 
@@ -31,7 +31,7 @@ impl PowerFeature {
         let values = reader.texts("values", "100 kohm");
         let mean_power_w = reader.numbers("mean_power_w", values.len());
         if mean_power_w.iter().any(|power| *power <= 0.0) {
-            reader.fault("mean_power_w must hold numbers above 0, in watts");
+            reader.fault("mean_power_w must contain numbers above 0, in watts");
         }
         let (deviation, set) = (reader.own_deviation(), reader.conditions());
         Some(Self {
@@ -44,7 +44,7 @@ impl PowerFeature {
     }
 }
 
-/// One run of `run.duration` for each condition; its mean power.
+/// Mean power of one run of `run.duration` for each condition.
 pub(super) struct PowerQuestion(pub Vec<Conditions>);
 
 impl Question for PowerQuestion {

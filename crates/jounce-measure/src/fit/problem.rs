@@ -1,4 +1,4 @@
-//! The fit as a least-squares problem.
+//! Fit as a least-squares problem.
 
 use std::cell::{Cell, OnceCell, RefCell};
 use std::path::Path;
@@ -12,7 +12,7 @@ use nalgebra::{DMatrix, DVector, Dyn};
 use super::observations::{MeasuredNumber, Observations};
 use super::{FitError, FitModel};
 
-/// Keys as `p0 exp(x)`; residuals of the features, then of the priors.
+/// Least-squares problem with keys `p0 exp(x)`; residuals of the features, then of the priors.
 pub(super) struct FitProblem<'a> {
     pub spec: &'a Spec,
     pub folder: &'a Path,
@@ -21,21 +21,22 @@ pub(super) struct FitProblem<'a> {
     pub start: Vec<f64>,
     pub prior: Vec<f64>,
     pub asked: &'a Observations,
-    /// Deviation of each group.
+    /// Standard deviation of each group.
     pub deviation: Vec<f64>,
     pub unknowns: DVector<f64>,
     pub evaluations: Cell<usize>,
-    /// Counts them, and ends the fit early.
+    /// Counts the evaluations, and can cancel the fit.
     pub control: &'a Control,
-    /// Why the model could not be evaluated last.
+    /// Error of the most recent failed evaluation.
     pub fault: RefCell<Option<FitError>>,
 }
 
-/// By how much the logarithm of a key is moved for a derivative: errors of the frequencies (1e-9) and of the quotient (1e-8) are alike.
+/// Step in the logarithm of a key for finite differences: errors of the frequencies (1e-9) and of
+/// the quotient (1e-8) are balanced.
 const LOG_DIFFERENCE: f64 = 1e-4;
 
 impl FitProblem<'_> {
-    /// The spec with these unknowns.
+    /// Spec with these unknowns.
     pub fn changed(&self, unknowns: &DVector<f64>) -> Result<Spec, FitError> {
         let mut spec = self.spec.clone();
         for (k, key) in self.keys.iter().enumerate() {
@@ -44,7 +45,7 @@ impl FitProblem<'_> {
         Ok(spec)
     }
 
-    /// What the model has for every measured number.
+    /// Computes the model's value for every measured number.
     pub fn model(&self, unknowns: &DVector<f64>) -> Result<Vec<f64>, FitError> {
         self.evaluations.set(self.evaluations.get() + 1);
         self.control.count();
@@ -53,7 +54,7 @@ impl FitProblem<'_> {
                 evaluations: self.evaluations.get(),
             });
         }
-        // Orbits count on their own: what is counted here are evaluations.
+        // Orbits have their own count; here only evaluations are counted.
         let (spec, control) = (self.changed(unknowns)?, self.control.apart());
         let model = FitModel {
             spec,
@@ -71,12 +72,12 @@ impl FitProblem<'_> {
         Ok(answers.concat())
     }
 
-    /// Deviation of a measured number.
+    /// Standard deviation of a measured number.
     pub fn deviation_of(&self, measured: &MeasuredNumber) -> f64 {
         self.deviation[measured.group]
     }
 
-    /// Errors over deviations: features first, then priors.
+    /// Errors relative to deviations: features first, then priors.
     pub fn errors(&self, unknowns: &DVector<f64>) -> Result<DVector<f64>, FitError> {
         let model = self.model(unknowns)?;
         let features = self
@@ -115,7 +116,7 @@ impl FitProblem<'_> {
 }
 
 impl MeasuredNumber {
-    /// Error of the model before its deviation is looked at.
+    /// Error of the model, not divided by the deviation.
     pub fn error(&self, model: f64) -> f64 {
         match self.scale {
             None => (model / self.value).ln(),
@@ -123,7 +124,7 @@ impl MeasuredNumber {
         }
     }
 
-    /// A number that lies an error away from another one.
+    /// Returns the number at a given error from another one.
     pub fn moved(&self, from: f64, error: f64) -> f64 {
         match self.scale {
             None => from * error.exp(),

@@ -1,55 +1,61 @@
-//! Intervals of the keys by the profile of what is minimised.
+//! Confidence intervals of the keys by profile likelihood.
 //!
-//! Where a feature answers to a key as a sum and not as a product, the objective is no parabola in the logarithm of the key, and an interval
-//! from the covariance holds the truth too seldom. With `S(x)` the least objective of all sets of keys of which one is held at `x`,
+//! Where a feature depends on a key through a sum and not a product, the objective is not a
+//! parabola in the logarithm of the key. An interval from the covariance then has too little
+//! coverage. With `S(x)` the minimum of the objective over all other keys, with one key fixed at
+//! `x`,
 //!
 //! ```text
 //! S(low) = S(high) = S_min + q^2,
 //! ```
 //!
-//! with `q` the quantile: the covariance's own interval where `S` is a parabola. The other keys follow by steps of Gauss and Newton; the
-//! derivatives there are those at the minimum, and what every step has told of them since (Broyden's update).
+//! where `q` is the quantile; for a parabolic `S` this is the interval of the covariance. The other
+//! keys follow by Gauss-Newton steps. Their derivatives start from those at the minimum and are
+//! corrected at every step (Broyden's update).
 //!
-//! Source: D. Venzon, S. Moolgavkar, A method for computing profile-likelihood-based confidence intervals, Applied Statistics 37 (1988) 87.
-//! Validation: `tests/fitted/coverage.rs`, and a key whose interval is known in closed form below.
+//! Source: D. Venzon, S. Moolgavkar, A method for computing profile-likelihood-based confidence
+//! intervals, Applied Statistics 37 (1988) 87. Validation: `tests/fitted/coverage.rs`, and a key
+//! whose interval is known in closed form below.
 
 use nalgebra::{DMatrix, DVector};
 
 use super::FitError;
 
-/// Distance from the minimum, relative to the quantile, within which an end is found.
+/// Tolerance on the distance of an end from the minimum, relative to the quantile.
 const END_TOLERANCE: f64 = 0.005;
-/// Steps towards an end.
+/// Maximum number of steps towards an end.
 const MAX_STEPS: usize = 40;
-/// What the other keys may still gain at an end, beside the square of the quantile.
+/// Maximum remaining decrease of the objective by the other keys at an end, relative to the squared
+/// quantile.
 const MAX_REMAINING_GAIN: f64 = 0.01;
-/// Most by which the distance of an end from the minimum changes in a step.
+/// Maximum change per step of the distance from the minimum.
 const MAX_DISTANCE_CHANGE: f64 = 2.0;
 
 /// Errors at a set of unknowns.
 pub(super) type ErrorFunction<'p> = dyn Fn(&DVector<f64>) -> Result<DVector<f64>, FitError> + 'p;
 
-/// A minimum from which ends are sought.
+/// Minimum whose profile is computed.
 pub(super) struct Profile<'p> {
-    /// Errors over their deviations at a set of unknowns.
+    /// Errors, relative to their deviations, at a set of unknowns.
     pub errors: &'p ErrorFunction<'p>,
-    /// Where it lies.
+    /// Unknowns at the minimum.
     pub least: &'p DVector<f64>,
-    /// Errors there.
+    /// Errors at the minimum.
     pub at_least: &'p DVector<f64>,
-    /// The sum of their squares.
+    /// Sum of their squares.
     pub objective: f64,
-    /// Derivatives of the errors there.
+    /// Derivatives of the errors at the minimum.
     pub derivatives: &'p DMatrix<f64>,
-    /// Covariance of the unknowns there.
+    /// Covariance of the unknowns at the minimum.
     pub covariance: &'p DMatrix<f64>,
 }
 
 impl Profile<'_> {
-    /// The end of the interval of unknown `k` that lies `quantile` deviations to one side; none where the model cannot be followed there.
+    /// Finds the end of the interval of unknown `k`, about `quantile` deviations to one side;
+    /// `None` where the model cannot be evaluated that far.
     ///
     /// # Errors
-    /// The wish to stop.
+    /// Cancellation.
     pub fn end(&self, k: usize, quantile: f64) -> Result<Option<f64>, FitError> {
         let mut derivatives = self.derivatives.clone();
         let away = quantile * self.covariance[(k, k)].sqrt();
@@ -87,7 +93,7 @@ impl Profile<'_> {
             if found {
                 return Ok(Some(here.unknowns[k]));
             }
-            // By the secant, as far as it goes.
+            // Secant method, limited in step.
             let been = here.unknowns[k] - self.least[k];
             let slant = (been - (before.unknowns[k] - self.least[k])) / (reached - reached_before);
             let share = if slant.is_finite() {
@@ -104,7 +110,8 @@ impl Profile<'_> {
         Ok(None)
     }
 
-    /// What a step tells of the derivatives: the least change, each unknown beside its deviation, that gives the errors at its end.
+    /// Broyden's update: the smallest change of the derivatives, unknowns scaled by their
+    /// deviations, that reproduces the errors at the end of the step.
     fn update(
         &self,
         derivatives: &DMatrix<f64>,
@@ -118,7 +125,7 @@ impl Profile<'_> {
     }
 }
 
-/// A set of unknowns and the errors there.
+/// Set of unknowns with its errors.
 struct ProfilePoint {
     unknowns: DVector<f64>,
     errors: DVector<f64>,
@@ -129,8 +136,9 @@ struct ProfilePoint {
 mod tests {
     use super::*;
 
-    /// One number `1 + b exp(x) + exp(y)` measured to `s`, one `exp(y)` to `t`: without priors `y` is free to follow, and what is left of `x` is
-    /// a straight line in `exp(x)`, whose interval is `exp(x0) +- q hypot(s, t) / b`.
+    /// One number `1 + b exp(x) + exp(y)` measured to `s`, one `exp(y)` to `t`. Without priors `y`
+    /// is free to follow, and the profile of `x` is a straight line in `exp(x)`, whose interval is
+    /// `exp(x0) +- q hypot(s, t) / b`.
     #[test]
     fn a_key_that_adds_to_a_feature_has_a_lopsided_interval() {
         let (b, s, t, x, y) = (0.4, 0.05, 0.08, -0.3_f64, 0.2_f64);
@@ -162,7 +170,7 @@ mod tests {
                 (found - exact).abs() < 0.01 * (exact - x).abs(),
                 "{found} {exact}"
             );
-            // The covariance alone is far off.
+            // The interval of the covariance is far off.
             assert!(
                 (x + quantile * covariance[(0, 0)].sqrt() - exact).abs() > 0.1 * (exact - x).abs()
             );

@@ -14,18 +14,19 @@ use super::{Deviation, FitError, FitModel, Question};
 use jounce_data::read;
 use jounce_data::recording::{Over, Quantity as Measures, Unit};
 
-/// What was measured of a response.
+/// Measured values of a response.
 #[derive(Debug, Clone, PartialEq)]
 pub enum MeasuredLines {
-    /// Its size at frequencies, Hz, per newton or per m/s^2 of the base.
+    /// Magnitude at frequencies, Hz, per newton or per m/s^2 of the base.
     Magnitude(Vec<f64>, Vec<f64>),
-    /// Its complex value there.
+    /// Complex value at frequencies.
     Complex(Vec<f64>, Vec<c64>),
-    /// A channel of a file of responses over frequency, between two frequencies; relative to the features.
+    /// Channel of a file of responses over frequency, between two frequencies; relative to the
+    /// features.
     File {
         /// The file.
         path: PathBuf,
-        /// Its channel.
+        /// Channel name.
         channel: String,
         /// Lines between these frequencies, Hz.
         between_hz: (f64, f64),
@@ -35,17 +36,18 @@ pub enum MeasuredLines {
 /// A measured frequency response.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ResponseFeature {
-    /// What shakes it.
+    /// Excitation.
     pub input: FrfInput,
-    /// What is looked at.
+    /// Response output.
     pub output: FrfResponse,
-    /// What was measured.
+    /// Measured values.
     pub lines: MeasuredLines,
-    /// True where the motion is that of a sensor on the structure while the base moves, and not relative to the base.
+    /// True for the absolute motion of a sensor on the structure while the base moves; false for
+    /// motion relative to the base.
     pub absolute: bool,
-    /// Relative deviation of the size at each line.
+    /// Relative standard deviation of the magnitude at each line.
     pub deviation: Deviation,
-    /// Keys that hold during the test.
+    /// Keys that apply during the test.
     pub set: Vec<(String, String)>,
 }
 
@@ -93,7 +95,7 @@ impl ResponseFeature {
         })
     }
 
-    /// What a file of it must be in.
+    /// Output, input and unit required of a file.
     pub(super) fn sides(&self) -> ResponseChannels {
         let output = match self.output {
             FrfResponse::Displacement(_) => Measures::Displacement,
@@ -113,7 +115,7 @@ impl ResponseFeature {
         }
     }
 
-    /// How a motion over a moving base was taken where nothing says it.
+    /// Note on a motion over a moving base that is read as relative by default.
     pub(super) fn relative_in_words(&self, place: &str) -> Option<String> {
         let moves = matches!(
             self.output,
@@ -121,14 +123,15 @@ impl ResponseFeature {
         );
         (moves && self.input == FrfInput::BaseAcceleration && !self.absolute).then(|| {
             format!(
-                "{place}: {} is taken relative to the base; write absolute = true for a sensor that stands on the structure",
+                "{place}: {} is read as relative to the base; write absolute = true for a sensor \
+                on the structure",
                 self.output.name()
             )
         })
     }
 }
 
-/// What is looked at, by the name that `frf` gives it.
+/// Parses the response output, named as in `frf`.
 pub(super) fn output(text: &str, reader: &mut FeatureTable<'_>) -> Option<FrfResponse> {
     let found = text.rsplit_once('.').and_then(|(name, kind)| {
         let name = name.to_owned();
@@ -183,12 +186,12 @@ fn lines(reader: &mut FeatureTable<'_>) -> Option<MeasuredLines> {
     }
     let magnitude = reader.numbers("magnitude", frequency_hz.len());
     if magnitude.iter().any(|size| *size <= 0.0) {
-        reader.fault("magnitude must hold numbers above 0");
+        reader.fault("magnitude must contain numbers above 0");
     }
     Some(MeasuredLines::Magnitude(frequency_hz, magnitude))
 }
 
-/// What a response measures, what it is per, and its unit.
+/// Output and input of a response, and its unit.
 pub(super) struct ResponseChannels {
     output: Measures,
     input: Measures,
@@ -196,7 +199,7 @@ pub(super) struct ResponseChannels {
 }
 
 impl MeasuredLines {
-    /// The lines themselves, and what is assumed of them; a file is read.
+    /// Returns the lines and the assumptions about them; reads a file if needed.
     pub(super) fn read(
         &self,
         folder: &Path,
@@ -221,7 +224,7 @@ impl MeasuredLines {
             recording.over == Over::Frequency && recording.channel(channel).is_ok()
         });
         let recording =
-            over.ok_or_else(|| told(format!("it holds no channel {channel} over frequency")))?;
+            over.ok_or_else(|| told(format!("it has no channel {channel} over frequency")))?;
         let found = recording
             .channel(channel)
             .map_err(|fault| told(fault.to_string()))?;
@@ -230,13 +233,14 @@ impl MeasuredLines {
         if !silent && (Unit::responds(unit), Unit::per(unit)) != (Some(due.output), Some(due.input))
         {
             return Err(told(format!(
-                "channel {channel} is in {unit}, and this response is in {}; correct input, output or unit",
+                "channel {channel} is in {unit}, but this response is in {}; correct input, \
+                output or unit",
                 due.unit
             )));
         }
         let assumed = silent.then(|| {
             format!(
-                "{place}: channel {channel} tells no unit; {} is assumed",
+                "{place}: channel {channel} has no unit; {} is assumed",
                 due.unit
             )
         });
@@ -245,7 +249,7 @@ impl MeasuredLines {
             .filter(|k| places[*k] > 0.0 && (between_hz.0..=between_hz.1).contains(&places[*k]))
             .collect();
         if inside.is_empty() {
-            return Err(told("no line lies in the band".to_owned()));
+            return Err(told("no line is in the band".to_owned()));
         }
         let frequency_hz = inside.iter().map(|k| places[*k]).collect();
         let lines = match &found.imaginary {
@@ -265,7 +269,7 @@ impl MeasuredLines {
     }
 }
 
-/// A response to be asked for: sizes, or real parts and then imaginary parts.
+/// Response to be evaluated: magnitudes, or real parts followed by imaginary parts.
 pub(super) struct ResponseQuestion {
     pub input: FrfInput,
     pub output: FrfResponse,
@@ -314,7 +318,8 @@ impl Question for ResponseQuestion {
 }
 
 impl ResponseQuestion {
-    /// What the motion of the base adds to that of a sensor on the structure, per acceleration of the base; nothing to a voltage, or under a force.
+    /// Contribution of the base motion to the motion of a sensor on the structure, per acceleration
+    /// of the base; 0 for a voltage or under a force.
     fn of_base(&self, hz: f64) -> c64 {
         let jw = c64::new(0.0, std::f64::consts::TAU * hz);
         match (&self.input, &self.output) {

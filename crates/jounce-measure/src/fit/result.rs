@@ -1,4 +1,4 @@
-//! What a fit gives.
+//! Results of a fit.
 
 use serde::Serialize;
 
@@ -12,111 +12,114 @@ use super::warnings::warnings;
 use crate::modal::Mode;
 use crate::spectral::student_95;
 
-/// A key before and after.
+/// Key before and after the fit.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct FittedKey {
-    /// Its path.
+    /// Path of the key.
     pub key: String,
-    /// Its SI unit.
+    /// SI unit.
     pub unit: String,
     /// Value before, SI.
     pub before: f64,
     /// Value after, SI.
     pub after: f64,
-    /// Ends of the interval of 95 %, SI, by the profile of what was minimised: not always as far below as above.
+    /// Lower end of the 95 % confidence interval by profile likelihood, SI; the interval may be
+    /// asymmetric.
     pub low: f64,
-    /// Its upper end.
+    /// Upper end, SI.
     pub high: f64,
     /// Relative standard deviation of the prior.
     pub prior_deviation: f64,
-    /// Relative standard deviation after.
+    /// Relative standard deviation after the fit.
     pub deviation: f64,
 }
 
-/// A feature before and after.
+/// Feature before and after the fit.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct FittedFeature {
-    /// Its name, as in `mode 1 frequency`.
+    /// Name, such as `mode 1 frequency`.
     pub name: String,
-    /// Its unit.
+    /// Unit.
     pub unit: String,
-    /// As measured.
+    /// Measured value.
     pub measured: f64,
     /// Relative standard deviation of the measurement.
     pub deviation: f64,
-    /// Of the model before.
+    /// Value of the model before the fit.
     pub before: f64,
-    /// Of the model after.
+    /// Value of the model after the fit.
     pub after: f64,
-    /// Relative standard deviation of the model's prediction after the fit, from that of the keys.
+    /// Relative standard deviation of the model's prediction after the fit, propagated from the
+    /// keys.
     pub predicted_deviation: f64,
-    /// Lower end of the interval in which 95 % of further measurements are expected.
+    /// Lower end of the 95 % prediction interval of a further measurement.
     pub low: f64,
-    /// Its upper end.
+    /// Upper end of that interval.
     pub high: f64,
 }
 
-/// A measured curve before and after: a frequency response or a time history.
+/// Measured curve before and after the fit: a frequency response or a time history.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct FittedCurve {
-    /// Its name, as in `mfc.voltage`.
+    /// Name, such as `mfc.voltage`.
     pub name: String,
-    /// Its unit.
+    /// Unit.
     pub unit: String,
-    /// What it is taken over, `frequency_hz` or `time_s`.
+    /// Independent variable, `frequency_hz` or `time_s`.
     pub over: String,
-    /// The places.
+    /// Values of the independent variable.
     pub at: Vec<f64>,
-    /// As measured.
+    /// Measured values.
     pub measured: Vec<f64>,
-    /// Of the model before.
+    /// Values of the model before the fit.
     pub before: Vec<f64>,
-    /// Of the model after.
+    /// Values of the model after the fit.
     pub after: Vec<f64>,
-    /// Lower ends of the intervals in which 95 % of further measurements are expected.
+    /// Lower ends of the 95 % prediction intervals of further measurements.
     pub low: Vec<f64>,
-    /// Their upper ends.
+    /// Upper ends of those intervals.
     pub high: Vec<f64>,
 }
 
-/// The deviation of features that share one.
+/// Standard deviation shared by several features.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct FittedDeviation {
-    /// The features.
+    /// Name of the features.
     pub name: String,
-    /// Their relative standard deviation.
+    /// Relative standard deviation.
     pub deviation: f64,
-    /// Degrees of freedom that it rests on where it comes from the residuals; none where it was given.
+    /// Degrees of freedom if estimated from residuals; `None` if given.
     pub degrees_of_freedom: Option<f64>,
 }
 
-/// Keys, features, and how far to trust them.
+/// Keys, features, and their uncertainty.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct FitResult {
-    /// The keys.
+    /// Fitted keys.
     pub keys: Vec<FittedKey>,
-    /// The features that are single numbers.
+    /// Features that are single numbers.
     pub features: Vec<FittedFeature>,
-    /// Those that are curves.
+    /// Features that are curves.
     pub curves: Vec<FittedCurve>,
-    /// Deviations of the features.
+    /// Standard deviations of the features.
     pub deviations: Vec<FittedDeviation>,
-    /// Deviations to each side that intervals of 95 % reach: those of Student's distribution where a deviation comes from residuals.
+    /// Half-width of the 95 % intervals in standard deviations: the Student quantile where a
+    /// deviation comes from residuals.
     pub quantile: f64,
-    /// Correlation of every key with every other.
+    /// Correlation matrix of the keys.
     pub correlation: Vec<Vec<f64>>,
     /// Sum of the squared errors of the features over their variances.
     pub chi_square: f64,
-    /// The same plus that of the keys about their priors: what was minimised.
+    /// Minimised objective: chi square plus the prior terms of the keys.
     pub objective: f64,
-    /// What the data cannot tell, one sentence each.
+    /// Warnings about undetermined quantities, one sentence each.
     pub warnings: Vec<String>,
     /// Evaluations of the model.
     pub evaluations: usize,
 }
 
 impl FittedFeature {
-    /// Relative error before and after.
+    /// Relative error before and after the fit.
     pub fn errors(&self) -> (f64, f64) {
         (
             self.before / self.measured - 1.0,
@@ -126,7 +129,7 @@ impl FittedFeature {
 }
 
 impl FittedCurve {
-    /// Errors before and after, rms over that of the measured curve.
+    /// RMS errors before and after, relative to the RMS of the measured curve.
     pub fn errors(&self) -> (f64, f64) {
         let rms = |of: &dyn Fn(usize) -> f64| {
             (0..self.at.len())
@@ -142,7 +145,7 @@ impl FittedCurve {
     }
 }
 
-/// A measured number with everything that is told of it.
+/// Measured number with its results.
 struct FeatureResult<'m> {
     measured: &'m MeasuredNumber,
     feature: FittedFeature,
@@ -233,7 +236,7 @@ impl FitResult {
     }
 }
 
-/// Where the profile has no end, that of the covariance stands in for it.
+/// Where the profile has no end, the interval of the covariance is used.
 fn key(
     problem: &FitProblem<'_>,
     k: usize,

@@ -1,4 +1,4 @@
-//! The fit, and the deviations that its residuals tell.
+//! Solves the fit and estimates deviations from its residuals.
 
 use std::cell::{Cell, RefCell};
 use std::path::Path;
@@ -14,39 +14,43 @@ use super::observations::Observations;
 use super::problem::FitProblem;
 use super::{Features, FitError, FitResult};
 
-/// Rounds in which deviations are taken from residuals.
+/// Maximum number of iterations for deviations from residuals.
 const MAX_ROUNDS: usize = 40;
 const DEVIATION_ROUNDOFF: f64 = 1e-6;
-/// A deviation that changes by less than this share is found.
+/// Relative change below which a deviation has converged.
 const DEVIATION_TOLERANCE: f64 = 1e-3;
 
-/// A minimum and what surrounds it.
+/// Minimum with its derivatives and covariance.
 pub(super) struct Minimum {
-    /// Derivatives of the errors over their deviations.
+    /// Derivatives of the errors relative to their deviations.
     pub derivatives: DMatrix<f64>,
     /// Covariance of the logarithms of the keys.
     pub covariance: DMatrix<f64>,
-    /// Degrees of freedom that are left to each group whose deviation is estimated.
+    /// Remaining degrees of freedom of each group with an estimated deviation.
     pub freedom: Vec<Option<f64>>,
 }
 
-/// Fits the free keys of a spec, and gives the spec as fitted. Files that the spec names lie in `folder`; `control` counts the evaluations of
-/// the model and ends them early.
+/// Fits the free keys of a spec and returns the result with the fitted spec. Files named in the
+/// spec are relative to `folder`; `control` counts the evaluations of the model and can cancel
+/// them.
 ///
-/// A deviation `"residuals"` is that at which the residuals of its group have the size that is expected of them,
-/// `s^2 = sum e^2 / (n - g)`, with `e` the errors of its `n` features and `g` the number of keys that they determine (the trace of their part of
-/// the hat matrix); it holds the errors of the model too.
+/// A deviation `"residuals"` is estimated such that the residuals of its group have their expected
+/// size, `s^2 = sum e^2 / (n - g)`. Here `e` are the errors of its `n` features and `g` is the
+/// number of keys that they determine (the trace of their part of the hat matrix). It includes the
+/// errors of the model.
 ///
 /// # Errors
-/// A key that is not there or is 0, features that cannot be read or that the model does not have, no convergence, deviations that the features
-/// cannot tell, the wish to stop.
+/// A key that does not exist or is 0, features that cannot be read or are not in the model, no
+/// convergence, deviations that the features cannot determine, cancellation.
 ///
 /// # Limits
-/// Covariance, and with it intervals of predictions, are those of the model linearised at the minimum; intervals of the keys are not (see
-/// the module `profile`). Modes are matched by their number: where two may change places, free less.
+/// The covariance and the prediction intervals are those of the model linearised at the minimum;
+/// the intervals of the keys are not (see the module `profile`). Modes are matched by number: where
+/// two may change order, free fewer keys.
 ///
 /// # Source
-/// D. MacKay, Bayesian interpolation, Neural Computation 4 (1992) 415, for deviations from residuals.
+/// D. MacKay, Bayesian interpolation, Neural Computation 4 (1992) 415, for deviations from
+/// residuals.
 pub fn fit(
     file: &SpecFile,
     spec: &Spec,
@@ -80,7 +84,7 @@ pub fn fit(
     Ok((answer, problem.changed(&problem.unknowns)?))
 }
 
-/// The free keys one by one, their values in the spec, and their relative deviations.
+/// Free keys, with their values in the spec and their relative deviations.
 #[derive(Default)]
 struct Unknowns {
     keys: Vec<NumericKey>,
@@ -89,7 +93,7 @@ struct Unknowns {
 }
 
 impl Unknowns {
-    /// A list is free in each of its numbers.
+    /// Expands a free list into its numbers.
     fn of(file: &SpecFile, spec: &Spec, free: &[(String, f64)]) -> Result<Self, FitError> {
         let mut unknowns = Self::default();
         for (path, deviation) in free {
@@ -118,7 +122,7 @@ impl Unknowns {
     }
 }
 
-/// Fits, and again until the deviations that come from residuals stay.
+/// Repeats the fit until the deviations from residuals have converged.
 fn settled(mut problem: FitProblem<'_>) -> Result<(FitProblem<'_>, Minimum), FitError> {
     for _ in 0..MAX_ROUNDS {
         problem = minimised(problem)?;
@@ -153,7 +157,7 @@ fn minimised(problem: FitProblem<'_>) -> Result<FitProblem<'_>, FitError> {
         .with_xtol(1e-10)
         .with_patience(50)
         .minimize(problem);
-    // Where the noise of a march hides what is left to gain, the minimum is as good as found.
+    // If the remaining decrease is below the noise of the runs, accept the minimum.
     let found = report.termination.was_successful()
         || matches!(
             report.termination,
@@ -171,7 +175,7 @@ fn minimised(problem: FitProblem<'_>) -> Result<FitProblem<'_>, FitError> {
 
 fn minimum(problem: &FitProblem<'_>) -> Result<Minimum, FitError> {
     let derivatives = problem.derivatives()?;
-    // The priors make every unknown determined, so that the matrix has an inverse.
+    // The priors determine every unknown, so the matrix has an inverse.
     let evaluations = problem.evaluations.get();
     let covariance = (derivatives.transpose() * &derivatives)
         .try_inverse()

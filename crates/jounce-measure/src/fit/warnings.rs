@@ -1,4 +1,4 @@
-//! What the data of a fit cannot tell.
+//! Warnings about quantities that the data of a fit do not determine.
 
 use nalgebra::DMatrix;
 
@@ -6,12 +6,13 @@ use super::Deviation;
 use super::problem::FitProblem;
 use super::solve::Minimum;
 
-/// A deviation after the test of more than this share of the one before: the test says nothing of the key.
+/// Ratio of posterior to prior deviation above which the test contains no information on the key.
 const MAX_POSTERIOR_RATIO: f64 = 0.8;
-/// Two keys correlated beyond this cannot be told apart.
+/// Correlation above which two keys cannot be distinguished.
 const MAX_CORRELATION: f64 = 0.95;
 
-/// One sentence for each thing that the features cannot tell; `linear` names the keys whose interval could not be followed.
+/// Returns one sentence for each undetermined quantity; `linear` names the keys whose interval
+/// could not be profiled.
 pub(super) fn warnings(
     problem: &FitProblem<'_>,
     minimum: &Minimum,
@@ -22,7 +23,8 @@ pub(super) fn warnings(
     let (count, features) = (problem.keys.len(), problem.asked.measured.len());
     let path = |k: usize| problem.keys[k].path();
     let mut found = Vec::new();
-    // Directions of the keys, each over its prior, that the features see better than the priors do.
+    // Directions of the keys, each relative to its prior, that the features determine better than
+    // the priors do.
     let scaled = DMatrix::from_fn(features, count, |i, k| {
         minimum.derivatives[(i, k)] * problem.prior[k]
     });
@@ -32,13 +34,17 @@ pub(super) fn warnings(
         .filter(|s| **s > 1.0)
         .count();
     if seen < count {
-        found.push(format!("{features} features tell {seen} combinations of the {count} keys; the rest stays with the priors"));
+        found.push(format!(
+            "{features} features determine {seen} combinations of the {count} \
+            keys; the others remain at the priors"
+        ));
     }
     for k in 0..count {
         let share = deviation[k] / problem.prior[k];
         if share > MAX_POSTERIOR_RATIO {
             found.push(format!(
-                "the features say next to nothing of {}: its deviation is {:.0} % of the prior's",
+                "the features contain almost no information on {}: its deviation is {:.0} % of \
+                the prior's",
                 path(k),
                 100.0 * share
             ));
@@ -46,14 +52,15 @@ pub(super) fn warnings(
         let moved = problem.unknowns[k] / problem.prior[k];
         if moved.abs() > 2.0 {
             found.push(format!(
-                "{} went {:.1} deviations of its prior away: is the model missing something?",
+                "{} moved by {:.1} standard deviations of its prior: is the model missing \
+                something?",
                 path(k),
                 moved.abs()
             ));
         }
         for other in (0..k).filter(|other| correlation[k][*other].abs() > MAX_CORRELATION) {
             found.push(format!(
-                "{} and {} cannot be told apart: correlation {:.3}",
+                "{} and {} cannot be distinguished: correlation {:.3}",
                 path(other),
                 path(k),
                 correlation[k][other]
@@ -61,7 +68,10 @@ pub(super) fn warnings(
         }
     }
     for key in linear {
-        found.push(format!("the model cannot be followed to both ends of the interval of {key}: it is that of the linearised model there"));
+        found.push(format!(
+            "the model cannot be evaluated at both ends of the interval of {key}: the interval is \
+            from the linearised model there"
+        ));
     }
     for (group, freedom) in problem
         .asked
@@ -72,12 +82,14 @@ pub(super) fn warnings(
     {
         if freedom < 3.0 {
             found.push(format!(
-                "the deviation of {} comes from residuals of {freedom:.1} degrees of freedom: it is hardly known, and so are the intervals",
+                "the deviation of {} is estimated from residuals with {freedom:.1} degrees of \
+                freedom: it is very uncertain, and so are the intervals",
                 group.name
             ));
         }
     }
-    // Mean plus three deviations of chi square where the features alone count; a deviation from residuals makes it fit.
+    // Mean plus three deviations of chi square if the deviations are given; an estimated deviation
+    // always fits.
     let freedom = features.saturating_sub(seen) as f64;
     let given = problem
         .asked

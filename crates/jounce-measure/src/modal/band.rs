@@ -1,4 +1,4 @@
-//! Frequency responses in the band that modes are sought in.
+//! Frequency responses in the band of a modal analysis.
 
 use faer::c64;
 
@@ -8,10 +8,10 @@ use crate::response::MeasuredResponses;
 use crate::spectral::{LeaveOneOutResponse, WindowBias};
 use jounce_data::recording::Quantity;
 
-/// Lowest frequency over the highest of a band that begins far from 0.
+/// Ratio of the lowest to the highest frequency of a band that begins far from 0.
 const FAR_BAND_RATIO: f64 = 0.25;
 
-/// What the responses measure, per force.
+/// Measured quantity of the responses, per force.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum ResponseQuantity {
     /// Displacement.
@@ -32,58 +32,61 @@ pub struct Band {
     pub(super) frequency_hz: Vec<f64>,
     /// Displacement per force: response, line.
     pub(super) response: Vec<Vec<c64>>,
-    /// Variance of each line of each response, real and imaginary part together; empty where nothing is told.
+    /// Variance of each line of each response, real and imaginary part together; empty if unknown.
     pub(super) variance: Vec<Vec<f64>>,
-    /// What is known of the noise.
+    /// Noise model.
     pub(super) noise: BandNoise,
     pub(super) inputs: usize,
-    /// What the blocks see of a free decay.
+    /// Bias of the window on a free decay.
     pub(super) sight: WindowBias,
-    /// What leaving out one part of the blocks changes, for each part.
+    /// Change by leaving out one part of the blocks, for each part.
     pub(super) parts: Vec<LeaveOneOutChange>,
-    /// True where the forces stand for the outputs and the sensors for the references.
+    /// True where the forces are used as outputs and the sensors as references.
     pub(super) swapped: bool,
-    /// Power of `j w` from displacement to what each response measures.
+    /// Power of `j w` from displacement to the measured quantity of each response.
     pub(super) power: Vec<i32>,
 }
 
-/// What is known of the noise of a band.
+/// Noise model of a band.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum BandNoise {
-    /// Nothing, or what blocks tell.
+    /// Unknown, or estimated from blocks.
     AsTold,
-    /// It is alike on all lines.
+    /// Equal on all lines.
     Even,
-    /// The variance of each line from what a fit left of it.
+    /// The variance of each line is estimated from the residuals of a fit.
     ByRest,
 }
 
-/// What leaving out a part of the blocks changes.
+/// Change by leaving out a part of the blocks.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct LeaveOneOutChange {
     /// Share of the blocks that is left out.
     pub share: f64,
-    /// Which place of the force the blocks are of.
+    /// Index of the force location of the blocks.
     pub place: usize,
-    /// Change of the displacement per force: response, line. Nothing for the responses to a force at another place.
+    /// Change of the displacement per force: response, line. Empty for the responses to a force at
+    /// another location.
     pub change: Vec<Vec<c64>>,
 }
 
-/// What one response measures, at each line.
+/// Measured quantity of one response at each line.
 struct MeasuredResponse<'a> {
     value: &'a [c64],
     /// Real and imaginary part together.
     variance: Option<Vec<f64>>,
-    /// Power of `j w` from displacement per force, or per acceleration of the base, to it.
+    /// Power of `j w` from displacement per force, or per acceleration of the base, to the measured
+    /// quantity.
     power: i32,
     without: &'a [LeaveOneOutResponse],
-    /// Which place of the force it is the response to.
+    /// Index of the force location of the response.
     place: usize,
 }
 
 impl Band {
-    /// The lines between two frequencies of responses `response[o * inputs + i]` at `frequency_hz`. `relative_deviation` is that of `|H|` at
-    /// each line of each response where it is known (from the coherence), and empty where it is not.
+    /// Selects the lines between two frequencies of responses `response[o * inputs + i]` at
+    /// `frequency_hz`. `relative_deviation` refers to `|H|` at each line of each response where
+    /// known (from the coherence), and empty otherwise.
     ///
     /// # Errors
     /// Responses of unequal length, a line that is not a number.
@@ -95,7 +98,7 @@ impl Band {
         motion: ResponseQuantity,
         between_hz: (f64, f64),
     ) -> Result<Self, ModalError> {
-        // |H| takes half of the variance, the phase the other half.
+        // |H| has half of the variance, the phase the other half.
         let told = |(deviation, h): (&f64, &c64)| 2.0 * (deviation.max(1e-6) * h.norm()).powi(2);
         let mut measured = Vec::new();
         for (k, value) in response.iter().enumerate() {
@@ -220,7 +223,7 @@ impl Band {
             parts.iter().enumerate().map(left_out).collect::<Vec<_>>()
         };
         let parts: Vec<Vec<LeaveOneOutChange>> = (0..places).map(of_place).collect();
-        // A place of a single block leaves the scatter of the others without a meaning.
+        // A location with a single block makes the scatter of the others useless.
         let all_tell = parts.iter().all(|parts| !parts.is_empty());
         Ok(Self {
             low_hz,
@@ -237,14 +240,17 @@ impl Band {
         })
     }
 
-    /// The lines between two frequencies of measured responses. Of forces at several places the references are the sensors where these are
-    /// fewer: a structure answers alike when force and sensor change places. What measures a voltage is taken for a displacement, since that of
-    /// a patch follows its strain; what tells no unit for an acceleration. Responses of several kinds may stand together, and so may responses to a
-    /// force, to a voltage, and to the motion of the base, which pushes as its acceleration does. An accelerometer that rides on the structure adds 1
-    /// to the response per acceleration of the base, which is the term of the modes below the band. Coherence of several blocks weighs the lines.
+    /// Selects the lines between two frequencies of measured responses. For forces at several
+    /// locations the references are the sensors where these are fewer, by reciprocity. A voltage is
+    /// treated as a displacement, because the voltage of a patch follows its strain; a response
+    /// without unit as an acceleration. Responses of several kinds may be combined, and so may
+    /// responses to a force, a voltage and the base motion. The inertial force of the base motion
+    /// is proportional to its acceleration. An accelerometer on the structure adds 1 to the
+    /// response per base acceleration, which the term of the modes below the band absorbs.
+    /// Coherence of several blocks weights the lines.
     ///
     /// # Errors
-    /// As [`Band::new`].
+    /// Those of [`Band::new`].
     pub fn of(responses: &MeasuredResponses, between_hz: (f64, f64)) -> Result<Self, ModalError> {
         let first = responses.functions.first();
         let frequency_hz = first.map_or(&[][..], |function| &function.frequency_hz);
@@ -276,7 +282,7 @@ impl Band {
         })
     }
 
-    /// What stands in the order of the band in that of the responses.
+    /// Reorders values from band order to response order.
     pub(super) fn in_order<T>(&self, of: Vec<T>) -> Vec<T> {
         let mut placed: Vec<(usize, T)> = order(of.len(), self.outputs(), self.swapped)
             .into_iter()
@@ -286,7 +292,7 @@ impl Band {
         placed.into_iter().map(|(_, one)| one).collect()
     }
 
-    /// The lines up to a frequency, to seek poles in.
+    /// Returns the lines up to a frequency, for the search of poles.
     pub(super) fn below(&self, high_hz: f64) -> Self {
         let lines = self.frequency_hz.partition_point(|hz| *hz <= high_hz);
         let cut = |of: &Vec<c64>| of[..lines].to_vec();
@@ -309,7 +315,7 @@ impl Band {
         }
     }
 
-    /// The band with the variances that what a fit left of its lines tells.
+    /// Returns the band with variances estimated from the residuals of a fit.
     pub(super) fn told_by(&self, variance: Vec<Vec<f64>>) -> Self {
         Self {
             variance,
@@ -319,7 +325,7 @@ impl Band {
         }
     }
 
-    /// The band with noise that is alike on all lines, where nothing else tells it.
+    /// Returns the band with equal noise on all lines, unless the noise is known.
     pub(super) fn evenly_noisy(self) -> Self {
         Self {
             noise: BandNoise::Even,
@@ -327,12 +333,12 @@ impl Band {
         }
     }
 
-    /// True where only a fit can tell the noise.
+    /// True where the noise can only be estimated from a fit.
     pub(super) fn leaves_noise_untold(&self) -> bool {
         self.variance.is_empty() && self.noise == BandNoise::AsTold
     }
 
-    /// A response as it was measured.
+    /// Returns a response in its measured quantity.
     pub(super) fn measured(&self, response: usize) -> Vec<c64> {
         self.response[response]
             .iter()
@@ -341,17 +347,17 @@ impl Band {
             .collect()
     }
 
-    /// Factor from displacement to what a response measures, at a line.
+    /// Factor from displacement to the measured quantity of a response, at a line.
     pub(super) fn as_measured(&self, response: usize, line: usize) -> c64 {
         c64::new(0.0, std::f64::consts::TAU * self.frequency_hz[line]).powi(self.power[response])
     }
 
-    /// True where so much of the circle lies below the band that an order of 40 cannot be counted from 0 on.
+    /// True where the band begins so high that an order of 40 cannot cover the circle from 0.
     pub(super) fn begins_far_from_zero(&self) -> bool {
         matches!(self.frequency_hz[..], [first, .., last] if first > FAR_BAND_RATIO * last)
     }
 
-    /// Mean distance of two lines, Hz.
+    /// Mean line spacing, Hz.
     pub(super) fn line_hz(&self) -> f64 {
         match self.frequency_hz[..] {
             [first, .., last] => (last - first) / (self.frequency_hz.len() - 1) as f64,
@@ -365,7 +371,8 @@ impl Band {
     }
 }
 
-/// Power of `j w` from displacement per force, or per acceleration of the base, to an output per input.
+/// Power of `j w` from displacement per force, or per acceleration of the base, to an output per
+/// input.
 fn power(output: Quantity, input: Quantity) -> i32 {
     let of_output = match output {
         Quantity::Displacement | Quantity::Voltage => ResponseQuantity::Displacement,
@@ -380,7 +387,8 @@ fn power(output: Quantity, input: Quantity) -> i32 {
     of_output as i32 + of_input
 }
 
-/// Numbers of responses `o * references + i`: by their references, then by their outputs, where these change sides.
+/// Indices of responses `o * references + i`; where these change sides, by references, then by
+/// outputs.
 fn order(responses: usize, references: usize, swapped: bool) -> Vec<usize> {
     if !swapped {
         return (0..responses).collect();

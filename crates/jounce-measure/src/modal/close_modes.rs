@@ -1,19 +1,21 @@
-//! Modes so close that a stabilisation diagram shows them as one.
+//! Separates close modes that a stabilisation diagram shows as one.
 //!
-//! One reference sees two modes of one frequency as one; several references see as many as they are themselves. Where most of the upper orders
-//! of the diagram hold several poles at one place, each of them is a mode to begin with.
+//! With one reference, two modes of equal frequency appear as one; several references can separate
+//! as many modes as there are references. Where most of the upper orders of the diagram contain
+//! several poles at one frequency, each of them is an initial mode.
 
 use super::stabilisation::Stability;
 use super::{Pole, StablePole};
 
-/// Poles within this share of a mode's frequency, and nearer to it than to any other, are taken for it or for one beside it.
+/// Maximum relative frequency distance of poles that belong to a mode and are nearest to it.
 const MAX_FREQUENCY_DISTANCE: f64 = 5e-3;
-/// Damping ratios of close modes lie within this factor of each other.
+/// Maximum ratio between the damping ratios of close modes.
 const MAX_DAMPING_RATIO: f64 = 3.0;
-/// Share of the upper orders that must hold so many poles.
+/// Minimum share of the upper orders that contain so many poles.
 const MIN_ORDER_SHARE: f64 = 0.6;
 
-/// The poles to begin with, each that stands for several close ones replaced by these, `most` at one place at most.
+/// Returns the initial poles; each that represents several close ones is replaced by them, at most
+/// `most` at one frequency.
 pub(super) fn apart(diagram: &[StablePole], start: &[Pole], most: usize) -> Vec<Pole> {
     let last = diagram.iter().map(|found| found.order).max().unwrap_or(0);
     let mut all: Vec<Pole> = start
@@ -60,7 +62,8 @@ fn beside(
     let Some(count) = (2..=most).rev().find(|count| hold(*count)) else {
         return vec![pole];
     };
-    // The middle one of the orders that hold just so many; else the first of those that hold more.
+    // The middle one of the orders with exactly this number of poles; else the first of those with
+    // more.
     let exact: Vec<&Vec<Pole>> = upper.iter().filter(|poles| poles.len() == count).collect();
     exact
         .get(exact.len() / 2)
@@ -82,7 +85,7 @@ mod tests {
         }
     }
 
-    /// Two poles in most of the upper orders are two modes; a second one here and there is noise.
+    /// Two poles in most of the upper orders are two modes; an occasional second one is noise.
     #[test]
     fn two_poles_at_one_place_in_most_orders_are_two_modes() {
         let start = [

@@ -1,13 +1,15 @@
-//! Poles in a band that begins far from 0, by the same method with complex coefficients.
+//! Poles in a band that begins far from 0, by pLSCF with complex coefficients.
 //!
-//! Seen from the lower end `f_0` of the band the responses are not those of a real system: what mirrors them lies below. So nothing is mirrored:
+//! Relative to the lower end `f_0` of the band, the responses are not those of a real system,
+//! because the conjugate poles lie below it. They are therefore not mirrored:
 //!
 //! ```text
 //! H_o(w) = B_o(z) A(z)^-1,   z = exp(-j (w - 2 pi f_0) T),   p = -ln(z) / T + j 2 pi f_0
 //! ```
 //!
-//! with complex coefficients and `T` such that the lines go once around the circle: even lines make `R = X^H X` a multiple of the identity, however
-//! far from 0 the band lies. Modes outside of the band, mirrored ones among them, are smooth in it and stand in `B`.
+//! with complex coefficients and `T` such that the lines cover the circle once. Uniform lines make
+//! `R = X^H X` a multiple of the identity, however far from 0 the band is. Modes outside the band,
+//! including conjugate ones, are smooth in it and are absorbed by `B`.
 
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Side, c64};
@@ -17,7 +19,7 @@ use std::f64::consts::TAU;
 use super::sums::{both_ways, signals};
 use super::{Band, ModalError, Pole};
 
-/// Sums over the lines that every order shares.
+/// Sums over the lines, shared by all orders.
 struct ComplexMoments {
     inputs: usize,
     /// `sum z^k` for k from `-most` to `most`.
@@ -31,8 +33,8 @@ struct ComplexMoments {
     base_hz: f64,
 }
 
-/// Poles above the lower end of the band for each order from 1 to `most`, in ascending frequency; those that grow are left out. An order whose
-/// equations are singular has none.
+/// Poles above the lower end of the band for each order from 1 to `most`, in ascending frequency,
+/// without unstable ones. An order with singular equations is empty.
 ///
 /// # Errors
 /// Responses that are all zero.
@@ -61,7 +63,7 @@ impl ComplexMoments {
             .iter()
             .map(|f| c64::from_polar(1.0, -TAU * (f - base_hz) * interval_s))
             .collect();
-        // Of a signal times -j the real part is the imaginary part of the signal.
+        // The real part of a signal times -j is the imaginary part of the signal.
         let signals: Vec<Vec<c64>> = signals(band)
             .into_iter()
             .flat_map(|h| [h.iter().map(|x| c64::new(x.im, -x.re)).collect(), h])
@@ -93,7 +95,7 @@ impl ComplexMoments {
         }
     }
 
-    /// The matrix `M` of each order from 1, as far as `R` has a factor.
+    /// Matrix `M` of each order from 1, up to the first singular `R`.
     fn normal(&self) -> Result<Vec<Mat<c64>>, ModalError> {
         let (n, width) = (self.inputs, self.most + 1);
         let index = |a: usize, b: usize| self.most + b - a;
@@ -126,7 +128,7 @@ impl ComplexMoments {
         Ok(all)
     }
 
-    /// The poles of the order that a matrix `M` belongs to; none where it is singular.
+    /// Poles of the order of a matrix `M`; `None` where it is singular.
     fn poles(&self, m: &Mat<c64>) -> Option<Vec<Pole>> {
         let n = self.inputs;
         let free = m.nrows() - n;
@@ -181,7 +183,8 @@ mod tests {
         }
     }
 
-    /// The band between two frequencies, seen by eight accelerometers, of a structure with these modes, from one force or two.
+    /// Band between two frequencies of a structure with these modes, measured by eight
+    /// accelerometers, from one force or two.
     fn band(between_hz: (f64, f64), modes: &[Pole], inputs: usize) -> Band {
         let frequency_hz: Vec<f64> = (1..6000).map(|k| f64::from(k) * 0.1).collect();
         let mut response = exact(&frequency_hz, modes, shape, 8, inputs);
@@ -249,7 +252,7 @@ mod tests {
         }
     }
 
-    /// All that is done to a band, up to the modes: four of them, and one at a low order.
+    /// The complete modal analysis of a band: four modes, and one at a low order.
     #[test]
     fn modes_far_from_zero_are_found() {
         let cases = [

@@ -1,4 +1,5 @@
-//! What the deviations of the poles rest on: the scatter of the blocks, the variance of the lines, or what the modes leave of the lines.
+//! Covariance of the poles: from the scatter of the blocks, the variance of the lines, or the
+//! residuals of the lines.
 
 use faer::linalg::solvers::DenseSolveCore;
 use faer::{Mat, Side, c64};
@@ -12,18 +13,21 @@ use super::noise::MIN_FREE_SHARE;
 use super::scatter::Scatter;
 use super::variable_projection::ProjectedProblem;
 
-/// How well the unknowns of a fit are known. The first of them are the real and imaginary parts of the poles.
+/// Covariance of the unknowns of a fit. The first unknowns are the real and imaginary parts of the
+/// poles.
 pub(super) struct PoleCovariance {
     /// Inverse of the normal matrix.
     inverse: Mat<f64>,
-    /// What parts of the data do to the unknowns; none where the variances of the lines tell all.
+    /// Effect of parts of the data on the unknowns; `None` where the variances of the lines
+    /// suffice.
     scatter: Option<Scatter>,
-    /// What variances are multiplied by.
+    /// Factor on the variances.
     factor: f64,
 }
 
 impl PoleCovariance {
-    /// By the rows that each output leaves: those of its responses after each other, two to each line. None where the rows leave an unknown free.
+    /// Computes the covariance from the rows of each output: those of its responses in order, two
+    /// per line. `None` where the rows leave an unknown undetermined.
     pub fn of(
         band: &Band,
         data: &FitData,
@@ -36,7 +40,7 @@ impl PoleCovariance {
             .iter()
             .for_each(|left| normal += left.projected.transpose() * &left.projected);
         let inverse = normal.llt(Side::Lower).ok()?.inverse();
-        // Without variances the misfit is all that is known of them.
+        // Without variances only the misfit is known.
         let factor = if band.variance.is_empty() {
             misfit
         } else {
@@ -89,7 +93,8 @@ impl PoleCovariance {
         poles.iter().enumerate().map(of).collect()
     }
 
-    /// Variance of a number that changes by `slope` with the real and the imaginary part of pole `r`.
+    /// Variance of a quantity with derivatives `slope` by the real and the imaginary part of pole
+    /// `r`.
     fn variance(&self, r: usize, slope: [f64; 2]) -> f64 {
         let covariance = &self.inverse;
         let told = || {
@@ -105,20 +110,20 @@ impl PoleCovariance {
             .map_or_else(told, |scatter| scatter.variance(r, slope))
     }
 
-    /// Degrees of freedom of the deviations of each pole; none where they are known well.
+    /// Degrees of freedom of the deviations of each pole; `None` where they are large.
     pub fn freedoms(&self, poles: usize) -> Vec<Option<f64>> {
         (0..poles)
             .map(|r| self.scatter.as_ref().map(|scatter| scatter.freedom(r)))
             .collect()
     }
 
-    /// Share of a row that the unknowns take up, those that are not linear among them.
+    /// Leverage of a row by linear and nonlinear unknowns.
     fn share(&self, left: &ProjectedProblem, row: usize) -> f64 {
         let of = left.projected.row(row);
         left.taken[row] + of * &self.inverse * of.transpose()
     }
 
-    /// Share of each line of each response of a band that the unknowns take up; that of lines which the fit leaves out is nothing.
+    /// Leverage of each line of each response of a band; 0 for lines that the fit leaves out.
     pub fn taken(
         &self,
         data: &FitData,
@@ -138,8 +143,9 @@ impl PoleCovariance {
         (0..band.response.len()).into_par_iter().map(of).collect()
     }
 
-    /// What the rest of a line adds to `J^T P e` over all responses, as it is and turned by 90 degrees: noise has no preferred phase. The rest is
-    /// widened by what the unknowns took up of it.
+    /// Contribution of the residual of a line to `J^T P e` over all responses, and the same turned
+    /// by 90 degrees, because noise has no preferred phase. The residual is enlarged to correct for
+    /// its leverage.
     fn score_of_line(&self, data: &FitData, outputs: &[ProjectedProblem], line: usize) -> Mat<f64> {
         let mut sum = Mat::<f64>::zeros(self.inverse.nrows(), 2);
         for left in outputs {
@@ -161,12 +167,14 @@ impl PoleCovariance {
     }
 }
 
-/// Responses whose rows stand in one part: all of an output where its responses share a shape, else one, however many references there are.
+/// Number of responses whose rows form one part: all of an output where its responses share a
+/// shape, else one, for any number of references.
 fn responses_of_part(data: &FitData, outputs: &[ProjectedProblem]) -> usize {
     data.responses.len() / outputs.len().max(1)
 }
 
-/// What a part that is left out adds to `J^T P e` over all responses, as it is and turned by 90 degrees.
+/// Contribution of a left-out part to `J^T P e` over all responses, and the same turned by 90
+/// degrees.
 fn score(
     data: &FitData,
     outputs: &[ProjectedProblem],

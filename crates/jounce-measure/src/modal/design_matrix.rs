@@ -1,16 +1,18 @@
-//! The columns of the modal model at the lines of a band.
+//! Columns of the modal model at the lines of a band.
 //!
-//! A pole `p` is seen at a line as `(p / j w)^m G(j w - p)`. The powers, and `exp(-s T)` for `s = j w - p` in `G`, are products of a number of the line and
-//! one of the pole, so that no term needs an exponential of its own.
+//! A pole `p` contributes `(p / j w)^m G(j w - p)` to a line. The powers, and `exp(-s T)` for `s =
+//! j w - p` in `G`, are products of a number of the line and one of the pole, so no term needs its
+//! own exponential.
 
 use faer::{Mat, c64};
 
 use crate::spectral::WindowBias;
 
-/// What a band asks of its terms: what blocks see of a decay, the power `m`, the number of terms for the modes above the band.
+/// Properties of the terms of a band: window bias, power `m`, number of terms for the modes above
+/// the band.
 pub(super) type TermKind = (WindowBias, i32, usize);
 
-/// A line, or a pole: `j w` or `p`, its share of `exp(-s T)` and of the factor before `G`.
+/// Line or pole: `j w` or `p`, its factors of `exp(-s T)` and of the factor before `G`.
 #[derive(Clone, Copy)]
 struct TermPoint {
     at: c64,
@@ -44,7 +46,7 @@ impl TermPoint {
         }
     }
 
-    /// `(p / j w)^m G(j w - p)` and its derivative by `p`, at this line.
+    /// Returns `(p / j w)^m G(j w - p)` and its derivative by `p`, at this line.
     fn seen((sight, power, _): TermKind, line: Self, pole: Self) -> (c64, c64) {
         let (value, slope) = sight.transform_from(line.at - pole.at, line.end * pole.end);
         let factor = line.factor * pole.factor;
@@ -57,7 +59,8 @@ impl TermPoint {
         }
     }
 
-    /// The same of a pole and its conjugate, put together for the real and the imaginary part of what stands before them: values, derivatives.
+    /// Combines the terms of a pole and its conjugate for the real and the imaginary part of their
+    /// coefficient: values, derivatives.
     fn both(kind: TermKind, line: Self, pole: Self) -> ([c64; 2], [c64; 2]) {
         let (one, two) = (
             Self::seen(kind, line, pole),
@@ -68,8 +71,9 @@ impl TermPoint {
     }
 }
 
-/// Values of the linear terms at lines: real and imaginary part of each residue, then of `-1/w^2` and of `1, w^2, ..`. What a block leaves of the
-/// decay of a mode, `p^m R exp(p t)` for the power `m`, is displacement per force over `(j w)^m`.
+/// Values of the linear terms at lines: real and imaginary part of each residue, then of `-1/w^2`
+/// and of `1, w^2, ..`. The block's share of the decay of a mode, `p^m R exp(p t)` for the power
+/// `m`, is displacement per force over `(j w)^m`.
 pub(super) struct LinearTerms {
     kind: TermKind,
     poles: Vec<TermPoint>,
@@ -83,7 +87,7 @@ impl LinearTerms {
         }
     }
 
-    /// What the terms times some unknowns add to at a line.
+    /// Sum of the terms times their unknowns at a line.
     pub fn sum(&self, w: f64, unknown: impl Iterator<Item = f64>) -> c64 {
         let line = TermPoint::of_line(self.kind, w);
         let terms = self
@@ -95,7 +99,7 @@ impl LinearTerms {
     }
 }
 
-/// The terms of the modes below and above the band.
+/// Residual terms of the modes below and above the band.
 fn residuals(w: f64, upper: usize) -> impl Iterator<Item = c64> {
     let above = std::iter::successors(Some(1.0), move |x| Some(x * (w * w))).take(upper);
     std::iter::once(-1.0 / (w * w))
@@ -103,17 +107,18 @@ fn residuals(w: f64, upper: usize) -> impl Iterator<Item = c64> {
         .flat_map(|x| [c64::new(x, 0.0), c64::new(0.0, x)])
 }
 
-/// What all responses share at some poles, not weighed: two rows for each line, its real and its imaginary part.
+/// Unweighted columns at some poles, shared by all responses: two rows per line, real and imaginary
+/// part.
 pub(super) struct DesignMatrix {
-    /// The columns of the linear unknowns.
+    /// Columns of the linear unknowns.
     pub linear: Mat<f64>,
-    /// For each pole `u + u'` and `j (u - u')`, where `u` is the derivative of its term by the pole, `1 / (j w - p)^2` for blocks that see
-    /// all, and `u'` that of the conjugate pole.
+    /// For each pole `u + u'` and `j (u - u')`, where `u` is the derivative of its term by the
+    /// pole, `1 / (j w - p)^2` without window bias, and `u'` the derivative for the conjugate pole.
     pub squares: Mat<f64>,
 }
 
 impl DesignMatrix {
-    /// Those of each power.
+    /// Returns the matrices of each power.
     pub fn of_kinds(
         sight: WindowBias,
         powers: &[i32],

@@ -1,24 +1,26 @@
-//! Why no modes are found.
+//! Errors of modal analysis.
 
-/// Responses that give no modes.
+/// Error of a modal analysis.
 #[derive(Debug, Clone, PartialEq, thiserror::Error, serde::Serialize)]
 #[serde(untagged)]
 pub enum ModalError {
-    /// Responses of unequal length, or none.
+    /// Responses of unequal length, or no response.
     #[error(
-        "response {response} has {lines} lines and the frequencies are {expected}; at least one response of as many lines is needed"
+        "response {response} has {lines} lines, but there are {expected} frequencies; at least \
+        one response is needed, with equal numbers"
     )]
     Lengths {
         /// Number of the response, from 1.
         response: usize,
-        /// Its lines.
+        /// Number of its lines.
         lines: usize,
         /// Number of frequencies.
         expected: usize,
     },
-    /// A band with too few lines for the order.
+    /// The band has too few lines for the order.
     #[error(
-        "between {low_hz} and {high_hz} Hz lie {lines} lines; order {order} needs at least {needed}: widen the band, refine the lines or lower the order"
+        "there are {lines} lines between {low_hz} and {high_hz} Hz; order {order} needs at least \
+        {needed}: widen the band, refine the lines or lower the order"
     )]
     Few {
         /// Lower end, Hz.
@@ -29,10 +31,10 @@ pub enum ModalError {
         lines: usize,
         /// Largest order.
         order: usize,
-        /// Lines that it needs.
+        /// Minimum number of lines.
         needed: usize,
     },
-    /// A line that is not a number.
+    /// A line is not a number.
     #[error(
         "response {response} is not a number at {frequency_hz} Hz: does the input vanish there? Bridge such lines (--bridge, bridge=True), or leave them out of the band"
     )]
@@ -42,15 +44,16 @@ pub enum ModalError {
         /// Frequency of the line, Hz.
         frequency_hz: f64,
     },
-    /// Equations without a solution.
+    /// The equations have no solution.
     #[error(
-        "the equations have no solution at any order up to {order}: all responses are zero, or the same lines stand twice; look at the responses, or widen the band"
+        "the equations have no solution at any order up to {order}: all responses are zero, or \
+        lines are duplicated; check the responses, or widen the band"
     )]
     Singular {
         /// The order.
         order: usize,
     },
-    /// No pole stays where it is.
+    /// No pole is stable.
     #[error(
         "no pole is stable from order to order between {low_hz} and {high_hz} Hz: there is no clear mode, or the coherence is too low"
     )]
@@ -60,10 +63,11 @@ pub enum ModalError {
         /// Upper end, Hz.
         high_hz: f64,
     },
-    /// Every pole that was found may be one of noise.
+    /// All poles may be noise.
     #[error(
-        "there is no clear mode between {low_hz} and {high_hz} Hz: every pole found there ({}, at {} Hz) is doubtful, since its damping cannot be \
-         told from none, as that of poles which noise makes; try a longer record, a narrower band, or another order",
+        "there is no clear mode between {low_hz} and {high_hz} Hz: all poles found there ({}, at \
+        {} Hz) have damping statistically indistinguishable from zero and may be noise; try a \
+        longer record, a narrower band, or another order",
         frequency_hz.len(),
         first(frequency_hz)
     )]
@@ -72,12 +76,12 @@ pub enum ModalError {
         low_hz: f64,
         /// Upper end, Hz.
         high_hz: f64,
-        /// The frequencies of the poles, Hz.
+        /// Frequencies of the poles, Hz.
         frequency_hz: Vec<f64>,
     },
 }
 
-/// Frequencies that are told one by one.
+/// Maximum number of frequencies listed in a message.
 const MAX_LISTED_FREQUENCIES: usize = 6;
 
 fn first(frequency_hz: &[f64]) -> String {

@@ -1,22 +1,25 @@
-//! Modes of decays, through their one-sided spectra.
+//! Modes of decays, from their one-sided spectra.
 //!
-//! With samples `x_0 .. x_K` at the rate `r`, `T = 1/r`, the trapezoidal sum over the bins `w = 2 pi m r / K`
+//! With samples `x_0 .. x_K` at the rate `r`, `T = 1/r`, the trapezoidal sum over the bins `w = 2
+//! pi m r / K`
 //!
 //! ```text
 //! S(w) = T [ x_0 / 2 + x_1 z + ... + x_K z^K / 2 ],   z = exp(-j w T),  z^K = 1
 //! ```
 //!
-//! of `x_k = sum_r a_r exp(p_r k T)` is, however short the record, exactly
+//! of `x_k = sum_r a_r exp(p_r k T)` is exactly, for any record length,
 //!
 //! ```text
 //! S = sum_r R_r / (j W - P_r) + U,   W = 2/T tan(w T / 2),   P = 2/T tanh(p T / 2)
 //! ```
 //!
-//! with a constant `U`: the form of a frequency response, at warped frequencies. So the poles of decays come from the same equations as those of
-//! responses, without leakage and without bias, and are turned back by `w = 2/T atan(W T / 2)`.
+//! with a constant `U`: the form of a frequency response, at warped frequencies. The poles of
+//! decays therefore satisfy the same equations as those of responses, without leakage or bias, and
+//! are transformed back by `w = 2/T atan(W T / 2)`.
 //!
-//! Source: the identity is that of the bilinear transform, `coth(a - b) = (1 - tanh a tanh b) / (tanh a - tanh b)`; one-sided spectra for modes
-//! after B. Cauberghe, Applied frequency-domain system identification in the field of experimental and operational modal analysis (2004).
+//! Source: the identity is that of the bilinear transform, `coth(a - b) = (1 - tanh a tanh b) /
+//! (tanh a - tanh b)`; one-sided spectra for modes after B. Cauberghe, Applied frequency-domain
+//! system identification in the field of experimental and operational modal analysis (2004).
 
 use faer::c64;
 use realfft::RealFftPlanner;
@@ -27,23 +30,25 @@ use super::warp::{Warp, without_decay};
 use super::{Band, ModalError, Mode, Pole, ResponseQuantity};
 use crate::response::Decays;
 
-/// Highest frequency over the rate: warped frequencies grow beyond bounds towards a half.
+/// Highest frequency over the rate: warped frequencies diverge towards a half.
 const MAX_FREQUENCY_RATIO: f64 = 0.45;
-/// Where the window of the decays ends in which poles are sought.
+/// Final value of the window on the decays in which poles are sought.
 const END_RATIO: f64 = 0.03;
-/// Lines on both sides of a line over which the variance that blocks tell is averaged.
+/// Lines on both sides of a line over which the variance between blocks is averaged.
 const NEIGHBOUR_LINES: usize = 4;
 
-/// Finds the modes of decays between two frequencies, as [`super::identify`] does those of responses. Where the decays are correlations in blocks,
-/// each line is weighed by the variance over the blocks, and the deviations come from leaving out one block after the other.
+/// Identifies the modes of decays between two frequencies, as [`super::identify`] does for
+/// responses. For correlations in blocks, the variance over the blocks weights each line, and
+/// deviations are computed by leaving out one block at a time.
 ///
 /// # Errors
-/// Too few lines, decays that are zero, no stable pole, none whose damping can be told from none.
+/// Too few lines, decays that are zero, no stable pole, no pole with significant damping.
 ///
 /// # Validation
-/// `tests`: exact decays that have fallen by 45 % only give back their frequencies within 2e-16 and damping ratios within 2e-14, relative; with
-/// noise the truth lies within the stated intervals of 95 % in 93 % of 200 cases. The modes of 400 s under white noise: frequencies within
-/// 0.18 %, damping ratios within 8.6 %, 17 of 18 within their intervals.
+/// `tests`: exact decays that have fallen by only 45 % give their frequencies within 2e-16 and
+/// damping ratios within 2e-14, relative. With noise the truth lies within the stated intervals of
+/// 95 % in 93 % of 200 cases. The modes of 400 s under white noise: frequencies within 0.18 %,
+/// damping ratios within 8.6 %, 17 of 18 within their intervals.
 pub fn identify_decays(
     decays: &Decays,
     between_hz: (f64, f64),
@@ -68,7 +73,8 @@ pub fn identify_decays(
             .map(|values| half_spectrum(values, decays.rate_hz))
             .collect::<Vec<_>>()
     };
-    // Poles are sought in decays that are weighed to die within the record: broad peaks make clear diagrams.
+    // Poles are sought in decays multiplied by a window that ends them within the record: broad
+    // peaks make clear diagrams.
     let decay_per_s = -END_RATIO.ln() / length_s;
     let dying = |values: &Vec<f64>| {
         values
@@ -139,7 +145,7 @@ pub fn identify_decays(
     Ok(found)
 }
 
-/// The residues of all outputs for the reference that sees most of a mode: its shape.
+/// Residues of all outputs for the reference with the largest participation in a mode: its shape.
 fn strongest(residue: &[c64], references: usize) -> Vec<c64> {
     let of = |i: usize| residue.iter().skip(i).step_by(references).copied();
     let size = |i: &usize| of(*i).map(|r| r.norm_sqr()).sum::<f64>();
@@ -152,11 +158,11 @@ fn cut<T: Clone>(of: &[Vec<T>], lines: usize) -> Vec<Vec<T>> {
     of.iter().map(|values| values[..lines].to_vec()).collect()
 }
 
-/// The trapezoidal one-sided spectrum of samples.
+/// Computes the trapezoidal one-sided spectrum of samples.
 fn half_spectrum(values: &[f64], rate_hz: f64) -> Vec<c64> {
     let last = values.len() - 1;
     let mut samples = values[..last].to_vec();
-    // z^K = 1: the last sample falls on the first.
+    // z^K = 1: the last sample coincides with the first.
     samples[0] = (values[0] + values[last]) / 2.0;
     let plan = RealFftPlanner::new().plan_fft_forward(last);
     let mut bins = plan.make_output_vec();
@@ -167,7 +173,7 @@ fn half_spectrum(values: &[f64], rate_hz: f64) -> Vec<c64> {
         .collect()
 }
 
-/// Relative deviation of the size of each line of the mean over blocks; empty without blocks.
+/// Relative deviation of the magnitude of each line of the mean over blocks; empty without blocks.
 fn deviations(mean: &[Vec<c64>], blocks: &[Vec<Vec<c64>>]) -> Vec<Vec<f64>> {
     if blocks.len() < 2 {
         return Vec::new();
@@ -220,7 +226,7 @@ mod tests {
         }
     }
 
-    /// Samples of free decays at three places, each mode with a size and phase of its own.
+    /// Samples of free decays at three locations, each mode with its own size and phase.
     fn decay(poles: &[Pole], count: usize) -> Vec<Vec<f64>> {
         let at = |o: usize, k: usize| {
             let mode = |(r, pole): (usize, &Pole)| {
@@ -250,7 +256,8 @@ mod tests {
             .fold((0.0, 0.0), |a, b| (f64::max(a.0, b.0), f64::max(a.1, b.1)))
     }
 
-    /// Records that end long before their decays do (the slowest mode has fallen by 45 % only), two modes 1 Hz apart. Measured: 2.2e-16 and 1.7e-14.
+    /// Records that end long before their decays do (the slowest mode has fallen by only 45 %), two
+    /// modes 1 Hz apart. Measured: 2.2e-16 and 1.7e-14.
     #[test]
     fn cut_decays_give_back_their_poles_without_leakage() {
         let record = recording(decay(&POLES, 500));
@@ -265,8 +272,9 @@ mod tests {
         assert!((found.frequency_hz[1] - found.frequency_hz[0] - 1.25).abs() < 1e-9);
     }
 
-    /// White noise of 5 % of the first sample: the truth lies within 1.96 stated deviations in 93 % of two frequencies and two damping ratios in 50
-    /// trials; the share itself is known to 1.8 %.
+    /// White noise of 5 % of the first sample: the truth lies within 1.96 stated deviations in 93 %
+    /// of two frequencies and two damping ratios in 50 trials; the standard deviation of this share
+    /// is 1.8 %.
     #[test]
     fn deviations_of_free_decays_hold_the_truth_as_often_as_they_say() {
         let poles = [POLES[0], POLES[3]];
@@ -310,7 +318,7 @@ mod tests {
         assert!((0.90..=0.99).contains(&share), "{share}");
     }
 
-    /// The band of the message is the one asked for, not the warped one.
+    /// The message gives the requested band, not the warped one.
     #[test]
     fn noise_has_no_modes_in_the_band_that_was_asked_for() {
         let mut stream = RandomStream::new(4, 0);
@@ -326,7 +334,8 @@ mod tests {
         );
     }
 
-    /// White noise, as a record of a structure that nothing moves and as decays: whatever poles are stable in it, they are no modes.
+    /// White noise, as a record of a structure at rest and as decays: stable poles in it are not
+    /// modes.
     #[test]
     fn noise_alone_has_no_modes() {
         let (mut doubtful, mut none) = (0, 0);
@@ -353,7 +362,8 @@ mod tests {
         assert!(doubtful > 0 && doubtful + none == 24, "{doubtful} {none}");
     }
 
-    /// Three modes under white noise forces, exact at the samples: `q_k+1 = exp(p T) q_k + (complex white noise)`.
+    /// Three modes under white noise forces, exact at the samples: `q_k+1 = exp(p T) q_k + (complex
+    /// white noise)`.
     fn ambient(seed: u64, poles: &[Pole], count: usize) -> Recording {
         let mut stream = RandomStream::new(seed, 1);
         let turn: Vec<c64> = poles
@@ -383,7 +393,8 @@ mod tests {
         recording(values)
     }
 
-    /// Noise of sensors of a few percent, 400 s at 250 Hz. Measured: frequencies within 1.8e-3, damping ratios within 8.6e-2.
+    /// Noise of sensors of a few percent, 400 s at 250 Hz. Measured: frequencies within 1.8e-3,
+    /// damping ratios within 8.6e-2.
     #[test]
     fn modes_under_noise_are_found_from_outputs_alone() {
         let poles = [POLES[0], POLES[1], POLES[3]];
@@ -422,9 +433,10 @@ mod tests {
         );
     }
 
-    /// Two outputs, each a reference too, as by default, and white noise of sensors in place of a structure: no combination of them may end
-    /// otherwise than in modes or in a message. Of the structure the poles are those that one reference shows. Measured: frequencies within
-    /// 4.2e-4, damping ratios within 8.4e-2.
+    /// Two outputs, each also a reference, as by default, with white sensor noise instead of a
+    /// structure: every combination must end in modes or in a message. With a structure, the poles
+    /// equal those from one reference. Measured: frequencies within 4.2e-4, damping ratios within
+    /// 8.4e-2.
     #[test]
     fn every_output_may_be_a_reference() {
         let poles = [POLES[0], POLES[1], POLES[3]];
@@ -460,7 +472,8 @@ mod tests {
         );
     }
 
-    /// The amplitude spectrum of a decay, all phases lost. Measured: frequencies within 7.3e-7, damping ratios within 9.9e-5.
+    /// Amplitude spectrum of a decay, all phases lost. Measured: frequencies within 7.3e-7, damping
+    /// ratios within 9.9e-5.
     #[test]
     fn an_amplitude_spectrum_is_enough_for_the_poles() {
         let poles = [POLES[0], POLES[1], POLES[3]];

@@ -1,4 +1,4 @@
-//! From responses to modes.
+//! Modal analysis of frequency responses.
 
 use faer::c64;
 use serde::Serialize;
@@ -13,13 +13,14 @@ use super::stabilisation::MAX_DAMPING;
 use super::{Band, ModalError, Pole, StablePole};
 use crate::spectral::student_95;
 
-/// A pole whose frequency has a standard deviation above this share stands for no mode: the diagram asks as much from order to order.
+/// Relative standard deviation of frequency above which a pole is not a mode: the stability
+/// criterion between orders.
 const MAX_FREQUENCY_DEVIATION: f64 = 0.01;
 
-/// How modes are sought.
+/// Settings of the modal analysis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct ModalSettings {
-    /// Largest order of the denominator.
+    /// Maximum order of the denominator.
     pub order: usize,
 }
 
@@ -29,48 +30,50 @@ impl Default for ModalSettings {
     }
 }
 
-/// A mode with its uncertainties.
+/// Mode with its uncertainties.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Mode {
     /// Undamped natural frequency, Hz.
     pub frequency_hz: f64,
-    /// Its standard deviation, Hz.
+    /// Standard deviation of the frequency, Hz.
     pub frequency_deviation_hz: f64,
     /// Damping ratio.
     pub damping_ratio: f64,
-    /// Its standard deviation.
+    /// Standard deviation of the damping ratio.
     pub damping_deviation: f64,
-    /// Deviations from a value to an end of its interval of 95 %: Student's, where the deviations rest on few blocks.
+    /// Quantile of the 95 % confidence interval, in deviations: Student's where the deviations are
+    /// from few blocks.
     pub quantile_95: f64,
-    /// Residue of each response, in displacement per force times rad/s; of several references that to the one which moves the mode most.
+    /// Residue of each response, in displacement per force times rad/s; for several references, to
+    /// the one with the largest participation.
     #[serde(skip)]
     pub residue: Vec<c64>,
-    /// What each reference moves of the mode, 1 at the largest: by reciprocity its shape at the places of the forces. One number, 1, for one
-    /// reference, and for decays.
+    /// Participation of each reference in the mode, 1 at the largest: by reciprocity its shape at
+    /// the force locations. One number, 1, for one reference, and for decays.
     #[serde(skip)]
     pub participation: Vec<c64>,
 }
 
 impl Mode {
-    /// An interval of 95 % reaches this many deviations to both sides, where these are known.
+    /// Half-width of a 95 % interval in standard deviations, where these are known.
     pub const QUANTILE_95: f64 = 1.959_963_984_540_054;
 
-    /// Half of the interval of 95 % of the frequency, Hz.
+    /// Half-width of the 95 % confidence interval of the frequency, Hz.
     pub fn frequency_half_width_hz(&self) -> f64 {
         self.quantile_95 * self.frequency_deviation_hz
     }
 
-    /// Half of the interval of 95 % of the damping ratio.
+    /// Half-width of the 95 % confidence interval of the damping ratio.
     pub fn damping_half_width(&self) -> f64 {
         self.quantile_95 * self.damping_deviation
     }
 
-    /// The residues over the largest of them, so that it is 1: the shape seen by the responses.
+    /// Mode shape at the responses: the residues divided by the largest.
     pub fn shape(&self) -> Vec<c64> {
         over_largest(&self.residue)
     }
 
-    /// Outputs and references change sides.
+    /// Exchanges outputs and references.
     fn swap(&mut self) {
         let largest = largest(&self.residue);
         let participation = over_largest(&self.residue);
@@ -85,12 +88,13 @@ impl Mode {
         }
     }
 
-    /// True where the interval of its damping ratio reaches down to 0: noise makes such poles, and it may be no mode.
+    /// True where the interval of its damping ratio includes 0: such a pole may be noise.
     pub fn is_doubtful(&self) -> bool {
         self.damping_ratio <= self.damping_half_width()
     }
 
-    /// Takes off the damping that an exponential window added, in 1/s. The window moves the pole by its decay, along the real axis.
+    /// Subtracts the damping added by an exponential window, in 1/s. The window shifts the pole
+    /// along the real axis.
     pub fn without_decay(&mut self, decay_per_s: f64) {
         let w = TAU * self.frequency_hz;
         let (re, im) = (
@@ -115,29 +119,30 @@ fn over_largest(values: &[c64]) -> Vec<c64> {
     values.iter().map(|value| value / largest).collect()
 }
 
-/// Modes, and what they rest on.
+/// Identified modes with the data of the fit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Identification {
-    /// The modes in ascending frequency.
+    /// Modes in ascending frequency.
     pub modes: Vec<Mode>,
-    /// The stabilisation diagram: at each frequency the poles of the narrowest part of the band that was searched there.
+    /// Stabilisation diagram: at each frequency the poles of the narrowest band searched there.
     pub diagram: Vec<StablePole>,
     /// Frequencies of the band, Hz.
     pub frequency_hz: Vec<f64>,
-    /// The responses of the band as displacement per force.
+    /// Responses of the band as displacement per force.
     pub measured: Vec<Vec<c64>>,
-    /// What the modes give there.
+    /// Responses of the modal model.
     pub model: Vec<Vec<c64>>,
-    /// Squared error over the variance told by the coherence; above 1 the deviations are widened by its root. Over the mean square of the
-    /// responses where no variance is told.
+    /// Squared error over the variance from the coherence; above 1 the deviations are multiplied by
+    /// its root. Relative to the mean square of the responses where no variance is known.
     pub misfit: f64,
-    /// Peaks of the responses that no mode explains; none are sought in decays.
+    /// Peaks of the responses that no mode explains; not determined for decays.
     pub unexplained: Vec<ResponsePeak>,
 }
 
-/// Finds the modes of a band: pLSCF poles in it and in its lower parts, those that are stable, their maximum-likelihood refinement. Peaks of
-/// the responses that these do not explain, since the band holds more modes than the order allows, are modes too where a pole that begins at each
-/// is then known well.
+/// Identifies the modes of a band: pLSCF poles in it and in its lower parts, selection of stable
+/// ones, maximum-likelihood refinement. Where the band contains more modes than the order allows,
+/// unexplained peaks of the responses are also modes, if a pole that begins at the peak becomes
+/// well determined.
 ///
 /// # Errors
 /// Too few lines, responses that are zero, no stable pole.
@@ -155,7 +160,7 @@ pub fn identify(band: &Band, settings: ModalSettings) -> Result<Identification, 
     Ok(found)
 }
 
-/// The modes of maximum likelihood of one reference, those at peaks that they do not explain among them.
+/// Maximum-likelihood modes of one reference, including those at unexplained peaks.
 fn explained(
     band: &Band,
     diagram: Vec<StablePole>,
@@ -166,7 +171,7 @@ fn explained(
     if !found.unexplained.is_empty() {
         let further = found.unexplained.iter().map(|peak| peak.pole());
         let start: Vec<Pole> = found.modes.iter().map(Mode::pole).chain(further).collect();
-        // Peaks that are no modes may leave equations without a solution: the poles that stay are enough then.
+        // False peaks may make the equations singular; the remaining poles are then used.
         if let Ok(more) = refined(band, found.diagram.clone(), &start)
             && more.misfit < found.misfit
         {
@@ -177,7 +182,7 @@ fn explained(
     Ok(found)
 }
 
-/// The modes of maximum likelihood of several references.
+/// Maximum-likelihood modes of several references.
 fn shared(
     band: &Band,
     diagram: Vec<StablePole>,
@@ -245,7 +250,7 @@ fn mode(
     }
 }
 
-/// The poles that are known well enough to be modes where some are not; none where all are.
+/// Returns the well-determined poles where some are not; `None` where all are.
 fn known(
     band: &Band,
     poles: &[Pole],
@@ -266,7 +271,7 @@ fn known(
     Ok((left.len() < poles.len()).then_some(left))
 }
 
-/// The stabilisation diagram of a band and the poles that stay.
+/// Computes the stabilisation diagram of a band and its stable poles.
 pub(super) fn candidates(
     band: &Band,
     settings: ModalSettings,
@@ -286,7 +291,8 @@ fn none(band: &Band) -> ModalError {
     }
 }
 
-/// The modes of maximum likelihood that begin at some poles; those that turn out to be known to nothing are left out, and the rest fitted anew.
+/// Maximum-likelihood modes from initial poles; poorly determined ones are left out, and the others
+/// are fitted again.
 pub(super) fn refined(
     band: &Band,
     diagram: Vec<StablePole>,
@@ -316,7 +322,7 @@ pub(super) fn refined(
     identification(band, diagram, modes.collect(), model, misfit)
 }
 
-/// A pole that the refinement sends out of the band, or damps like none of a structure, takes up what is no mode.
+/// A pole that leaves the band or has unphysical damping after refinement is not a mode.
 fn identification(
     band: &Band,
     diagram: Vec<StablePole>,
@@ -356,7 +362,8 @@ mod tests {
         (1..1200).map(|k| f64::from(k) * 0.1).collect()
     }
 
-    /// Measured on exact responses: frequencies 3e-16, damping ratios 9e-16, MAC 1 - 5e-16 (two modes 1 Hz apart among them).
+    /// Measured on exact responses: frequencies 3e-16, damping ratios 9e-16, MAC 1 - 5e-16
+    /// (including two modes 1 Hz apart).
     #[test]
     fn exact_responses_give_back_frequencies_damping_and_shapes() {
         let response = exact(&lines(), &POLES, shape, 4, 1);
@@ -393,8 +400,8 @@ mod tests {
         }
     }
 
-    /// With noise of a known variance the truth lies within 1.96 stated deviations as often as it should: 95 +- 3 % of 100 trials of two
-    /// frequencies and damping ratios; measured 96.25 %.
+    /// With noise of known variance the truth lies within 1.96 stated deviations at the nominal
+    /// rate: 95 +- 3 % of 100 trials of two frequencies and damping ratios; measured 96.25 %.
     #[test]
     fn stated_deviations_hold_the_truth_as_often_as_they_say() {
         let frequency_hz: Vec<f64> = (50..300).map(|k| f64::from(k) * 0.2).collect();

@@ -1,4 +1,4 @@
-//! Deviations by leaving out one part of the data after the other.
+//! Standard deviations by the jackknife.
 
 use faer::c64;
 
@@ -6,7 +6,8 @@ use super::likelihood::fit;
 use super::{Band, ModalError, Mode, Pole};
 use crate::spectral::student_95;
 
-/// Deviations of the modes by the jackknife: the modes of all blocks but one, for each block.
+/// Computes deviations of the modes by the jackknife: the modes of all blocks except one, for each
+/// block.
 pub(super) fn leave_out(
     modes: &mut [Mode],
     mean: &[Vec<c64>],

@@ -1,7 +1,9 @@
-//! The modal model fitted to all lines of all responses, each weighed by its variance.
+//! Fits the modal model to all lines of all responses, weighted by their variance.
 //!
-//! Gauss-Newton with step control over the poles; residues and residual terms are linear and are eliminated response by response, so that the
-//! normal equations are as small as the number of poles. Steps take them from products of columns, the answer from orthogonal ones. Of many lines those far from every pole are thinned out first.
+//! Gauss-Newton with step control over the poles. Residues and residual terms are linear and are
+//! eliminated response by response, so the size of the normal equations is the number of poles.
+//! Steps use products of columns, the final result orthogonal ones. Lines far from every pole are
+//! thinned out first.
 
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Side, c64};
@@ -22,30 +24,32 @@ pub(super) struct ModalFit {
     pub poles: Vec<Pole>,
     /// Standard deviations of frequency (Hz) and damping ratio.
     pub deviation: Vec<(f64, f64)>,
-    /// Residues: response, mode. Of several references those of each output to the one whose participation is 1.
+    /// Residues: response, mode. For several references those of each output to the one whose
+    /// participation is 1.
     pub residue: Vec<Vec<c64>>,
-    /// What each reference moves of a mode: mode, reference; empty of one reference.
+    /// Participation of each reference in a mode: mode, reference; empty for one reference.
     pub participation: Vec<Vec<c64>>,
-    /// What the model predicts: response, line.
+    /// Responses of the model: response, line.
     pub model: Vec<Vec<c64>>,
-    /// Squared error over variance, per degree of freedom; the variances are multiplied by it where it is above 1. Over the mean square of the
-    /// responses where no variance is told.
+    /// Squared error over variance, per degree of freedom; the variances are multiplied by it where
+    /// it is above 1. Relative to the mean square of the responses where no variance is known.
     pub misfit: f64,
-    /// Degrees of freedom of the deviations of each pole; none where they are known well.
+    /// Degrees of freedom of the deviations of each pole; `None` where they are large.
     pub freedom: Vec<Option<f64>>,
-    /// Share of each line that the unknowns take up, whatever stands there: response, line.
+    /// Leverage of each line: response, line.
     pub taken: Vec<Vec<f64>>,
 }
 
 pub(super) const MAX_STEPS: usize = 30;
 pub(super) const STEP_TOLERANCE: f64 = 1e-10;
-/// A step that takes less than this share off the error moves the poles by less than a ten-thousandth of their deviations.
+/// Relative decrease of the error below which a step moves the poles by less than a ten-thousandth
+/// of their deviations.
 const MIN_ERROR_GAIN: f64 = 1e-12;
 
-/// The most terms `w^0, w^2, ..` that stand for the modes above the band.
+/// Maximum number of terms `w^0, w^2, ..` for the modes above the band.
 pub(super) const MAX_UPPER_TERMS: usize = 8;
 
-/// A response's part of the normal equations, however much its columns are alike.
+/// Contribution of a response to the normal equations, for nearly dependent columns.
 pub(super) fn by_orthogonal_columns(
     response: &WeightedResponse,
     terms: &DesignMatrix,
@@ -60,12 +64,13 @@ pub(super) fn by_orthogonal_columns(
     }
 }
 
-/// The fit to one reference that begins at given poles.
+/// Fits one reference from initial poles.
 pub(super) fn fit(band: &Band, start: &[Pole]) -> Option<ModalFit> {
     reweighed(band, start, weighed)
 }
 
-/// A fit by the weights of a band. Where nothing tells the noise, what the modes leave of each line does, and the lines are weighed anew.
+/// Fits with the weights of a band. If the noise is unknown, it is estimated from the residuals of
+/// each line, and the fit is repeated with new weights.
 pub(super) fn reweighed(
     band: &Band,
     start: &[Pole],
@@ -83,8 +88,8 @@ pub(super) fn reweighed(
     Some(found)
 }
 
-/// The fit by the weights of a band, with as many terms for the modes above it as the responses ask for: one more is kept where the error
-/// falls by more than the terms' number lets it (the criterion of Akaike).
+/// Fits with the weights of a band and as many terms for the modes above it as needed: one more is
+/// kept where it lowers the error sufficiently (Akaike criterion).
 fn weighed(band: &Band, start: &[Pole]) -> Option<ModalFit> {
     let data = FitData::of(band, start);
     let mut found = settled(&data, start.iter().map(|pole| pole.complex()).collect(), 1)?;
@@ -99,7 +104,7 @@ fn weighed(band: &Band, start: &[Pole]) -> Option<ModalFit> {
     finished(band, &data, &found)
 }
 
-/// Poles at the least error, with so many terms for the modes above the band.
+/// Poles at the minimum, for a given number of terms for the modes above the band.
 struct ConvergedFit {
     poles: Vec<c64>,
     upper: usize,
@@ -149,7 +154,7 @@ fn settled(data: &FitData, mut poles: Vec<c64>, upper: usize) -> Option<Converge
     })
 }
 
-/// The normal matrix with its diagonal lifted.
+/// Factorises the normal matrix with an enlarged diagonal.
 pub(super) fn damped(normal: &Mat<f64>, share: f64) -> Option<faer::linalg::solvers::Llt<f64>> {
     let lifted = Mat::from_fn(normal.nrows(), normal.ncols(), |a, b| {
         normal[(a, b)] * if a == b { 1.0 + share } else { 1.0 }
@@ -157,32 +162,33 @@ pub(super) fn damped(normal: &Mat<f64>, share: f64) -> Option<faer::linalg::solv
     lifted.llt(Side::Lower).ok()
 }
 
-/// What the fit is made to.
+/// Data of the fit.
 pub(super) struct FitData {
-    /// The lines that are used.
+    /// Indices of the lines used.
     pub lines: Vec<usize>,
-    /// Of each of them, rad/s.
+    /// Their angular frequencies, rad/s.
     pub angular: Vec<f64>,
     pub sight: WindowBias,
     pub responses: Vec<WeightedResponse>,
-    /// What the responses measure, each kind once.
+    /// Measured quantities of the responses, each kind once.
     pub powers: Vec<i32>,
 }
 
-/// A response at the lines that are used.
+/// Response at the lines used.
 pub(super) struct WeightedResponse {
-    /// Place of its power of `j w` among those of the data.
+    /// Index of its power of `j w` among those of the data.
     pub kind: usize,
-    /// One over the standard deviation of each part.
+    /// Reciprocal standard deviation of each part.
     pub weight: Vec<f64>,
-    /// The response times its weight.
+    /// Response times its weight.
     pub value: Vec<c64>,
 }
 
 impl FitData {
     pub fn of(band: &Band, start: &[Pole]) -> Self {
         let lines = kept(&band.frequency_hz, start);
-        // Where blocks see all of a decay, what the power changes is a part of the terms above and below the band.
+        // Without window bias, the effect of the power is absorbed by the terms above and below the
+        // band.
         let power = |o: usize| {
             if band.sight == WindowBias::Whole {
                 0
@@ -221,18 +227,19 @@ impl FitData {
 }
 
 impl FitData {
-    /// True where one more term of each response takes more off the error than its two numbers would of noise.
+    /// True where one more term per response decreases the error by more than its two numbers would
+    /// for noise.
     pub fn asks_for(&self, before: f64, after: f64) -> bool {
         let numbers = (2 * self.angular.len() * self.responses.len()) as f64;
         numbers * (before / after).ln() >= 4.0 * self.responses.len() as f64
     }
 }
 
-/// Normal equations of the poles over all responses, and the weighed squared error.
+/// Normal equations of the poles over all responses, and the weighted squared error.
 fn equations(data: &FitData, poles: &[c64], upper: usize) -> Option<(Mat<f64>, Mat<f64>, f64)> {
     let size = 2 * poles.len();
     let (mut normal, mut right, mut error) = (Mat::zeros(size, size), Mat::zeros(size, 1), 0.0);
-    // Responses in parallel, their parts added in order: the same bits for any number of threads.
+    // Responses in parallel, summed in order: bitwise equal results for any number of threads.
     let terms = DesignMatrix::of_kinds(data.sight, &data.powers, &data.angular, poles, upper);
     let of = |response: &WeightedResponse| {
         let terms = &terms[response.kind];
@@ -248,8 +255,9 @@ fn equations(data: &FitData, poles: &[c64], upper: usize) -> Option<(Mat<f64>, M
     Some((normal, right, error))
 }
 
-/// Weight of each line of a response: one over the standard deviation of each part. Where none is told, the noise is taken as white in what the
-/// sensor measures, so that an acceleration's low lines do not count as those of its double integral would.
+/// Weight of each line of a response: the reciprocal standard deviation of each part. Where
+/// unknown, the noise is assumed white in the measured quantity, so that low lines of an
+/// acceleration are not weighted as those of its double integral.
 fn weights(band: &Band, o: usize, lines: &[usize]) -> Vec<f64> {
     match band.variance.get(o) {
         Some(variance) => lines.iter().map(|k| (2.0 / variance[*k]).sqrt()).collect(),
@@ -279,7 +287,8 @@ fn part(response: &WeightedResponse, terms: &DesignMatrix) -> ProjectedProblem {
     });
     let eliminated = LinearSolution::new(a, &b);
     let linear = &eliminated.linear;
-    // Derivatives by the real and imaginary part x + j y of each pole's residue times u, and its conjugate.
+    // Derivatives by the real and imaginary part x + j y of each pole's residue times u, and its
+    // conjugate.
     let by_poles = Mat::from_fn(rows, terms.squares.ncols(), |row, c| {
         let (r, squares) = (2 * (c / 2), &terms.squares);
         let (x, y) = (linear[(r, 0)], linear[(r + 1, 0)]);
@@ -332,7 +341,7 @@ fn finished(band: &Band, data: &FitData, found: &ConvergedFit) -> Option<ModalFi
     })
 }
 
-/// Residues at some poles, with one term for the modes above the band: response, mode.
+/// Residues at given poles, with one term for the modes above the band: response, mode.
 pub(super) fn residues(data: &FitData, poles: &[c64]) -> Vec<Vec<c64>> {
     let terms = DesignMatrix::of_kinds(data.sight, &data.powers, &data.angular, poles, 1);
     let of = |response: &WeightedResponse| {

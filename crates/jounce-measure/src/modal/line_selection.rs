@@ -1,18 +1,20 @@
-//! Which lines of a band a fit needs.
+//! Selects the lines of a band that a fit needs.
 //!
-//! With `D` the distance of a line to a pole, what the line tells of the pole falls as `D^-4`, and the response there bends over distances of `D`
-//! only. So every line within some half-power widths of a pole is kept, and beyond that one line to a share of `D`.
+//! With `D` the distance of a line to a pole, the information of the line on the pole decreases as
+//! `D^-4`, and the response varies over distances of `D` only. Therefore all lines within some
+//! half-power widths of a pole are kept, and beyond that one line per share of `D`.
 
 use super::Pole;
 
-/// Bands of up to so many lines keep all.
+/// Bands of at most so many lines keep all lines.
 const MAX_ALL_LINES: usize = 4096;
-/// Half-power half-widths `zeta f` on both sides of a pole within which every line is kept: what lies beyond tells below a hundredth of a pole.
+/// Half-power half-widths `zeta f` on both sides of a pole within which all lines are kept; the
+/// information beyond is below a hundredth.
 const NEAR_POLE_HALF_WIDTHS: f64 = 5.0;
-/// Lines kept to the distance from the nearest pole.
+/// Number of kept lines per distance from the nearest pole.
 const LINES_PER_DISTANCE: f64 = 25.0;
 
-/// Numbers of the lines to be kept, for ascending frequencies.
+/// Returns indices of the lines to keep, for ascending frequencies.
 pub(super) fn kept(frequency_hz: &[f64], poles: &[Pole]) -> Vec<usize> {
     if frequency_hz.len() <= MAX_ALL_LINES {
         return (0..frequency_hz.len()).collect();

@@ -1,18 +1,19 @@
-//! The modal assurance criterion.
+//! Modal assurance criterion.
 
 use faer::c64;
 
 use super::Mode;
 
-/// `|a^H b|^2 / (a^H a  b^H b)`: 1 for the same shape at any scale and phase, 0 for orthogonal ones; NaN where a shape is zero.
+/// Computes `|a^H b|^2 / (a^H a  b^H b)`: 1 for equal shapes at any scale and phase, 0 for
+/// orthogonal ones; NaN where a shape is zero.
 pub fn mac(a: &[c64], b: &[c64]) -> f64 {
     let product: c64 = a.iter().zip(b).map(|(a, b)| a.conj() * b).sum();
     let size = |shape: &[c64]| shape.iter().map(|x| x.norm_sqr()).sum::<f64>();
     product.norm_sqr() / (size(a) * size(b))
 }
 
-/// Every shape against every other, by their residues. Of several references that of all residues together: the product of the criterion over the
-/// responses and of that over the references.
+/// Computes the MAC between all shapes, from their residues. For several references all residues
+/// are used: the product of the criterion over the responses and that over the references.
 pub fn mac_matrix(modes: &[Mode]) -> Vec<Vec<f64>> {
     let row = |a: &Mode| {
         modes

@@ -1,23 +1,24 @@
 //! Stable poles from nested bands.
 //!
-//! A mode far below the upper end of a band turns the angle `pi f / f_high` of the denominator's plane by little, and its acceleration is small beside
-//! that of the modes above it: it is lost. So poles are sought in the whole band, in its lower half, in the lower half of that, and so on while
-//! there are lines enough, and each frequency is left to the narrowest band that holds it well inside. A band that begins far from 0 has no such
-//! modes, and is not searched in parts.
+//! A mode far below the upper end of a band turns the angle `pi f / f_high` of the denominator's
+//! plane by little. Its acceleration is small relative to the modes above it, so it is not found.
+//! Therefore poles are sought in the complete band, in its lower half, in the lower half of that,
+//! and so on while there are enough lines. Each frequency is assigned to the narrowest band that
+//! contains it with margin. A band that begins far from 0 has no such modes, and is searched once.
 
 use super::plscf::from_zero;
 use super::stabilisation::{SAME_MODE_DISTANCE, modes};
 use super::{Band, ModalError, ModalSettings, Pole, StablePole, diagram, poles};
 
-/// Upper end of a band over that of the one around it.
+/// Ratio of the upper ends of consecutive bands.
 const BAND_RATIO: f64 = 0.5;
-/// A band is asked for poles below this share of its upper end.
+/// Poles of a band are used below this share of its upper end.
 const MAX_POLE_SHARE: f64 = 0.8;
 
-/// The diagram of the poles of all bands and those that stay, in ascending frequency.
+/// Returns the diagram of the poles of all bands and the stable poles, in ascending frequency.
 ///
 /// # Errors
-/// Too few lines in the whole band, responses that are zero.
+/// Too few lines in the complete band, responses that are zero.
 pub(super) fn stable(
     band: &Band,
     settings: ModalSettings,
@@ -26,7 +27,8 @@ pub(super) fn stable(
     let mut high_hz = band.frequency_hz.last().copied().unwrap_or(band.high_hz);
     while !band.begins_far_from_zero() {
         high_hz *= BAND_RATIO;
-        // A band without lines enough, or with nothing in it, leaves its frequencies to the one around it.
+        // A band without enough lines, or without poles, leaves its frequencies to the enclosing
+        // one.
         let Ok(found) = from_zero(&band.below(high_hz), settings.order) else {
             break;
         };

@@ -1,15 +1,18 @@
-//! Variance of the lines of a response, from the scatter of its blocks or from what a fit leaves of them.
+//! Variance of the lines of a response, from the scatter of its blocks or from the residuals of a
+//! fit.
 //!
-//! Each line tells its own variance `v = |H|^2 (1 - c) / ((n - 1) c)` from `n` blocks of coherence `c`, for few blocks as one draw from a broad
-//! distribution: weights from it would trust most the lines that agree by chance. Noise of the sensors is smooth over the lines, that of the
-//! response as it is and that of the force times `H`, so that around each line
+//! Each line has a variance estimate `v = |H|^2 (1 - c) / ((n - 1) c)` from `n` blocks of coherence
+//! `c`. For few blocks this is one draw from a broad distribution, and weights from it would favour
+//! lines that agree by chance. Noise of the sensors varies smoothly over the lines, for the
+//! response directly and for the force times `H`, so that around each line
 //!
 //! ```text
 //! v = a + b |H|^2,   a, b >= 0
 //! ```
 //!
-//! is fitted to the lines beside it by least squares, each weighed by one over its variance squared. Where there are no blocks, what a fit leaves
-//! of a line is one draw from its variance, and more lines are put together.
+//! is fitted to the neighbouring lines by least squares, each weighted by the reciprocal of its
+//! squared variance. Without blocks, the residual of a line is one draw from its variance, and more
+//! lines are combined.
 
 use faer::c64;
 
@@ -18,21 +21,21 @@ use crate::spectral::FrequencyResponse;
 
 /// Lines on both sides of a line that are fitted together.
 const NEIGHBOUR_LINES: usize = 12;
-/// The same where each line is a single draw.
+/// Lines on both sides where each line is a single draw.
 const NEIGHBOUR_LINES_SINGLE: usize = 100;
-/// The least deviation of a line, over its size.
+/// Minimum relative deviation of a line.
 const MIN_RELATIVE_DEVIATION: f64 = 1e-6;
-/// Weighed fits, one after the other.
+/// Number of weighted fits.
 const WEIGHTED_FITS: usize = 3;
-/// Fits by what the fit before left, one after the other.
+/// Number of fits weighted by the residuals of the previous one.
 pub(super) const RESIDUAL_FITS: usize = 2;
-/// The least share of a line that is taken for left by a fit.
+/// Minimum share of a line that is attributed to the residual.
 pub(super) const MIN_FREE_SHARE: f64 = 0.05;
 
 /// Variance of each line of a response of several blocks, real and imaginary part together.
 pub(super) fn variance(function: &FrequencyResponse) -> Vec<f64> {
     let square: Vec<f64> = function.value.iter().map(|h| h.norm_sqr()).collect();
-    // A relative deviation is that of the size alone: half of the variance.
+    // A relative deviation concerns only the magnitude, half of the variance.
     let told = |k: usize| 2.0 * (function.relative_deviation(k).powi(2) * square[k]);
     let own: Vec<f64> = (0..square.len())
         .map(|k| if square[k] > 0.0 { told(k) } else { 0.0 })
@@ -40,14 +43,15 @@ pub(super) fn variance(function: &FrequencyResponse) -> Vec<f64> {
     shared(&own, &square, NEIGHBOUR_LINES)
 }
 
-/// Variance of each line of each response of a band, from what a fit leaves of it and the share of it that the fit took up.
+/// Variance of each line of each response of a band, from the residuals of a fit and the leverage.
 pub(super) fn of_what_is_left(
     band: &Band,
     model: &[Vec<c64>],
     taken: &[Vec<f64>],
 ) -> Vec<Vec<f64>> {
     let of = |o: usize| {
-        // As it was measured: what sensors add to an acceleration is smooth there, and not in the displacement.
+        // In the measured quantity: sensor noise of an acceleration is smooth there, not in the
+        // displacement.
         let turn = |k: usize| band.as_measured(o, k).norm_sqr();
         let free = |k: usize| (1.0 - taken[o][k]).max(MIN_FREE_SHARE);
         let own: Vec<f64> = (0..taken[o].len())
@@ -68,7 +72,8 @@ pub(super) fn of_what_is_left(
     (0..band.response.len()).map(of).collect()
 }
 
-/// `a + b |H|^2` at each line from what `own` tells of each, with so many lines on both sides.
+/// `a + b |H|^2` at each line, from the variances `own` of the lines, with so many lines on both
+/// sides.
 fn shared(own: &[f64], square: &[f64], beside: usize) -> Vec<f64> {
     let near = |k: usize| k.saturating_sub(beside)..(k + beside + 1).min(own.len());
     let mean = |k: usize| own[near(k)].iter().sum::<f64>() / near(k).len() as f64;
@@ -94,7 +99,7 @@ fn shared(own: &[f64], square: &[f64], beside: usize) -> Vec<f64> {
         .collect()
 }
 
-/// `a + b |H|^2` at a line. `weight` is one over the deviation of each line's own variance.
+/// `a + b |H|^2` at a line. `weight` is the reciprocal deviation of each line's own variance.
 fn around(
     own: &[f64],
     square: &[f64],
@@ -131,8 +136,8 @@ mod tests {
     use faer::c64;
     use jounce::drive::RandomStream;
 
-    /// Five blocks of a response with a sharp peak, noise of the response and of the force: the variance that the lines share is that of
-    /// theory, within 25 % (rms) where the lines' own are 50 % off.
+    /// Five blocks of a response with a sharp peak, noise of the response and of the force: the
+    /// shared variance matches theory within 25 % (rms), where the lines' own are 50 % off.
     #[test]
     fn the_shared_variance_is_that_of_the_noise() {
         let mut stream = RandomStream::new(3, 0);

@@ -1,14 +1,15 @@
-//! Modal constants, and how much of each mode the base moves.
+//! Modal constants, and participation of the base in each mode.
 //!
 //! ```text
 //! H_o(w) = sum_r A_or / (w_r^2 - w^2 + 2 j z_r w_r w),   A_or = 2 j w_dr R_or
 //! ```
 //!
-//! Under a force `A_or = phi_or phi_ir`. Under an acceleration of the base `A_or = -phi_or G_r` with the participation
-//! `G_r = sum of mass times phi_r`, and since the base moves all of a structure, `sum_r phi_or G_r = 1` at each point of it.
+//! Under a force `A_or = phi_or phi_ir`. Under an acceleration of the base `A_or = -phi_or G_r`
+//! with the participation `G_r = sum of mass times phi_r`. Because the base moves the complete
+//! structure, `sum_r phi_or G_r = 1` at each point.
 //!
-//! Source: D. Ewins, Modal Testing, 2nd edition (2000), section 2.4, for modal constants; A. Chopra, Dynamics of Structures (2012), section 13.1, for
-//! participation.
+//! Source: D. Ewins, Modal Testing, 2nd edition (2000), section 2.4, for modal constants; A.
+//! Chopra, Dynamics of Structures (2012), section 13.1, for participation.
 
 use faer::c64;
 
@@ -28,7 +29,8 @@ pub struct Participation {
 }
 
 impl Mode {
-    /// Modal constants `2 j w_d R` of all responses, in units of the output's displacement per input.
+    /// Modal constants `2 j w_d R` of all responses, in units of the output's displacement per
+    /// input.
     pub fn modal_constants(&self) -> Vec<c64> {
         let damped = self.pole().complex().im;
         self.residue
@@ -37,7 +39,8 @@ impl Mode {
             .collect()
     }
 
-    /// For responses to the motion of a base: shape at each output times the participation of the base. None under another input.
+    /// Shape at each output times the participation of the base, for responses to base motion;
+    /// `None` under another input.
     pub fn base_participation(&self, responses: &MeasuredResponses) -> Option<Vec<Participation>> {
         let moves = |input: &Quantity| {
             matches!(

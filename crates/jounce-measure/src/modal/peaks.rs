@@ -1,39 +1,40 @@
-//! Peaks of the responses, to see which of them no mode explains.
+//! Detects peaks of the responses that no mode explains.
 //!
-//! The sum over all responses of `|H|^2`, each over its mean square, has a peak where it stands well above the noise and above the valleys on both
-//! sides of it. Noise is the larger of what the blocks tell and of what the second differences of neighbouring lines tell: those of white
-//! noise have six times its variance, those of smooth responses none.
+//! The sum over all responses of `|H|^2`, each over its mean square, has a peak where it is well
+//! above the noise and above the valleys on both sides. The noise is the larger of two estimates:
+//! from the blocks, and from the second differences of neighbouring lines. Second differences of
+//! white noise have six times its variance, those of smooth responses almost 0.
 
 use faer::c64;
 
 use super::{Band, Mode, Pole};
 
-/// Heights above the higher of its two valleys, and above the noise, from which on a peak counts.
+/// Minimum ratio of a peak to the higher of its two valleys, and to the noise.
 const MIN_VALLEY_RATIO: f64 = 4.0;
 const MIN_NOISE_RATIO: f64 = 50.0;
-/// Lines whose second differences are put together to one level.
+/// Number of lines whose second differences are combined.
 const LEVEL_LINES: usize = 101;
-/// The median of the squared size of complex noise over its mean.
+/// Median of the squared magnitude of complex noise over its mean.
 const NOISE_MEDIAN: f64 = std::f64::consts::LN_2;
-/// A mode within so many lines of a peak explains it.
+/// Maximum distance in lines at which a mode explains a peak.
 const EXPLAINED_LINES: f64 = 1.5;
-/// The most peaks, the highest above the noise.
+/// Maximum number of peaks, the highest above the noise.
 const MAX_PEAKS: usize = 64;
 
-/// A peak of the responses.
+/// Peak of the responses.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct ResponsePeak {
     /// Frequency of its highest line, Hz.
     pub frequency_hz: f64,
-    /// Half of its width at half its power, Hz.
+    /// Half-width at half power, Hz.
     pub half_width_hz: f64,
-    /// Its power over that of the noise.
+    /// Ratio of its power to the noise power.
     #[serde(skip)]
     height: f64,
 }
 
 impl ResponsePeak {
-    /// The pole that would make it.
+    /// Pole that would produce the peak.
     pub(super) fn pole(self) -> Pole {
         Pole {
             frequency_hz: self.frequency_hz,
@@ -49,7 +50,7 @@ impl ResponsePeak {
     }
 }
 
-/// The peaks that no mode explains, in ascending frequency.
+/// Returns the unexplained peaks in ascending frequency.
 pub(super) fn unexplained(band: &Band, modes: &[Mode]) -> Vec<ResponsePeak> {
     let mut left: Vec<ResponsePeak> = peaks(band)
         .into_iter()
@@ -104,7 +105,7 @@ fn peaks(band: &Band) -> Vec<ResponsePeak> {
         .collect()
 }
 
-/// The lowest power from a line on until a higher one.
+/// Minimum power between a line and the next higher one.
 fn valley(power: &[f64], from: usize, up: bool) -> f64 {
     let lowest = |side: &mut dyn Iterator<Item = &f64>| {
         side.take_while(|x| **x <= power[from])
@@ -117,7 +118,7 @@ fn valley(power: &[f64], from: usize, up: bool) -> f64 {
     }
 }
 
-/// Variance of the noise that second differences tell, around each line.
+/// Noise variance from second differences, around each line.
 fn roughness(values: &[c64]) -> Vec<f64> {
     let second = |k: usize| {
         (values[k + 1] - 2.0 * values[k] + values[k - 1]).norm_sqr() / (6.0 * NOISE_MEDIAN)

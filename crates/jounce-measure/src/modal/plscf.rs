@@ -1,15 +1,17 @@
 //! Poles by the poly-reference least-squares complex frequency-domain method.
 //!
-//! The right matrix fraction `H_o(w) = B_o(z) A(z)^-1`, `z = exp(-j w T)`, `T = 1 / (2 f_high)`, with real coefficients: `A` of size
-//! inputs x inputs and order `p`, `B_o` a row for each output. The errors `B_o - H_o A` are linear in the coefficients; eliminating `B` leaves
-//! `M a = 0` with
+//! The right matrix fraction is `H_o(w) = B_o(z) A(z)^-1`, `z = exp(-j w T)`, `T = 1 / (2 f_high)`,
+//! with real coefficients. `A` has size inputs x inputs and order `p`, `B_o` one row for each
+//! output. The errors `B_o - H_o A` are linear in the coefficients; eliminating `B` leaves `M a =
+//! 0` with
 //!
 //! ```text
 //! M = sum_o T_o - S_o^T R^-1 S_o,   R = re X^H X,  S_o = -re X^H (z^j H_o),  T_o = re (z^j H_o)^H (z^j H_o)
 //! ```
 //!
-//! whose blocks depend on the difference of powers only, so that one pass over the lines serves every order. With the highest coefficient
-//! fixed to the identity, poles of noise come out undamped or growing and the others stay: a clear diagram.
+//! whose blocks depend only on the difference of powers, so that one pass over the lines serves
+//! every order. With the highest coefficient fixed to the identity, poles of noise become undamped
+//! or unstable while physical poles do not move: a clear diagram.
 
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Side, c64};
@@ -19,7 +21,7 @@ use std::f64::consts::TAU;
 use super::sums::{both_ways, signals};
 use super::{Band, ModalError, Pole, complex_plscf};
 
-/// Sums over the lines that every order shares.
+/// Sums over the lines, shared by all orders.
 struct PlscfMoments {
     inputs: usize,
     /// `re sum z^k`
@@ -32,8 +34,9 @@ struct PlscfMoments {
     interval_s: f64,
 }
 
-/// Poles in the upper half plane for each order from 1 to `most`, in ascending frequency; those that grow are left out. Of a band that begins far
-/// from 0, or whose equations from 0 on cannot be solved, they are sought with complex coefficients from its lower end on.
+/// Poles in the upper half plane for each order from 1 to `most`, in ascending frequency, without
+/// unstable ones. For a band that begins far from 0, or whose equations from 0 cannot be solved,
+/// complex coefficients from its lower end are used.
 ///
 /// # Errors
 /// Too few lines, or responses that are all zero.
@@ -45,10 +48,11 @@ pub fn poles(band: &Band, most: usize) -> Result<Vec<Vec<Pole>>, ModalError> {
     from_zero(band, most).or_else(|_| complex_plscf::poles(band, most))
 }
 
-/// The same with real coefficients, the circle counted from 0 Hz on.
+/// Poles from real coefficients, with the circle beginning at 0 Hz.
 ///
 /// # Errors
-/// Too few lines; lines that leave too much of the circle free for the order; responses that are all zero.
+/// Too few lines; lines that leave too much of the circle uncovered for the order; responses that
+/// are all zero.
 pub(super) fn from_zero(band: &Band, most: usize) -> Result<Vec<Vec<Pole>>, ModalError> {
     enough(band, most)?;
     let moments = PlscfMoments::of(band, most);
@@ -99,8 +103,9 @@ impl PlscfMoments {
         }
     }
 
-    /// The matrix `M` of each order from 1. The factor of a leading part of `R` is the leading part of its factor `L`, so that with
-    /// `Y_o = L^-1 S_o` each order adds to `sum_o S_o^T R^-1 S_o = sum_o Y_o^T Y_o` what one row of each `Y_o` gives.
+    /// Matrix `M` of each order from 1. The factor of a leading part of `R` is the leading part of
+    /// its factor `L`. With `Y_o = L^-1 S_o`, each order therefore adds one row of each `Y_o` to
+    /// `sum_o S_o^T R^-1 S_o = sum_o Y_o^T Y_o`.
     fn normal(&self) -> Result<Vec<Mat<f64>>, ModalError> {
         let (n, width) = (self.inputs, self.most + 1);
         // Row a of X is z^a, so that X^H Y has z^(b - a).
@@ -133,7 +138,7 @@ impl PlscfMoments {
         Ok(all)
     }
 
-    /// The poles of the order that a matrix `M` belongs to.
+    /// Poles of the order of a matrix `M`.
     fn poles(&self, m: &Mat<f64>) -> Result<Vec<Pole>, ModalError> {
         let n = self.inputs;
         let free = m.nrows() - n;
@@ -153,7 +158,7 @@ impl PlscfMoments {
             if a < free - n {
                 if b == a + n { 1.0 } else { 0.0 }
             } else {
-                // Row of A_k: the coefficients stand with the rows of A_k below each other.
+                // Row of A_k: the coefficients are the rows of A_k, stacked.
                 -coefficients[((b / n) * n + a - (free - n), b % n)]
             }
         });
@@ -219,12 +224,13 @@ pub(super) mod tests {
         },
     ];
 
-    /// Shape of a string with one odd point, so that no two modes look alike.
+    /// Shape of a string with one irregular point, so that no two modes are alike.
     pub fn shape(mode: usize, point: usize) -> f64 {
         (0.7 * (mode + 1) as f64 * (point + 1) as f64).sin() + 0.1 * point as f64
     }
 
-    /// Two close modes among them. Measured at order 20: frequencies 3e-8, damping ratios 2e-6 relative, with one input and with two.
+    /// Includes two close modes. Measured at order 20: frequencies 3e-8, damping ratios 2e-6
+    /// relative, with one input and with two.
     #[test]
     fn exact_responses_give_back_their_poles_from_one_and_two_inputs() {
         let frequency_hz: Vec<f64> = (1..1200).map(|k| f64::from(k) * 0.1).collect();

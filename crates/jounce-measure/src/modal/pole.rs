@@ -1,9 +1,9 @@
-//! A pole of a structure.
+//! Pole of a structure.
 
 use faer::c64;
 use std::f64::consts::TAU;
 
-/// A pole in the upper half plane, as frequency and damping ratio.
+/// Pole in the upper half plane, as frequency and damping ratio.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct Pole {
     /// Undamped natural frequency `|p| / 2 pi`, Hz.
@@ -13,7 +13,7 @@ pub struct Pole {
 }
 
 impl Pole {
-    /// Of a complex pole, rad/s.
+    /// Converts a complex pole, rad/s.
     pub(super) fn of(p: c64) -> Self {
         Self {
             frequency_hz: p.norm() / TAU,
@@ -21,7 +21,7 @@ impl Pole {
         }
     }
 
-    /// The complex pole, rad/s.
+    /// Complex pole, rad/s.
     pub(super) fn complex(self) -> c64 {
         let w = TAU * self.frequency_hz;
         c64::new(

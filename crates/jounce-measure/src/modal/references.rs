@@ -1,12 +1,13 @@
-//! The modal model fitted to the responses to several references at once, with residues of rank one.
+//! Fits the modal model to the responses to several references at once, with residues of rank one.
 //!
 //! ```text
 //! H_oi(w) = sum_r a_or b_ri / (j w - p_r) + conj(a_or b_ri) / (j w - conj(p_r)) - L_oi / w^2 + U_oi0 + U_oi1 w^2 + ..
 //! ```
 //!
-//! `a_r` is the shape of a mode at the outputs, `b_r` its participation in the references, 1 at the reference that it answers most. Two close
-//! modes differ in `b_r` where no single reference could tell them apart. Gauss-Newton with step control over poles and participations; shapes
-//! and residual terms are linear and are eliminated output by output, as in the fit to one reference.
+//! `a_r` is the shape of a mode at the outputs and `b_r` its participation in the references, 1 at
+//! the reference with the largest. Two close modes differ in `b_r` where no single reference could
+//! separate them. Gauss-Newton with step control over poles and participations; shapes and residual
+//! terms are linear and are eliminated output by output, as in the fit to one reference.
 
 use faer::linalg::solvers::Solve;
 use faer::{Mat, c64};
@@ -21,29 +22,29 @@ use super::likelihood::{
 use super::variable_projection::{LinearSolution, ProjectedProblem};
 use super::{Band, Pole};
 
-/// What is fitted: poles, and what of each mode every reference moves.
+/// Fitted unknowns: poles, and the participation of every reference in each mode.
 #[derive(Clone)]
 struct ReferenceModel {
     poles: Vec<c64>,
     /// Mode, reference.
     participation: Vec<Vec<c64>>,
-    /// The reference of each mode whose participation stays 1.
+    /// Reference of each mode whose participation is fixed at 1.
     fixed: Vec<usize>,
 }
 
-/// Modes at the least error, with so many terms for those above the band.
+/// Modes at the minimum, for a given number of terms for those above the band.
 struct ConvergedModel {
     modal: ReferenceModel,
     upper: usize,
     error: f64,
 }
 
-/// The fit to several references that begins at given poles.
+/// Fits several references from initial poles.
 pub(super) fn fit_shared(band: &Band, start: &[Pole]) -> Option<ModalFit> {
     reweighed(band, start, weighed)
 }
 
-/// The fit by the weights of a band, with as many terms for the modes above it as the responses ask for.
+/// Fits with the weights of a band and as many terms for the modes above it as needed.
 fn weighed(band: &Band, start: &[Pole]) -> Option<ModalFit> {
     let data = FitData::of(band, start);
     let mut found = settled(&data, band, ReferenceModel::begin(band, &data, start)?, 1)?;
@@ -103,7 +104,7 @@ fn settled(
 }
 
 impl ReferenceModel {
-    /// From residues that are free of each other: their first right singular vector.
+    /// Initial participations: the first right singular vector of unconstrained residues.
     fn begin(band: &Band, data: &FitData, start: &[Pole]) -> Option<Self> {
         let poles: Vec<c64> = start.iter().map(|pole| pole.complex()).collect();
         let residue = residues(data, &poles);
@@ -128,7 +129,7 @@ impl ReferenceModel {
         })
     }
 
-    /// Mode and reference of each participation that is fitted.
+    /// Mode and reference of each fitted participation.
     fn free(&self) -> Vec<(usize, usize)> {
         let of = |(r, row): (usize, &Vec<c64>)| {
             (0..row.len())
@@ -154,7 +155,8 @@ impl ReferenceModel {
     }
 }
 
-/// Normal equations over all outputs, in parallel and added in order, and the weighed squared error.
+/// Normal equations over all outputs, in parallel and summed in order, and the weighted squared
+/// error.
 fn equations(
     data: &FitData,
     band: &Band,
@@ -177,7 +179,7 @@ fn equations(
     Some((normal, right, error))
 }
 
-/// The rows are the lines of one reference after those of the other.
+/// Rows: the lines of one reference after those of the other.
 fn part(
     o: usize,
     data: &FitData,

@@ -1,43 +1,47 @@
-//! Variance of what a fit finds, from what parts of the data do to it.
+//! Variance of the fit results, from the effect of parts of the data.
 //!
-//! Parts of blocks: to first order leaving out part `g` moves the poles by `N^-1 J^T P (H_g - H)`, over all lines and responses together (the
-//! jackknife): noise of the force is common to the responses, and windows make neighbouring lines alike. The noise of hits has no preferred phase:
-//! turned by 90 degrees, what is left out tells as much again, which a few hits need. Under a force that goes on, what leaks out of a block leaks
-//! into the next, so that parts that follow each other vary against each other; their product counts too (L. Hansen, Econometrica 50 (1982) 1029).
-//! Hits at different places know nothing of each other: the parts of each place count for themselves.
+//! Parts of blocks (jackknife): to first order, leaving out part `g` moves the poles by `N^-1 J^T P
+//! (H_g - H)`, over all lines and responses together. This includes noise of the force, common to
+//! the responses, and correlation of neighbouring lines by windows. Noise of hits has no preferred
+//! phase: the left-out data turned by 90 degrees give a second estimate, which a few hits need.
+//! Under a continuing force, the leakage out of a block enters the next one, so consecutive parts
+//! are correlated and their products are included (L. Hansen, Econometrica 50 (1982) 1029). Hits at
+//! different locations are independent: the parts of each location are treated separately.
 //!
-//! Lines, where nothing tells their noise: what the fit leaves of line `k` moved the poles by `N^-1 J^T P e_k`, over all responses together, and
-//! the squares add to the variance whatever the noise of a line (H. White, Econometrica 48 (1980) 817); each rest is widened by what the fit took up
-//! of it. Few lines tell most of a sharp peak, and the degrees of freedom are those of the lines that count (F. Satterthwaite, Biometrics
-//! Bull. 2 (1946) 110).
+//! Lines, with unknown noise: the residual of line `k` moves the poles by `N^-1 J^T P e_k`, over
+//! all responses together. The squares add up to the variance for any noise of the lines (H. White,
+//! Econometrica 48 (1980) 817); each residual is enlarged to correct for its leverage. A few lines
+//! carry most information on a sharp peak, and the degrees of freedom are those of the lines that
+//! contribute (F. Satterthwaite, Biometrics Bull. 2 (1946) 110).
 
 use faer::Mat;
 
 use super::band::LeaveOneOutChange;
 use crate::spectral::WindowBias;
 
-/// From so many parts on their scatter is known well enough as it is.
+/// Number of parts above which their scatter needs no turned copies.
 const ENOUGH_PARTS: usize = 8;
-/// The least variance where neighbours count, over that without them.
+/// Lower bound on the variance with neighbours, relative to that without.
 const MIN_VARIANCE_RATIO: f64 = 0.2;
 
-/// What each part of the data does to the unknowns.
+/// Effect of each part of the data on the unknowns.
 pub(super) struct Scatter {
-    /// Changes of the unknowns, scaled so that their squares add to the variance: place of the force, part, then unknown and turn.
+    /// Changes of the unknowns, scaled so that their squares add up to the variance: force
+    /// location, part, then unknown and turn.
     places: Vec<Vec<Mat<f64>>>,
     kind: ScatterKind,
 }
 
 enum ScatterKind {
-    /// Parts that know nothing of each other.
+    /// Independent parts.
     Parts,
-    /// Parts that leak into the next.
+    /// Parts with leakage into the next one.
     Neighbours,
     Lines,
 }
 
 impl Scatter {
-    /// How often what parts leave out is turned.
+    /// Number of turns applied to left-out data.
     pub fn turns(parts: usize, sight: WindowBias) -> usize {
         if parts < ENOUGH_PARTS && matches!(sight, WindowBias::Cut { .. }) {
             2
@@ -46,7 +50,8 @@ impl Scatter {
         }
     }
 
-    /// `change` is what each part that is left out does to the unknowns, by turns.
+    /// Builds the scatter from `change`, the effect on the unknowns of each left-out part, by
+    /// turns.
     pub fn of_parts(
         change: Vec<Mat<f64>>,
         left_out: &[LeaveOneOutChange],
@@ -70,7 +75,8 @@ impl Scatter {
         }
     }
 
-    /// `change` is what the rest of each line did to the unknowns, in two turns.
+    /// Builds the scatter from `change`, the effect on the unknowns of the residual of each line,
+    /// in two turns.
     pub fn of_lines(change: Vec<Mat<f64>>) -> Self {
         Self {
             places: vec![change],
@@ -78,7 +84,7 @@ impl Scatter {
         }
     }
 
-    /// Degrees of freedom of the variances of a pole's numbers.
+    /// Degrees of freedom of the variances of a pole.
     pub fn freedom(&self, r: usize) -> f64 {
         let parts = |parts: &Vec<Mat<f64>>| parts.len() as f64;
         match self.kind {
@@ -94,7 +100,8 @@ impl Scatter {
         }
     }
 
-    /// Each line adds the mean of two squares, which varies by its own size: the fourth powers tell by how much the sum does.
+    /// Each line adds the mean of two squares, whose scatter is of its own size: the fourth powers
+    /// give the scatter of the sum.
     fn freedom_of_lines(&self, r: usize, slope: [f64; 2]) -> f64 {
         let (mut sum, mut squares) = (0.0, 0.0);
         for change in self.places.iter().flatten() {
@@ -107,7 +114,8 @@ impl Scatter {
         (4.0 * sum * sum / squares.max(f64::MIN_POSITIVE)).max(1.0)
     }
 
-    /// Variance of a number that changes by `slope` with the real and the imaginary part of pole `r`.
+    /// Variance of a quantity with derivatives `slope` by the real and the imaginary part of pole
+    /// `r`.
     pub fn variance(&self, r: usize, slope: [f64; 2]) -> f64 {
         self.places
             .iter()
@@ -129,13 +137,13 @@ impl Scatter {
             .windows(2)
             .map(|pair| moved(&pair[0], 0, r, slope) * moved(&pair[1], 0, r, slope))
             .sum::<f64>();
-        // The mean was taken from the same parts, three times in each of these sums.
+        // The mean is from the same parts, and enters each of these sums three times.
         let parts = parts.len() as f64;
         f64::max(own + 2.0 * pairs, MIN_VARIANCE_RATIO * own) * (parts - 1.0) / (parts - 3.0)
     }
 }
 
-/// Change of a number that changes by `slope` with the real and the imaginary part of pole `r`.
+/// Change of a quantity with derivatives `slope` by the real and the imaginary part of pole `r`.
 fn moved(change: &Mat<f64>, turn: usize, r: usize, slope: [f64; 2]) -> f64 {
     slope[0] * change[(2 * r, turn)] + slope[1] * change[(2 * r + 1, turn)]
 }

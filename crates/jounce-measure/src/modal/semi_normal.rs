@@ -1,13 +1,15 @@
 //! Normal equations of the poles without an orthogonal basis of the linear columns.
 //!
-//! With the weighed linear columns `A`, those `S` that the derivatives are made of, and the response `b`, one pass over the lines gives all products of
-//! columns. The factor of `A^T A` gives the linear unknowns `x`, a second pass what they leave, `r = b - A x`, and with it what they were off,
+//! With the weighted linear columns `A`, the columns `S` of the derivatives, and the response `b`,
+//! one pass over the lines gives all products of columns. The factor of `A^T A` gives the linear
+//! unknowns `x`, a second pass their residual, `r = b - A x`, and the correction `dx`,
 //!
 //! ```text
 //! A^T A dx = A^T r,   S^T P b = S^T r - S^T A dx,   S^T P S = S^T S - S^T A (A^T A)^-1 A^T S
 //! ```
 //!
-//! which is as exact as orthogonal columns where `dx` is a small share of `x`. Half the work of these, and no matrix as long as the band is written.
+//! which is as accurate as orthogonal columns where `dx` is a small share of `x`. It takes half the
+//! work, and stores no matrix as long as the band.
 //!
 //! Source: A. Bjorck, Linear Algebra Appl. 88/89 (1987) 31 (corrected semi-normal equations).
 
@@ -19,24 +21,25 @@ use faer::{Accum, Mat, Par, Side};
 use super::design_matrix::DesignMatrix;
 use super::likelihood::WeightedResponse;
 
-/// Rows that are multiplied at once: so many of all columns stay near the processor.
+/// Rows multiplied at once: so many rows of all columns fit into the cache.
 const ROWS_AT_ONCE: usize = 256;
-/// The linear unknowns are as good as from orthogonal columns once a correction, or the next one as the last two tell, is below this share.
+/// Relative size of a correction, or of the next one extrapolated from the last two, below which
+/// the linear unknowns are as accurate as from orthogonal columns.
 const CORRECTION_TOLERANCE: f64 = 1e-15;
-/// Corrections above this share of the one before tell columns too much alike.
+/// Ratio of successive corrections above which columns are nearly dependent.
 const MAX_CORRECTION_RATIO: f64 = 1e-2;
 
-/// One response's part of the normal equations.
+/// Contribution of one response to the normal equations.
 pub(super) struct NormalEquations {
     /// `J^T P J` and `J^T P e`.
     pub normal: Mat<f64>,
     pub right: Mat<f64>,
-    /// Squared norm of what is left.
+    /// Squared norm of the residual.
     pub error: f64,
 }
 
 impl NormalEquations {
-    /// None where the linear columns are too much alike for it.
+    /// Computes the contribution; `None` where the linear columns are nearly dependent.
     pub fn of(weighed: &WeightedResponse, terms: &DesignMatrix) -> Option<Self> {
         let (width, columns) = (
             terms.linear.ncols(),
@@ -63,7 +66,8 @@ impl NormalEquations {
         let beyond = Mat::from_fn(columns - width, columns - width, |r, c| {
             of(width + r, width + c)
         }) - taken.transpose() * &taken;
-        // The derivatives by the real and the imaginary part of a pole: its residue x + j y turns the columns of S.
+        // Derivatives by the real and the imaginary part of a pole: its residue x + j y turns the
+        // columns of S.
         let turned = |r: usize, of: &dyn Fn(usize) -> f64| {
             let (x, y) = (unknown[(r & !1, 0)], unknown[(r | 1, 0)]);
             if r.is_multiple_of(2) {
@@ -85,7 +89,7 @@ impl NormalEquations {
     }
 }
 
-/// The linear unknowns and what they leave.
+/// Linear unknowns and their residual.
 struct LinearResidual {
     unknown: Mat<f64>,
     /// `S^T P b`, scaled as the columns.
@@ -128,7 +132,7 @@ impl LinearResidual {
     }
 }
 
-/// Products of all columns with each other: those of `A`, of `S`, then `b`. The lower triangle.
+/// Products of all pairs of columns: those of `A`, of `S`, then `b`. Lower triangle.
 fn products(weighed: &WeightedResponse, terms: &DesignMatrix) -> Mat<f64> {
     let (rows, width, squares) = (
         terms.linear.nrows(),
@@ -180,7 +184,7 @@ fn products(weighed: &WeightedResponse, terms: &DesignMatrix) -> Mat<f64> {
     sums
 }
 
-/// What linear unknowns leave of the response: its products with the columns of `A` and of `S`, its square.
+/// Residual of the response: its products with the columns of `A` and of `S`, and its square.
 fn left(weighed: &WeightedResponse, terms: &DesignMatrix, unknown: &Mat<f64>) -> (Mat<f64>, f64) {
     let (rows, width, squares) = (
         terms.linear.nrows(),
@@ -237,7 +241,8 @@ mod tests {
     use faer::c64;
     use jounce::drive::RandomStream;
 
-    /// A response of three modes, two of them close, in noise and under uneven weights, and what a fit needs at poles that are a little off.
+    /// A response of three modes, two of them close, in noise and under uneven weights, and the
+    /// terms of a fit at slightly wrong poles.
     fn made(poles: &[c64], upper: usize) -> (WeightedResponse, DesignMatrix) {
         let angular: Vec<f64> = (40..900).map(|k| 1.5 * f64::from(k)).collect();
         let sight = WindowBias::Cut { length_s: 2.0 };
@@ -266,8 +271,9 @@ mod tests {
         )
     }
 
-    /// Against orthogonal columns. Measured: right side and error within 6e-15 of their sizes; the matrix, on which the lengths of steps rest and no
-    /// answer, within 8e-15 with up to four terms above the band, 2.4e-9 with eight, whose columns are alike.
+    /// Compares with orthogonal columns. Measured: right side and error within 6e-15 of their
+    /// sizes. The matrix, which affects only step lengths, agrees within 8e-15 with up to four
+    /// terms above the band, and 2.4e-9 with eight nearly dependent ones.
     #[test]
     fn it_gives_what_orthogonal_columns_give() {
         let poles = [
@@ -297,7 +303,7 @@ mod tests {
         }
     }
 
-    /// Two poles at one place have the same columns.
+    /// Two poles at one frequency have equal columns.
     #[test]
     fn columns_that_are_alike_are_left_to_orthogonal_ones() {
         let (weighed, terms) = made(&[c64::new(-2.0, 200.0), c64::new(-2.0, 200.0)], 1);

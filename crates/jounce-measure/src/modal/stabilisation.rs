@@ -1,10 +1,10 @@
-//! The stabilisation diagram: which poles stay where they are as the order grows.
+//! Stabilisation diagram: poles that are stable as the order grows.
 
 use serde::Serialize;
 
 use super::Pole;
 
-/// How a pole compares with those of the order below.
+/// Comparison of a pole with those of the previous order.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Stability {
@@ -12,36 +12,39 @@ pub enum Stability {
     New,
     /// One within 1 % in frequency.
     Frequency,
-    /// One within 1 % in frequency and 5 % in damping; where the lines are too coarse to tell that, within a tenth of a line, up to 20 %.
+    /// One within 1 % in frequency and 5 % in damping; where the line spacing is too coarse for
+    /// that, within a tenth of a line, up to 20 %.
     Pole,
 }
 
-/// A pole of the diagram.
+/// Pole of the diagram.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct StablePole {
-    /// The order.
+    /// Order.
     pub order: usize,
-    /// The pole.
+    /// Pole.
     pub pole: Pole,
-    /// How it compares.
+    /// Comparison with the previous order.
     pub stable: Stability,
 }
 
 /// Limits of the usual diagram.
 const FREQUENCY_LIMIT: f64 = 0.01;
 const DAMPING_LIMIT: f64 = 0.05;
-/// Half widths `zeta f` that differ by less than this share of a line are alike too, up to this share of the damping.
+/// Half-widths `zeta f` that differ by less than this share of a line are also equal, up to this
+/// share of the damping.
 const HALF_WIDTH_LINE_SHARE: f64 = 0.1;
 const COARSE_DAMPING_LIMIT: f64 = 0.2;
-/// A structure's damping ratio is below this: what is above stands for no mode.
+/// Upper bound on the damping ratio of a mode.
 pub(super) const MAX_DAMPING: f64 = 0.2;
-/// Stable poles closer than this, relative, belong to one mode.
+/// Relative distance below which stable poles belong to one mode.
 pub(super) const SAME_MODE_DISTANCE: f64 = 2e-3;
-/// A mode is stable in frequency in at least this share of the orders above its first, and in damping too in the second share of those.
+/// Minimum share of the orders above its first in which a mode is stable in frequency, and of those
+/// in which it is also stable in damping.
 const MIN_ORDER_SHARE: f64 = 0.6;
 const SAME_DAMPING_DISTANCE: f64 = 0.3;
 
-/// The diagram of the poles of each order from 1, found from lines `line_hz` apart.
+/// Builds the diagram from the poles of each order from 1, found from lines `line_hz` apart.
 pub fn diagram(poles: &[Vec<Pole>], line_hz: f64) -> Vec<StablePole> {
     let mut found = Vec::new();
     for (k, order) in poles.iter().enumerate() {
@@ -70,8 +73,8 @@ pub fn diagram(poles: &[Vec<Pole>], line_hz: f64) -> Vec<StablePole> {
     found
 }
 
-/// The poles that stay, one for each mode: of every cluster of stable poles the middle one of its upper orders. A cluster must be stable in
-/// most of the orders from its first on, and in five of them.
+/// Selects one pole for each mode: from every cluster of stable poles the middle one of its upper
+/// orders. A cluster must be stable in most of the orders from its first, and in at least five.
 pub(super) fn modes(diagram: &[StablePole], low_hz: f64, high_hz: f64) -> Vec<Pole> {
     let inside = |p: &&StablePole| {
         p.stable != Stability::New && (low_hz..=high_hz).contains(&p.pole.frequency_hz)

@@ -5,11 +5,13 @@ use rayon::prelude::*;
 
 use super::Band;
 
-/// What is summed: the responses, their products over the outputs by pairs of inputs, and ones.
+/// Summed signals: the responses, their products over the outputs by pairs of inputs, and ones.
 pub(super) fn signals(band: &Band) -> Vec<Vec<c64>> {
     let (inputs, outputs, lines) = (band.inputs, band.outputs(), band.frequency_hz.len());
-    // As measured: displacement would give the lowest lines all the weight. Responses of one size each, so that no sensor's unit decides; of
-    // several inputs first all of an output, then all to an input share a factor, which leaves the poles as they are.
+    // In measured quantities: displacement would give the lowest lines all the weight. Responses
+    // are scaled to equal size, so that the unit of a sensor has no effect. For several inputs, all
+    // responses of an output share a factor, then all responses to an input, which does not change
+    // the poles.
     let mut response: Vec<Vec<c64>> = (0..band.response.len()).map(|k| band.measured(k)).collect();
     (0..outputs).for_each(|o| of_one_size(response[o * inputs..(o + 1) * inputs].iter_mut()));
     if inputs > 1 {
@@ -33,7 +35,7 @@ pub(super) fn signals(band: &Band) -> Vec<Vec<c64>> {
         .collect()
 }
 
-/// Divides responses by the rms of all of them.
+/// Divides responses by the RMS of all of them.
 fn of_one_size<'a>(responses: impl Iterator<Item = &'a mut Vec<c64>>) {
     let mut responses: Vec<&mut Vec<c64>> = responses.collect();
     let (sum, lines) = responses
@@ -49,9 +51,10 @@ fn of_one_size<'a>(responses: impl Iterator<Item = &'a mut Vec<c64>>) {
     }
 }
 
-/// Lines whose sums are made at once; these are added in order, so that any number of threads gives the same bits.
+/// Lines summed at once; partial sums are added in order, so results are bitwise equal for any
+/// number of threads.
 const LINES_AT_ONCE: usize = 1024;
-/// Numbers that are added side by side.
+/// Numbers added in parallel.
 const LANES: usize = 8;
 
 /// `re sum z^k h` of each signal `h` for k from `-most` to `most`. With `a = sum re z^k re h` and `b = sum im z^k im h` the sums of `k` and `-k` are
@@ -102,7 +105,7 @@ pub(super) fn both_ways(turn: &[c64], signals: &[Vec<c64>], most: usize) -> Vec<
     sums
 }
 
-/// Sums of the products of real parts and of imaginary parts, which stand by turns.
+/// Sums of the products of real parts and of imaginary parts, which are interleaved.
 fn products(x: &[f64], y: &[f64]) -> [f64; 2] {
     let mut lanes = [0.0; LANES];
     let (x, y) = (x.chunks(LANES), y.chunks(LANES));

@@ -1,22 +1,25 @@
-//! Linear unknowns of a least-squares problem taken out of it, so that only the others are searched for (variable projection).
+//! Eliminates linear unknowns from a least-squares problem, so that only the others are searched
+//! for (variable projection).
 //!
-//! Source: G. Golub and V. Pereyra, SIAM J. Numer. Anal. 10 (1973) 413; L. Kaufman, BIT 15 (1975) 49.
+//! Source: G. Golub and V. Pereyra, SIAM J. Numer. Anal. 10 (1973) 413; L. Kaufman, BIT 15 (1975)
+//! 49.
 
 use faer::Mat;
 use faer::linalg::solvers::Solve;
 
-/// A linear problem at its least error.
+/// Linear problem at its minimum.
 pub(super) struct LinearSolution {
-    /// The linear unknowns.
+    /// Linear unknowns.
     pub linear: Mat<f64>,
-    /// What they leave of the right side.
+    /// Residual of the right side.
     pub rest: Mat<f64>,
-    /// An orthonormal basis of their columns.
+    /// Orthonormal basis of the columns.
     thin: Mat<f64>,
 }
 
 impl LinearSolution {
-    /// Of weighed columns `a` and a right side `b`. Columns are scaled to size 1: residual terms and residues differ by many powers of ten.
+    /// Solves for weighted columns `a` and a right side `b`. Columns are scaled to size 1: residual
+    /// terms and residues differ by many powers of ten.
     pub fn new(mut a: Mat<f64>, b: &Mat<f64>) -> Self {
         let scale: Vec<f64> = a
             .col_iter()
@@ -33,12 +36,12 @@ impl LinearSolution {
         Self { linear, rest, thin }
     }
 
-    /// What the linear columns cannot take up of other columns.
+    /// Part of other columns orthogonal to the linear columns.
     pub fn beyond(&self, columns: &Mat<f64>) -> Mat<f64> {
         columns - &self.thin * (self.thin.transpose() * columns)
     }
 
-    /// The problem without its linear unknowns, by the derivatives by the others.
+    /// Returns the projected problem, from the derivatives by the other unknowns.
     pub fn left(self, derivative: &Mat<f64>) -> ProjectedProblem {
         let projected = self.beyond(derivative);
         let taken = (0..self.thin.nrows())
@@ -53,15 +56,15 @@ impl LinearSolution {
     }
 }
 
-/// A problem without its linear unknowns.
+/// Problem without its linear unknowns.
 pub(super) struct ProjectedProblem {
-    /// The linear unknowns at the least error.
+    /// Linear unknowns at the minimum.
     pub linear: Mat<f64>,
-    /// What the linear columns leave of the derivatives by the other unknowns: `P J`.
+    /// Derivatives by the other unknowns, projected: `P J`.
     pub projected: Mat<f64>,
-    /// What they leave of the right side.
+    /// Residual of the right side.
     pub rest: Mat<f64>,
-    /// Share of each row that they take up, whatever stands there.
+    /// Leverage of each row.
     pub taken: Vec<f64>,
 }
 
@@ -69,7 +72,8 @@ pub(super) struct ProjectedProblem {
 mod tests {
     use super::*;
 
-    /// A parabola through points of `1 + 2 x + x^3`: what is left, and what is beyond, is orthogonal to all columns of it.
+    /// A parabola fitted to points of `1 + 2 x + x^3`: residual and projection are orthogonal to
+    /// all its columns.
     #[test]
     fn what_is_left_is_orthogonal_to_the_columns() {
         let x = |row: usize| 0.1 * row as f64;

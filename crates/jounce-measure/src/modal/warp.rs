@@ -1,4 +1,5 @@
-//! Warped frequencies, at which one-sided spectra of samples have the form of responses: `W = 2/T tan(w T / 2)`.
+//! Warped frequencies, at which one-sided spectra of samples have the form of responses: `W = 2/T
+//! tan(w T / 2)`.
 
 use std::f64::consts::{PI, TAU};
 
@@ -6,10 +7,10 @@ use faer::c64;
 
 use super::{Identification, Pole};
 
-/// A pole to begin with is damped at least so.
+/// Minimum damping of an initial pole.
 const MIN_START_DAMPING: f64 = 1e-4;
 
-/// The pole of a decay before a window made it die faster.
+/// Removes the damping of the window from the pole of a decay.
 pub(super) fn without_decay(pole: Pole, decay_per_s: f64) -> Pole {
     let p = pole.complex();
     Pole::of(c64::new(
@@ -18,7 +19,7 @@ pub(super) fn without_decay(pole: Pole, decay_per_s: f64) -> Pole {
     ))
 }
 
-/// Between frequencies and warped ones.
+/// Conversion between frequencies and warped ones.
 pub(super) struct Warp {
     pub rate_hz: f64,
 }

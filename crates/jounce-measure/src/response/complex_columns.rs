@@ -1,21 +1,21 @@
-//! Response functions of files that hold them as columns of real numbers, or with lines that are no numbers.
+//! Response functions from files with columns of real numbers, or with lines that are not numbers.
 
 use super::ResponseError;
 use jounce_data::recording::{Channel, Issue, IssueKind, IssuePlace, Over, Recording};
 
-/// What the two columns of a response function hold.
+/// Contents of the two columns of a response function.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ComplexParts {
     /// Real and imaginary part.
     ReIm,
-    /// Size and phase in degrees.
+    /// Magnitude and phase in degrees.
     SizeDegrees,
-    /// Size and phase in radians.
+    /// Magnitude and phase in radians.
     SizeRadians,
 }
 
 impl ComplexParts {
-    /// Real and imaginary part from what the columns hold.
+    /// Converts the contents of the columns to real and imaginary part.
     fn complex(self, one: f64, other: f64) -> (f64, f64) {
         let turned = |angle: f64| (one * angle.cos(), one * angle.sin());
         match self {
@@ -26,10 +26,11 @@ impl ComplexParts {
     }
 }
 
-/// Recordings over frequency whose real channels, two by two, become complex ones, each with the name and the unit of the first of its two.
+/// Combines the real channels of recordings over frequency in pairs to complex ones, each with the
+/// name and the unit of the first.
 ///
 /// # Errors
-/// A recording over time, an odd number of real channels, or none.
+/// A recording over time, an odd number of real channels, or no channel.
 pub fn paired(
     recordings: Vec<Recording>,
     parts: ComplexParts,
@@ -77,8 +78,8 @@ fn of_pairs(mut recording: Recording, parts: ComplexParts) -> Result<Recording, 
     Ok(recording)
 }
 
-/// Recordings over frequency whose lines that are no numbers lie on straight lines between their neighbours, at the ends on the nearest one; with a
-/// finding for each channel. A channel without a number stays as it is.
+/// Interpolates lines that are not numbers linearly, at the ends by the nearest one, and adds an
+/// issue for each channel. A channel without any number is unchanged.
 pub fn bridged(mut recordings: Vec<Recording>) -> Vec<Recording> {
     for recording in recordings
         .iter_mut()
@@ -121,7 +122,7 @@ fn bridge(channel: &mut Channel, places: &[f64]) -> Option<Issue> {
         channel.imaginary.as_deref().map(filled),
     );
     (channel.values, channel.imaginary) = (values, imaginary);
-    let about = "lines that are no numbers were bridged by straight lines".to_owned();
+    let about = "lines that are not numbers were interpolated linearly".to_owned();
     Some(
         Issue::new(
             IssueKind::Bridged,
@@ -203,7 +204,8 @@ mod tests {
         assert!(time.contains("over = \"frequency\""), "{time}");
     }
 
-    /// A straight line is its own bridge, wherever the lines lie; at the ends the nearest number stays.
+    /// Linear interpolation reproduces a straight line, for any spacing of the lines; at the ends
+    /// the nearest number is used.
     #[test]
     fn lines_that_are_no_numbers_are_bridged() {
         let nan = f64::NAN;

@@ -1,4 +1,4 @@
-//! Decays of a structure that nothing drives, or that noise drives.
+//! Decays of a structure, free or from correlations under noise.
 //!
 //! ```text
 //! x_o(t)              = sum_r re (a_or exp(p_r t))        free decay of output o
@@ -6,10 +6,12 @@
 //! |X(f)|^2             -> sum_r re (c_or exp(p_r k))       autocorrelation of a decay, from its amplitude spectrum alone
 //! ```
 //!
-//! All three are sums of the same exponentials, `p_r` the poles of the structure. Correlations are unbiased, over every pair of samples whose
-//! first one lies in a block; blocks tell how far a correlation is from its mean.
+//! All three are sums of the same exponentials, with the poles `p_r` of the structure. Correlations
+//! are unbiased, over every pair of samples whose first one lies in a block; the blocks give the
+//! scatter of a correlation.
 //!
-//! Source: G. James, T. Carne, J. Lauffer, The natural excitation technique (NExT), Sandia SAND92-1666 (1993).
+//! Source: G. James, T. Carne, J. Lauffer, The natural excitation technique (NExT), Sandia
+//! SAND92-1666 (1993).
 
 use realfft::RealFftPlanner;
 use realfft::num_complex::Complex;
@@ -27,38 +29,39 @@ pub struct Decays {
     pub references: Vec<String>,
     /// Samples per second.
     pub rate_hz: f64,
-    /// Decay of output `o` for reference `i` at `o * references + i`: samples from 0 on, equally many.
+    /// Decay of output `o` for reference `i` at `o * references + i`: samples from 0, equally many.
     pub values: Vec<Vec<f64>>,
-    /// The same from each block alone; empty for free decays and spectra.
+    /// Decays from each block alone; empty for free decays and spectra.
     pub blocks: Vec<Vec<Vec<f64>>>,
-    /// What is odd about the recordings.
+    /// Data-quality issues of the recordings.
     pub findings: Vec<Issue>,
 }
 
-/// Which channels of an ambient record are what, and how far correlations go.
+/// Channels of an ambient record, and the maximum lag of correlations.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct AmbientSettings {
-    /// The responses; empty for all channels.
+    /// Responses; empty for all channels.
     pub responses: Vec<String>,
-    /// The references; empty for all responses.
+    /// References; empty for all responses.
     pub references: Vec<String>,
-    /// Longest lag, s; by default a sixty-fourth of the record, 512 samples at least.
+    /// Maximum lag, s; by default a sixty-fourth of the record, at least 512 samples.
     pub lags_s: Option<f64>,
 }
 
-/// Blocks that a record is cut into.
+/// Number of blocks of a record.
 const RECORD_BLOCKS: usize = 16;
-/// Fewest samples of a decay.
+/// Minimum number of samples of a decay.
 const MIN_DECAY_SAMPLES: usize = 32;
-/// Longest lag of an autocorrelation from a spectrum, over the length of the record behind it: what wraps around is small there.
+/// Maximum lag of an autocorrelation from a spectrum, relative to the length of the original
+/// record: the wrap-around error is small there.
 const MAX_LAG_DIVISOR: usize = 4;
 
 impl Decays {
-    /// Free decays: the same channels of each record, between two times after its first sample; by default from the largest size of the first
-    /// response on.
+    /// Free decays of the same channels of each record, between two times after its first sample;
+    /// by default from the peak of the first response.
     ///
     /// # Errors
-    /// No record, a channel that is not there, unequal rates, fewer than 32 samples.
+    /// No record, a channel that does not exist, unequal rates, fewer than 32 samples.
     pub fn free(
         records: &[Recording],
         responses: &[String],
@@ -117,7 +120,8 @@ impl Decays {
     /// Correlations of a record under noise.
     ///
     /// # Errors
-    /// A channel that is not there, lags of more than a quarter of the record or of fewer than 32 samples.
+    /// A channel that does not exist, lags of more than a quarter of the record or of fewer than 32
+    /// samples.
     pub fn ambient(record: &Recording, settings: &AmbientSettings) -> Result<Self, ResponseError> {
         let outputs = named(record, &settings.responses)?;
         let references = if settings.references.is_empty() {
@@ -183,10 +187,11 @@ impl Decays {
         })
     }
 
-    /// Autocorrelations from amplitude spectra over evenly spaced frequencies from 0, or from a few lines above it, on.
+    /// Autocorrelations from amplitude spectra over uniformly spaced frequencies that begin at 0,
+    /// or a few lines above it.
     ///
     /// # Errors
-    /// A channel that is not there, a recording over time, uneven lines, too few lines.
+    /// A channel that does not exist, a recording over time, uneven lines, too few lines.
     pub fn of_spectrum(spectrum: &Recording, responses: &[String]) -> Result<Self, ResponseError> {
         let outputs = named(spectrum, responses)?;
         let places = spectrum.grid.places();
@@ -200,7 +205,7 @@ impl Decays {
                 .iter()
                 .any(|channel| channel.imaginary.is_some())
         {
-            return Err(told("it must hold amplitudes over frequency"));
+            return Err(told("it must contain amplitudes over frequency"));
         }
         let step_hz = (places[places.len() - 1] - places[0]) / (places.len().max(2) - 1) as f64;
         let before = (places[0] / step_hz).round();
@@ -213,7 +218,7 @@ impl Decays {
             || places.iter().enumerate().any(off)
         {
             return Err(told(
-                "its lines must be evenly spaced, multiples of their distance",
+                "its lines must be uniformly spaced, at multiples of their spacing",
             ));
         }
         let lines = before as usize + places.len();
@@ -296,7 +301,7 @@ fn findings(records: &[Recording]) -> Vec<Issue> {
         .collect()
 }
 
-/// Long lags add more noise than they tell: a short part of the record, but enough lines.
+/// Long lags add more noise than information: use a short part of the record, but enough lines.
 fn usual_lags(samples: usize) -> usize {
     (samples / 64).max(512).min(samples / 4)
 }
@@ -309,7 +314,7 @@ fn largest(values: &[f64]) -> usize {
         .map_or(0, |(k, _)| k)
 }
 
-/// Correlations of blocks of one length, by transforms.
+/// Correlations of blocks of one length, by FFT.
 struct Correlation {
     length: usize,
     lags: usize,
@@ -327,7 +332,8 @@ impl Correlation {
         }
     }
 
-    /// `sum_t output(t + k) reference(t) / length` for `t` in the block that starts at a sample.
+    /// Computes `sum_t output(t + k) reference(t) / length` for `t` in the block that starts at a
+    /// sample.
     fn of(&self, output: &[f64], reference: &[f64], start: usize) -> Vec<f64> {
         let mut planner = self.planner.borrow_mut();
         let forward = planner.plan_fft_forward(self.padded);

@@ -1,19 +1,19 @@
-//! Why recordings give no frequency response.
+//! Errors of measuring frequency responses.
 
 use crate::spectral::SpectralError;
 use jounce_data::recording::NoChannel;
 
-/// Recordings that give no frequency response.
+/// Error of computing frequency responses from recordings.
 #[derive(Debug, Clone, PartialEq, thiserror::Error, serde::Serialize)]
 #[serde(untagged)]
 pub enum ResponseError {
-    /// No such channel.
+    /// The channel does not exist.
     #[error(transparent)]
     Channel(#[from] NoChannel),
-    /// No channel that is a force.
+    /// No channel is a force.
     #[error(
-        "{recording} has no channel in newtons: name that of the force, or the input of another kind, as the acceleration of the base (--input, \
-         input=); there are {}",
+        "{recording} has no channel in newtons: name the force channel, or an input of another \
+        kind, such as the acceleration of the base (--input, input=); the channels are {}",
         channels.join(", ")
     )]
     NoForce {
@@ -22,10 +22,11 @@ pub enum ResponseError {
         /// Its channels.
         channels: Vec<String>,
     },
-    /// A force in another unit.
+    /// The force has another unit.
     #[error(
-        "channel {channel} of {recording} is in {unit}, not in newtons; choose another one, give it as the input where it excites without being a \
-         force (--input, input=), or correct its unit in the notes beside it"
+        "channel {channel} of {recording} is in {unit}, not in newtons; choose another channel, \
+        use it as the input if it excites without being a force (--input, input=), or correct its \
+        unit in the notes of the recording"
     )]
     NotForce {
         /// The recording.
@@ -35,10 +36,10 @@ pub enum ResponseError {
         /// Its unit.
         unit: String,
     },
-    /// An input without a unit that tells what it is.
+    /// The unit of an input is missing or does not identify its quantity.
     #[error(
-        "channel {channel} of {recording} tells {}; an input must be in N, m/s^2, g, m/s, m, V or Pa: give its unit in the notes beside the \
-         recording",
+        "channel {channel} of {recording} has {}; an input must be in N, m/s^2, g, m/s, m, V or \
+        Pa: give its unit in the notes of the recording",
         if unit.is_empty() { "no unit".to_owned() } else { format!("the unit {unit}") }
     )]
     NotInput {
@@ -49,20 +50,21 @@ pub enum ResponseError {
         /// Its unit.
         unit: String,
     },
-    /// An input that is one quantity in one recording and another one in the next.
-    #[error("the input {channel} is in {unit} in {}, and not in {}; give recordings of one kind of input", recordings[1], recordings[0])]
+    /// The input differs in quantity between recordings.
+    #[error("the input {channel} is in {unit} in {}, but not in {}; give recordings of one kind \
+        of input", recordings[1], recordings[0])]
     InputUnits {
         /// The channel.
         channel: String,
         /// Two recordings.
         recordings: [String; 2],
-        /// Its unit in the second one.
+        /// Unit in the second one.
         unit: String,
     },
-    /// A pulse of what is no force.
+    /// The input is a pulse but not a force.
     #[error(
-        "the input {channel} of {recording} does not go on as a shaker's does: hits are sought in forces only; record noise or a sweep, or take \
-         it for that of a shaker (--shaker, shaker=True)"
+        "the input {channel} of {recording} is not continuous as a shaker's is: hits are sought \
+        in forces only; record noise or a sweep, or treat it as a shaker's (--shaker, shaker=True)"
     )]
     Pulse {
         /// The recording.
@@ -70,42 +72,44 @@ pub enum ResponseError {
         /// The channel.
         channel: String,
     },
-    /// Forces at several places, some of which are not told.
+    /// Some of several force locations are missing.
     #[error(
-        "the force acts at several places ({}), and {} tell none; responses to different places are different functions: give the place of \
-         every force in the notes beside its recording",
+        "the force acts at several places ({}), but the place is missing in {}; responses to \
+        different places are different functions: give the place of every force in the notes of \
+        its recording",
         places.join(", "),
         silent.join(", ")
     )]
     Places {
-        /// The places that are told.
+        /// Known locations.
         places: Vec<String>,
-        /// The recordings that tell none.
+        /// Recordings without a location.
         silent: Vec<String>,
     },
-    /// A sensor that moves from recording to recording under one name.
+    /// A sensor changes location between recordings under one name.
     #[error(
-        "channel {channel} sits at {}; responses at different places must not be averaged: give the recordings of one place of the sensor \
-         at a time",
+        "channel {channel} is at {}; responses at different places must not be averaged: give the \
+        recordings of one place of the sensor at a time",
         places.join(", and at ")
     )]
     Moved {
         /// The channel.
         channel: String,
-        /// Two of its places, each with a recording.
+        /// Two of its locations, each with a recording.
         places: [String; 2],
     },
-    /// Nothing beside the input.
-    #[error("{recording} holds no channel beside the input {force}")]
+    /// There is no channel other than the input.
+    #[error("{recording} has no channel other than the input {force}")]
     NoResponse {
         /// The recording.
         recording: String,
         /// The force.
         force: String,
     },
-    /// The input as a response to itself.
+    /// The input is also requested as a response.
     #[error(
-        "{force} of {recording} is the input, and cannot respond to itself: name a channel beside it, or another input"
+        "{force} of {recording} is the input, and cannot respond to itself: name another channel, \
+        or another input"
     )]
     OwnResponse {
         /// The recording.
@@ -113,26 +117,29 @@ pub enum ResponseError {
         /// The force.
         force: String,
     },
-    /// Spectra without phase.
+    /// The spectra have no phase.
     #[error(
-        "{recording} is over frequency and holds no complex channel: a response function has a real and an imaginary part; tell what its columns \
-         hold (--functions re-im or size-degrees, functions=)"
+        "{recording} is over frequency and has no complex channel: a response function has a real \
+        and an imaginary part; specify the contents of its columns (--functions re-im or \
+        size-degrees, functions=)"
     )]
     NotComplex {
         /// The recording.
         recording: String,
     },
-    /// Columns that are to be functions over what is told to be a time.
+    /// Columns to be read as functions are over time.
     #[error(
-        "{recording} is read as a recording over time; write over = \"frequency\" in the notes beside the file, and time = \"1\" for its column"
+        "{recording} is read as a recording over time; write over = \"frequency\" in the notes of \
+        the file, and time = \"1\" for its column"
     )]
     OverTime {
         /// The recording.
         recording: String,
     },
-    /// Columns that are no pairs.
+    /// The columns are not in pairs.
     #[error(
-        "{recording} has {} real columns ({}), and two make a response function: leave the others out in the notes beside the file",
+        "{recording} has {} real columns ({}), but a response function needs two: leave the \
+        others out in the notes of the file",
         channels.len(),
         channels.join(", ")
     )]
@@ -142,50 +149,53 @@ pub enum ResponseError {
         /// Its real channels.
         channels: Vec<String>,
     },
-    /// Response functions over unequal frequencies.
-    #[error("{first} and {other} lie at unequal frequencies; give response functions of one test")]
+    /// The response functions have unequal frequencies.
+    #[error("{first} and {other} have unequal frequencies; give response functions of one test")]
     Frequencies {
         /// The first recording.
         first: String,
-        /// Another one.
+        /// The other recording.
         other: String,
     },
-    /// A decay of too few samples.
+    /// A decay has too few samples.
     #[error(
         "{recording} leaves {samples} samples for a decay; at least {needed} are needed: give a longer span, longer lags or a finer record"
     )]
     Short {
         /// The recording.
         recording: String,
-        /// What is left.
+        /// Remaining samples.
         samples: usize,
-        /// What is needed.
+        /// Required samples.
         needed: usize,
     },
-    /// Lags too long for their record.
+    /// The lags are too long for the record.
     #[error(
-        "lags of {lags_s} s are too long for {recording}; at most a quarter of it will do, {most_s} s"
+        "lags of {lags_s} s are too long for {recording}; the limit is a quarter of it, {most_s} s"
     )]
     Lags {
         /// The recording.
         recording: String,
-        /// Longest lag asked for, s.
+        /// Requested maximum lag, s.
         lags_s: f64,
-        /// The most, s.
+        /// Limit, s.
         most_s: f64,
     },
-    /// No amplitude spectrum.
-    #[error("{recording} is no amplitude spectrum to take a correlation from: {reason}")]
+    /// The recording is not an amplitude spectrum.
+    #[error(
+        "{recording} is not an amplitude spectrum from which a correlation can be computed: \
+        {reason}"
+    )]
     NotAmplitude {
         /// The recording.
         recording: String,
-        /// What is wrong.
+        /// The fault.
         reason: &'static str,
     },
-    /// No recording at all.
-    #[error("there is no recording to take responses from")]
+    /// There is no recording.
+    #[error("there is no recording to compute responses from")]
     Nothing,
-    /// What the samples cannot answer.
+    /// The samples do not allow the analysis.
     #[error(transparent)]
     Spectral(#[from] SpectralError),
 }

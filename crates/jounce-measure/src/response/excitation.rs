@@ -1,4 +1,4 @@
-//! The channel that excites a structure, and the units of responses to it.
+//! Excitation channel of a structure, and units of responses to it.
 
 use jounce::signal::Samples;
 
@@ -6,7 +6,7 @@ use super::{ChannelChoice, ResponseError};
 use crate::spectral::{ImpactSettings, SpectralError, goes_on};
 use jounce_data::recording::{Channel, Quantity, Recording};
 
-/// What excites the structure.
+/// Excitation of the structure.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub enum Excitation {
     /// The first channel in newtons.
@@ -14,11 +14,12 @@ pub enum Excitation {
     FirstForce,
     /// A channel of this name in newtons, or without a unit.
     Force(String),
-    /// A channel of this name that tells its unit: a force, the motion of the base, a voltage, a pressure.
+    /// A channel of this name with its unit: a force, the motion of the base, a voltage, a
+    /// pressure.
     Channel(String),
 }
 
-/// What may excite a structure.
+/// Quantities allowed as excitation.
 const INPUTS: [Quantity; 6] = [
     Quantity::Force,
     Quantity::Acceleration,
@@ -28,7 +29,7 @@ const INPUTS: [Quantity; 6] = [
     Quantity::Pressure,
 ];
 
-/// The channel of a recording that excites.
+/// Returns the excitation channel of a recording.
 pub(super) fn input<'a>(
     recording: &'a Recording,
     chosen: &ChannelChoice,
@@ -70,7 +71,7 @@ pub(super) fn input<'a>(
             })?
         }
     };
-    // A channel that tells no unit may be the force; one that tells another is not.
+    // A channel without unit may be the force; one with another unit is not.
     if found.head().may_be(Quantity::Force) {
         return Ok(found);
     }
@@ -81,7 +82,7 @@ pub(super) fn input<'a>(
     })
 }
 
-/// What the channel measures: a force where it tells no unit.
+/// Quantity of the channel: a force if it has no unit.
 pub(super) fn quantity(input: &Channel) -> Quantity {
     if input.quantity == Quantity::Unknown {
         Quantity::Force
@@ -90,7 +91,7 @@ pub(super) fn quantity(input: &Channel) -> Quantity {
     }
 }
 
-/// Unit of a response per input, as [`jounce_data::recording::Unit`] writes it.
+/// Unit of a response per input, written as by [`jounce_data::recording::Unit`].
 pub(super) fn unit(output: &Channel, input: &Channel) -> String {
     let above = if output.unit.is_empty() {
         "1"
@@ -105,10 +106,10 @@ pub(super) fn unit(output: &Channel, input: &Channel) -> String {
     }
 }
 
-/// The settings for an input: hits are those of a force, and what is none is averaged in blocks.
+/// Settings for an input: hits are detected in forces; other inputs are averaged in blocks.
 ///
 /// # Errors
-/// A pulse of what is no force; recordings in which one name stands for two quantities.
+/// A pulse that is not a force; recordings in which one name has two quantities.
 pub(super) fn settings(
     records: &[Recording],
     chosen: &ChannelChoice,

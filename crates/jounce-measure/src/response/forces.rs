@@ -1,18 +1,18 @@
-//! Recordings of a hammer or shaker test by the place of their input.
+//! Groups recordings of a hammer or shaker test by the location of their input.
 
 use super::excitation::input;
 use super::{ChannelChoice, ResponseError};
 use jounce_data::recording::{Channel, Issue, IssueKind, Recording};
 
-/// The recordings of one place of the force.
+/// Recordings of one force location.
 pub(super) struct ReferenceRecords<'a> {
-    /// The place and the direction; the channel of the force where neither is told.
+    /// Location and direction; the force channel if neither is given.
     pub name: String,
-    /// The recordings with their numbers.
+    /// Recordings with their indices.
     pub records: Vec<(usize, &'a Recording)>,
 }
 
-/// Place and direction of a sensor as one text; empty where nothing is told.
+/// Location and direction of a sensor as text; empty if not given.
 pub(super) fn place(channel: &Channel) -> String {
     [channel.place.as_str(), channel.direction.as_str()]
         .join(" ")
@@ -20,8 +20,8 @@ pub(super) fn place(channel: &Channel) -> String {
         .to_owned()
 }
 
-/// The places in the order in which they first come. Where none of several recordings tells its place, or some do and tell one place, it is taken
-/// for that of all, which is a finding.
+/// Groups by location, in order of first occurrence. If no recording gives its location, or those
+/// that do give the same one, it is assumed for all, with an issue.
 pub(super) fn references<'a>(
     records: &'a [Recording],
     chosen: &ChannelChoice,
@@ -48,7 +48,8 @@ pub(super) fn references<'a>(
             silent,
         });
     }
-    let about = "recordings do not tell where the force acts; it is taken to act at one place in all, give the place in the notes beside them";
+    let about = "recordings do not give the place of the force; one place is assumed for all, \
+        give the place in their notes";
     let finding = (!silent.is_empty() && records.len() > 1).then(|| {
         Issue::new(
             IssueKind::Assumed,
@@ -88,7 +89,7 @@ pub(super) fn references<'a>(
     Ok((found, finding))
 }
 
-/// Refuses sensors that one name stands for at two places.
+/// Refuses sensors with one name at two locations.
 pub(super) fn check_sensors(records: &[Recording], names: &[String]) -> Result<(), ResponseError> {
     for name in names {
         let mut first: Option<(String, &str)> = None;

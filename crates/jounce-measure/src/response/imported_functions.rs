@@ -1,4 +1,4 @@
-//! Response functions that were measured before.
+//! Imported response functions.
 
 use realfft::num_complex::Complex;
 
@@ -7,18 +7,19 @@ use super::{MeasuredResponses, ResponseError};
 use crate::spectral::{FrequencyResponse, WindowBias};
 use jounce_data::recording::{Channel, Issue, IssueKind, Quantity, Recording, Unit};
 
-/// Which function stands for which output and which reference.
+/// Assignment of functions to outputs and references.
 struct FunctionChannels {
     outputs: Vec<String>,
     references: Vec<String>,
-    /// Numbers of the functions: that of output `o` to reference `i` at `o * references + i`.
+    /// Indices of the functions: output `o` to reference `i` is at `o * references + i`.
     order: Vec<usize>,
 }
 
 impl MeasuredResponses {
-    /// Response functions that were measured before: every complex channel of recordings over frequency. Where they tell several references,
-    /// and there is one function of each output to each, they are taken so; else each is an output, which is a finding where several references
-    /// are told. Nothing is known of their coherence.
+    /// Imports every complex channel of recordings over frequency as a response function. If they
+    /// give several references, and there is one function of each output to each, they are assigned
+    /// accordingly. Otherwise each is an output, with an issue if several references are given.
+    /// Their coherence is unknown.
     ///
     /// # Errors
     /// No recording, no complex channel, unequal frequencies.
@@ -109,7 +110,7 @@ impl MeasuredResponses {
     }
 }
 
-/// The outputs and references in the order in which they first come, and what is odd about them.
+/// Outputs and references in order of first occurrence, and an issue if they are inconsistent.
 fn sides(channels: &[&Channel]) -> (FunctionChannels, Option<Issue>) {
     let references = distinct(channels.iter().map(|channel| channel.reference.clone()));
     let told: Vec<String> = references
@@ -145,13 +146,13 @@ fn sides(channels: &[&Channel]) -> (FunctionChannels, Option<Issue>) {
             .collect();
         let [one] = of_pair[..] else {
             let to = if reference.is_empty() {
-                "a reference that is not told"
+                "an unspecified reference"
             } else {
                 reference
             };
             let about = format!(
-                "the functions tell {} references, and {} of output {output} to {to} where one is due; each function is taken for an output of \
-                 one reference",
+                "the functions have {} references, and {} of output {output} to {to} where one is \
+                expected; each function is used as an output of one reference",
                 told.len(),
                 of_pair.len()
             );
@@ -162,7 +163,7 @@ fn sides(channels: &[&Channel]) -> (FunctionChannels, Option<Issue>) {
         };
         order.push(one);
     }
-    // The name of the sensor, or where that stands for several, the place.
+    // Name of the sensor, or its location if several share the name.
     let named: Vec<String> = order
         .iter()
         .step_by(references.len())
@@ -183,7 +184,7 @@ fn sides(channels: &[&Channel]) -> (FunctionChannels, Option<Issue>) {
     )
 }
 
-/// Place and direction of an output, its name where neither is told.
+/// Location and direction of an output, or its name if neither is given.
 fn output(channel: &Channel) -> String {
     let place = place(channel);
     if place.is_empty() {
@@ -193,7 +194,7 @@ fn output(channel: &Channel) -> String {
     }
 }
 
-/// The name without the reference that stands behind it.
+/// Name without the reference suffix.
 fn bare(channel: &Channel) -> &str {
     let behind = channel
         .name

@@ -1,5 +1,5 @@
-//! Recordings of a hammer or shaker test, or of its response functions, to frequency responses with names and units; recordings without a
-//! measured input to decays.
+//! Computes frequency responses with names and units from recordings of hammer or shaker tests, or
+//! imports them; computes decays from recordings without a measured input.
 mod complex_columns;
 mod decays;
 mod error;

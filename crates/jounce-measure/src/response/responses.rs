@@ -1,4 +1,4 @@
-//! The responses of a structure to the force of a hammer or of a shaker.
+//! Responses of a structure to the force of a hammer or of a shaker.
 
 use jounce::signal::{Samples, SignalError};
 
@@ -11,52 +11,57 @@ use crate::spectral::{
 };
 use jounce_data::recording::{Channel, Issue, IssueKind, Quantity, Recording};
 
-/// Which channels are what.
+/// Choice of channels.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ChannelChoice {
-    /// The input.
+    /// Excitation.
     pub excitation: Excitation,
-    /// The responses; empty for all channels but the input.
+    /// Responses; empty for all channels except the input.
     pub responses: Vec<String>,
 }
 
-/// Response functions over common frequencies, and what they rest on.
+/// Response functions over common frequencies, and the data they are from.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MeasuredResponses {
     /// Name of each output.
     pub outputs: Vec<String>,
-    /// Where the input acts: its places, or its channel where none is told; none where response functions were given that tell none.
+    /// Locations of the input, or its channel if none is given; empty for imported response
+    /// functions without references.
     pub references: Vec<String>,
-    /// Name of each response: that of output `o` to reference `i` at `o * references + i`. It is that of the output alone where there are no
-    /// several references.
+    /// Name of each response: output `o` to reference `i` is at `o * references + i`. With one
+    /// reference it is the name of the output.
     pub names: Vec<String>,
-    /// Unit of each: that of the output per that of the input.
+    /// Unit of each response: output unit per input unit.
     pub units: Vec<String>,
-    /// What each measures.
+    /// Quantity of each output.
     pub quantities: Vec<Quantity>,
-    /// The channel of the input; empty where response functions were given.
+    /// Channel of the input; empty for imported response functions.
     pub input: String,
-    /// What each is a response to: a force, the motion of the base, a voltage; unknown where the unit of a function tells none.
+    /// Quantity of each input: a force, the motion of the base, a voltage; unknown if the unit of a
+    /// function does not determine it.
     pub inputs: Vec<Quantity>,
-    /// The response functions.
+    /// Response functions.
     pub functions: Vec<FrequencyResponse>,
-    /// The hits; none under a shaker, or where response functions were given.
+    /// Hits; empty under a shaker, or for imported response functions.
     pub hits: Vec<ImpactHit>,
-    /// Length of a block, s; none where response functions were given.
+    /// Length of a block, s; `None` for imported response functions.
     pub block_s: Option<f64>,
     /// Damping that the window adds to every mode, 1/s.
     pub window_decay_per_s: f64,
-    /// What is odd about the recordings.
+    /// Data-quality issues of the recordings.
     pub findings: Vec<Issue>,
 }
 
 impl MeasuredResponses {
-    /// The responses of a hammer or shaker test: recordings over even times, with one or more hits in each or an input that goes on, the
-    /// channels the same in all. An input that is no force is averaged in blocks, as that of a shaker. Recordings of each place of the force are averaged for themselves, over blocks of one length.
+    /// Computes the responses of a hammer or shaker test from uniform recordings with equal
+    /// channels, each with one or more hits or a continuous input. An input that is not a force is
+    /// averaged in blocks, like a shaker's. Recordings of each force location are averaged
+    /// separately, over blocks of one length.
     ///
     /// # Errors
-    /// A channel that is not there or no force, the force as its own response, forces some of which tell their places, sensors that move, nothing beside the force, what
-    /// [`impact`] refuses.
+    /// A channel that does not exist or is not a force; the force as its own response; only some
+    /// forces with a location; sensors that move; no channel other than the force; errors of
+    /// [`impact`].
     pub fn of_hits(
         records: &[Recording],
         chosen: &ChannelChoice,
@@ -136,8 +141,8 @@ impl MeasuredResponses {
         })
     }
 
-    /// For a response to an acceleration, its values in m/s^2 times this are per g, and the unit that they then have; none for a response to
-    /// something else, and for one in the unit of its input.
+    /// Factor from a response to an acceleration, with its values in m/s^2, to values per g, and
+    /// the resulting unit; `None` for other inputs, and for a response in the unit of its input.
     pub fn per_g(&self, response: usize) -> Option<(f64, String)> {
         let above = self.units[response]
             .strip_suffix("/(m/s^2)")
@@ -156,7 +161,8 @@ impl MeasuredResponses {
 /// m/s^2 in a g (NIST SP 811).
 const STANDARD_GRAVITY_M_S2: f64 = 9.806_65;
 
-/// What the recordings of each place give. Unless a length is told, blocks are as long as the shortest ones of any place.
+/// Responses of the recordings of each location. Unless a length is given, blocks have the shortest
+/// length of any location.
 fn answers(
     forces: &[ReferenceRecords<'_>],
     chosen: &ChannelChoice,
@@ -212,7 +218,7 @@ fn answers(
     forces.iter().zip(found).map(again).collect()
 }
 
-/// The hits of all places, each with the number of its record, in the order of the records.
+/// Hits of all locations, each with the index of its record, in the order of the records.
 fn in_order(forces: &[ReferenceRecords<'_>], answers: &[ImpactResponses]) -> Vec<ImpactHit> {
     let of = |(force, answer): (&ReferenceRecords<'_>, &ImpactResponses)| {
         let numbered = |hit: &ImpactHit| ImpactHit {
@@ -226,15 +232,16 @@ fn in_order(forces: &[ReferenceRecords<'_>], answers: &[ImpactResponses]) -> Vec
     hits
 }
 
-/// What a sweep means for its blocks.
+/// Reports how a sweep affects its blocks.
 fn swept(settings: &ImpactSettings, block_s: f64) -> Issue {
     let about = match settings.block_s {
         None => format!(
-            "the force sweeps: each recording is one block of {block_s:.4} s without a window, and the coherence of a single one tells nothing"
+            "the force is a sweep: each recording is one block of {block_s:.4} s without a \
+            window, and the coherence of a single block has no meaning"
         ),
         Some(_) => format!(
-            "the force sweeps, and drives each line in few blocks of {block_s:.4} s: peaks come out low; leave out the length of a block, then each \
-             recording is one"
+            "the force is a sweep and drives each line in only a few blocks of {block_s:.4} s: \
+            peaks are underestimated; omit the block length, then each recording is one block"
         ),
     };
     Issue::new(IssueKind::Assumed, 1, None, about)
@@ -326,7 +333,10 @@ mod tests {
         ])
         .unwrap_err()
         .to_string();
-        assert!(told.contains("(mid, end), and three tell none"), "{told}");
+        assert!(
+            told.contains("(mid, end), but the place is missing in three"),
+            "{told}"
+        );
         assert!(
             of(&[struck("one", "mid"), struck("two", "mid")])
                 .unwrap()
@@ -345,7 +355,7 @@ mod tests {
         assert!(of(&[struck("one", "")]).unwrap().findings.is_empty());
     }
 
-    /// One name for a sensor that moves would average different functions.
+    /// A sensor that moves under one name would average different functions.
     #[test]
     fn a_sensor_that_moves_is_told() {
         let at = |name: &str, place: &str| {
@@ -367,7 +377,7 @@ mod tests {
         assert!(of(&[at("one", "tip"), at("two", "tip")]).is_ok());
     }
 
-    /// The place of a force survives the formats that can hold it.
+    /// The force location survives in the formats that support it.
     #[test]
     fn a_place_is_read_back() {
         let folder = tempfile::tempdir().unwrap();

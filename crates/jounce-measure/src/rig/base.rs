@@ -1,4 +1,4 @@
-//! A harvester whose base moves as it was recorded.
+//! Harvester driven by a recorded base motion.
 
 use std::sync::Arc;
 
@@ -7,12 +7,12 @@ use jounce::spec::{self, Drive, DriveKind, DriveSignal, Spec};
 use super::RigError;
 use jounce_data::recording::Recording;
 
-/// Takes every drive away and moves the base by a channel of a recording at even times, for as long as the recording lasts; the mean of
-/// that time is averaged over. Gives the mean of the channel, m/s^2: where `keep_mean` is false it is taken away, because that of an
-/// accelerometer is gravity and offset.
+/// Removes all drives and moves the base by a channel of a uniform recording, for its full length,
+/// which is also the averaging time. Returns the mean of the channel, m/s^2. Unless `keep_mean` is
+/// true the mean is subtracted, because the mean of an accelerometer is gravity and offset.
 ///
 /// # Errors
-/// [`spec::RecordingError`], and a base beside the ground.
+/// [`spec::RecordingError`], and a base in addition to the ground.
 pub fn on_recorded_base(
     spec: &mut Spec,
     recording: &Recording,

@@ -1,13 +1,14 @@
-//! Small disturbances of a shaker: amplitude and frequency wander and drift.
+//! Small disturbances of a shaker: random fluctuation and drift of amplitude and frequency.
 //!
 //! ```text
 //! F(t) = A (1 + a(t) + d_A t / T) sin(phi(t)),   phi' = 2 pi f (1 + b(t) + d_f t / T)
 //! a(t + h) = r a(t) + s sqrt(1 - r^2) xi,   r = exp(-h / tau),   b alike
 //! ```
 //!
-//! `a` and `b` are Ornstein-Uhlenbeck processes in their exact steps: normal, of the standard deviation `s` at every time, with the
-//! correlation `exp(-t / tau)`. The course is sampled [`SAMPLES_PER_CYCLE`] times a cycle and joined by straight lines, which multiply a sinusoid of
-//! `f` by `sinc^2(f h)`; the samples are divided by it.
+//! `a` and `b` are Ornstein-Uhlenbeck processes with exact steps: normal, of the standard deviation
+//! `s` at every time, with the correlation `exp(-t / tau)`. The signal is sampled
+//! [`SAMPLES_PER_CYCLE`] times a cycle and interpolated linearly, which multiplies a sinusoid of
+//! `f` by `sinc^2(f h)`; the samples are divided by that factor.
 //!
 //! Source: D. Gillespie, Phys. Rev. E 54 (1996) 2084, equation 1.9.
 
@@ -19,37 +20,37 @@ use jounce::spec::{Drive, DriveKind, DriveSignal, Recording, Spec};
 
 use super::RigError;
 
-/// How a shaker wanders.
+/// Fluctuation and drift of a shaker.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Disturbance {
-    /// Standard deviation of the amplitude over itself.
+    /// Standard deviation of the amplitude, relative.
     pub amplitude_ratio: f64,
-    /// Standard deviation of the frequency over itself.
+    /// Standard deviation of the frequency, relative.
     pub frequency_ratio: f64,
-    /// Time after which both have forgotten, `tau`, s.
+    /// Correlation time `tau` of both, s.
     pub memory_s: f64,
-    /// Change of the amplitude from begin to end of the record, over itself.
+    /// Change of the amplitude from start to end of the record, relative.
     pub amplitude_drift: f64,
-    /// Change of the frequency from begin to end, over itself.
+    /// Change of the frequency from start to end, relative.
     pub frequency_drift: f64,
 }
 
-/// Samples of a drive cycle.
+/// Samples per drive cycle.
 pub const SAMPLES_PER_CYCLE: f64 = 64.0;
 
-/// The course of one drive.
+/// Sampled signal of one drive.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DriveCourse {
     /// Time between samples, s.
     pub step_s: f64,
-    /// Its samples, in the unit of the drive.
+    /// Samples, in the unit of the drive.
     pub values: Vec<f64>,
     /// Angle of the drive at each sample, rad.
     pub angle_rad: Vec<f64>,
 }
 
 impl Disturbance {
-    /// A shaker that holds what it is set to.
+    /// Shaker without disturbance.
     pub const NONE: Self = Self {
         amplitude_ratio: 0.0,
         frequency_ratio: 0.0,
@@ -109,7 +110,7 @@ impl Disturbance {
         }
     }
 
-    /// The course of a sinusoid over a time.
+    /// Samples a sinusoid over a time.
     pub fn course(
         &self,
         (amplitude, frequency_hz, phase_rad): (f64, f64, f64),
@@ -147,7 +148,8 @@ impl Disturbance {
     }
 }
 
-/// The spec with every sinusoidal drive replaced by its course from `from_s` on, and the courses.
+/// Returns the spec with every sinusoidal drive replaced by its samples from `from_s`, and the
+/// samples.
 pub(super) fn disturbed(spec: &Spec, courses: &[(String, DriveCourse)], from_s: f64) -> Spec {
     let mut spec = spec.clone();
     for (name, course) in courses {
@@ -182,7 +184,8 @@ pub(super) fn disturbed(spec: &Spec, courses: &[(String, DriveCourse)], from_s: 
     spec
 }
 
-/// The courses of the sinusoidal drives of a spec over a time, in the order of their names. A displaced base becomes an accelerated one.
+/// Samples the sinusoidal drives of a spec over a time, in the order of their names. A displaced
+/// base becomes an accelerated one.
 pub(super) fn courses(
     spec: &Spec,
     wander: &Disturbance,
@@ -218,7 +221,8 @@ mod tests {
     use super::*;
     use jounce::signal::Samples;
 
-    /// Without any wander the samples are the sinusoid over what straight lines leave of it; measured 4e-10, the rounding of the summed angle.
+    /// Without disturbance the samples are the sinusoid divided by the factor of linear
+    /// interpolation; measured 4e-10, the rounding of the summed angle.
     #[test]
     fn a_steady_shaker_is_a_sinusoid() {
         let course = Disturbance::NONE.course((3.0, 13.5, 0.4), 10.0, &mut RandomStream::new(1, 0));
@@ -235,8 +239,9 @@ mod tests {
         assert!(worst < 1e-8, "{worst:e}");
     }
 
-    /// The angle is the integral of the frequency: over n steps its deviation from the mean course has the variance
-    /// `(2 pi f s)^2 2 tau^2 (t / tau - 1 + exp(-t / tau))`. 4000 seeds: measured 3.2 % off, 2.2 % is one standard deviation.
+    /// The angle is the integral of the frequency: over n steps its deviation from the mean has the
+    /// variance `(2 pi f s)^2 2 tau^2 (t / tau - 1 + exp(-t / tau))`. 4000 seeds: measured 3.2 %
+    /// off, 2.2 % is one standard deviation.
     #[test]
     fn the_phase_spreads_as_the_integral_of_its_process_does() {
         let wander = Disturbance {
@@ -265,8 +270,9 @@ mod tests {
         );
     }
 
-    /// Amplitudes of single cycles over 4000 s: standard deviation 2 % and correlation exp(-t / tau); measured 1.91 % and 0.374 against 0.368.
-    /// A drift of the amplitude and of the frequency arrives at its end.
+    /// Amplitudes of single cycles over 4000 s: standard deviation 2 % and correlation exp(-t /
+    /// tau); measured 1.91 % and 0.374 against 0.368. A drift of amplitude and frequency reaches
+    /// its final value.
     #[test]
     fn amplitude_wanders_with_its_deviation_and_memory_and_drifts_arrive() {
         let wander = Disturbance {
@@ -307,7 +313,7 @@ mod tests {
             .iter()
             .fold(0.0, |most: f64, x| most.max(x.abs()));
         assert!((largest - 1.5).abs() < 0.005, "{largest}");
-        // The mean of a linear course is that of its ends.
+        // The mean of a linear signal is the mean of its ends.
         assert!((course.angle_rad[last] / (TAU * 9.5 * 100.0) - 1.0).abs() < 1e-4);
     }
 }

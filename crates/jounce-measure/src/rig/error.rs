@@ -1,4 +1,4 @@
-//! What a virtual rig cannot do.
+//! Errors of a virtual test.
 
 use jounce::plant::PlantError;
 use jounce::run::RunError;
@@ -6,65 +6,68 @@ use jounce::spec::RecordingError;
 
 use jounce_data::recording::GridError;
 
-/// A test that cannot be simulated.
+/// Error of a test that cannot be simulated.
 #[derive(Debug, thiserror::Error)]
 pub enum RigError {
-    /// A number out of its range.
+    /// A number is out of its range.
     #[error("{name} is {value}; it must be {allowed}")]
     Setting {
-        /// What it is.
+        /// Name of the setting.
         name: &'static str,
-        /// Its value.
+        /// Value.
         value: f64,
-        /// What is allowed.
+        /// Allowed range.
         allowed: &'static str,
     },
-    /// A mode that never dies.
+    /// A mode has no damping.
     #[error(
-        "the mode at {frequency_hz} Hz has no damping: its answer to a hit never ends; give it a damping ratio, or hold the body that moves"
+        "the mode at {frequency_hz} Hz has no damping: its response to a hit never decays; give \
+        it a damping ratio, or hold the body that moves"
     )]
     Undamped {
-        /// Its frequency, Hz.
+        /// Frequency, Hz.
         frequency_hz: f64,
     },
-    /// A record with its padding that is too long.
+    /// The padded record is too long.
     #[error(
-        "{samples} samples are needed until the slowest mode has died, more than {most}; lower the rate or raise the damping"
+        "{samples} samples are needed until the slowest mode has decayed, more than {most}; lower \
+        the rate or raise the damping"
     )]
     Long {
         /// Samples needed.
         samples: f64,
-        /// The most that are allowed.
+        /// Maximum number of samples.
         most: usize,
     },
-    /// Bases that move against each other, where only the ground can be moved.
+    /// Several bases move against each other, but only the ground can be moved.
     #[error(
-        "{what} moves the ground, but the spec has the base `{base}` beside it: let everything stand on the ground, or shake `{base}` by a drive of the spec"
+        "{what} moves the ground, but the spec also has the base `{base}`: put all parts on the \
+        ground, or shake `{base}` by a drive of the spec"
     )]
     Bases {
-        /// The first of the other bases.
+        /// First of the other bases.
         base: String,
-        /// What moves the ground alone.
+        /// Input that moves only the ground.
         what: &'static str,
     },
-    /// A point that is not there.
+    /// The point does not exist.
     #[error("there is no point `{point}` for an accelerometer; there are {known}")]
     UnknownPoint {
-        /// What was asked for.
+        /// Requested point.
         point: String,
-        /// What there is.
+        /// Existing points.
         known: String,
     },
-    /// A recording that moves no base.
+    /// The recording cannot drive the base.
     #[error(transparent)]
     Recording(#[from] RecordingError),
-    /// A march that fails.
+    /// The run failed.
     #[error(transparent)]
     Run(#[from] RunError),
-    /// What the model refuses.
+    /// Error of the plant.
     #[error(transparent)]
     Plant(#[from] PlantError),
-    /// Times that make no sense.
+    /// The times are invalid.
     #[error(transparent)]
     Grid(#[from] GridError),
 }

@@ -1,4 +1,4 @@
-//! A hammer test of a model.
+//! Hammer test of a model.
 
 use std::f64::consts::PI;
 
@@ -10,54 +10,55 @@ use realfft::RealFftPlanner;
 use super::{RigError, Sensor};
 use jounce_data::recording::{Channel, Grid, Issue, IssueKind, Over, Quantity, Recording};
 
-/// A hammer test.
+/// Hammer test.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HammerTest {
-    /// The point that is struck.
+    /// Impact point.
     pub point: String,
-    /// What is recorded beside the force.
+    /// Recorded outputs in addition to the force.
     pub responses: Vec<FrfResponse>,
     /// Number of hits.
     pub hits: usize,
-    /// Time from hit to hit, s.
+    /// Time between hits, s.
     pub block_s: f64,
-    /// Largest force, N; each hit differs from it by up to 20 %.
+    /// Peak force, N; each hit differs from it by up to 20 %.
     pub peak_force_n: f64,
-    /// Time in contact, s; each hit differs from it by up to 10 %.
+    /// Contact duration, s; each hit differs from it by up to 10 %.
     pub contact_time_s: f64,
     /// Samples per second.
     pub rate_hz: f64,
-    /// The sensors.
+    /// Sensors.
     pub sensor: Sensor,
     /// Seed of hits and noise.
     pub seed: u64,
 }
 
-/// A mode has died when its answer has fallen by `exp(-18)`, to 1.5e-8.
+/// Exponent at which a mode has decayed: its response has fallen by `exp(-18)`, to 1.5e-8.
 const DECAY_EXPONENT: f64 = 18.0;
-/// The most samples of a record with its padding.
+/// Maximum number of samples of a padded record.
 const MAX_SAMPLES: usize = 1 << 23;
 /// Share of a block before its hit.
 const PRE_TRIGGER_SHARE: f64 = 0.02;
 const PEAK_SCATTER: f64 = 0.2;
 const TIME_SCATTER: f64 = 0.1;
 
-/// What is left of a mode when the next hit comes.
+/// Residual motion of a mode at the next hit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ResidualRinging {
     /// Frequency of the slowest mode, Hz.
     pub frequency_hz: f64,
-    /// Share of its motion that is left after a block, `exp(-zeta w T)`.
+    /// Share of its motion that remains after a block, `exp(-zeta w T)`.
     pub left: f64,
-    /// Block after which 1 % is left, s.
+    /// Block length after which 1 % remains, s.
     pub block_s: f64,
 }
 
-/// Share of a mode's motion at the next hit from which on it is told.
+/// Minimum residual motion that is reported.
 const MIN_REPORTED_RINGING: f64 = 0.01;
 
-/// The mode that rings longest between the hits of a test. What is left of it at the next hit is taken for an answer to that hit: with
-/// blocks of equal length it does not average out, and the coherence does not show it.
+/// Mode with the longest ringing between the hits of a test. Its residual motion at the next hit is
+/// attributed to that hit: with blocks of equal length it does not average out, and the coherence
+/// does not show it.
 pub fn ringing(plant: &Plant, block_s: f64) -> Option<ResidualRinging> {
     let modes = &plant.system.modes;
     let rates = modes
@@ -74,10 +75,10 @@ pub fn ringing(plant: &Plant, block_s: f64) -> Option<ResidualRinging> {
     })
 }
 
-/// The recording of a hammer test on a linear plant: `force`, then the responses under their names.
+/// Records a hammer test of a linear plant: `force`, then the responses under their names.
 ///
 /// # Errors
-/// A setting out of its range, a point that is not there, a mode without damping.
+/// A setting out of its range, a point that does not exist, a mode without damping.
 pub fn hammer_test(plant: &Plant, test: &HammerTest) -> Result<Recording, RigError> {
     check(test)?;
     let count = (test.hits as f64 * test.block_s * test.rate_hz).round() as usize;
@@ -114,7 +115,7 @@ pub fn hammer_test(plant: &Plant, test: &HammerTest) -> Result<Recording, RigErr
             .zip(&function.value)
             .map(|(f, h)| f * h)
             .collect();
-        // A real signal has real bins at both ends.
+        // The transform of a real signal has real bins at both ends.
         let last = bins.len() - 1;
         (bins[0].im, bins[last].im) = (0.0, 0.0);
         let mut values = backward.make_output_vec();
@@ -149,8 +150,8 @@ pub fn hammer_test(plant: &Plant, test: &HammerTest) -> Result<Recording, RigErr
 impl ResidualRinging {
     fn finding(&self) -> Issue {
         let about = format!(
-            "the mode at {:.4} Hz still has {:.1} % of its motion when the next hit comes, and what it does then is taken for an answer to that \
-             hit: make a block {:.0} s long, or strike once in each recording",
+            "the mode at {:.4} Hz still has {:.1} % of its motion at the next hit, and this \
+            motion is attributed to that hit: use blocks of {:.0} s, or strike once per recording",
             self.frequency_hz,
             100.0 * self.left,
             self.block_s.ceil()
@@ -170,7 +171,7 @@ fn check(test: &HammerTest) -> Result<(), RigError> {
             "from 1 to 1000",
         ),
         (
-            "the time from hit to hit in samples",
+            "the time between hits in samples",
             test.block_s * test.rate_hz,
             64.0,
             4e6,
@@ -184,7 +185,7 @@ fn check(test: &HammerTest) -> Result<(), RigError> {
             "at least 3: raise the rate or soften the tip",
         ),
         (
-            "the largest force",
+            "the peak force",
             test.peak_force_n,
             f64::MIN_POSITIVE,
             1e6,
@@ -204,7 +205,7 @@ fn check(test: &HammerTest) -> Result<(), RigError> {
     }
 }
 
-/// Length of the transforms: the record, and the time until the slowest mode has died.
+/// Length of the transforms: the record, and the time until the slowest mode has decayed.
 fn padded(plant: &Plant, count: usize, rate_hz: f64) -> Result<usize, RigError> {
     let modes = &plant.system.modes;
     let mut slowest = f64::INFINITY;

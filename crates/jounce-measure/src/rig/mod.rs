@@ -1,12 +1,14 @@
-//! A virtual rig: what sensors would record of a model, so that the truth behind a recording is known.
+//! Virtual test rig: simulates the recordings of sensors on a model, so that the true values are
+//! known.
 //!
-//! A hammer strikes a linear structure with half sines `F(t) = P sin(pi t / T)`, compression positive. The responses over the whole record are
-//! `IDFT(H(f) DFT(F))` with the record padded by zeros until the slowest mode has died: exact for the band-limited force that the samples
-//! stand for. A sensor adds white noise and rounds to the steps of its converter.
+//! A hammer strikes a linear structure with half sines `F(t) = P sin(pi t / T)`, compression
+//! positive. The responses over the complete record are `IDFT(H(f) DFT(F))`, with the record
+//! zero-padded until the slowest mode has decayed. This is exact for the band-limited force defined
+//! by the samples. A sensor adds white noise and quantises to the steps of its converter.
 //!
-//! A shaker holds what it is told but for its [`Disturbance`], or moves the base as it was recorded ([`on_recorded_base`]). Cables and
-//! accelerometers change the harvester itself ([`Cable`], [`carry`]). Between solutions that live side by side the record of a
-//! [`ShakerTest`] jumps at the times that it is told.
+//! A shaker follows its setting except for its [`Disturbance`], or moves the base as recorded
+//! ([`on_recorded_base`]). Cables and accelerometers change the harvester itself ([`Cable`],
+//! [`carry`]). The record of a [`ShakerTest`] jumps between coexisting solutions at given times.
 mod base;
 mod disturbance;
 mod error;

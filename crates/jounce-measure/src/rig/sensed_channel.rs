@@ -1,4 +1,4 @@
-//! What a shaker test records.
+//! Recorded channels of a shaker test.
 
 use jounce::spec::{DriveKind, Spec};
 use jounce::structure::Modes;
@@ -7,7 +7,7 @@ use super::RigError;
 use crate::solution::SensorOutput;
 use jounce_data::recording::Quantity;
 
-/// A channel to be.
+/// Channel to be recorded.
 pub(super) struct SensedChannel {
     pub name: String,
     pub quantity: Quantity,
@@ -15,7 +15,7 @@ pub(super) struct SensedChannel {
     pub output: SensorOutput,
 }
 
-/// Voltages of patches, forces of stops, the acceleration of the base, and accelerometers.
+/// Returns the voltages of patches, forces of stops, the base acceleration, and accelerometers.
 pub(super) fn sensors(
     spec: &Spec,
     modes: &Modes,

@@ -1,19 +1,19 @@
-//! A sensor with its amplifier and converter.
+//! Sensor with its amplifier and converter.
 
 use jounce::drive::RandomStream;
 
 use super::RigError;
 
-/// What a sensor does to a quantity.
+/// Noise and quantisation of a sensor.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sensor {
-    /// White noise, rms over that of the signal.
+    /// White noise, RMS relative to the signal RMS.
     pub noise_ratio: f64,
-    /// Bits of the converter; none for one without steps.
+    /// Bits of the converter; `None` without quantisation.
     pub bits: Option<u32>,
 }
 
-/// Full scale of the converter over the largest size of the signal.
+/// Full scale of the converter relative to the peak of the signal.
 const FULL_SCALE_RATIO: f64 = 1.25;
 
 impl Sensor {
@@ -35,7 +35,8 @@ impl Sensor {
         }
     }
 
-    /// Samples as recorded. The converter's range is set to 1.25 times the largest size of the noisy signal, as a careful experimenter would.
+    /// Returns the recorded samples. The range of the converter is set to 1.25 times the peak of
+    /// the noisy signal, as a careful experimenter would.
     pub fn read(&self, truth: &[f64], stream: &mut RandomStream) -> Vec<f64> {
         let rms = (truth.iter().map(|x| x * x).sum::<f64>() / truth.len().max(1) as f64).sqrt();
         let level = self.noise_ratio * rms;
@@ -60,7 +61,8 @@ impl Sensor {
 mod tests {
     use super::*;
 
-    /// Noise of 10 % of the rms of a sine has that rms; rounding to steps `s` adds `s / sqrt 12`. Measured within 1 % and 2 %.
+    /// Noise of 10 % of the rms of a sine has that rms; rounding to steps `s` adds `s / sqrt 12`.
+    /// Measured within 1 % and 2 %.
     #[test]
     fn noise_and_steps_have_their_known_rms() {
         let truth: Vec<f64> = (0..40_000)

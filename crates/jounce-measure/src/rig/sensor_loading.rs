@@ -1,29 +1,29 @@
-//! What the instruments do to the harvester itself.
+//! Effect of the instruments on the harvester.
 //!
-//! A cable is a capacitor and a resistor across its patch: with the charge `theta q` that a motion `q` sets free, the voltage falls from
-//! `theta q / (C + ..)` of the bare patch to
+//! A cable is a capacitor and a resistor in parallel with its patch. With the charge `theta q` that
+//! a motion `q` releases, the voltage falls from `theta q / (C + ..)` of the bare patch to
 //!
 //! ```text
 //! V = - i w theta q / (i w (C + C_cable) + 1 / R + 1 / R_cable)
 //! ```
 //!
-//! Both act back on the motion, as they do in a laboratory. An accelerometer is a mass fixed to its point.
+//! Both act back on the motion, as in a laboratory. An accelerometer is a mass fixed to its point.
 
 use jounce::spec::{Mass, Spec};
 
 use super::RigError;
 
-/// A cable to the amplifier, one for each patch.
+/// Cable to the amplifier, one for each patch.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Cable {
-    /// Its capacitance with that of the amplifier's input, F.
+    /// Capacitance including the amplifier input, F.
     pub capacitance_f: f64,
-    /// Resistance of its insulation with the amplifier's input, ohm; none for one that does not leak.
+    /// Resistance of the insulation and the amplifier input, ohm; `None` without leakage.
     pub leakage_ohm: Option<f64>,
 }
 
 impl Cable {
-    /// Wires every patch of a spec.
+    /// Connects a cable to every patch of a spec.
     ///
     /// # Errors
     /// A capacitance below 0, a resistance that is not above 0.
@@ -60,7 +60,7 @@ impl Cable {
     }
 }
 
-/// Fixes an accelerometer of a mass to each point.
+/// Fixes an accelerometer of a given mass to each point.
 ///
 /// # Errors
 /// A mass that is not above 0.
@@ -111,7 +111,8 @@ mod tests {
         Plant::new(System::assemble(spec, structure::modes(spec).unwrap()).unwrap()).unwrap()
     }
 
-    /// One mode: voltage over displacement is the divider of the patch with its cable and its load, at every frequency. Measured 1e-12.
+    /// One mode: patch, cable and load form a divider, which gives the ratio of voltage to
+    /// displacement, at every frequency. Measured 1e-12.
     #[test]
     fn a_cable_lowers_the_voltage_as_its_divider_says() {
         let bare =
@@ -145,7 +146,7 @@ mod tests {
                 .map(|(v, x)| v / x)
                 .collect::<Vec<_>>()
         };
-        // The charge per metre is the same: only what it flows into differs.
+        // The charge per metre is equal; only the admittance differs.
         let admittance = |w: f64, farad: f64, siemens: f64| faer::c64::new(siemens, w * farad);
         for ((f, bare), wired) in hz.iter().zip(per_metre(&bare)).zip(per_metre(&wired)) {
             let w = TAU * f;
@@ -158,8 +159,8 @@ mod tests {
         }
     }
 
-    /// A cantilever with a mass m at its end, a = m / (rho A L): `1 + cos l cosh l + a l (cos l sinh l - sin l cosh l) = 0`, frequencies as
-    /// `l^2`. Measured 2e-15 for the first three.
+    /// A cantilever with a mass m at its end, a = m / (rho A L): `1 + cos l cosh l + a l (cos l
+    /// sinh l - sin l cosh l) = 0`, frequencies as `l^2`. Measured 2e-15 for the first three.
     #[test]
     fn an_accelerometer_lowers_the_frequencies_as_a_tip_mass_does() {
         let bare = SpecFile::from_text(BEAM).spec().unwrap();

@@ -1,4 +1,4 @@
-//! A shaker test of a model as its sensors record it.
+//! Shaker test of a model as recorded by its sensors.
 
 use jounce::drive::RandomStream;
 use jounce::integrate::{Control, Kernel, Trajectory};
@@ -13,33 +13,36 @@ use super::{Disturbance, RigError, Sensor};
 use crate::solution::{SensorOutput, outputs};
 use jounce_data::recording::{Channel, Grid, Issue, IssueKind, Over, Recording};
 
-/// A shaker test.
+/// Shaker test.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ShakerTest {
     /// Samples per second.
     pub rate_hz: f64,
     /// Length of the record, s.
     pub duration_s: f64,
-    /// Time marched before the record begins, s.
+    /// Time integrated before the record begins, s.
     pub before_s: f64,
-    /// Where the march begins, and where it goes on from a time of the record (s) on: other solutions that live beside the first. The motion
-    /// jumps there, at the next begin of a cycle of the first drive; what would push it is not modelled.
+    /// Initial states with their times in the record (s): the first one, and other coexisting
+    /// solutions from which the run continues. The motion jumps at the next cycle start of the
+    /// first drive; the cause of the jump is not modelled.
     pub starts: Vec<(f64, StartState)>,
-    /// What the shaker does beside what it is told.
+    /// Disturbance of the shaker.
     pub wander: Disturbance,
     /// Points with an accelerometer.
     pub accelerometers: Vec<String>,
-    /// The sensors.
+    /// Sensors.
     pub sensor: Sensor,
-    /// Seed of wander and noise.
+    /// Seed of disturbance and noise.
     pub seed: u64,
 }
 
-/// The record, unless a control stops its marches: voltages of all patches, forces of all stops, the acceleration of the base (of the first base that
-/// moves, by the name of its drive, else of what the first force shakes) as `base.acceleration`, and that of each accelerometer. The first sample is at 0 s.
+/// Records the test; `control` can cancel the runs. Channels: voltages of all patches, forces of
+/// all stops, the base acceleration as `base.acceleration`, and each accelerometer. The base is the
+/// first one that moves, by the name of its drive, else the one shaken by the first force. The
+/// first sample is at 0 s.
 ///
 /// # Errors
-/// A setting out of its range, a name that is not there, a march that fails.
+/// A setting out of its range, a name that does not exist, a run that fails.
 pub fn shaker_test(
     spec: &Spec,
     modes: &Modes,
@@ -99,7 +102,8 @@ pub fn shaker_test(
     let grid = Grid::even(0.0, 1.0 / test.rate_hz, count)?;
     let about = |at_s: f64| {
         let about = format!(
-            "the motion goes on from another solution at {:.6} s: simulated, what would push it is not modelled",
+            "the motion continues from another solution at {:.6} s: simulated, the cause of the \
+            jump is not modelled",
             at_s - test.before_s
         );
         Issue::new(IssueKind::Simulated, 1, None, about)
@@ -134,13 +138,14 @@ fn check(test: &ShakerTest) -> Result<usize, RigError> {
         Some((at_s, _)) => Err(RigError::Setting {
             name: "the time of a solution in seconds",
             value: *at_s,
-            allowed: "within the record, later than that of the one before",
+            allowed: "within the record, later than the previous time",
         }),
         None => Ok(samples.round() as usize),
     }
 }
 
-/// When each start is taken, s of the march: the first at once, the others where a cycle of the first drive begins.
+/// Times of the starts, s of the run: the first at once, the others at the start of a cycle of the
+/// first drive.
 fn jumps<'a>(
     spec: &Spec,
     test: &'a ShakerTest,
@@ -192,7 +197,7 @@ fn marched(
 ) -> Result<(Kernel, Trajectory), RigError> {
     let mut system = System::assemble(spec, modes.clone())?;
     let mut start = start.clone();
-    // Drives that wander are no sinusoids any more.
+    // Disturbed drives are not sinusoids.
     start.drive_angle_rad.truncate(system.drives.len());
     system
         .drives
@@ -262,8 +267,9 @@ mod tests {
         samples.orders(hz, &[1.0]).unwrap().lines[0].amplitude_peak
     }
 
-    /// In the steady state without contact every channel has the amplitude of its frequency response; measured 4e-15. The same drive as a
-    /// sampled course that does not wander gives the same record; measured 5e-5, straight lines in 64 pieces to a cycle.
+    /// In the steady state without contact every channel has the amplitude of its frequency
+    /// response; measured 4e-15. The same drive as undisturbed samples gives the same record;
+    /// measured 5e-5, linear interpolation with 64 samples per cycle.
     #[test]
     fn channels_are_the_frequency_responses_whether_the_drive_is_a_tone_or_a_course() {
         let (spec, modes) = linear();
@@ -295,8 +301,8 @@ mod tests {
         }
     }
 
-    /// In contact, an acceleration is what the velocity does: differences of the velocity over 2e-5 s on the same march. Measured 3e-6 of the
-    /// largest.
+    /// In contact, the acceleration is the rate of the velocity: differences of the velocity over
+    /// 2e-5 s in the same run. Measured 3e-6 of the largest.
     #[test]
     fn an_acceleration_in_contact_is_the_rate_of_the_velocity() {
         let spec = paper_spec(&[("run.tolerance", "1e-9")]).unwrap();
@@ -336,9 +342,10 @@ mod tests {
         assert!(touched > 20 && off < 1e-4, "{touched} {off:e}");
     }
 
-    /// A base that moves as recorded, 20 Hz and 2 m/s^2 about an offset of gravity, 50 samples to a cycle: the base channel is the record
-    /// without its mean, the accelerometer moves with the base and its own response on top, `a |1 + H|`; straight lines leave `sinc^2(f h)` of
-    /// both. Measured 1e-6.
+    /// A recorded base motion, 20 Hz and 2 m/s^2 about an offset of gravity, 50 samples per cycle.
+    /// The base channel is the record without its mean; the accelerometer adds its own response to
+    /// the base motion, `a |1 + H|`; linear interpolation multiplies both by `sinc^2(f h)`.
+    /// Measured 1e-6.
     #[test]
     fn a_recorded_base_moves_what_stands_on_it() {
         let settings = [

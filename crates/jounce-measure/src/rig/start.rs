@@ -1,4 +1,4 @@
-//! Where the march of a rig begins.
+//! Initial state of the run of a rig.
 
 use std::path::Path;
 
@@ -8,10 +8,11 @@ use jounce::run::StartState;
 use jounce::spec::{Spec, Start};
 use jounce::structure::Modes;
 
-/// The start that `run.start` of a spec names, for modes with bodies held still; a state file lies in `folder`.
+/// Returns the start that `run.start` of a spec names, for modes with held bodies; a state file is
+/// relative to `folder`.
 ///
 /// # Errors
-/// A plant that cannot be made, a state file that cannot be read or does not fit.
+/// A plant that cannot be built, a state file that cannot be read or does not match.
 pub fn start_of_run(
     spec: &Spec,
     modes: &Modes,

@@ -1,14 +1,15 @@
-//! What a block of the record looks like.
+//! Features of a block of the record.
 
 use faer::c64;
 use jounce::signal::Samples;
 use std::f64::consts::TAU;
 
-/// Drive cycles of a block: whole periods of solutions of one, two, three and six cycles.
+/// Drive cycles of a block: complete periods of solutions of one, two, three and six cycles.
 pub(super) const CYCLES_PER_BLOCK: f64 = 6.0;
 const ORDERS: [f64; 5] = [1.0 / 3.0, 0.5, 1.0, 2.0, 3.0];
 
-/// Features of the block from `start`, of `count` samples: rms about the mean, then amplitudes at the orders.
+/// Computes the features of the block of `count` samples from `start`: RMS about the mean, then
+/// amplitudes at the orders.
 pub(super) fn of_block(
     samples: &Samples<'_>,
     drive_hz: f64,
@@ -28,7 +29,7 @@ pub(super) fn of_block(
     features
 }
 
-/// The lines of the block from `start`, of `count` samples, at the orders.
+/// Computes the lines of the block of `count` samples from `start`, at the orders.
 pub(super) fn lines_of_block(
     samples: &Samples<'_>,
     drive_hz: f64,
@@ -45,9 +46,10 @@ pub(super) fn lines_of_block(
         .collect()
 }
 
-/// `2 / N sum (x_n - mean) exp(-2 pi i n turns)`: the line of a block of nearly whole periods, peak.
+/// Computes `2 / N sum (x_n - mean) exp(-2 pi i n turns)`: the line of a block of nearly complete
+/// periods, peak.
 pub(super) fn line(values: &[f64], mean: f64, turns: f64) -> c64 {
-    // A rotation by recurrence: exact enough over one block, and quick.
+    // A rotation by recurrence is exact enough over one block, and fast.
     let (sin, cos) = (TAU * turns).sin_cos();
     let (mut c, mut s, mut re, mut im) = (1.0, 0.0, 0.0, 0.0);
     for x in values {

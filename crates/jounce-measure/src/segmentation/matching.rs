@@ -1,16 +1,18 @@
-//! Which solution of a model a stretch of a record shows.
+//! Matches a segment of a record to the solutions of a model.
 //!
-//! The stretch is cut into pieces of at least 24 drive cycles. In each, the lines `X_j` at the orders `j / m` up to 8 are compared with the
-//! lines `C_j` of a solution's voltage, whose phase to the drive and whose polarity a record does not tell:
+//! The segment is cut into pieces of at least 24 drive cycles. In each, the lines `X_j` at the
+//! orders `j / m` up to 8 are compared with the lines `C_j` of a solution's voltage. A record
+//! contains neither its phase relative to the drive nor its polarity, so both are free:
 //!
 //! ```text
 //! d^2 = min over s = +-1, u   sum_j |X_j - s C_j exp(2 pi i j u / m)|^2  /  sum_j |X_j|^2
 //! ```
 //!
-//! with `u` in drive cycles and `m` the period of the stretch and of the solution together. The distance of the waveforms is the root of
-//! the mean of `d^2` over the pieces: 0 for the same waveform, 1 for nothing in common. A shaker that wanders slowly does not matter, and
-//! noise adds `2 s^2 J / N` to each sum only, for `J` lines of `N` samples. Without phases, `d` with sizes `|X_j|` and `|C_j|`, it is the distance
-//! of the spectra.
+//! with `u` in drive cycles and `m` the common period of the segment and the solution. The distance
+//! of the waveforms is the root of the mean of `d^2` over the pieces: 0 for equal waveforms, 1 for
+//! orthogonal ones. Slow drift of the shaker has no effect, and noise adds only `2 s^2 J / N` to
+//! each sum, for `J` lines of `N` samples. The distance of the spectra is `d` with magnitudes
+//! `|X_j|` and `|C_j|`, without phases.
 
 use faer::c64;
 use jounce::signal::Samples;
@@ -21,26 +23,26 @@ use super::features::line;
 use super::shift::nearest;
 use crate::solution::{MAX_ORDER, Solution, Waveform};
 
-/// What a solution has in common with a stretch.
+/// Comparison of a solution with a segment.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Candidate {
     /// Id of the solution.
     pub id: String,
     /// Drive cycles of its period.
     pub period_cycles: Option<u32>,
-    /// Its mean power, W.
+    /// Mean power, W.
     pub mean_power_w: f64,
-    /// Distance of the waveforms; none where the solution has no period.
+    /// Distance of the waveforms; `None` for an aperiodic solution.
     pub waveform_distance: Option<f64>,
     /// Distance of the spectra.
     pub spectrum_distance: Option<f64>,
-    /// Mean square of the stretch about its mean over that of the waveform.
+    /// Mean square of the segment about its mean, relative to the waveform.
     pub power_ratio: Option<f64>,
-    /// True where the record has the other polarity.
+    /// True where the record has the opposite polarity.
     pub inverted: bool,
 }
 
-/// What a stretch shows.
+/// Result of matching a segment.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum SegmentMatch {
@@ -52,33 +54,34 @@ pub enum SegmentMatch {
     None,
 }
 
-/// The solutions beside a stretch, the nearest first.
+/// Solutions compared with a segment, in order of distance.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct SegmentMatches {
-    /// Whether there is an answer.
+    /// Result of the match.
     pub fits: SegmentMatch,
-    /// All solutions of the model, the nearest first, those without a period last.
+    /// All solutions of the model in order of distance, aperiodic ones last.
     pub candidates: Vec<Candidate>,
 }
 
 impl SegmentMatches {
-    /// Id of the one solution that fits.
+    /// Returns the id of the only solution that fits.
     pub fn id(&self) -> Option<&str> {
         (self.fits == SegmentMatch::One).then(|| self.candidates[0].id.as_str())
     }
 }
 
-/// Drive cycles of a piece at least.
+/// Minimum number of drive cycles of a piece.
 const MIN_PIECE_CYCLES: f64 = 24.0;
-/// A second solution fits equally well where its distance is at most this many times the first one.
+/// Maximum ratio of its distance to the smallest one at which a second solution fits equally well.
 const EQUAL_FIT_RATIO: f64 = 1.5;
-/// How much nearer the other polarity must be, in squares.
+/// Maximum ratio of squared distances at which the opposite polarity is preferred.
 const POLARITY_RATIO: f64 = 0.5;
 /// Longest common period.
 const MAX_COMMON_PERIOD: u32 = 24;
 
-/// Compares a stretch with the solutions of a model: the nearest fits where its distance is at most `limit` (0.2 is a model within 20 %).
-/// A stretch that does not repeat has no waveform: nothing fits it, whatever power the model's chaos has.
+/// Compares a segment with the solutions of a model: the nearest fits if its distance is at most
+/// `limit` (0.2 is a model within 20 %). An aperiodic segment has no waveform, so no solution fits
+/// it, even a chaotic one of equal power.
 pub fn match_segments(
     samples: &Samples<'_>,
     drive_hz: f64,
@@ -126,7 +129,7 @@ struct WaveformDistance {
     inverted: bool,
 }
 
-/// None where the stretch is too short for the common period.
+/// Compares a waveform; `None` where the segment is too short for the common period.
 fn compare(
     values: &[f64],
     rate_hz: f64,
@@ -141,7 +144,7 @@ fn compare(
         / (cycle * f64::from(common) * (MIN_PIECE_CYCLES / f64::from(common)).ceil()))
     .floor()
     .max(1.0);
-    // Whole common periods, as many as fit.
+    // Complete common periods, as many as fit.
     let cycles =
         (values.len() as f64 / pieces / cycle / f64::from(common)).floor() * f64::from(common);
     let length = (cycles * cycle).round() as usize;
@@ -176,7 +179,8 @@ fn compare(
             .sum::<f64>()
             / size;
     }
-    // A waveform of odd orders is its own mirror image half a period later: only a clear difference tells the polarity.
+    // A waveform of odd orders is its own mirror image half a period later: only a clear difference
+    // determines the polarity.
     let inverted = other < POLARITY_RATIO * same;
     Some(WaveformDistance {
         waveform: (same.min(other) / pieces).sqrt(),
@@ -237,7 +241,8 @@ mod tests {
         ]
     }
 
-    /// A record of one waveform with another phase and, where told, the other polarity, `strength` times as large, with noise.
+    /// A record of one waveform with another phase and, if requested, opposite polarity, `strength`
+    /// times as large, with noise.
     fn record(of: &Waveform, strength: f64, noise: f64) -> Vec<f64> {
         let mut stream = RandomStream::new(8, 0);
         let value = |k: usize| {
@@ -259,8 +264,8 @@ mod tests {
         match_segments(&samples, HZ, &cut.stretches[0], &known(), limit)
     }
 
-    /// The waveform itself is at the distance 0 (measured 1e-3: pieces are of whole samples), one of 1.1 times its size at 0.1 / 1.1,
-    /// whatever phase, polarity and noise.
+    /// The waveform itself is at distance 0 (measured 1e-3: pieces have whole samples), one of 1.1
+    /// times its size at 0.1 / 1.1, for any phase, polarity and noise.
     #[test]
     fn each_waveform_is_known_again_at_its_distance() {
         for (k, id) in ["1a", "3a"].into_iter().enumerate() {
@@ -293,7 +298,8 @@ mod tests {
         }
     }
 
-    /// Half as large again, another waveform, chaos: nothing fits. Two that are equally near: several.
+    /// A waveform 1.5 times as large, another waveform, chaos: no solution fits. Two equally near:
+    /// several.
     #[test]
     fn what_the_model_does_not_have_fits_nothing() {
         let waveform = known()[0].waveform.clone().unwrap();

@@ -1,7 +1,10 @@
-//! Neighbouring stretches of the same solution: what changes between them is the noise, a slow drift, or one odd block.
+//! Merges neighbouring segments of one solution that differ only by the noise, a slow drift, or one
+//! irregular block.
 //!
-//! For each stretch the amplitude at each order is freed of noise, `A^2 = mean |x_b|^2 - mean |x_b+1 - x_b|^2 / 2` over its blocks `b`. Equal
-//! amplitudes and equal periods are one solution. Amplitudes of one shape that differ on the whole but hardly across the change drift.
+//! For each segment the amplitude at each order is corrected for noise over its blocks `b`:
+//! `A^2 = mean |x_b|^2 - mean |x_b+1 - x_b|^2 / 2`. Equal amplitudes and equal periods mean one
+//! solution. Amplitudes of equal shape that differ overall but hardly across the change indicate
+//! drift.
 
 use faer::c64;
 use jounce::signal::Samples;
@@ -10,49 +13,50 @@ use serde::Serialize;
 use super::features::lines_of_block;
 use super::period;
 
-/// Why a change within a stretch is none of solution.
+/// Reason why a change is not a change of solution.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum MergeReason {
-    /// What does not repeat grew or fell.
+    /// The aperiodic part changed in size.
     NoiseChanged,
-    /// The amplitude goes on changing slowly, in one shape.
+    /// The amplitude changes slowly, with constant shape.
     Drifts,
-    /// A block alone differs.
+    /// A single block differs.
     Glitch,
 }
 
-/// A change that is none of solution.
+/// Change that is not a change of solution.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct MergedChange {
-    /// Where it is, s from the first sample.
+    /// Time, s from the first sample.
     pub at_s: f64,
-    /// What changes.
+    /// Reason.
     pub reason: MergeReason,
 }
 
-/// Amplitudes that differ by less than this share of the largest are equal.
+/// Relative difference below which amplitudes are equal.
 const EQUAL_AMPLITUDE_SHARE: f64 = 0.05;
-/// Deviations of noise that count as none.
+/// Noise deviations below which a difference is insignificant.
 const NOISE_DEVIATIONS: f64 = 3.0;
-/// Noise of one stretch over that of the other from which on it changed.
+/// Ratio of the noise of two segments above which the noise changed.
 const NOISE_CHANGE_RATIO: f64 = 1.2;
-/// Waveforms of one shape: what the other misses at its best size, over the whole.
+/// Maximum residual of one waveform after scaling, relative to the other, for equal shapes.
 const SAME_SHAPE_SHARE: f64 = 0.1;
-/// A drift has less than this share of its change across the place where it was cut.
+/// Maximum share of a drift's change that occurs across the cut.
 const MAX_DRIFT_STEP_SHARE: f64 = 0.3;
-/// Blocks to both sides that tell what is sudden, and blocks at the change that may hold both.
+/// Blocks on both sides used to detect a sudden change, and blocks at the change that may contain
+/// both.
 const NEIGHBOUR_BLOCKS: usize = 3;
 const TRANSITION_BLOCKS: usize = 1;
-/// A stretch of so many blocks between two of one solution is a glitch.
+/// Maximum length in blocks of a glitch between two segments of one solution.
 const MAX_GLITCH_BLOCKS: f64 = 2.0;
 
-/// What one stretch shows, freed of noise.
+/// Features of one segment, corrected for noise.
 struct SegmentFeatures {
     amplitude: Vec<f64>,
-    /// Deviation of each amplitude.
+    /// Standard deviation of each amplitude.
     deviation: f64,
-    /// Noise of a block's lines.
+    /// Noise of the lines of a block.
     noise: f64,
 }
 
@@ -83,7 +87,7 @@ impl SegmentFeatures {
         self.amplitude.iter().copied().fold(0.0, f64::max)
     }
 
-    /// The largest difference of two amplitudes.
+    /// Largest difference of two amplitudes.
     fn off(&self, other: &Self) -> f64 {
         self.amplitude
             .iter()
@@ -97,7 +101,7 @@ impl SegmentFeatures {
         self.off(other) < EQUAL_AMPLITUDE_SHARE * self.largest().max(other.largest()) + noise
     }
 
-    /// True where the amplitudes are the same but for their common size.
+    /// True where the amplitudes are equal except for a common factor.
     fn is_shaped_as(&self, other: &Self) -> bool {
         let product = |a: &Self, b: &Self| {
             a.amplitude
@@ -113,7 +117,7 @@ impl SegmentFeatures {
     }
 }
 
-/// The starts of stretches, in blocks, without those where the solution stays, and what changes there instead.
+/// Returns the starts of segments, in blocks, without merged changes, and the merged changes.
 pub(super) fn joined(
     samples: &Samples<'_>,
     drive_hz: f64,
@@ -164,7 +168,7 @@ pub(super) fn joined(
     (starts, joints)
 }
 
-/// The lines of each block of a record.
+/// Computes the lines of each block of a record.
 pub(super) fn lines(
     samples: &Samples<'_>,
     drive_hz: f64,
@@ -176,7 +180,7 @@ pub(super) fn lines(
         .collect()
 }
 
-/// True where a stretch ends in another size than it began with: its first third against its last.
+/// True where the amplitude of a segment changes from its first third to its last.
 pub(super) fn drifts(lines: &[Vec<c64>]) -> bool {
     let third = lines.len() / 3;
     if third < 2 {
@@ -189,7 +193,7 @@ pub(super) fn drifts(lines: &[Vec<c64>]) -> bool {
     !first.equals(&last) && first.is_shaped_as(&last)
 }
 
-/// Why two neighbouring stretches are one; none where they are not.
+/// Reason why two neighbouring segments are one; `None` where they are not.
 fn reason(lines: &[Vec<c64>], before: (f64, f64), after: (f64, f64)) -> Option<MergeReason> {
     let blocks = |(from, to): (f64, f64)| {
         &lines[from.ceil() as usize..(to.floor() as usize).min(lines.len())]
@@ -289,7 +293,8 @@ mod tests {
         );
     }
 
-    /// A slow ramp of any course, up from a tenth of its end, is one stretch that drifts. Cut where the mean changes it was 18.
+    /// A slow ramp of any course, up from a tenth of its end, is one segment with drift.
+    /// Segmentation by the mean gave 18.
     #[test]
     fn a_slow_ramp_is_one_stretch() {
         let courses = [
@@ -318,8 +323,9 @@ mod tests {
         }
     }
 
-    /// 25 s of an irregular motion, whose sizes change at random from cycle to cycle, before it settles: one stretch, and then the other. Cut where the
-    /// mean changes the start was about fifty. By chance a part of it may be one of its own, as in 1 of 100 records.
+    /// 25 s of an irregular motion, whose amplitude changes at random from cycle to cycle, before
+    /// it settles: one segment, and then the other. Segmentation by the mean gave about fifty at
+    /// the start. By chance a part of it may be a separate segment, as in 1 of 100 records.
     #[test]
     fn an_irregular_start_is_one_stretch() {
         let mut whole = 0;
@@ -363,7 +369,8 @@ mod tests {
         assert!(whole >= 9, "{whole} of 10 starts are one stretch");
     }
 
-    /// A jump in size only, as at the fold of a nearly linear answer, and one of shape only, are other solutions.
+    /// A jump only in size, as at the fold of a nearly linear response, and one only in shape, are
+    /// other solutions.
     #[test]
     fn jumps_stay() {
         for after in [

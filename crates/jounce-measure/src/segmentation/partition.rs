@@ -1,12 +1,13 @@
-//! The best partition of a row of feature vectors into pieces, each with a mean, a trend and a deviation of its own.
+//! Finds the optimal partition of a sequence of feature vectors into pieces, each with its own
+//! mean, trend and deviation.
 //!
-//! The deviation of a piece is at least that between neighbouring blocks of the whole record: a piece that is quieter is no piece of its own, while
-//! one that is irregular stays one piece.
+//! The deviation of a piece is at least that between neighbouring blocks of the complete record. A
+//! quieter part is therefore not a separate piece, and an irregular part remains one piece.
 
 use jounce::integrate::Control;
 
-/// Where the pieces begin, in blocks. One block alone between two pieces is the mixture at a change: the change is put in its middle.
-/// None where the control stops it.
+/// Returns the starts of the pieces, in blocks. A single block between two pieces is the mixture at
+/// a change, which is placed in its middle. `None` if cancelled.
 pub(super) fn changes(
     features: &[Vec<f64>],
     noise: &[f64],
@@ -22,7 +23,7 @@ pub(super) fn changes(
         match (alone, pair[1] == features.len()) {
             (true, true) => {}
             (true, false) => changes.push(pair[0] as f64 + 0.5),
-            // The end of a block alone is no change of its own.
+            // The end of a single block is not a separate change.
             (false, _) if before == pair[0] as f64 - 0.5 || (pair[0] == 1 && before == 0.0) => {}
             (false, _) => changes.push(pair[0] as f64),
         }
@@ -30,7 +31,7 @@ pub(super) fn changes(
     Some(changes)
 }
 
-/// Blocks of a piece from which on its features may change evenly.
+/// Minimum number of blocks of a piece with a trend.
 const MIN_TREND_BLOCKS: usize = 4;
 
 /// Sums of one feature over its noise up to a block: values, values times their block, squares.
@@ -50,7 +51,8 @@ impl FeatureSums {
         }
     }
 
-    /// What a mean, and in a piece long enough a trend, leave of the squares from one block to another.
+    /// Residual of the squares between two blocks after a mean, and in a sufficiently long piece a
+    /// trend.
     fn rest(self, before: Self, (from, to): (usize, usize)) -> f64 {
         let count = (to - from) as f64;
         let (sum, middle) = (self.x - before.x, (from + to - 1) as f64 / 2.0);
@@ -63,7 +65,8 @@ impl FeatureSums {
     }
 }
 
-/// First blocks of the pieces. `noise` is the least deviation of each feature within a piece, `cost` what a piece more costs.
+/// First blocks of the pieces. `noise` is the minimum deviation of each feature within a piece,
+/// `cost` the cost of another piece.
 fn pieces(
     features: &[Vec<f64>],
     noise: &[f64],
@@ -107,7 +110,8 @@ fn pieces(
     Some(starts)
 }
 
-/// Deviation of each feature between neighbouring blocks, by the median, so that a few changes do not count.
+/// Deviation of each feature between neighbouring blocks, by the median, so that a few changes have
+/// no effect.
 pub(super) fn noise(features: &[Vec<f64>]) -> Vec<f64> {
     let width = features.first().map_or(0, Vec::len);
     let of = |k: usize| {
@@ -121,7 +125,8 @@ pub(super) fn noise(features: &[Vec<f64>]) -> Vec<f64> {
         } else {
             *steps.select_nth_unstable_by(middle, f64::total_cmp).1
         };
-        // A difference of two has sqrt 2 times the deviation; the median of a normal number's size is 0.6745 of it.
+        // A difference of two has sqrt 2 times the deviation; the median of a normal number's size
+        // is 0.6745 of it.
         median / (0.674_489_75 * std::f64::consts::SQRT_2)
     };
     (0..width).map(of).collect()

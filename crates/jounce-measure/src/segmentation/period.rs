@@ -1,56 +1,64 @@
-//! After how many drive cycles a record repeats.
+//! Finds the period of a record in drive cycles.
 //!
-//! The record is taken at equal phases of the drive, a row of values for each cycle. Folded at `n` cycles, every `n`-th row is one class, and
+//! The record is sampled at equal phases of the drive, a row of values for each cycle. Folded at
+//! `n` cycles, every `n`-th row is one class, and
 //!
 //! ```text
 //! V_n = mean over rows of |x - mean of its class|^2 M / (M - 1),   M rows of the class
 //! ```
 //!
-//! is the variance of the noise for the period and its multiples, and more for every other `n`, by all subharmonics that `n` cycles do not
-//! hold. The period is the smallest `n` whose `V_n` is not above the smallest one of all: not by more than batches of rows tell apart, nor by
-//! more than a hundredth of the rms. Classes are made within windows, so that a drive that is not quite the one given does not blur them.
+//! is the noise variance for the period and its multiples. It is larger for every other `n`, by all
+//! subharmonics that `n` cycles do not contain. The period is the smallest `n` whose `V_n` does not
+//! exceed the smallest one of all significantly, by batches of rows, or by more than a hundredth of
+//! the rms. Classes are formed within windows, so a small error of the drive frequency does not
+//! blur them.
 //!
-//! Slow noise is alike at some distances by chance, and folded at so many cycles it leaves less, as it does at the numbers beside; a period
-//! leaves less at its multiples alone. So where no number is a period by that, the smallest one is for which, its classes taken away, the best
-//! number leaves no less than those beside it.
+//! Slow noise is similar at some distances by chance. Folding at such a number leaves less, but so
+//! does folding at neighbouring numbers; a true period leaves less only at its multiples. If the
+//! first criterion finds no period, the result is the smallest `n` after whose removal the best
+//! number leaves no less than its neighbours.
 
 use jounce::integrate::Control;
 use jounce::signal::Samples;
 use serde::Serialize;
 
-/// How a stretch repeats.
+/// Repetition of a segment.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct RepetitionPeriod {
-    /// Drive cycles of the period; none where it does not repeat within twelve cycles.
+    /// Drive cycles of the period; `None` where it does not repeat within twelve cycles.
     pub cycles: Option<usize>,
-    /// Rms of `x(t + n T) - x(t)` over `sqrt 2` times the rms of `x`, for that `n`, or for the best one: 0 for a perfect repetition, about 1
-    /// for none. Noise of a share `s` of the rms gives `s`.
+    /// RMS of `x(t + n T) - x(t)` over `sqrt 2` times the RMS of `x`, for that `n`, or for the best
+    /// one: 0 for a perfect repetition, about 1 for an aperiodic record. Noise of a share `s` of
+    /// the rms gives `s`.
     pub mismatch: f64,
 }
 
 /// Longest period sought, drive cycles.
 pub const MAX_PERIOD_CYCLES: usize = 12;
-/// Longest period that is looked for to tell that none of those sought fits.
+/// Longest period tested to exclude all those sought.
 const MAX_TESTED_PERIOD_CYCLES: usize = 48;
-/// Cycles of a window, and values that are looked at in all, at least so many in a cycle.
+/// Cycles of a window, and the total number of values used, with a minimum per cycle.
 const WINDOW_CYCLES: usize = 144;
 const MAX_VALUES: usize = 1 << 18;
 const MIN_VALUES_PER_CYCLE: usize = 8;
-/// What is left of a period is as little as that of another below this share of the rms, and not so above this multiple of its variance.
+/// Difference of residuals that is always insignificant, relative to the RMS, and maximum ratio of
+/// residuals that can be insignificant.
 const EXACT_RESIDUAL_SHARE: f64 = 0.01;
 const RESIDUAL_RATIO: f64 = 2.0;
-/// Slow noise leaves less by chance, but not below this share of its variance.
+/// Maximum ratio to the smallest residual that chance alone explains for slow noise.
 const CHANCE_FACTOR: f64 = 3.0;
-/// Numbers on both sides that tell what slow noise leaves.
+/// Number of neighbours on both sides used to estimate the residual of slow noise.
 const NEIGHBOUR_COUNT: usize = 3;
-/// Batches of rows, of at least so many each, and Student's quantile for 15 of them that noise hardly ever passes (2e-4 on one side).
+/// Number of batches of rows, minimum rows per batch, and Student's quantile for 15 of them that
+/// noise hardly ever exceeds (2e-4 on one side).
 const BATCHES: usize = 16;
 const MIN_ROWS_PER_BATCH: usize = 4;
 const STUDENT_QUANTILE: f64 = 4.5;
-/// Beyond this there is no repetition.
+/// Residual above which the record is aperiodic.
 const MAX_RESIDUAL_SHARE: f64 = 0.5;
 
-/// The period of samples under a drive of a known frequency; samples between those of the record by cubic interpolation.
+/// Finds the period of samples under a drive of known frequency; values between samples are
+/// interpolated cubically.
 pub fn period(samples: &Samples<'_>, drive_hz: f64) -> RepetitionPeriod {
     let unstopped = period_watched(samples, drive_hz, &Control::default());
     unstopped.unwrap_or(RepetitionPeriod {
@@ -59,7 +67,7 @@ pub fn period(samples: &Samples<'_>, drive_hz: f64) -> RepetitionPeriod {
     })
 }
 
-/// The same under a control, which is looked at before each number of cycles; none where it stops the search.
+/// Finds the period, with a cancellation check before each number of cycles; `None` if cancelled.
 pub(super) fn period_watched(
     samples: &Samples<'_>,
     drive_hz: f64,
@@ -112,11 +120,11 @@ pub(super) fn period_watched(
     )
 }
 
-/// A record at equal phases of its drive, about its mean.
+/// Record at equal phases of its drive, about its mean.
 struct Cycles {
     /// Row by row.
     values: Vec<f64>,
-    /// Values of a row.
+    /// Values per row.
     width: usize,
     /// Mean square.
     square: f64,
@@ -125,7 +133,7 @@ struct Cycles {
 impl Cycles {
     fn of(samples: &Samples<'_>, drive_hz: f64) -> Self {
         let (of, length) = (samples.values(), samples.rate_hz() / drive_hz);
-        // The cubic takes a sample before its place and two behind.
+        // The cubic needs one sample before its position and two after.
         let count = (of.len().saturating_sub(4) as f64 / length) as usize;
         let width = (length.ceil() as usize)
             .min(MAX_VALUES / count.max(1))
@@ -159,7 +167,7 @@ impl Cycles {
         (0..windows).map(move |k| k * count / windows..(k + 1) * count / windows)
     }
 
-    /// The mean row of a class of cycles, and how many these are.
+    /// Mean row of a class of cycles, and the number of cycles.
     fn middle(&self, class: impl Iterator<Item = usize> + Clone) -> (Vec<f64>, f64) {
         let members = class.clone().count() as f64;
         let mut middle = vec![0.0; self.width];
@@ -172,7 +180,7 @@ impl Cycles {
         (middle, members)
     }
 
-    /// For each row the mean square of what its class does not hold.
+    /// Mean square of each row relative to its class.
     fn folded(&self, n: usize) -> Vec<f64> {
         let mut left = vec![0.0; self.count()];
         for window in self.windows() {
@@ -193,7 +201,7 @@ impl Cycles {
         left
     }
 
-    /// What the classes of `n` cycles leave.
+    /// Residual after subtracting the classes of `n` cycles.
     fn without(&self, n: usize) -> Self {
         let mut values = self.values.clone();
         for window in self.windows() {
@@ -209,7 +217,7 @@ impl Cycles {
         Self { values, ..*self }
     }
 
-    /// True where `n` cycles leave no less than the numbers beside `n` do.
+    /// True where `n` cycles leave no less than the neighbours of `n`.
     fn is_smooth_at(&self, n: usize, longest: usize) -> bool {
         let beside: Vec<Vec<f64>> = (n.saturating_sub(NEIGHBOUR_COUNT)..=n + NEIGHBOUR_COUNT)
             .filter(|k| *k != n && (1..=longest).contains(k))
@@ -233,10 +241,10 @@ impl Cycles {
     }
 }
 
-/// What is left of a record that is folded at some number of cycles.
+/// Residual of a record folded at some number of cycles.
 struct Folded {
     mean: f64,
-    /// Of each batch of rows.
+    /// Residual of each batch of rows.
     batches: Vec<f64>,
 }
 
@@ -253,7 +261,7 @@ impl Folded {
         }
     }
 
-    /// True where the best one of all does not leave less: in a record of a mean square.
+    /// True where the best of all leaves no less, for a record with a given mean square.
     fn is_as_well_as(&self, best: &Self, square: f64) -> bool {
         let count = self.batches.len() as f64;
         let apart: Vec<f64> = self
@@ -311,7 +319,8 @@ mod tests {
         );
     }
 
-    /// Small subharmonics of orders up to the longest one sought are found; those beyond are not taken for a shorter period.
+    /// Small subharmonics of orders up to the longest one sought are found; those beyond do not
+    /// give a shorter period.
     #[test]
     fn a_period_beyond_the_longest_one_sought_is_none() {
         let mut stream = RandomStream::new(5, 0);
@@ -336,8 +345,9 @@ mod tests {
         }
     }
 
-    /// Every period up to the longest one sought, and four beyond it, in clean records and in noise of 2 and 5 % of the rms: the subharmonic,
-    /// of any order with that denominator, is a fifth of the answer at the drive.
+    /// Every period up to the longest one sought, and four beyond it, in clean records and in noise
+    /// of 2 and 5 % of the rms: the subharmonic, of any order with that denominator, is a fifth of
+    /// the response at the drive frequency.
     #[test]
     fn every_order_is_found_in_clean_and_in_noisy_records() {
         let mut wrong = Vec::new();
@@ -370,8 +380,9 @@ mod tests {
         assert!(wrong.is_empty(), "{wrong:?}");
     }
 
-    /// Noise that remembers eight cycles of a hundred is alike at some distance by chance: every order is found in noise of 2 and 5 % of the rms, and
-    /// periods beyond are none.
+    /// Noise with a correlation length of eight cycles out of a hundred is similar at some distance
+    /// by chance: every order is found in noise of 2 and 5 % of the rms, and longer periods give
+    /// `None`.
     #[test]
     fn slow_noise_that_is_alike_by_chance_is_no_long_period() {
         let mut wrong = Vec::new();
@@ -407,7 +418,8 @@ mod tests {
         assert!(wrong.is_empty(), "{wrong:?}");
     }
 
-    /// A drive that is off by a thousandth turns by half a cycle in 500; the noise remembers nine cycles.
+    /// A drive that is off by a thousandth turns by half a cycle in 500; the noise has a
+    /// correlation length of nine cycles.
     #[test]
     fn a_drive_that_is_a_little_off_and_slow_noise_do_not_hide_the_period() {
         let mut stream = RandomStream::new(6, 0);

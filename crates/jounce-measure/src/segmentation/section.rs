@@ -1,4 +1,4 @@
-//! The Poincare section of a record: one value for each drive cycle.
+//! Poincare section of a record: one value per drive cycle.
 
 use jounce::signal::Samples;
 
@@ -7,14 +7,14 @@ use super::period::cubic;
 /// Values at one phase of the drive.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Section {
-    /// When, s from the first sample.
+    /// Times, s from the first sample.
     pub time_s: Vec<f64>,
-    /// The values, in the unit of the record.
+    /// Values, in the unit of the record.
     pub value: Vec<f64>,
 }
 
-/// `x(t_1 + n / f)` for every whole `n`, between samples by cubic interpolation; `t_1` is the second sample. A solution of `m` drive cycles
-/// shows `m` values by turns.
+/// Computes `x(t_1 + n / f)` for every integer `n`, with cubic interpolation between samples; `t_1`
+/// is the second sample. A solution of `m` drive cycles shows `m` values in turn.
 pub fn section(samples: &Samples<'_>, drive_hz: f64) -> Section {
     let (values, rate_hz) = (samples.values(), samples.rate_hz());
     let place = |n: usize| 1.0 + n as f64 * rate_hz / drive_hz;
@@ -36,7 +36,8 @@ mod tests {
     use super::*;
     use std::f64::consts::TAU;
 
-    /// A third of the drive: three values by turns, those of the formula; measured 2e-6, the cubic between samples 114 to a cycle.
+    /// A third of the drive: three values in turn, those of the formula; measured 2e-6, the cubic
+    /// between samples 114 to a cycle.
     #[test]
     fn a_subharmonic_shows_its_values_by_turns() {
         let (rate, hz) = (1536.0, 13.5);

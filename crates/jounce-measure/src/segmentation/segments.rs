@@ -1,4 +1,4 @@
-//! Stretches of a record.
+//! Segments of a record.
 
 use jounce::integrate::Control;
 use jounce::signal::{Samples, SignalError};
@@ -10,57 +10,59 @@ use super::merging::{MergeReason, MergedChange, drifts, joined, lines};
 use super::partition::{changes, noise};
 use super::period::period_watched;
 
-/// A stretch of one solution.
+/// Segment of one solution.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct RecordSegment {
-    /// Its begin, s from the first sample.
+    /// Start, s from the first sample.
     pub start_s: f64,
-    /// Its end, s.
+    /// End, s.
     pub end_s: f64,
     /// First sample.
     pub start: usize,
     /// Sample after the last.
     pub end: usize,
-    /// The samples without the blocks beside a change, which may hold both solutions.
+    /// Samples without the blocks next to a change, which may contain both solutions.
     #[serde(skip)]
     pub inner: (usize, usize),
-    /// Rms about the mean, in the unit of the record; like the period without the blocks beside a change.
+    /// RMS about the mean, in the unit of the record, computed without the blocks next to a change.
     pub rms: f64,
-    /// How it repeats.
+    /// Period, computed without the blocks next to a change.
     pub period: RepetitionPeriod,
 }
 
-/// The stretches of a record, and how sure they are.
+/// Segments of a record, with their uncertainty.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Segmentation {
-    /// The stretches in order.
+    /// Segments in order.
     pub stretches: Vec<RecordSegment>,
-    /// Changes that are none of solution: of the noise, a drift, a glitch.
+    /// Changes of noise, drifts and glitches, which are not changes of solution.
     pub joints: Vec<MergedChange>,
-    /// The length of a block: how far a change may lie from its place, s.
+    /// Maximum error of the time of a change, s: the length of a block.
     pub uncertainty_s: f64,
 }
 
-/// A record that cannot be cut.
+/// Error of a segmentation.
 #[derive(Debug, Clone, PartialEq, thiserror::Error, serde::Serialize)]
 #[serde(untagged)]
 pub enum SegmentationError {
-    /// The samples are no signal.
+    /// The samples are not a valid signal.
     #[error(transparent)]
     Signal(#[from] SignalError),
-    /// A drive that makes no sense.
+    /// The drive frequency is out of range.
     #[error(
-        "a drive of {drive_hz} Hz does not suit a record of {rate_hz} Hz; it must be above 0 and below a quarter of the rate"
+        "a drive of {drive_hz} Hz is not suitable for a record of {rate_hz} Hz; it must be above \
+        0 and below a quarter of the rate"
     )]
     Drive {
-        /// The drive, Hz.
+        /// Drive frequency, Hz.
         drive_hz: f64,
-        /// The sample rate, Hz.
+        /// Sampling rate, Hz.
         rate_hz: f64,
     },
-    /// Too few cycles.
+    /// The record has too few cycles.
     #[error(
-        "the record holds {cycles:.1} drive cycles; at least {needed} are needed to tell solutions apart"
+        "the record has {cycles:.1} drive cycles; at least {needed} are needed to distinguish \
+        solutions"
     )]
     Short {
         /// Cycles of the record.
@@ -68,33 +70,36 @@ pub enum SegmentationError {
         /// Cycles needed.
         needed: f64,
     },
-    /// Nothing moves.
-    #[error("all samples are equal: there is no signal to cut")]
+    /// All samples are equal.
+    #[error("all samples are equal: there is no signal to segment")]
     Constant,
-    /// Stopped by its control.
+    /// Cancelled.
     #[error("stopped")]
     Stopped,
 }
 
-/// Blocks of the shortest record.
+/// Minimum number of blocks of a record.
 const MIN_RECORD_BLOCKS: f64 = 4.0;
-/// A change below this share of the record's largest feature is none.
+/// Minimum size of a change relative to the record's largest feature.
 const MIN_CHANGE_SHARE: f64 = 0.05;
-/// Cost of a stretch, times the logarithm of the number of blocks, for each feature: its mean, its trend and its deviation.
+/// Cost of a segment, times the logarithm of the number of blocks, for each feature: its mean, its
+/// trend and its deviation.
 const SEGMENT_COST: f64 = 3.0;
 
-/// Cuts a record under a drive of a known frequency.
+/// Segments a record under a drive of known frequency.
 ///
 /// # Errors
-/// A drive that does not suit the sample rate, a record of fewer than 24 cycles, a constant record.
+/// A drive that is not suitable for the sampling rate, a record of fewer than 24 cycles, a constant
+/// record.
 pub fn regimes(samples: &Samples<'_>, drive_hz: f64) -> Result<Segmentation, SegmentationError> {
     regimes_watched(samples, drive_hz, &Control::default())
 }
 
-/// The same under a control, which is looked at for each block, for each end of a piece and for each period tried.
+/// Segments a record as [`regimes`] does, with a cancellation check for each block, each end of a
+/// piece and each tested period.
 ///
 /// # Errors
-/// As [`regimes`], and [`SegmentationError::Stopped`].
+/// Those of [`regimes`], and [`SegmentationError::Stopped`].
 pub fn regimes_watched(
     samples: &Samples<'_>,
     drive_hz: f64,
@@ -125,7 +130,7 @@ pub fn regimes_watched(
     if largest <= 0.0 {
         return Err(SegmentationError::Constant);
     }
-    // A clean record has hardly any noise: what counts as a change is then decided by its size.
+    // A clean record has hardly any noise: the size of a change then decides.
     let floor = MIN_CHANGE_SHARE * largest / (4.0 * (blocks as f64).ln()).sqrt();
     let noise: Vec<f64> = noise(&features).into_iter().map(|s| s.max(floor)).collect();
     let cost = SEGMENT_COST * noise.len() as f64 * (blocks as f64).ln();
@@ -139,7 +144,7 @@ pub fn regimes_watched(
     };
     let last = starts.len().saturating_sub(1);
     let inner = |k: usize| {
-        // The blocks beside a change may hold both solutions.
+        // The blocks next to a change may contain both solutions.
         let block = if edge(k + 1) - edge(k) > (4.0 * length) as usize {
             length.ceil() as usize
         } else {
@@ -214,7 +219,8 @@ mod tests {
     use jounce::drive::RandomStream;
     use std::f64::consts::TAU;
 
-    /// 85 s at 1536 Hz under 13 Hz: a small answer, from 31.7 s a large one of two cycles, from 60.2 s the small one again.
+    /// 85 s at 1536 Hz under 13 Hz: a small response, from 31.7 s a large one of two cycles, from
+    /// 60.2 s the small one again.
     fn switching(noise: f64) -> Vec<f64> {
         let mut stream = RandomStream::new(11, 0);
         (0..130_560)
@@ -229,7 +235,8 @@ mod tests {
             .collect()
     }
 
-    /// Measured: both changes within 0.085 s, a block is 0.46 s; with noise of a third of the small answer too.
+    /// Measured: both changes within 0.085 s, a block is 0.46 s; also with noise of a third of the
+    /// small response.
     #[test]
     fn changes_of_solution_are_found_with_their_periods_whatever_the_noise() {
         for noise in [0.0, 0.3] {

@@ -1,12 +1,13 @@
-//! Two rows of lines, one of them shifted in time.
+//! Alignment in time of two sets of lines.
 
 use faer::c64;
 use std::f64::consts::TAU;
 
-/// Steps of a drive cycle in which the phase is sought before it is refined.
+/// Steps per drive cycle of the phase search before refinement.
 const PHASE_STEPS: usize = 48;
 
-/// The smallest sum of squares over all shifts in time: steps, then the parabola through the best one.
+/// Smallest sum of squares over all time shifts: by steps, then by the parabola through the best
+/// one.
 pub(super) fn nearest(lines: &[c64], model: &[c64], orders: &[u32], common: u32, sign: f64) -> f64 {
     let sum = |shift: f64| {
         let term = |((x, c), j): ((&c64, &c64), &u32)| {

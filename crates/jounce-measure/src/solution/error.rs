@@ -1,4 +1,4 @@
-//! Why the solutions of a model cannot be found.
+//! Errors of finding the solutions of a model.
 
 use jounce::analysis::AnalysisError;
 use jounce::orbit::OrbitError;
@@ -6,57 +6,57 @@ use jounce::plant::PlantError;
 use jounce::run::RunError;
 use jounce::spec::Fault;
 
-/// A model without solutions to compare with.
+/// Error of a model without usable solutions.
 #[derive(Debug, thiserror::Error)]
 pub enum SolutionError {
-    /// Not one sinusoidal drive.
+    /// The model does not have exactly one sinusoidal drive.
     #[error("the model has {found} sinusoidal drives; a record of one solution needs exactly one")]
     Drives {
-        /// How many there are.
+        /// Number of sinusoidal drives.
         found: usize,
     },
-    /// Nothing to look at.
+    /// There is no voltage to compare.
     #[error(
         "the model has no resistor whose voltage could be compared; give it a [circuit.NAME] with a resistance"
     )]
     NoLoad,
-    /// A circuit that is not there.
+    /// The circuit does not exist.
     #[error("the model has no circuit `{wanted}`; there are {known}")]
     UnknownLoad {
-        /// What was asked for.
+        /// Requested name.
         wanted: String,
-        /// What there is.
+        /// Existing names.
         known: String,
     },
-    /// A solution that the model has not, or that has no orbit to start on.
+    /// The solution does not exist, or has no orbit as a start.
     #[error("there is no solution `{wanted}` to start on; the model's solutions are {known}")]
     UnknownSolution {
-        /// What was asked for.
+        /// Requested id.
         wanted: String,
-        /// What there is.
+        /// Existing ids.
         known: String,
     },
-    /// No march succeeded.
-    #[error("none of {starts} starts could be marched; the first: {first}")]
+    /// All runs failed.
+    #[error("all runs from {starts} starts failed; the first error: {first}")]
     Lost {
-        /// How many starts.
+        /// Number of starts.
         starts: usize,
-        /// Why the first failed.
+        /// Error of the first run.
         first: String,
     },
-    /// A key of the spec.
+    /// Error of a key of the spec.
     #[error(transparent)]
     Key(#[from] Fault),
-    /// The harvester.
+    /// Error of the analysis.
     #[error(transparent)]
     Study(#[from] AnalysisError),
-    /// The plant.
+    /// Error of the plant.
     #[error(transparent)]
     Plant(#[from] PlantError),
-    /// A march.
+    /// Error of a run.
     #[error(transparent)]
     Run(#[from] RunError),
-    /// An orbit.
+    /// Error of an orbit.
     #[error(transparent)]
     Orbit(#[from] OrbitError<AnalysisError>),
 }

@@ -1,4 +1,4 @@
-//! The attractors of a model with what is needed to march them again.
+//! Attractors of a model, with the states needed to continue from them.
 
 use jounce::analysis::{Basins, Cloud, InitialStates, Model, Parameter, Recognition};
 use jounce::integrate::Control;
@@ -9,18 +9,18 @@ use jounce::spec::{NumericKey, Spec};
 
 use super::{SolutionError, Waveform};
 
-/// How solutions are sought.
+/// Settings of the search for solutions.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SolutionSearch {
-    /// Random starts.
+    /// Number of random starts.
     pub starts: usize,
-    /// Their seed.
+    /// Seed of the starts.
     pub seed: u64,
-    /// Size of the cloud, in gaps (or steady amplitudes, where those are larger).
+    /// Size of the cloud of starts, in gaps (or steady amplitudes, where those are larger).
     pub spread: f64,
-    /// Relative tolerance of the marches.
+    /// Relative tolerance of the runs.
     pub tolerance: f64,
-    /// Circuit whose voltage is looked at; none for the first one.
+    /// Circuit whose voltage is used; `None` for the first one.
     pub load: Option<String>,
 }
 
@@ -36,27 +36,28 @@ impl Default for SolutionSearch {
     }
 }
 
-/// A solution of a model.
+/// Solution of a model.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Solution {
-    /// Drive cycles of its period and a letter by falling power, as [`jounce::analysis::Attractor`]: `1a`, `3a`; `chaos`; `torus`.
+    /// Id: drive cycles of the period and a letter in order of decreasing power, as in
+    /// [`jounce::analysis::Attractor`]: `1a`, `3a`; `chaos`; `torus`.
     pub id: String,
-    /// Drive cycles of its period; none where there is no orbit.
+    /// Drive cycles of its period; `None` without an orbit.
     pub period_cycles: Option<u32>,
     /// Mean power of all loads, W.
     pub mean_power_w: f64,
     /// Contacts per period.
     pub contacts: u64,
-    /// Share of the starts that end here.
+    /// Share of the starts that converge to this solution.
     pub share: f64,
-    /// A state on the orbit at the angles at which the drives start; none where there is no orbit.
+    /// State on the orbit at the initial angles of the drives; `None` without an orbit.
     pub start: Option<StartState>,
-    /// Voltage over the load; none where there is no orbit.
+    /// Voltage across the load; `None` without an orbit.
     pub waveform: Option<Waveform>,
 }
 
-/// The solutions of a spec under its one sinusoidal drive; a solution whose share is below about `3 / starts` may be missed.
-/// `control` ends the marches early.
+/// Finds the solutions of a spec under its single sinusoidal drive; a solution whose share is below
+/// about `3 / starts` may be missed. `control` can cancel the runs.
 ///
 /// # Errors
 /// [`SolutionError`].
@@ -134,7 +135,7 @@ pub fn solutions(
     answer.attractors.into_iter().map(solution).collect()
 }
 
-/// Number of the load whose voltage is looked at.
+/// Index of the load whose voltage is used.
 fn load(plant: &Plant, wanted: Option<&str>) -> Result<usize, SolutionError> {
     let loads = &plant.system.loads;
     let Some(wanted) = wanted else {

@@ -1,5 +1,5 @@
-//! The solutions of a model that a record can show: the attractors that a cloud of starts finds, each as a start to march from and as the
-//! waveform of a voltage.
+//! Solutions of a model that a record can show: the attractors reached from a cloud of starts, each
+//! with an initial state and the waveform of a voltage.
 //!
 //! A waveform is the Fourier series over one period of `n` drive cycles,
 //!
@@ -7,7 +7,7 @@
 //! v(t) = sum_k Re(c_k exp(2 pi i k f t / n)),   c_k in V, peak;   k / n is the order of the line
 //! ```
 //!
-//! from an even number of samples of the exact march over the period; the mean is left out.
+//! from uniform samples of the exact solution over the period, without the mean.
 mod error;
 mod find;
 mod output;

@@ -1,13 +1,14 @@
-//! What a sensor on a marched harvester would see, sample by sample.
+//! Sampled sensor outputs of a simulated harvester.
 //!
-//! With the block coordinates `y' = A y + sum_s b_s u_s(t) + sum_p b_p F_p` beside the steady state `Y` of the tones, a row `c` reads
-//! `c (y + Re Y e^{i w t})`, and its rate is
+//! With the block coordinates `y' = A y + sum_s b_s u_s(t) + sum_p b_p F_p` relative to the steady
+//! state `Y` of the tones, a row `c` reads `c (y + Re Y e^{i w t})`, and its rate is
 //!
 //! ```text
 //! c A y + sum_s c b_s u_s(t) + sum_p c b_p F_p + Re(i w c Y e^{i w t})
 //! ```
 //!
-//! An acceleration is the rate of a velocity. Points move relative to the base that they stand on: the acceleration of that comes on top.
+//! An acceleration is the rate of a velocity. Points move relative to their base, whose
+//! acceleration is added.
 
 use faer::c64;
 use jounce::integrate::{Kernel, Trajectory, TrajectoryState};
@@ -15,22 +16,22 @@ use jounce::plant::Plant;
 use jounce::spec::Spec;
 use std::f64::consts::TAU;
 
-/// What is seen.
+/// Sensor output.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum SensorOutput {
-    /// Voltage of patch number so many, V.
+    /// Voltage of a patch, by index, V.
     PatchVoltage(usize),
-    /// Voltage over the resistor of load number so many, V.
+    /// Voltage across the resistor of a load, by index, V.
     LoadVoltage(usize),
-    /// Force of stop number so many, N.
+    /// Force of a stop, by index, N.
     StopForce(usize),
-    /// Acceleration of a point in space, m/s^2.
+    /// Absolute acceleration of a point, m/s^2.
     Acceleration(String),
     /// Acceleration of a base, m/s^2.
     Base(String),
 }
 
-/// How one output is read from a state.
+/// Method of reading one output from a state.
 enum OutputReader {
     State {
         row: Vec<f64>,
@@ -46,9 +47,9 @@ enum OutputReader {
     Base,
 }
 
-/// Each output at ascending times of a record of a march of `spec`, one row for each output.
+/// Computes each output at ascending times of the record of a run of `spec`, one row per output.
 ///
-/// A point that is not there reads 0: names are checked where they are given.
+/// An unknown point reads 0: the caller checks names.
 pub fn outputs(
     spec: &Spec,
     kernel: &Kernel,
@@ -155,7 +156,7 @@ fn size(wave: &jounce::drive::Wave, time_s: f64) -> f64 {
     wave.piece(wave.index_at(time_s)).size_at(time_s)
 }
 
-/// What moves a base: sinusoids, and numbers of signals.
+/// Base motion: sinusoids, and indices of signals.
 struct BaseMotion {
     /// Acceleration (m/s^2, peak), frequency (Hz), angle at time 0.
     tones: Vec<(f64, f64, f64)>,
@@ -163,7 +164,7 @@ struct BaseMotion {
 }
 
 impl BaseMotion {
-    /// The base that an acceleration comes on top of.
+    /// Returns the base whose acceleration is added.
     fn under(spec: &Spec, plant: &Plant, output: &SensorOutput) -> Option<Self> {
         let base = match output {
             SensorOutput::Acceleration(point) => spec.base_under(point),
@@ -172,7 +173,7 @@ impl BaseMotion {
             | SensorOutput::LoadVoltage(_)
             | SensorOutput::StopForce(_) => return None,
         };
-        // The plant knows at which angle its march begins.
+        // The plant contains the initial angle of its run.
         let tones = plant
             .system
             .drives

@@ -1,11 +1,12 @@
-//! A model beside a record: at its drive and load, and on one of its solutions.
+//! Adapts a model to a record: its drive and load, and one of its solutions as the start.
 
 use jounce::run::StartState;
 use jounce::spec::{DriveSignal, Spec};
 
 use super::{Solution, SolutionError};
 
-/// Puts a model to the drive frequency of a record, and to its load where that is known: `load` names the circuit, by default the first.
+/// Sets the drive frequency of a model as in a record, and its load if known: `load` names the
+/// circuit, by default the first.
 pub fn as_recorded(
     spec: &mut Spec,
     drive_hz: f64,
@@ -26,10 +27,10 @@ pub fn as_recorded(
     }
 }
 
-/// The state to start from on the solution of that id.
+/// Returns the initial state on the solution of an id.
 ///
 /// # Errors
-/// An id that no solution has, a solution without an orbit.
+/// An id without solution, a solution without an orbit.
 pub fn start_of(found: &[Solution], id: &str) -> Result<StartState, SolutionError> {
     let start = found
         .iter()

@@ -1,4 +1,4 @@
-//! The voltage of an orbit as a Fourier series.
+//! Voltage of an orbit as a Fourier series.
 
 use faer::c64;
 use jounce::integrate::Kernel;
@@ -8,22 +8,22 @@ use std::f64::consts::TAU;
 
 use super::{SensorOutput, outputs};
 
-/// Highest order of the drive that is looked at.
+/// Highest drive order used.
 pub const MAX_ORDER: u32 = 8;
-/// Samples of a drive cycle: what lies beyond order 56 is folded back.
+/// Samples per drive cycle: orders above 56 are aliased.
 const SAMPLES_PER_CYCLE: u32 = 64;
 
-/// A periodic voltage.
+/// Periodic voltage.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Waveform {
     /// Drive cycles of its period.
     pub period_cycles: u32,
-    /// Line `k` is that of order `(k + 1) / period_cycles`, V peak, up to order [`MAX_ORDER`].
+    /// Line `k` has the order `(k + 1) / period_cycles`, V peak, up to order [`MAX_ORDER`].
     pub lines_v: Vec<c64>,
 }
 
 impl Waveform {
-    /// Marches one period from a state on the orbit and transforms the voltage over a load.
+    /// Integrates one period from a state on the orbit and transforms the voltage across a load.
     ///
     /// # Errors
     /// [`RunError`].
@@ -47,7 +47,7 @@ impl Waveform {
         let times_s: Vec<f64> = (0..count)
             .map(|k| period_s * k as f64 / count as f64)
             .collect();
-        // No output of the ground is read: an empty spec has nothing that moves it.
+        // Only outputs of the structure are read, so an empty spec without base motion suffices.
         let voltage = outputs(
             &Spec::default(),
             kernel,
@@ -64,7 +64,7 @@ impl Waveform {
         })
     }
 
-    /// The line of an order `of / cycles`; 0 where the waveform has none there.
+    /// Line of order `of / cycles`; 0 where the waveform has no such line.
     pub fn at(&self, of: u32, cycles: u32) -> c64 {
         let place = of * self.period_cycles;
         if !place.is_multiple_of(cycles) || place == 0 {
@@ -77,7 +77,7 @@ impl Waveform {
     }
 }
 
-/// Line number `k` of a whole period.
+/// Line `k` of a complete period.
 fn line(samples: &[f64], k: usize) -> c64 {
     let turn = |(n, x): (usize, &f64)| {
         c64::cis(-TAU * ((k * n) % samples.len()) as f64 / samples.len() as f64) * *x

@@ -1,11 +1,11 @@
-//! Power spectral density after Welch.
+//! Power spectral density by Welch's method.
 
 use jounce::integrate::Control;
 use jounce::signal::{Samples, Window};
 
 use super::{Segments, SpectralError};
 
-/// A one-sided power spectral density: its integral over frequency is the variance.
+/// One-sided power spectral density: its integral over frequency is the variance.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Density {
     /// Frequency of each line, Hz.
@@ -14,13 +14,13 @@ pub struct Density {
     pub density: Vec<f64>,
     /// Number of segments averaged.
     pub segments: usize,
-    /// Distance of the lines, Hz.
+    /// Line spacing, Hz.
     pub resolution_hz: f64,
-    /// The mean of the whole record, taken away before.
+    /// Mean of the complete record, subtracted before.
     pub mean: f64,
 }
 
-/// The unit of a density of what has a unit: `V^2/Hz`, `(m/s^2)^2/Hz`, `1/Hz`.
+/// Unit of the density of a quantity with unit: `V^2/Hz`, `(m/s^2)^2/Hz`, `1/Hz`.
 pub fn density_unit(unit: &str) -> String {
     match unit {
         "" => "1/Hz".to_owned(),
@@ -30,7 +30,8 @@ pub fn density_unit(unit: &str) -> String {
 }
 
 impl Density {
-    /// `S(f_k) = c_k / (r sum w^2) mean |X_k|^2`, `c_k = 2` but 1 at zero and half the rate; the record's mean is taken away first.
+    /// Computes `S(f_k) = c_k / (r sum w^2) mean |X_k|^2`, `c_k = 2` but 1 at zero and half the
+    /// rate, after subtracting the mean of the record.
     ///
     /// # Errors
     /// A segment longer than the record.
@@ -38,10 +39,10 @@ impl Density {
         Self::welch_watched(samples, segments, &Control::default())
     }
 
-    /// The same under a control, which is looked at before each segment.
+    /// Computes the density with a cancellation check before each segment.
     ///
     /// # Errors
-    /// As [`Density::welch`], and [`SpectralError::Stopped`].
+    /// Those of [`Density::welch`], and [`SpectralError::Stopped`].
     pub fn welch_watched(
         samples: &Samples<'_>,
         segments: &Segments,
@@ -89,7 +90,7 @@ impl Density {
 }
 
 impl Segments {
-    /// Segments that suit a record: an eighth of it, Hann, half overlapping.
+    /// Returns default segments for a record: an eighth of it, Hann, half overlapping.
     ///
     /// # Errors
     /// A record of fewer than 8 samples.

@@ -1,15 +1,17 @@
-//! Peaks of a density, without those that its window makes.
+//! Peaks of a density, without side lobes of its window.
 //!
-//! A tone of the density `S` leaks `S |W(d)|^2 / |W(0)|^2` to a line `d` lines away, `W` the transform of the window. A maximum below what any
-//! higher peak, or its mirror image at a negative frequency, may leak to it is a side lobe. A maximum that hardly rises above the lowest line between it and a higher one is scatter: the logarithm
-//! of a line that is averaged over `n` segments scatters by `1 / sqrt(n)`, up at the maximum as down at the lowest line.
+//! A tone of the density `S` leaks `S |W(d)|^2 / |W(0)|^2` to a line `d` lines away, where `W` is
+//! the transform of the window. A maximum below the possible leakage of any higher peak, or of its
+//! mirror image at a negative frequency, is a side lobe. A maximum that hardly exceeds the lowest
+//! line between it and a higher one is scatter. The logarithm of a line averaged over `n` segments
+//! scatters by `1 / sqrt(n)`, upwards at the maximum and downwards at the lowest line.
 
 use realfft::RealFftPlanner;
 use serde::Serialize;
 
 use super::{Density, Segments, Spectra};
 
-/// A peak of a density.
+/// Peak of a density.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct DensityPeak {
     /// Frequency of its line, Hz.
@@ -18,13 +20,13 @@ pub struct DensityPeak {
     pub density: f64,
 }
 
-/// Values of the transform of a window for each line.
+/// Values per line of the transform of a window.
 const VALUES_PER_LINE: usize = 8;
-/// Deviations of a line that scatter alone does not exceed.
+/// Number of standard deviations of a line that scatter alone does not exceed.
 const SCATTER_DEVIATIONS: f64 = 4.0;
 
 impl Spectra {
-    /// So many peaks at most, the highest first.
+    /// Returns at most `most` peaks, the highest first.
     pub fn peaks(&self, most: usize) -> Vec<DensityPeak> {
         peaks(&self.density, &self.segments, most)
     }
@@ -47,11 +49,12 @@ fn peaks(density: &Density, segments: &Segments, most: usize) -> Vec<DensityPeak
                 .iter()
                 .copied()
                 .fold(f64::INFINITY, f64::min);
-            // What the peak leaks from where it is, from its mirror image beyond 0 or half the rate, and the scatter may add up in phase.
+            // Leakage from the peak, from its mirror image beyond 0 or half the rate, and the
+            // scatter may add up in phase.
             let image = (k + higher).min(2 * (s.len() - 1) - k - higher);
             let leak = |lines: usize| leaks[lines.min(leaks.len() - 1)];
             let leaked = [k.abs_diff(*higher), image].map(|lines| s[*higher] * leak(lines));
-            // Beside 0 a line and its own mirror image are one.
+            // Near 0 a line and its mirror image coincide.
             let own = s[k] * leak((2 * k).min(2 * (s.len() - 1 - k)));
             let most = leaked
                 .into_iter()
@@ -76,7 +79,8 @@ fn peaks(density: &Density, segments: &Segments, most: usize) -> Vec<DensityPeak
         .collect()
 }
 
-/// The most that a tone leaks to a line so many lines away, over its own line: wherever it lies between two lines, and beyond too.
+/// Maximum leakage of a tone to a line a number of lines away, relative to its own line, for any
+/// position between two lines.
 fn leakage(weights: &[f64]) -> Vec<f64> {
     let mut padded = weights.to_vec();
     padded.resize(VALUES_PER_LINE * weights.len(), 0.0);
@@ -130,8 +134,9 @@ mod tests {
             .collect()
     }
 
-    /// Tones between two lines, the smaller one 40 dB below and 37 lines away: two peaks, the larger first, under every window that leaks less
-    /// than that; the side lobes of a rectangular one, which reach -37 dB there, hide it.
+    /// Tones between two lines, the smaller one 40 dB below and 37 lines away: two peaks, the
+    /// larger first, under every window with less leakage; the side lobes of a rectangular one, -37
+    /// dB there, hide it.
     #[test]
     fn tones_are_peaks_by_height_and_side_lobes_none() {
         let tones =
@@ -154,7 +159,7 @@ mod tests {
         );
     }
 
-    /// The scatter of white noise is no row of peaks.
+    /// The scatter of white noise does not produce a series of peaks.
     #[test]
     fn scatter_is_no_peak_beside_a_higher_one() {
         let noise = found(|_, n| n, Window::Hann);

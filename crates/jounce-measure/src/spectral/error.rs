@@ -1,51 +1,52 @@
-//! What cannot be asked of a spectrum.
+//! Errors of spectral analysis.
 
 use jounce::signal::SignalError;
 
-/// A question that the samples cannot answer.
+/// Error of a spectral analysis.
 #[derive(Debug, Clone, PartialEq, thiserror::Error, serde::Serialize)]
 #[serde(untagged)]
 pub enum SpectralError {
-    /// The samples are no signal.
+    /// The samples are not a valid signal.
     #[error(transparent)]
     Signal(#[from] SignalError),
-    /// A channel that never moves.
+    /// A channel is constant.
     #[error(
         "all {samples} samples of {channel} are {value}: there is no signal; is it the right channel, and was its sensor connected?"
     )]
     Constant {
         /// The channel.
         channel: String,
-        /// Its samples.
+        /// Number of its samples.
         samples: usize,
-        /// What they all are.
+        /// Value of all samples.
         value: f64,
     },
-    /// A segment that does not fit.
+    /// A segment does not fit into the record.
     #[error(
         "segments of {segment} samples cannot be cut from {samples}; give a length of 8 to {samples} samples"
     )]
     Segment {
-        /// Length asked for.
+        /// Requested length.
         segment: usize,
         /// Length of the record.
         samples: usize,
     },
-    /// Fewer samples than a segment has at least.
+    /// There are fewer samples than the minimum of a segment.
     #[error(
-        "{samples} samples are too few for a spectrum: a segment, and so the record, has 8 samples at least"
+        "{samples} samples are too few for a spectrum: a segment, and therefore the record, needs \
+        at least 8 samples"
     )]
     Few {
         /// Samples of the segment, or of the record.
         samples: usize,
     },
-    /// An overlap outside its range.
-    #[error("an overlap of {overlap} makes no sense; give a share of the segment from 0 to 0.95")]
+    /// The overlap is out of range.
+    #[error("the overlap is {overlap}; give a share of the segment from 0 to 0.95")]
     Overlap {
-        /// What was asked for.
+        /// Requested overlap.
         overlap: f64,
     },
-    /// Two signals of unequal length.
+    /// Two signals have unequal lengths.
     #[error("the force has {force} samples and the response {response}; they must be equally long")]
     Lengths {
         /// Samples of the input.
@@ -53,7 +54,7 @@ pub enum SpectralError {
         /// Samples of the output.
         response: usize,
     },
-    /// Records of unequal rate.
+    /// Records have unequal rates.
     #[error(
         "one record was sampled at {first_hz} Hz and another at {other_hz} Hz; all must have one rate"
     )]
@@ -63,10 +64,10 @@ pub enum SpectralError {
         /// Rate of the other, Hz.
         other_hz: f64,
     },
-    /// Nothing was averaged.
+    /// No block was averaged.
     #[error("no block was averaged; at least one is needed, two for a coherence")]
     Nothing,
-    /// A record without a hit.
+    /// The record contains no hit.
     #[error(
         "no hit: the largest force is {largest_n:.4} N against a noise of {noise_n:.4} N; is this the channel of the hammer?"
     )]
@@ -76,13 +77,13 @@ pub enum SpectralError {
         /// Noise of the record, N.
         noise_n: f64,
     },
-    /// A window of hits on a force that goes on.
+    /// A window for hits was requested for a continuous force.
     #[error(
-        "the force goes on, as a shaker's does: a force window or an exponential window belongs to hits; leave them away, a block is weighed by a \
-         Hann window"
+        "the force is continuous, as a shaker's: a force window or an exponential window is for \
+        hits; omit them, a block has a Hann window"
     )]
     HitWindow,
-    /// A record too short for an interval.
+    /// The record is too short for an interval.
     #[error(
         "{samples} samples are too few for a mean with an interval; at least {needed} are needed"
     )]
@@ -92,7 +93,7 @@ pub enum SpectralError {
         /// Samples needed.
         needed: usize,
     },
-    /// Stopped by its control.
+    /// Cancelled.
     #[error("stopped")]
     Stopped,
 }

@@ -1,18 +1,18 @@
-//! Hits of an impact hammer in a record of force.
+//! Hits of an impact hammer in a force record.
 
 use jounce::signal::Samples;
 use serde::Serialize;
 
 use super::SpectralError;
 
-/// How hits are looked for.
+/// Settings of the search for hits.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HitSearch {
-    /// A hit rises above this share of the largest force of the record.
+    /// Threshold of a hit, relative to the peak force of the record.
     pub trigger: f64,
-    /// A pulse lasts while the force is above this share of its own peak.
+    /// Threshold of the start and end of a pulse, relative to its peak.
     pub edge: f64,
-    /// A second pulse above this share of the first, within `apart_s` of it, makes a double hit.
+    /// Threshold of a second pulse relative to the first, within `apart_s` of it, for a double hit.
     pub double: f64,
     /// Pulses closer than this are one hit, s.
     pub apart_s: f64,
@@ -29,26 +29,26 @@ impl Default for HitSearch {
     }
 }
 
-/// One hit.
+/// Hit of a hammer.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Hit {
     /// First sample of the pulse.
     pub start: usize,
-    /// Sample of the largest force.
+    /// Sample of the peak force.
     pub peak: usize,
     /// Sample after the pulse.
     pub end: usize,
-    /// Largest force, N.
+    /// Peak force, N.
     pub peak_force_n: f64,
-    /// Time above the edge share of the peak, with straight lines between samples, s.
+    /// Time above the edge threshold, interpolated linearly between samples, s.
     pub contact_time_s: f64,
     /// Integral of the force over the pulse, N s.
     pub impulse_n_s: f64,
-    /// What is wrong with it.
+    /// Faults of the hit.
     pub warnings: Vec<HitWarning>,
 }
 
-/// What can be wrong with a hit.
+/// Fault of a hit.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum HitWarning {
@@ -56,29 +56,30 @@ pub enum HitWarning {
     Double {
         /// Time to the second peak, s.
         after_s: f64,
-        /// Its force, N.
+        /// Force of the second peak, N.
         force_n: f64,
     },
-    /// Flat at the top: the amplifier was at its end.
+    /// The top is flat: the amplifier was saturated.
     Clipped {
         /// Equal samples at the top.
         samples: usize,
     },
-    /// Too few samples in the pulse for its shape.
+    /// The pulse has too few samples for its shape.
     Coarse {
         /// Samples above the edge.
         samples: usize,
     },
     /// The record begins or ends within the pulse.
     Cut,
-    /// A response moves before the hit: the structure still rings from the hit before, or a hum is on the line.
+    /// A response moves before the hit: the structure still rings from the previous hit, or there
+    /// is hum on the line.
     Ringing {
-        /// Rms before the hit over that of the block.
+        /// RMS before the hit relative to the RMS of the block.
         share: f64,
     },
 }
 
-/// What stands behind "the hit": the fault with its numbers.
+/// Text after "the hit": the fault with its numbers.
 impl std::fmt::Display for HitWarning {
     fn fmt(&self, to: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
@@ -88,25 +89,25 @@ impl std::fmt::Display for HitWarning {
             Self::Clipped { samples } => {
                 write!(to, "is clipped: {samples} equal samples at the top")
             }
-            Self::Coarse { samples } => write!(to, "is coarse: {samples} samples only"),
-            Self::Cut => write!(to, "is cut by the record's end"),
+            Self::Coarse { samples } => write!(to, "is coarse: only {samples} samples"),
+            Self::Cut => write!(to, "is truncated by the end of the record"),
             Self::Ringing { share } => write!(
                 to,
-                "comes while a response still moves, with {share:.4} of its rms in the block: wait longer between hits, or strike once in each \
-                 recording"
+                "occurs while a response still moves, with {share:.4} of its rms in the block: \
+                wait longer between hits, or strike once per recording"
             ),
         }
     }
 }
 
-/// Fewer samples than this do not tell the shape of a pulse.
+/// Minimum number of samples for the shape of a pulse.
 const MIN_PULSE_SAMPLES: usize = 4;
-/// A force this many times the noise is a hit.
+/// Ratio to the noise above which a force is a hit.
 const MIN_NOISE_RATIO: f64 = 8.0;
-/// Equal samples at the top from this many on are a flat top.
+/// Minimum number of equal samples at the top that are a flat top.
 const MIN_FLAT_SAMPLES: usize = 3;
 
-/// Every hit in a record of force, compression positive.
+/// Detects all hits in a force record, compression positive.
 ///
 /// # Errors
 /// A record without a force above its noise.
@@ -145,14 +146,15 @@ pub fn hits(force: &Samples<'_>, search: HitSearch) -> Result<Vec<Hit>, Spectral
     Ok(found)
 }
 
-/// Median of the sizes, over the one of a normal number: a hit or its ringing does not move it much.
+/// Noise from the median of the absolute values, scaled for a normal distribution: a hit or its
+/// ringing hardly affects it.
 fn noise(values: &[f64]) -> f64 {
     let mut sizes: Vec<f64> = values.iter().map(|x| x.abs()).collect();
     let middle = sizes.len() / 2;
     *sizes.select_nth_unstable_by(middle, f64::total_cmp).1 / 0.674_489_75
 }
 
-/// First sample, peak and end of every stretch above the edge of its own peak.
+/// First sample, peak and end of every interval above the edge of its own peak.
 fn pulses(
     values: &[f64],
     search: HitSearch,
@@ -177,8 +179,9 @@ fn pulses(
     found
 }
 
-/// First sample, highest one and end of the pulse that some samples belong to. Noise may let a rise cross the floor more than once: the highest
-/// sample up to the end is taken until there is no higher one.
+/// First sample, maximum and end of the pulse that contains given samples. Noise may cross the
+/// threshold several times during a rise, so the maximum up to the end is updated until it does not
+/// change.
 fn pulse(
     values: &[f64],
     (first, last): (usize, usize),
@@ -213,7 +216,7 @@ fn hit(force: &Samples<'_>, search: HitSearch, start: usize, peak: usize, end: u
     let edge = search.edge * values[peak];
     let first = (0..peak).rev().find(|i| values[*i] < edge);
     let last = (peak..values.len()).find(|i| values[*i] < edge);
-    // Straight lines between the samples on both sides of the edge.
+    // Interpolate linearly between the samples on both sides of the edge.
     let rise = first.map_or(0.0, |i| {
         i as f64 + (edge - values[i]) / (values[i + 1] - values[i])
     });
@@ -319,8 +322,9 @@ mod tests {
         );
     }
 
-    /// A slow rise under noise of 2 % of the peak crosses the floor many times: the pulse is found whole in each of 40 records, its peak within
-    /// four deviations of the noise and its time within 15 % of that of the half sine.
+    /// A slow rise under noise of 2 % of the peak crosses the threshold many times: the complete
+    /// pulse is found in each of 40 records, its peak within four deviations of the noise and its
+    /// time within 15 % of the half sine.
     #[test]
     fn a_noisy_slow_pulse_is_found() {
         let time = 5e-3 * (1.0 - 2.0 * 0.1_f64.asin() / PI);

@@ -1,4 +1,5 @@
-//! Frequency responses of a hammer test: one block for each hit. Where the force goes on instead, blocks of a shaker test.
+//! Frequency responses of a hammer test, one block per hit, or of a shaker test if the force is
+//! continuous.
 
 use jounce::signal::{Samples, Window};
 use realfft::num_complex::Complex;
@@ -11,19 +12,21 @@ use super::{
     WindowBias, exponential_window, force_window, hits,
 };
 
-/// How the blocks are cut and weighed.
+/// Settings for cutting and windowing the blocks.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ImpactSettings {
-    /// Which noise is thought of.
+    /// Estimator, by the assumed noise.
     pub estimator: Estimator,
-    /// Length of a block, s; by default a whole record where it holds one hit, else the shortest distance of two hits; an eighth of the
-    /// shortest record where the force goes on, the whole of it where it sweeps.
+    /// Length of a block, s. Default for hits: the complete record if it contains one hit, else the
+    /// shortest distance between hits. Default for a continuous force: an eighth of the shortest
+    /// record, or all of it for a sweep.
     pub block_s: Option<f64>,
-    /// Takes away the force after the hit, which is noise.
+    /// Sets the force after the hit, which is noise, to zero.
     pub force_window: bool,
-    /// An exponential window on force and responses that ends at this ratio, where a response does not die within the block.
+    /// Final value of an exponential window on force and responses, for responses that do not decay
+    /// within the block.
     pub end_ratio: Option<f64>,
-    /// Takes the force for that of a shaker, whatever it looks like; by default one that goes on, both ways, is.
+    /// Treats the force as a shaker's; by default only a continuous force of both signs is.
     pub shaker: bool,
 }
 
@@ -39,51 +42,53 @@ impl Default for ImpactSettings {
     }
 }
 
-/// One record of a hammer test: the force, and responses of as many samples.
+/// Record of a hammer test: the force, and responses of equal length.
 #[derive(Debug, Clone)]
 pub struct ImpactRecord<'a> {
     /// Force of the hammer, compression positive.
     pub force: Samples<'a>,
-    /// The responses.
+    /// Responses.
     pub responses: Vec<Samples<'a>>,
 }
 
-/// A hit and the record that it stands in.
+/// Hit with its record.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ImpactHit {
-    /// Number of the record, from 0.
+    /// Index of the record, from 0.
     pub record: usize,
-    /// The hit.
+    /// Hit.
     #[serde(flatten)]
     pub hit: Hit,
-    /// False where its block would reach beyond the record, so that it was left out.
+    /// False where its block would extend beyond the record, so that it was left out.
     pub used: bool,
 }
 
-/// The responses of a hammer test.
+/// Responses of a hammer test.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ImpactResponses {
     /// One response function for each response.
     pub responses: Vec<FrequencyResponse>,
-    /// Every hit that was found; none where the force goes on.
+    /// All detected hits; empty for a continuous force.
     pub hits: Vec<ImpactHit>,
-    /// True for a force that goes on as a sweep.
+    /// True for a sweep.
     pub swept: bool,
     /// Length of a block, s.
     pub block_s: f64,
-    /// Damping that the exponential window adds to every mode, 1/s: the damping ratio of a mode at `w` rad/s is too high by this over `w`.
+    /// Damping that the exponential window adds to every mode, 1/s: the damping ratio of a mode at
+    /// `w` rad/s is too high by this over `w`.
     pub window_decay_per_s: f64,
 }
 
-/// Share of a block that lies before its hit.
+/// Share of a block before its hit.
 const PRE_TRIGGER_SHARE: f64 = 0.01;
-/// Length of the slope of the force window over that of the pulse.
+/// Length of the slope of the force window relative to the pulse.
 const WINDOW_SLOPE_RATIO: f64 = 1.0;
 
-/// Averages the blocks of all hits of all records, or, where the force goes on, all their blocks.
+/// Averages the blocks of all hits of all records, or all blocks of a continuous force.
 ///
 /// # Errors
-/// No record, records of unequal rate or number of responses, one without a hit, a block longer than its record.
+/// No record, records of unequal rate or number of responses, one without a hit, a block longer
+/// than its record.
 pub fn impact(
     records: &[ImpactRecord<'_>],
     settings: &ImpactSettings,
@@ -186,7 +191,8 @@ pub fn impact(
     })
 }
 
-/// A whole record where each holds one hit, else the shortest distance of two hits or of the last one to the end.
+/// Complete record if each contains one hit, else the shortest distance between hits or from the
+/// last one to the end.
 fn usual(records: &[ImpactRecord<'_>], found: &[Vec<Hit>]) -> usize {
     let lengths = || records.iter().map(|record| record.force.values().len());
     if found.iter().all(|hits| hits.len() == 1) {
@@ -199,7 +205,7 @@ fn usual(records: &[ImpactRecord<'_>], found: &[Vec<Hit>]) -> usize {
             .map(|pair| pair[1] - pair[0])
             .collect::<Vec<_>>()
     };
-    // What lies before a hit is taken from the distance to the hit before.
+    // The part before a hit shortens the distance to the previous hit.
     found
         .iter()
         .zip(lengths())
@@ -255,7 +261,8 @@ mod tests {
         force
     }
 
-    /// An oscillator at 40 Hz whose response dies within a block comes out at every line below 170 Hz; measured 1.3e-12 of its peak.
+    /// An oscillator at 40 Hz whose response decays within a block is identified at every line
+    /// below 170 Hz; measured 1.3e-12 of its peak.
     #[test]
     fn hits_in_a_row_give_the_response_of_the_system() {
         let oscillator = Oscillator::new(40.0, 0.05, RATE);
@@ -281,7 +288,8 @@ mod tests {
         assert!(answer.coherence[100] > 1.0 - 1e-9);
     }
 
-    /// Two hits before the structure is quiet: told for the second one, whether or not there is noise; noise alone is not told.
+    /// Two hits before the structure is quiet: reported for the second one, with and without noise;
+    /// noise alone is not reported.
     #[test]
     fn a_structure_that_still_rings_is_told() {
         let mut stream = jounce::drive::RandomStream::new(5, 0);
@@ -328,8 +336,8 @@ mod tests {
         }
     }
 
-    /// A response that outlives its block: the exponential window adds its decay to the damping, and says so. Measured 1.1 %: the line
-    /// nearest to the peak is beside it.
+    /// A response that is longer than its block: the exponential window adds its decay to the
+    /// damping and returns it. Measured 1.1 %: the nearest line is not at the peak.
     #[test]
     fn an_exponential_window_tells_the_damping_that_it_adds() {
         let oscillator = Oscillator::new(40.0, 0.001, RATE);

@@ -1,47 +1,49 @@
-//! How well the mean of a row of values is known that remember one another.
+//! Uncertainty of the mean of a correlated series.
 //!
-//! The spectral density of the row at zero frequency is that of the autoregressive process that fits it (Burg's recursion, the order by
-//! Schwarz's criterion):
+//! The spectral density of the series at zero frequency is taken from a fitted autoregressive
+//! process (Burg's recursion, the order by Schwarz's criterion):
 //!
 //! ```text
 //! var(mean) = S(0) / M,   S(0) = s^2 / (1 + a_1 + ... + a_m)^2,   n = M var(y) / S(0)
 //! ```
 //!
-//! with `M` values worth `n` independent ones. The logarithm of `S(0)` is too low by about `4 / n`, since the deviations are from the row's own
-//! mean and the coefficients are fitted, and its own variance is about `4 / n`, so that it has `n / 2` degrees of freedom. That holds for
-//! many independent values; for few, powers are skewed besides, a low mean coming with a low spread: there twice the correction and `0.3 n` degrees of
-//! freedom make intervals of what they say.
+//! with `M` values equivalent to `n` independent ones. The logarithm of `S(0)` is too low by about
+//! `4 / n`, because the deviations are from the sample mean and the coefficients are fitted. Its
+//! own variance is about `4 / n`, so it has `n / 2` degrees of freedom. That holds for many
+//! independent values. For few, powers are also skewed, and a low mean comes with a low spread:
+//! there twice the correction and `0.3 n` degrees of freedom give the nominal coverage.
 //!
-//! Source: J. Burg, Maximum entropy spectral analysis, Stanford (1975); C. Chatfield, The Analysis of Time Series (2003), section 4.2 (bias of
-//! fitted coefficients).
+//! Source: J. Burg, Maximum entropy spectral analysis, Stanford (1975); C. Chatfield, The Analysis
+//! of Time Series (2003), section 4.2 (bias of fitted coefficients).
 
 use super::student_95;
 
-/// Highest order of the process.
+/// Maximum order of the process.
 const MAX_ORDER: usize = 6;
-/// Bias of the logarithm of the density at zero, times the number of independent values; and what is taken for intervals.
+/// Bias of the logarithm of the density at zero, times the number of independent values, as used
+/// for intervals.
 const BIAS_FACTOR: f64 = 4.0;
 const CAUTION_FACTOR: f64 = 8.0;
-/// Degrees of freedom of the density for each independent value, and the fewest.
+/// Degrees of freedom of the density per independent value, and the minimum.
 const FREEDOM_PER_VALUE: f64 = 0.3;
 const MIN_FREEDOM: f64 = 2.0;
-/// Independent values below which corrections grow no further.
+/// Number of independent values below which corrections do not grow.
 const MIN_INDEPENDENT_VALUES: f64 = 3.0;
-/// A process that leaves no more than this share of the variance is periodic, and higher orders would take
-/// up what the row's own mean has left at zero.
+/// Share of the variance below which the residual of a process indicates a periodic series: higher
+/// orders would fit the remainder of the sample mean at zero.
 const PERIODIC_VARIANCE_SHARE: f64 = 1e-3;
 
-/// What a row of values is worth.
+/// Information content of a series.
 pub(super) struct LongRunVariance {
-    /// Independent values.
+    /// Number of independent values.
     pub effective: f64,
     /// Variance of one value.
     pub variance: f64,
-    /// Half the width of an interval of 95 % of the mean, before skewness.
+    /// Half-width of the 95 % confidence interval of the mean, before skewness.
     pub half_width: f64,
 }
 
-/// Of values about their own mean.
+/// Computes the uncertainty of values about their mean.
 pub(super) fn long_run(values: &[f64]) -> LongRunVariance {
     let count = values.len() as f64;
     let middle = values.iter().sum::<f64>() / count;
@@ -66,7 +68,7 @@ pub(super) fn long_run(values: &[f64]) -> LongRunVariance {
     }
 }
 
-/// Of the autoregressive process of the order whose cost is least.
+/// Density of the autoregressive process of optimal order.
 fn density_at_zero(row: &[f64], variance: f64) -> f64 {
     let count = row.len() as f64;
     let (mut forward, mut backward) = (row.to_vec(), row.to_vec());
@@ -104,7 +106,8 @@ mod tests {
     use super::*;
     use jounce::drive::RandomStream;
 
-    /// `x_k = 0.8 x_k-1 + e_k`: `n = M (1 - 0.8) / (1 + 0.8)`. On the average of 200 rows of 900 values, worth 100: measured 99.
+    /// `x_k = 0.8 x_k-1 + e_k`: `n = M (1 - 0.8) / (1 + 0.8)`. Average of 200 series of 900 values,
+    /// equivalent to 100: measured 99.
     #[test]
     fn a_row_that_remembers_is_worth_what_its_process_says() {
         let row = |seed: u64| {

@@ -1,25 +1,28 @@
-//! Mean power with an interval that respects correlation.
+//! Mean power with a confidence interval that accounts for correlation.
 //!
-//! The record of power is cut into 16 batches; the interval is Student's over their means (batch means, Law and Kelton). It is right where
-//! a batch is much longer than the memory of the power: where neighbouring batches are still correlated, 8 longer ones are taken, and where
-//! those are too, that is told.
+//! The power record is divided into 16 batches; the interval is Student's over their means (batch
+//! means, Law and Kelton). It is valid if a batch is much longer than the correlation time of the
+//! power. If neighbouring batches are still correlated, 8 longer ones are used; if these are too, a
+//! flag is set.
 //!
-//! A memory that is not short beside the record itself hides from the correlation of few batches. How many independent values the record is worth
-//! is told by the autoregressive process that fits 256 means in a row (the samples themselves where these are fewer); where these are fewer
-//! than 128, the interval rests on that process if that is the wider one, and where they are fewer than 12, it is a rough one, which is told.
-//! A power that is low by chance has a small spread too, so that an interval in proportion to the mean would be as wide above it as below. The
-//! mean of the square of a normal voltage goes like `chi^2 / n`, and with the relative half width `h = 1.96 sqrt(2 / n)` of the symmetric interval
-//! the upper end of the one for its expectation is, in the cube-root form of that distribution (Wilson and Hilferty),
+//! A correlation time comparable to the record length does not appear in the correlation of few
+//! batches. The number of independent values is therefore estimated from the autoregressive process
+//! fitted to 256 consecutive means (or to the samples if there are fewer). Below 128 independent
+//! values, the wider of the two intervals is used. Below 12, the interval is rough and a flag is
+//! set. A power that is low by chance also has a small spread, so that an interval proportional to
+//! the mean would be as wide above it as below. The mean of the square of a normal voltage is
+//! distributed as `chi^2 / n`. With the relative half-width `h = 1.96 sqrt(2 / n)` of the symmetric
+//! interval, the upper end of the one for its expectation is, in the cube-root form of that
+//! distribution (Wilson and Hilferty),
 //!
 //! ```text
 //! mean / (1 - h / 3 - h^2 / (9 1.96^2))^3 = mean (1 + h + (2/3 + 1 / (3 1.96^2)) h^2 + ..)
 //! ```
 //!
-//! The interval is widened to reach that far on both sides, in proportion where `h` is above one: then the record is worth fewer than eight
-//! independent values, and the series is of no use.
+//! The interval is widened to reach that far on both sides, in proportion where `h` is above one:
+//! then there are fewer than eight independent values, and the series is invalid.
 //!
-//! A mean of the voltage is no power that the source delivers through a coupling capacitor, so that what is done with it is an option: kept,
-//! or taken away.
+//! A coupling capacitor blocks the mean of the voltage, so the mean may be retained or subtracted.
 
 use jounce::signal::Samples;
 use serde::Serialize;
@@ -27,42 +30,46 @@ use serde::Serialize;
 use super::SpectralError;
 use super::long_run_variance::long_run;
 
-/// A mean power with its interval of 95 %.
+/// Mean power with its 95 % confidence interval.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct MeanPower {
     /// Mean power, W.
     pub mean_power_w: f64,
-    /// Half the width of its interval of 95 %, W.
+    /// Half-width of its 95 % confidence interval, W.
     pub half_width_w: f64,
-    /// Batches that the interval rests on.
+    /// Batches used for the interval.
     pub batches: usize,
-    /// Correlation of a batch with the next one: near 0 where the interval is right.
+    /// Correlation between consecutive batches: near 0 for a valid interval.
     pub batch_correlation: f64,
-    /// Independent values that the record is worth, 256 at most.
+    /// Number of independent values in the record, 256 at most.
     pub effective_samples: f64,
-    /// True where the record is worth fewer than 12 independent values, or its batches are correlated: it is too short, and the interval may
-    /// be too narrow.
+    /// True for fewer than 12 independent values or correlated batches: the record is too short,
+    /// and the interval may be too narrow.
     pub correlated: bool,
     /// Mean of the voltage over the record, V.
     pub mean_voltage_v: f64,
 }
 
-/// Numbers of batches, each with the quantile of Student's distribution for a two-sided interval of 95 % (Abramowitz and Stegun, table 26.10).
+/// Numbers of batches, each with the quantile of Student's distribution for a two-sided interval of
+/// 95 % (Abramowitz and Stegun, table 26.10).
 const BATCHES: [(usize, f64); 2] = [(16, 2.131_450), (8, 2.364_624)];
-/// Means that tell the memory, and the independent values that are enough for an interval.
+/// Number of means for the correlation time, and the minimum number of independent values of an
+/// interval.
 const MEMORY_MEANS: usize = 256;
 const MIN_INDEPENDENT_VALUES: f64 = 12.0;
-/// So many need no interval of their own.
+/// Number of independent values above which batch means suffice.
 const MANY_INDEPENDENT_VALUES: f64 = 128.0;
-/// Share of the square of the relative half width by which it grows: `2/3 + 1 / (3 1.96^2)`.
+/// Coefficient of the squared relative half-width in its increase: `2/3 + 1 / (3 1.96^2)`.
 const SKEW_FACTOR: f64 = 0.753_4;
 const POWER_ROUNDOFF: f64 = 1e-9;
-/// Samples of a batch at least.
+/// Minimum number of samples of a batch.
 const MIN_BATCH_SAMPLES: usize = 4;
-/// A correlation of neighbours beyond this many standard deviations (1/sqrt of their number) is one: 5 % on one side.
+/// Significance limit of the correlation of neighbours, in standard deviations (1/sqrt of their
+/// number): 5 % on one side.
 const SIGNIFICANT_DEVIATIONS: f64 = 1.645;
 
-/// Mean power of a voltage over a resistance: `mean(v^2) / R`, the voltage's mean taken away first where `remove_mean`.
+/// Computes the mean power of a voltage across a resistance, `mean(v^2) / R`, with the mean voltage
+/// subtracted first if `remove_mean`.
 ///
 /// # Errors
 /// A record too short for batches.
@@ -102,7 +109,8 @@ pub fn mean_power(
             batches,
             batch_correlation,
             effective_samples: MEMORY_MEANS as f64,
-            // Means that differ by roundoff only are those of a periodic record: their correlation says nothing.
+            // Means that differ only by roundoff are from a periodic record, and their correlation
+            // is meaningless.
             correlated: batch_correlation > SIGNIFICANT_DEVIATIONS / count.sqrt()
                 && variance > (POWER_ROUNDOFF * middle).powi(2),
             mean_voltage_v,
@@ -143,7 +151,7 @@ fn mean(values: &[f64]) -> f64 {
     values.iter().sum::<f64>() / values.len() as f64
 }
 
-/// Correlation of each value with the next one.
+/// Correlation between consecutive values.
 fn correlation(values: &[f64]) -> f64 {
     let mean = mean(values);
     let variance: f64 = values.iter().map(|x| (x - mean).powi(2)).sum();
@@ -154,10 +162,10 @@ fn correlation(values: &[f64]) -> f64 {
     if variance > 0.0 { both / variance } else { 0.0 }
 }
 
-/// The same of a part of a record; none where it is too short for an interval.
+/// Computes the mean power of a part of a record; `None` if it is too short for an interval.
 ///
 /// # Errors
-/// As [`mean_power`] but for a record too short.
+/// Those of [`mean_power`] except for a record too short.
 pub fn mean_power_if_long(
     samples: &Samples<'_>,
     resistance_ohm: f64,
@@ -177,7 +185,7 @@ mod tests {
     use rayon::prelude::*;
     use std::f64::consts::TAU;
 
-    /// A voltage that remembers about 20 samples, of variance 1 / (1 - 0.9^2).
+    /// A voltage with a correlation length of about 20 samples, of variance 1 / (1 - 0.9^2).
     fn voltage(seed: u64, count: usize) -> Vec<f64> {
         let mut stream = RandomStream::new(seed, 1);
         let mut state = 0.0;
@@ -208,7 +216,8 @@ mod tests {
         assert!((0.92..=0.98).contains(&share), "{share}");
     }
 
-    /// A voltage of a peak of the relative width `2 zeta` at a twentieth of the rate; its power forgets like `exp(-2 zeta w t)`. Of variance 1.
+    /// A voltage with a peak of the relative width `2 zeta` at a twentieth of the rate; the
+    /// correlation of its power decays as `exp(-2 zeta w t)`. Variance 1.
     fn narrow_band(seed: u64, count: usize, zeta: f64) -> Vec<f64> {
         let mut stream = RandomStream::new(seed, 2);
         let w = TAU * 0.05;
@@ -226,7 +235,7 @@ mod tests {
 
     const RECORDS: u64 = 1000;
 
-    /// Share of 1000 records whose interval holds the truth, and of those that are told to be too short.
+    /// Share of 1000 records whose interval contains the truth, and share flagged as too short.
     fn shares(truth: f64, record: impl Fn(u64) -> Vec<f64> + Sync) -> (f64, f64) {
         let found = |seed: u64| {
             mean_power(&Samples::new(&record(seed), 100.0).unwrap(), 1.0, false).unwrap()
@@ -241,8 +250,10 @@ mod tests {
         )
     }
 
-    /// Records whose memory is a tenth of them and less: those of `0.9^k` by `N (1 - 0.81) / (1 + 0.81)`, those of a narrow band by
-    /// `2 zeta w N`. Measured, known to 0.7 %: 93.4, 94.8, 95.7 and 96.4 % of those that forget, 94.9, 95.7, 97.2 and 97.4 % of narrow bands.
+    /// Records whose correlation time is at most a tenth of their length. Number of independent
+    /// values: `N (1 - 0.81) / (1 + 0.81)` for `0.9^k`, `2 zeta w N` for a narrow band. Measured,
+    /// with an uncertainty of 0.7 %: 93.4, 94.8, 95.7 and 96.4 % of those with `0.9^k`, 94.9, 95.7,
+    /// 97.2 and 97.4 % of narrow bands.
     #[test]
     fn intervals_hold_the_truth_where_the_memory_is_a_tenth_of_the_record() {
         let samples = |number: f64| (number * 1.81 / 0.19) as usize;
@@ -266,7 +277,8 @@ mod tests {
         );
     }
 
-    /// Beyond a tenth of the record a doubt is told, and hardly ever well within.
+    /// For a correlation time above a tenth of the record the flag is set, and hardly ever well
+    /// below.
     #[test]
     fn a_memory_beyond_a_tenth_of_the_record_is_told() {
         for (number, least, most) in [(5.0, 0.7, 1.0), (50.0, 0.0, 0.1)] {

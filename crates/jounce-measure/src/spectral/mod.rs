@@ -1,10 +1,12 @@
 //! Powers, spectra and frequency responses of sampled signals.
 //!
-//! Transforms are `X(f) = sum x_n exp(-2 pi j f n / r)`, so that a linear system answers `exp(+j w t)` with `H(w) exp(+j w t)`,
-//! `H = Y / X`: the phase of a displacement per force falls from 0 through -90 degrees at a resonance. Cross spectra are
-//! `S_xy = conj(X) Y`. Densities are one-sided, per hertz.
+//! Transforms are `X(f) = sum x_n exp(-2 pi j f n / r)`, so that the response of a linear system to
+//! `exp(+j w t)` is `H(w) exp(+j w t)`, `H = Y / X`. The phase of a displacement per force falls
+//! from 0 through -90 degrees at a resonance. Cross spectra are `S_xy = conj(X) Y`. Densities are
+//! one-sided, per hertz.
 //!
-//! Source: J. Bendat, A. Piersol, Random Data, 4th ed. (2010), chapters 9 and 11; P. Welch, IEEE Trans. Audio Electroacoust. 15 (1967) 70.
+//! Source: J. Bendat, A. Piersol, Random Data, 4th ed. (2010), chapters 9 and 11; P. Welch, IEEE
+//! Trans. Audio Electroacoust. 15 (1967) 70.
 mod density;
 mod density_peaks;
 mod error;

@@ -1,19 +1,21 @@
-//! Whether a structure is at rest before it is struck.
+//! Checks that a structure is at rest before a hit.
 
 use jounce::signal::Samples;
 
 use super::HitWarning;
 
-/// Share of what lies before a hit that is left out: filters that keep a converter from aliasing let a pulse begin early.
+/// Share of the pre-trigger interval that is skipped: anti-aliasing filters let a pulse begin
+/// early.
 const SKIPPED_SHARE: f64 = 1.0 / 3.0;
-/// Samples that tell whether the structure is quiet, and from which share of the block's rms on it is not. That share is small because a
-/// slow mode has small accelerations.
+/// Minimum number of samples for the check, and the share of the block's RMS above which the
+/// structure is not at rest. The share is small because a slow mode has small accelerations.
 const MIN_QUIET_SAMPLES: usize = 16;
 const MIN_RINGING_SHARE: f64 = 1e-3;
-/// How far above the noise a motion must be.
+/// Minimum ratio of a motion to the noise.
 const MIN_NOISE_RATIO: f64 = 2.0;
 
-/// A response that moves before its hit, the one that moves most. Noise, known from the third differences, is no motion.
+/// Response with the largest motion before its hit, if any. Noise, estimated from the third
+/// differences, is not motion.
 pub(super) fn ringing(
     responses: &[Samples<'_>],
     (start, hit): (usize, usize),
@@ -24,7 +26,7 @@ pub(super) fn ringing(
     if end < start + MIN_QUIET_SAMPLES {
         return None;
     }
-    // About their own mean: an offset is no motion.
+    // About their own mean: an offset is not motion.
     let rms = |values: &[f64]| {
         let mean = values.iter().sum::<f64>() / values.len() as f64;
         (values.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / values.len() as f64).sqrt()

@@ -16,7 +16,7 @@ use serde::Serialize;
 
 use super::{SpectralError, WindowBias};
 
-/// Which noise is thought of.
+/// Estimator, by the assumed noise.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Estimator {
@@ -26,21 +26,21 @@ pub enum Estimator {
     H2,
     /// Noise on both.
     Hv {
-        /// Density of the response's noise over that of the force's, (unit_y/unit_x)^2.
+        /// Ratio of the noise densities of response and force, (unit_y/unit_x)^2.
         noise_ratio: f64,
     },
 }
 
-/// The most parts that the blocks are put into, to be left out one after the other.
+/// Maximum number of parts of the blocks for leave-one-out estimates.
 const MAX_PARTS: usize = 16;
 
-/// Sums of spectra of blocks, all of one length and rate.
+/// Sums of spectra of blocks of equal length and rate.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SpectrumAverages {
     all: SpectrumSums,
-    /// The same of blocks in a row, as many in each part but the last.
+    /// Sums over consecutive blocks, equally many in each part except the last.
     parts: Vec<SpectrumSums>,
-    /// Blocks in a part.
+    /// Blocks per part.
     each: usize,
 }
 
@@ -72,7 +72,7 @@ impl SpectrumSums {
         self.blocks += 1;
     }
 
-    /// Adds other sums, or takes them away.
+    /// Adds or subtracts other sums.
     fn join(&mut self, other: &Self, sign: f64) {
         for k in 0..self.xx.len() {
             self.xx[k] += sign * other.xx[k];
@@ -102,34 +102,34 @@ impl SpectrumSums {
     }
 }
 
-/// A frequency response with its coherence.
+/// Frequency response with its coherence.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FrequencyResponse {
     /// Frequency of each line, Hz.
     pub frequency_hz: Vec<f64>,
     /// Response per force at each line, for `exp(+j w t)`.
     pub value: Vec<Complex<f64>>,
-    /// Coherence at each line, 0 to 1; 1 throughout for one block, which tells nothing.
+    /// Coherence at each line, 0 to 1; 1 throughout for one block, without meaning.
     pub coherence: Vec<f64>,
     /// Number of blocks averaged.
     pub blocks: usize,
-    /// What the blocks see of a free decay.
+    /// Window bias on a free decay.
     pub sight: WindowBias,
-    /// The response without one part of the blocks, for each of up to 32 parts; none for one block.
+    /// Responses without one part of the blocks, for each of up to 32 parts; empty for one block.
     pub without: Vec<LeaveOneOutResponse>,
 }
 
-/// A response without a part of its blocks.
+/// Response without a part of its blocks.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LeaveOneOutResponse {
     /// Share of the blocks that is left out.
     pub share: f64,
-    /// The response of the others.
+    /// Response of the other blocks.
     pub value: Vec<Complex<f64>>,
 }
 
 impl SpectrumAverages {
-    /// No block yet, for spectra of so many lines.
+    /// Returns empty sums for spectra of `lines` lines.
     pub fn new(lines: usize) -> Self {
         Self {
             all: SpectrumSums::new(lines),
@@ -171,7 +171,7 @@ impl SpectrumAverages {
         Ok(())
     }
 
-    /// Joins every two parts that follow each other.
+    /// Joins consecutive parts in pairs.
     fn halve(&mut self) {
         let mut parts = std::mem::take(&mut self.parts).into_iter();
         while let Some(mut part) = parts.next() {
@@ -184,7 +184,7 @@ impl SpectrumAverages {
         self.each *= 2;
     }
 
-    /// The response at frequencies `frequency_hz` to blocks that see so much of a free decay.
+    /// Computes the response at frequencies `frequency_hz` for blocks with a given window bias.
     ///
     /// # Errors
     /// No block was added.
@@ -231,7 +231,7 @@ impl FrequencyResponse {
     /// Relative standard deviation of `|H|` at a line, `sqrt((1 - c) / (2 (n - 1) c))` for coherence `c` of `n` independent blocks.
     pub fn relative_deviation(&self, line: usize) -> f64 {
         let coherence = self.coherence[line];
-        // One degree of freedom of the blocks goes into the response itself.
+        // One degree of freedom of the blocks is used by the response.
         let freedom = self.blocks.saturating_sub(1).max(1) as f64;
         ((1.0 - coherence) / (2.0 * freedom * coherence)).sqrt()
     }
@@ -246,7 +246,8 @@ pub(super) mod tests {
     use jounce::signal::{Samples, Window};
     use std::f64::consts::TAU;
 
-    /// The bilinear recursion of an oscillator is linear and time-invariant: its response is known at every frequency.
+    /// The bilinear recursion of an oscillator is linear and time-invariant: its response is known
+    /// at every frequency.
     pub(in super::super) struct Oscillator {
         b: [f64; 3],
         a: [f64; 2],
@@ -314,7 +315,8 @@ pub(super) mod tests {
         (averages, segments.frequency_hz(1000.0))
     }
 
-    /// A hit whose answer dies within the record: the quotient is the exact response. Measured 2e-14 of the peak.
+    /// A hit whose response decays within the record: the quotient is the exact response. Measured
+    /// 2e-14 of the peak.
     #[test]
     fn the_response_to_a_hit_is_that_of_the_system_with_its_sign() {
         let oscillator = Oscillator::new(40.0, 0.05, 1000.0);
@@ -349,8 +351,9 @@ pub(super) mod tests {
         }
     }
 
-    /// Noise on the response leaves H1 right and lifts H2 by 1 / coherence; noise on the force lowers H1 by the coherence. Away from the
-    /// resonance, 511 blocks: measured 0.4 % low on average, both.
+    /// Noise on the response does not bias H1 and raises H2 by 1 / coherence; noise on the force
+    /// lowers H1 by the coherence. Away from the resonance, 511 blocks: measured 0.4 % low on
+    /// average, both.
     #[test]
     fn estimators_err_where_theory_says() {
         let oscillator = Oscillator::new(150.0, 0.3, 1000.0);

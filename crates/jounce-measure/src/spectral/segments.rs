@@ -1,4 +1,4 @@
-//! A record cut into windowed, transformed segments.
+//! Cuts a record into windowed, transformed segments.
 
 use std::sync::Arc;
 
@@ -8,10 +8,10 @@ use realfft::{RealFftPlanner, RealToComplex};
 
 use super::SpectralError;
 
-/// Samples of a segment at least.
+/// Minimum number of samples of a segment.
 const MIN_SEGMENT_SAMPLES: usize = 8;
 
-/// How records are cut: equally long segments that overlap, each with the same weights.
+/// Division of records into overlapping segments of equal length and window.
 #[derive(Clone)]
 pub struct Segments {
     length: usize,
@@ -31,7 +31,7 @@ impl std::fmt::Debug for Segments {
 }
 
 impl Segments {
-    /// Segments of `length` samples, the next one `1 - overlap` of a length later.
+    /// Returns segments of `length` samples, each `1 - overlap` of a length after the previous one.
     ///
     /// # Errors
     /// Fewer than 8 samples, an overlap outside 0 to 0.95.
@@ -66,7 +66,7 @@ impl Segments {
         self.weights.iter().map(|w| w * w).sum()
     }
 
-    /// Weights of the samples of a segment.
+    /// Window weights of the samples of a segment.
     pub(super) fn weights(&self) -> &[f64] {
         &self.weights
     }
@@ -96,7 +96,7 @@ impl Segments {
         Ok((0..=samples - self.length).step_by(self.step))
     }
 
-    /// The transform of the segment that starts at a sample, `mean` taken away first.
+    /// Transforms the segment that starts at a sample, after subtracting `mean`.
     pub fn transform(&self, samples: &Samples<'_>, start: usize, mean: f64) -> Vec<Complex<f64>> {
         let values = &samples.values()[start..start + self.length];
         let mut weighted: Vec<f64> = values
@@ -118,7 +118,7 @@ impl Segments {
             .collect()
     }
 
-    /// 2 for lines that stand for two frequencies, 1 at zero and at half the rate.
+    /// 2 for lines that represent two frequencies, 1 at zero and at half the rate.
     pub fn sides(&self, line: usize) -> f64 {
         if line == 0 || 2 * line == self.length {
             1.0
@@ -141,7 +141,8 @@ mod tests {
             .unwrap_or_default();
         assert_eq!(
             asked,
-            "3 samples are too few for a spectrum: a segment, and so the record, has 8 samples at least"
+            "3 samples are too few for a spectrum: a segment, and therefore the record, needs at \
+            least 8 samples"
         );
         let record = Segments::new(8, 0.5, Window::Hann)
             .and_then(|segments| segments.starts(3).map(Iterator::count));

@@ -1,11 +1,14 @@
-//! Frequency responses under a force that goes on, as of a shaker: Welch's blocks, half overlapping, weighed by a Hann window.
+//! Frequency responses under a continuous force, as of a shaker: Welch's blocks, half overlapping,
+//! with a Hann window.
 //!
-//! Half-overlapping Hann blocks of noise are nearly independent: the correlation of their spectra is 1/36. A block should be some decay times
-//! of the slowest mode long, or its peak comes out low and wide.
+//! Half-overlapping Hann blocks of noise are nearly independent: the correlation of their spectra
+//! is 1/36. A block should be several decay times of the slowest mode long, or its peak is too low
+//! and too wide.
 //!
-//! A sweep drives each line in a few blocks only, and their windows weigh what comes after the force less than the force: the peak comes out
-//! low, however many blocks there are. Where no length is asked for, each recording of a sweep is one block without a window: a structure at
-//! rest before it, and nearly so at its end, leaks nothing.
+//! A sweep drives each line in a few blocks only, and their windows weight the response after the
+//! force less than the force. The peak is therefore too low for any number of blocks. Unless a
+//! length is given, each recording of a sweep is one block without a window: a structure at rest
+//! before it, and nearly so at its end, has no leakage.
 //!
 //! Source: P. Welch, IEEE Trans. Audio Electroacoust. 15 (1967) 70.
 
@@ -16,22 +19,25 @@ use super::{
     WindowBias,
 };
 
-/// A hammer's record has a peak above this many times its rms.
+/// Minimum ratio of peak to RMS of a hammer record.
 const MIN_HAMMER_CREST: f64 = 10.0;
-/// A hammer pushes: what pulls is below this share of its peak.
+/// Maximum tension relative to the peak of a hammer, which only pushes.
 const MAX_PULL_SHARE: f64 = 0.3;
-/// Part of the shortest record that a block is by default: with half overlaps, 15 blocks.
+/// Default block length as a part of the shortest record: with half overlaps, 15 blocks.
 const RECORD_PARTS: usize = 8;
 
-/// A sweep drives a line in fewer blocks than this share of them, by the squares of their powers: noise in half of them.
+/// Share of the blocks, by their squared powers, below which a line is driven by a sweep; noise
+/// drives it in half of them.
 const MAX_SWEEP_SHARE: f64 = 0.25;
-/// All lines together it drives in more than this share of them: a hit or a burst in fewer.
+/// Minimum share of the blocks in which a sweep drives all lines together; a hit or a burst has
+/// less.
 const MIN_STEADY_SHARE: f64 = 0.5;
-/// Blocks that tell a sweep from noise; a line that holds less than this share of the power of the strongest is not looked at.
+/// Number of blocks that distinguishes a sweep from noise; lines below this share of the power of
+/// the strongest are ignored.
 const MIN_BLOCKS: usize = 128;
 const MIN_DRIVEN_SHARE: f64 = 0.01;
 
-/// True for a force whose lines are driven one after the other.
+/// True for a force that drives the lines one after the other.
 fn sweeps(force: &Samples<'_>) -> Result<bool, SpectralError> {
     let length = force.values().len() / RECORD_PARTS / 2 * 2;
     if length < MIN_BLOCKS {
@@ -75,7 +81,8 @@ fn sweeps(force: &Samples<'_>) -> Result<bool, SpectralError> {
             .is_some_and(|share| *share < MAX_SWEEP_SHARE))
 }
 
-/// True for a force that goes on, both ways, instead of striking: its peak is near its rms, and it pulls as well as it pushes.
+/// True for a continuous force of both signs: its peak is near its RMS, and tension is similar to
+/// compression.
 pub(crate) fn goes_on(force: &Samples<'_>) -> bool {
     let mean = force.mean();
     let (mut squares, mut push, mut pull) = (0.0, 0.0_f64, 0.0_f64);
@@ -89,7 +96,7 @@ pub(crate) fn goes_on(force: &Samples<'_>) -> bool {
         && push.min(pull) > MAX_PULL_SHARE * push.max(pull)
 }
 
-/// Averages the blocks of all records, which are of one rate and number of responses.
+/// Averages the blocks of all records, which have equal rates and numbers of responses.
 pub(super) fn shaken(
     records: &[ImpactRecord<'_>],
     settings: &ImpactSettings,
@@ -127,7 +134,7 @@ pub(super) fn shaken(
     let segments = Segments::new(length, overlap, window)?;
     let mut averages = vec![SpectrumAverages::new(length / 2 + 1); first.responses.len()];
     for record in records {
-        // The mean of a sweep is not its offset, which moves no line above 0.
+        // The mean of a sweep is not its offset, which affects no line above 0.
         let mean = |samples: &Samples<'_>| if whole { 0.0 } else { samples.mean() };
         let force_mean = mean(&record.force);
         let means: Vec<f64> = record.responses.iter().map(mean).collect();
@@ -190,9 +197,11 @@ mod tests {
         )
     }
 
-    /// Random force and bursts of it: each is seen to go on, and the response is that of the oscillator at
-    /// 40 Hz, known in closed form, within 3 % of its peak at every line that is driven: leakage at the peak leaves a coherence of 0.995 there,
-    /// hence a deviation of 0.9 % with 59 blocks, and the largest of the dozen lines of the peak is at 2 % to 3 %. Offsets of force and response are none of it.
+    /// Random force and bursts of it: each is recognised as continuous, and the response agrees
+    /// with the closed form of the oscillator at 40 Hz within 3 % of its peak at every driven line.
+    /// Leakage at the peak leaves a coherence of 0.995 there, hence a deviation of 0.9 % with 59
+    /// blocks, and the largest of the dozen lines of the peak is at 2 % to 3 %. Offsets of force
+    /// and response have no effect.
     #[test]
     fn forces_that_go_on_give_the_response_of_the_system() {
         let oscillator = Oscillator::new(40.0, 0.05, RATE);
@@ -240,7 +249,8 @@ mod tests {
         }
     }
 
-    /// Noise of the force lowers H1 by `1 / (1 + n)`, n its density over that of the force, and leaves H2 alone.
+    /// Noise of the force lowers H1 by `1 / (1 + n)`, where `n` is the ratio of the noise density
+    /// to the force density, and does not bias H2.
     #[test]
     fn noise_on_the_force_lowers_the_first_estimator_and_not_the_second() {
         let oscillator = Oscillator::new(40.0, 0.05, RATE);
@@ -274,8 +284,9 @@ mod tests {
         }
     }
 
-    /// 60 s from 10 to 100 Hz over a peak that dies by e in 0.8 s, without noise. Measured: Hann blocks of 4 s 38 % of the peak off, the whole
-    /// record 0.7 %, by what rings at its end.
+    /// 60 s from 10 to 100 Hz over a peak that decays by e in 0.8 s, without noise. Measured
+    /// errors: Hann blocks of 4 s 38 % of the peak, the complete record 0.7 %, from the ringing at
+    /// its end.
     #[test]
     fn a_sweep_is_one_block_without_a_window() {
         let oscillator = Oscillator::new(40.0, 0.005, RATE);

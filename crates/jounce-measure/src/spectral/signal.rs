@@ -1,14 +1,14 @@
-//! A channel as a signal.
+//! Channel as a signal.
 
 use jounce::signal::Samples;
 
 use super::SpectralError;
 use jounce_data::recording::{Channel, Quantity, Recording};
 
-/// The samples of a channel that shows a signal.
+/// Returns the samples of a channel with a signal.
 ///
 /// # Errors
-/// All samples are equal, as those of a sensor that was not connected; no sample, or one that is no number.
+/// All samples are equal, as from a disconnected sensor; no sample, or one that is not a number.
 pub fn signal(channel: &Channel, rate_hz: f64) -> Result<Samples<'_>, SpectralError> {
     let samples = Samples::new(&channel.values, rate_hz)?;
     match samples.values() {
@@ -21,7 +21,8 @@ pub fn signal(channel: &Channel, rate_hz: f64) -> Result<Samples<'_>, SpectralEr
     }
 }
 
-/// The first channel of a quantity that moves, else the first channel that does, else the first of them.
+/// First channel of a quantity with a signal, else the first channel with a signal, else the first
+/// channel of the quantity, else the first channel.
 pub fn first_live(record: &Recording, quantity: Quantity) -> Option<&Channel> {
     let live = |channel: &&Channel| signal(channel, record.rate()).is_ok();
     let all = || record.channels.iter();

@@ -1,47 +1,51 @@
-//! What a channel shows over frequency: its density, and the lines of its drive.
+//! Spectra of a channel: its density, and the lines of its drive.
 
 use jounce::integrate::Control;
 use jounce::signal::{OrderLine, Samples, Window};
 
 use super::{Density, Segments, SpectralError};
 
-/// Multiples of the drive whose amplitudes are told.
+/// Multiples of the drive frequency whose amplitudes are reported.
 const REPORTED_ORDERS: [f64; 10] = [1.0 / 3.0, 0.5, 2.0 / 3.0, 1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0];
-/// Segments of a record by default, were they side by side.
+/// Default number of segments of a record, without overlap.
 const DEFAULT_SEGMENTS: usize = 32;
-/// Cycles of the drive in a segment by default: its third is then eight lines away from the next multiple.
+/// Default number of drive cycles of a segment: a third of the drive frequency is then eight lines
+/// away from the next multiple.
 const DEFAULT_SEGMENT_CYCLES: f64 = 24.0;
-/// Samples of the shortest segment by default.
+/// Samples of the shortest default segment.
 const MIN_DEFAULT_SEGMENT: usize = 256;
 
-/// How a record is taken to spectra.
+/// Settings of the spectra.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SpectraSettings {
-    /// Frequency of the drive, Hz; without it no lines are told.
+    /// Drive frequency, Hz; without it no lines are reported.
     pub drive_hz: Option<f64>,
-    /// Length of a segment, s; by default 24 cycles of the drive, or without one a thirty-second of the record.
+    /// Length of a segment, s; by default 24 drive cycles, or without a drive a thirty-second of
+    /// the record.
     pub segment_s: Option<f64>,
-    /// Share of a segment that the next one overlaps.
+    /// Overlap of consecutive segments, as a share.
     pub overlap: f64,
-    /// Weights of a segment.
+    /// Window of a segment.
     pub window: Window,
 }
 
-/// The spectra of a record.
+/// Spectra of a record.
 #[derive(Debug, Clone)]
 pub struct Spectra {
     /// One-sided power spectral density.
     pub density: Density,
-    /// What it was averaged over; [`super::spectrogram`] of them holds as many numbers as the record, and more where they overlap.
+    /// Segments of the average; [`super::spectrogram`] of them contains as many numbers as the
+    /// record, and more where they overlap.
     pub segments: Segments,
-    /// Amplitudes at the multiples of the drive below half the sample rate.
+    /// Amplitudes at the multiples of the drive frequency below half the sampling rate.
     pub orders: Vec<OrderLine>,
 }
 
-/// Density and order lines of a record, and the segments that suit it.
+/// Computes density and order lines of a record, and its segments.
 ///
 /// # Errors
-/// A segment that does not fit the record, an overlap out of its range, a record too short to tell the lines of the drive apart.
+/// A segment that does not fit the record, an overlap out of its range, a record too short to
+/// resolve the lines of the drive.
 pub fn spectra(
     samples: &Samples<'_>,
     settings: &SpectraSettings,
@@ -49,10 +53,10 @@ pub fn spectra(
     spectra_watched(samples, settings, &Control::default())
 }
 
-/// The same under a control.
+/// Computes spectra with a cancellation check.
 ///
 /// # Errors
-/// As [`spectra`], and [`SpectralError::Stopped`].
+/// Those of [`spectra`], and [`SpectralError::Stopped`].
 pub fn spectra_watched(
     samples: &Samples<'_>,
     settings: &SpectraSettings,

@@ -4,9 +4,10 @@
 //! a_k(t_m) = c_k / sum w  |sum_n w_n x_{m s + n} exp(-2 pi i k n / L)|,   c_k = 2, but 1 at zero and half the rate
 //! ```
 //!
-//! for segments of `L` samples, `s` samples apart: a sinusoid of a steady frequency on a line has its peak amplitude there, whatever the
-//! window; beside a line a Hann window shows up to 15 % less, a flat top up to 0.1 %. A segment resolves `r / L` times the width of the
-//! window (4 lines for Hann, 10 for a flat top), and sees nothing shorter than itself.
+//! for segments of `L` samples, `s` samples apart. A sinusoid of constant frequency on a line has
+//! its peak amplitude there, for any window; between lines a Hann window shows up to 15 % less, a
+//! flat top up to 0.1 %. A segment resolves `r / L` times the width of the window (4 lines for
+//! Hann, 10 for a flat top), and no event shorter than itself.
 
 use jounce::integrate::Control;
 use jounce::signal::Samples;
@@ -24,13 +25,13 @@ pub struct Spectrogram {
     pub amplitude_peak: Vec<Vec<f64>>,
     /// Length of a segment, s.
     pub segment_s: f64,
-    /// Time from segment to segment, s.
+    /// Time between segments, s.
     pub step_s: f64,
-    /// Distance of the lines, Hz.
+    /// Line spacing, Hz.
     pub resolution_hz: f64,
 }
 
-/// The spectrogram of a record; the mean stays, at 0 Hz.
+/// Computes the spectrogram of a record; the mean remains, at 0 Hz.
 ///
 /// # Errors
 /// A segment longer than the record.
@@ -41,10 +42,10 @@ pub fn spectrogram(
     spectrogram_watched(samples, segments, &Control::default())
 }
 
-/// The same under a control, which is looked at before each segment.
+/// Computes the spectrogram with a cancellation check before each segment.
 ///
 /// # Errors
-/// As [`spectrogram`], and [`SpectralError::Stopped`].
+/// Those of [`spectrogram`], and [`SpectralError::Stopped`].
 pub fn spectrogram_watched(
     samples: &Samples<'_>,
     segments: &Segments,
@@ -82,9 +83,10 @@ mod tests {
     use jounce::signal::Window;
     use std::f64::consts::TAU;
 
-    /// A chirp of 2 V from 10 to 60 Hz within 100 s, segments of 1 s: the highest line is that of the frequency in the middle of the segment, and
-    /// shows 2 V. Measured: never off by more than half a line; amplitude within 0.10 % with a flat top and 15.2 % with Hann, which is what the windows show of
-    /// a frequency between two lines.
+    /// A chirp of 2 V from 10 to 60 Hz within 100 s, segments of 1 s: the highest line is at the
+    /// frequency in the middle of the segment, and shows 2 V. Measured: never off by more than half
+    /// a line; amplitude within 0.10 % with a flat top and 15.2 % with Hann, the loss of the
+    /// windows for a frequency between two lines.
     #[test]
     fn a_chirp_is_seen_at_its_frequency_with_its_amplitude() {
         let rate = 512.0;
@@ -116,7 +118,7 @@ mod tests {
         }
     }
 
-    /// A tone that changes its frequency in the middle is seen at each, with its amplitude.
+    /// A tone that changes its frequency in the middle appears at each, with its amplitude.
     #[test]
     fn a_tone_is_seen_where_and_when_it_is() {
         let tone = |k: i32| {

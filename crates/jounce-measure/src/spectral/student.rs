@@ -2,11 +2,12 @@
 
 /// Panels of Simpson's rule.
 const SIMPSON_PANELS: usize = 400;
-/// Deviations of a normal number beyond which nothing is left.
+/// Standard deviations beyond which the normal distribution is negligible.
 const MAX_NORMAL_DEVIATIONS: f64 = 9.0;
 
-/// Quantile of Student's distribution for a two-sided interval of 95 %, from 1 degree of freedom on, whole or not: with
-/// `t = sqrt(n) tan(a)` the distribution of `a` is `cos(a)^(n - 1)`.
+/// Quantile of Student's distribution for a two-sided interval of 95 %, for 1 or more degrees of
+/// freedom, not necessarily integer: with `t = sqrt(n) tan(a)` the distribution of `a` is
+/// `cos(a)^(n - 1)`.
 pub(crate) fn student_95(freedom: f64) -> f64 {
     let end = (MAX_NORMAL_DEVIATIONS / freedom.sqrt()).min(std::f64::consts::FRAC_PI_2);
     let density = |a: f64| {
@@ -48,7 +49,7 @@ pub(crate) fn student_95(freedom: f64) -> f64 {
 mod tests {
     use super::*;
 
-    /// Table 26.10 of Abramowitz and Stegun, and `tan(0.475 pi)`; equal to all digits that are given.
+    /// Table 26.10 of Abramowitz and Stegun, and `tan(0.475 pi)`; equal to all given digits.
     #[test]
     fn quantiles_are_those_of_the_table() {
         let table = [

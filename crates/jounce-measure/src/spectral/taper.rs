@@ -1,8 +1,9 @@
-//! Windows of impact tests: they keep the hit and let the response die within the record.
+//! Windows of impact tests, which retain the hit and make the response decay within the record.
 
-/// A force window: 1 over the hit, then a cosine slope down to 0, so that noise after the hit is gone.
+/// Returns a force window: 1 over the hit, then a cosine slope to 0, which removes noise after the
+/// hit.
 ///
-/// `until` is the last sample of the hit and `slope` the samples of the slope.
+/// `until` is the last sample of the hit and `slope` the length of the slope in samples.
 pub fn force_window(samples: usize, until: usize, slope: usize) -> Vec<f64> {
     let weight = |k: usize| {
         if k <= until {
@@ -16,8 +17,9 @@ pub fn force_window(samples: usize, until: usize, slope: usize) -> Vec<f64> {
     (0..samples).map(weight).collect()
 }
 
-/// An exponential window `exp(-a k / r)` that ends at `end_ratio`, with the damping `a` (1/s) that it adds to every mode:
-/// a mode at `w` rad/s identified from windowed records has a damping ratio too high by `a / w`.
+/// Returns an exponential window `exp(-a k / r)` with final value `end_ratio`, and the damping `a`
+/// (1/s) that it adds to every mode: a mode at `w` rad/s identified from windowed records has a
+/// damping ratio too high by `a / w`.
 pub fn exponential_window(samples: usize, rate_hz: f64, end_ratio: f64) -> (Vec<f64>, f64) {
     let decay_per_s = -end_ratio.ln() * rate_hz / (samples.max(2) - 1) as f64;
     (

@@ -1,43 +1,45 @@
-//! How much of a free decay a block sees.
+//! Bias of a free decay by the blocks of a spectral estimate.
 //!
-//! A response function from blocks of finite length is the transform of the impulse response `h` times what the blocks leave of it:
+//! A response function from blocks of finite length is the transform of the impulse response `h`
+//! times the weight `r` of the blocks:
 //!
 //! ```text
 //! H(w) = integral of h(t) r(t) exp(-j w t) dt,   exp(p t) becomes G(s) = integral of r(t) exp(-s t) dt,  s = j w - p
 //! ```
 //!
-//! With one hit at the start of a block of length `T`, `r = 1` up to `T`: `G = (1 - exp(-s T)) / s`. Under noise of a smooth density `r` is the
-//! correlation of the window with itself, and the expectation of `S_xy / S_xx` that of `h r`. For a Hann window of length `T`, with `u = t / T`,
+//! With one hit at the start of a block of length `T`, `r = 1` up to `T`: `G = (1 - exp(-s T)) /
+//! s`. Under noise of a smooth density `r` is the correlation of the window with itself, and the
+//! expectation of `S_xy / S_xx` that of `h r`. For a Hann window of length `T`, with `u = t / T`,
 //!
 //! ```text
 //! r = (1 - u) (2 + cos 2 pi u) / 3 + sin(2 pi u) / (2 pi),   0 <= u <= 1
 //! ```
 //!
-//! Source: J. Bendat, A. Piersol, Random Data, 4th ed. (2010), section 8.5 (bias by the window); the correlation by integration of
-//! `sin^2(pi t / T) sin^2(pi (t + u T) / T)`.
+//! Source: J. Bendat, A. Piersol, Random Data, 4th ed. (2010), section 8.5 (bias by the window);
+//! the correlation by integration of `sin^2(pi t / T) sin^2(pi (t + u T) / T)`.
 
 use realfft::num_complex::Complex;
 use std::f64::consts::TAU;
 
-/// What blocks leave of an impulse response.
+/// Weight of the blocks on an impulse response.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum WindowBias {
-    /// All of it.
+    /// No bias: the complete decay.
     #[default]
     Whole,
-    /// All of it up to a time.
+    /// Complete up to a time, zero beyond.
     Cut {
         /// Time from the hit to the end of its block, s.
         length_s: f64,
     },
-    /// What Hann windows leave of it.
+    /// Weight of Hann windows.
     Hann {
         /// Length of a block, s.
         length_s: f64,
     },
 }
 
-/// Below this size `s T` series are summed, where closed forms lose digits.
+/// Magnitude of `s T` below which series are used, where closed forms lose digits.
 const MAX_SERIES_ARGUMENT: f64 = 0.5;
 const SERIES_TERMS: u32 = 16;
 
@@ -47,7 +49,7 @@ impl WindowBias {
         self.transform_from(s, self.end(s))
     }
 
-    /// `exp(-s T)`, of which that of a sum is the product; 0 where blocks see all.
+    /// `exp(-s T)`, a product for a sum of arguments; 0 without window bias.
     pub(crate) fn end(self, s: Complex<f64>) -> Complex<f64> {
         match self {
             Self::Whole => Complex::new(0.0, 0.0),
@@ -55,7 +57,7 @@ impl WindowBias {
         }
     }
 
-    /// As [`WindowBias::transform`] where `exp(-s T)` is known.
+    /// Computes [`WindowBias::transform`] from a known `exp(-s T)`.
     pub(crate) fn transform_from(
         self,
         s: Complex<f64>,
@@ -68,7 +70,7 @@ impl WindowBias {
             }
             Self::Cut { length_s } => constant(s, length_s, end),
             Self::Hann { length_s } => {
-                // A turn in the length of a block leaves the end as it is.
+                // A full turn over the length of a block does not change the end.
                 let turn = Complex::new(0.0, TAU / length_s);
                 let of = |s: Complex<f64>| (linear(s, length_s, end), constant(s, length_s, end));
                 let (falling, (below, one), (above, two)) =
@@ -132,7 +134,8 @@ fn series(s: Complex<f64>, t: f64, order: u32) -> (Complex<f64>, Complex<f64>) {
 mod tests {
     use super::*;
 
-    /// Against Simpson's rule, the window's correlation with itself summed from its samples.
+    /// Compares with Simpson's rule, with the autocorrelation of the window summed from its
+    /// samples.
     #[test]
     fn transforms_are_those_of_the_windows() {
         let length_s = 2.0;
@@ -190,7 +193,7 @@ mod tests {
                 assert!(off[0] < 1e-6 && off[1] < 1e-6, "{sight:?} {s}: {off:?}");
             }
         }
-        // The series and the closed form meet.
+        // The series and the closed form agree.
         for sight in [WindowBias::Hann { length_s }, WindowBias::Cut { length_s }] {
             let (below, above) = (Complex::new(0.2, 0.149_999), Complex::new(0.2, 0.150_001));
             let ((a, da), (b, db)) = (sight.transform(below), sight.transform(above));

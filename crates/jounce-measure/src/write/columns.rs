@@ -1,4 +1,4 @@
-//! A recording as tables of some rows each, one after the other.
+//! Converts a recording to consecutive tables of some rows each.
 
 use jounce::table::{Column, Manifest, Table};
 
@@ -8,11 +8,11 @@ use jounce_data::read::{
 };
 use jounce_data::recording::{Over, PIECE, Series};
 
-/// Numbers in a table, of all columns together.
+/// Numbers per table, over all columns.
 const NUMBERS: usize = 1 << 20;
 
-/// `time_s` or `frequency_hz`, then the channels; complex ones as `NAME.re` and `NAME.im`. Where the format keeps no units of its own, they
-/// stand behind the names: `NAME [UNIT]`.
+/// Tables with `time_s` or `frequency_hz`, then the channels; complex ones as `NAME.re` and
+/// `NAME.im`. If the format has no units, they follow the names: `NAME [UNIT]`.
 pub(super) fn tables(
     recording: &RecordingSummary,
     units_in_names: bool,
@@ -53,7 +53,7 @@ fn table(
     let mut table = Table::new(vec![Column::new(
         name,
         unit,
-        "where the sample lies",
+        "position of the sample",
         rows(&recording.places, &pieces)?,
     )])?;
     for channel in &recording.channels {
@@ -88,7 +88,7 @@ fn rows(
     Ok(rows)
 }
 
-/// The recording and what was found in it, where its channels were measured, which way, and against what.
+/// Manifest of the recording: its issues, and location, direction and reference of its channels.
 pub(super) fn manifest(recording: &RecordingSummary) -> Manifest {
     let findings: Vec<String> = recording.findings.iter().map(ToString::to_string).collect();
     let manifest = Manifest::new("")

@@ -1,4 +1,4 @@
-//! One function that writes a recording in the format that a name tells.
+//! Writes a recording in the format of the file extension.
 
 use std::io::{self, BufWriter};
 use std::path::{Path, PathBuf};
@@ -10,83 +10,86 @@ use super::{columns, uff58};
 use jounce_data::read::RecordingSummary;
 use jounce_data::recording::Recording;
 
-/// A recording that cannot be written.
+/// Error of writing a recording.
 #[derive(Debug, thiserror::Error)]
 pub enum WriteError {
-    /// Another ending.
-    #[error("\"{}\": the ending tells the format: .uff (UFF 58 in ASCII), .parquet or .csv", path.display())]
+    /// The extension is unknown.
+    #[error("\"{}\": the extension must be .uff (UFF 58 in ASCII), .parquet or .csv", path.display())]
     Format {
         /// The file.
         path: PathBuf,
     },
-    /// A recording with samples that the format cannot hold.
+    /// The recording contains samples that the format does not support.
     #[error(
-        "sample {sample} of {channel} is {value}; UFF holds finite numbers only: bridge it first, or write Parquet or CSV"
+        "sample {sample} of {channel} is {value}; UFF supports only finite numbers: interpolate \
+        it first, or write Parquet or CSV"
     )]
     NotFinite {
         /// The channel.
         channel: String,
-        /// The sample, from 0.
+        /// Index of the sample, from 0.
         sample: usize,
-        /// Its value.
+        /// Value.
         value: f64,
     },
-    /// A text that the columns of the format would cut to another one.
+    /// A text is too long for the columns of the format.
     #[error(
-        "the {what} of {channel}, {text:?}, has {length} characters; UFF holds {most}: give a shorter one, in the notes beside the recording or as the \
-         point of the spec, or write Parquet or CSV"
+        "the {what} of {channel}, {text:?}, has {length} characters; the limit of UFF is {most}: \
+        give a shorter one, in the notes of the recording or as the point of the spec, or write \
+        Parquet or CSV"
     )]
     Long {
-        /// The channel, or the recording.
+        /// Channel or recording.
         channel: String,
-        /// What is too long.
+        /// Kind of the text.
         what: &'static str,
         /// The text.
         text: String,
-        /// Its characters.
+        /// Number of its characters.
         length: usize,
-        /// Characters that the format holds.
+        /// Maximum number of characters.
         most: usize,
     },
-    /// A text with a letter that the format has not.
+    /// A text has a letter outside the character set of the format.
     #[error(
-        "the {what} of {channel}, {text:?}, holds {letter:?}; UFF holds ASCII only: give another one in the notes beside the recording, or write \
-         Parquet or CSV"
+        "the {what} of {channel}, {text:?}, contains {letter:?}; UFF supports only ASCII: give \
+        another one in the notes of the recording, or write Parquet or CSV"
     )]
     NotAscii {
-        /// The channel, or the recording.
+        /// Channel or recording.
         channel: String,
-        /// What holds it.
+        /// Kind of the text.
         what: &'static str,
         /// The text.
         text: String,
-        /// The first such letter.
+        /// First such letter.
         letter: char,
     },
-    /// Numbers that cannot be found again in the scratch file.
+    /// The scratch file cannot be read.
     #[error("the scratch file cannot be read: {0}")]
     Scratch(#[from] std::io::Error),
-    /// A table that cannot be made or written.
+    /// A table cannot be built or written.
     #[error(transparent)]
     Table(#[from] TableError),
-    /// A place that cannot be written.
+    /// The destination cannot be written.
     #[error(transparent)]
     Store(#[from] StoreError),
 }
 
-/// Writes a recording whole or not at all, in the format that the ending of `path` names: `.uff` (or `.unv`), `.parquet`, `.csv` (with
-/// its notes). What is written is in SI.
+/// Writes a recording atomically, in the format of the extension of `path`: `.uff` (or `.unv`),
+/// `.parquet`, `.csv` (with its notes). Values are in SI units.
 ///
 /// # Errors
-/// Another ending, samples or units that the format cannot hold, a place that cannot be written.
+/// Another extension, samples or units that the format does not support, a destination that cannot
+/// be written.
 pub fn write(recording: &Recording, path: &Path) -> Result<(), WriteError> {
     write_surveyed(&recording.clone().into(), path)
 }
 
-/// The same for a recording whose numbers need not lie in memory: it is written piece by piece.
+/// Writes a recording whose numbers need not be in memory, piece by piece.
 ///
 /// # Errors
-/// As [`write()`], and a scratch file that cannot be read.
+/// Those of [`write()`], and a scratch file that cannot be read.
 pub fn write_surveyed(recording: &RecordingSummary, path: &Path) -> Result<(), WriteError> {
     match path.extension().and_then(|ending| ending.to_str()) {
         Some("uff" | "unv") => uff(recording, path),

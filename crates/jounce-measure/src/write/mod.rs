@@ -1,4 +1,4 @@
-//! Recordings to files: UFF 58 (ASCII), Parquet and CSV.
+//! Writes recordings to files: UFF 58 (ASCII), Parquet and CSV.
 mod columns;
 mod file;
 mod uff58;

@@ -1,7 +1,8 @@
-//! UFF 58 in ASCII, double precision, that pyuff and the modal packages read.
+//! UFF 58 in ASCII, double precision, readable by pyuff and the modal packages.
 //!
-//! Real samples are type 4, complex ones type 6; even grids tell start and step, stamped ones each abscissa. The abscissa of an uneven grid has
-//! the 13 columns of its format: seven digits, and so has the step of an even one (relative error 5e-7 at most).
+//! Real samples are type 4, complex ones type 6; uniform grids store start and step, stamped ones
+//! each abscissa. The abscissa of an uneven grid has the 13 columns of its format, seven digits,
+//! and so has the step of a uniform one (relative error 5e-7 at most).
 
 use std::io::Write;
 
@@ -31,12 +32,12 @@ pub(super) fn encode(recording: &RecordingSummary, mut to: impl Write) -> Result
     Ok(to.flush()?)
 }
 
-/// Columns of a line of the header, of a label or a unit, and of the name of a place.
+/// Columns of a line of the header, of a label or a unit, and of the name of a location.
 const LINE: usize = 80;
 const LABEL: usize = 20;
 const PLACE: usize = 10;
 
-/// Refuses a text that would become another one.
+/// Refuses a text that would be truncated or altered.
 fn fits(of: &str, what: &'static str, text: &str, most: usize) -> Result<(), WriteError> {
     if let Some(letter) = text.chars().find(|c| !(c.is_ascii_graphic() || *c == ' ')) {
         return Err(WriteError::NotAscii {
@@ -60,7 +61,7 @@ fn fits(of: &str, what: &'static str, text: &str, most: usize) -> Result<(), Wri
     }
 }
 
-/// Refuses a channel with a sample that is no finite number.
+/// Refuses a channel with a sample that is not finite.
 fn finite(channel: &ChannelSummary) -> Result<(), WriteError> {
     for numbers in std::iter::once(&channel.values).chain(&channel.imaginary) {
         let (mut sample, mut odd) = (0, None);
@@ -178,12 +179,12 @@ fn data(
     Ok(())
 }
 
-/// `E20.11E3`-like with two digits of exponent where they do: 20 columns.
+/// Formats `E20.11E3`-like with two digits of exponent where they suffice: 20 columns.
 fn e20(value: f64) -> String {
     format!("{:>20}", fortran(value, 12))
 }
 
-/// 12 columns: as many digits as fit beside the sign.
+/// Formats in 12 columns: as many digits as fit with the sign.
 fn e12(value: f64) -> String {
     format!(
         "{:>12}",
@@ -191,7 +192,7 @@ fn e12(value: f64) -> String {
     )
 }
 
-/// `1.23400E+01` from Rust's `1.23400e1`.
+/// Converts Rust's `1.23400e1` to `1.23400E+01`.
 fn fortran(value: f64, digits: usize) -> String {
     let text = format!("{value:.digits$e}");
     let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
@@ -203,7 +204,7 @@ fn fortran(value: f64, digits: usize) -> String {
     )
 }
 
-/// The code of what is measured.
+/// Code of the measured quantity.
 fn specific(quantity: Quantity) -> u32 {
     match quantity {
         Quantity::Acceleration | Quantity::AccelerationPsd => 12,
@@ -217,12 +218,13 @@ fn specific(quantity: Quantity) -> u32 {
     }
 }
 
-/// The number of a node.
+/// Parses a node number.
 fn node(place: &str) -> Option<usize> {
     place.strip_prefix("node ")?.parse().ok()
 }
 
-/// Name and node of a channel: a place is a node, or a name, which a number beside it would hide; a channel without one is a node of its own.
+/// Name and node of a channel: a location is a node, or a name, which would be lost if a number
+/// were also written; a channel without one is a separate node.
 fn place(channel: &ChannelSummary, number: usize) -> (&str, usize) {
     match (channel.place.as_str(), node(&channel.place)) {
         ("", _) => ("NONE", number),
@@ -231,7 +233,7 @@ fn place(channel: &ChannelSummary, number: usize) -> (&str, usize) {
     }
 }
 
-/// Name, node and direction of the force that a response function refers to.
+/// Name, node and direction of the reference force of a response function.
 fn reference(channel: &ChannelSummary) -> (&str, usize, i32) {
     let text = channel.reference.as_str();
     let (place, way) = text
@@ -245,7 +247,7 @@ fn reference(channel: &ChannelSummary) -> (&str, usize, i32) {
     }
 }
 
-/// `+x` as 1 to `-z` as -3; 0 for what is no such word.
+/// Codes `+x` as 1 to `-z` as -3; 0 for any other text.
 fn direction(text: &str) -> i32 {
     let sign = if text.starts_with('-') { -1 } else { 1 };
     let axis = match text.trim_start_matches(['+', '-']) {

@@ -146,7 +146,7 @@ fn a_real_cantilever_is_met_within_half_a_percent() {
             answer
                 .warnings
                 .iter()
-                .any(|warning| warning.contains("tell 1 combinations of the 2 keys")),
+                .any(|warning| warning.contains("determine 1 combinations of the 2 keys")),
             "{:?}",
             answer.warnings
         );

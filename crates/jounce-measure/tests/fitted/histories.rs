@@ -141,7 +141,12 @@ fn a_record_that_begins_later_is_met_at_its_own_times() {
         &[0.21e-3, 5000.0],
         0.05,
     );
-    assert!(answer.warnings.iter().any(|warning| warning.contains("its first stamp is 0.05 s, and is taken as that time")), "{answer:?}");
+    assert!(
+        answer.warnings.iter().any(
+            |warning| warning.contains("its first stamp, 0.05 s, is read as a time of the run")
+        ),
+        "{answer:?}"
+    );
     assert!(
         (answer.curves[0].at[0] - 0.05).abs() < 1e-12 && answer.curves[0].errors().1 < 0.04,
         "{answer:?}"

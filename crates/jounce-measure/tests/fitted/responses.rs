@@ -214,7 +214,7 @@ fn a_sensor_on_the_structure_and_the_unit_of_a_file_are_minded() {
                     answer
                         .warnings
                         .iter()
-                        .any(|told| told.contains("tells no unit")),
+                        .any(|told| told.contains("has no unit")),
                     unit.is_empty(),
                     "{:?}",
                     answer.warnings

@@ -125,9 +125,9 @@ fn a_single_number_of_a_matrix_file_tells_the_rate() {
             "{name}"
         );
         assert!(
-            found.findings[0]
-                .to_string()
-                .contains(&format!("at 2000 Hz from 0 s on, by {name} = {number} ")),
+            found.findings[0].to_string().contains(&format!(
+                "at 2000 Hz, starting at 0 s, from {name} = {number} "
+            )),
             "{:?}",
             found.findings
         );
@@ -145,19 +145,19 @@ fn a_single_number_of_a_matrix_file_tells_the_rate() {
         &with(&[("fs", 2000.0)], true),
         None,
         1000.0,
-        "fs = 2000 in the file is 2000 Hz, the stamps say 1000.000000 Hz; the stamps are used",
+        "fs = 2000 in the file is 2000 Hz, the stamps give 1000.000000 Hz; the stamps are used",
     );
     told(
         &with(&[("fs", 2000.0)], false),
         Some("rate = \"500 Hz\"\n"),
         500.0,
-        "the notes say 500.000000 Hz; the notes are used",
+        "the notes specify 500.000000 Hz; the notes are used",
     );
     told(
         &with(&[("fs", 2000.0), ("dt", 1e-3)], false),
         None,
         2000.0,
-        "dt = 0.001 one of 1000 Hz; the first is taken",
+        "dt = 0.001 one of 1000 Hz; the first is used",
     );
     assert!(
         !kinds(&one(
@@ -208,7 +208,7 @@ fn a_matrix_file_is_read_element_by_element() {
         .to_string();
     let begin = both.len() - second.len();
     assert!(
-        told.contains(&format!("byte {begin}")) && told.contains("was the file cut?"),
+        told.contains(&format!("byte {begin}")) && told.contains("is the file truncated?"),
         "{told}"
     );
     let mut odd = both.clone();
@@ -230,8 +230,8 @@ fn a_matrix_file_without_a_channel_as_long_as_its_time_is_refused() {
         .expect_err("no channel")
         .to_string();
     assert!(
-        told.contains("no channel is left")
-            && told.contains("tip has 40 samples where the record has 50"),
+        told.contains("no channel remains")
+            && told.contains("tip has 40 samples where the recording has 50"),
         "{told}"
     );
 }

@@ -229,7 +229,7 @@ fn what_cannot_be_an_input_is_refused() {
         ..ChannelChoice::default()
     };
     let silent = shaken((Quantity::Unknown, ""), volts, going_on);
-    assert!(told(&silent, &channel("in")).contains("tells no unit"));
+    assert!(told(&silent, &channel("in")).contains("has no unit"));
     let counts = shaken((Quantity::Unknown, "counts"), volts, going_on);
     assert!(told(&counts, &channel("in")).contains("the unit counts"));
     let base = shaken((Quantity::Acceleration, "m/s^2"), volts, going_on);

@@ -246,7 +246,7 @@ fn an_archive_of_arrays_is_read_by_their_names() {
     )
     .expect_err("no array")
     .to_string();
-    assert!(told.contains("ZIP archive without arrays"), "{told}");
+    assert!(told.contains("ZIP archive without NumPy arrays"), "{told}");
     let mut damaged = zip::file(&entries, true);
     damaged[150] ^= 0x55;
     read("a.npz", &damaged, None).expect_err("its check sum is wrong");
@@ -293,7 +293,7 @@ fn hdf5_groups_and_chunks_are_read() {
         assert_eq!(found.channels[0].quantity, Quantity::Voltage);
         bytes.truncate(bytes.len() / 2);
         let told = read(name, &bytes, None).expect_err("it is cut").to_string();
-        assert!(told.contains("was the file cut?"), "{told}");
+        assert!(told.contains("is the file truncated?"), "{told}");
     }
 }
 
@@ -346,7 +346,7 @@ fn tdms_channels_run_through_all_segments() {
         let told = read("a.tdms", &whole[..whole.len() - 8], None)
             .expect_err("it is cut")
             .to_string();
-        assert!(told.contains("was the file cut?"), "{told}");
+        assert!(told.contains("is the file truncated?"), "{told}");
     }
     let groups = [
         channel("/'x'/'a'", a.clone()),

@@ -249,7 +249,7 @@ fn the_record_that_is_taken_of_several_is_told() {
         assert!((found.rate() - 1000.0).abs() < 1e-6);
         let told = found.findings.last().expect("a finding").to_string();
         assert!(
-            told.contains("is taken") && told.contains("left out: both 2"),
+            told.contains("is used") && told.contains("left out: both 2"),
             "{told}"
         );
     }
@@ -362,7 +362,7 @@ fn what_is_no_recording_is_refused_with_its_reason() {
             "no column has a unit of time",
         ),
         ("a.csv", b"t [s],b\n0,1\n2,2\n1,3\n", "before"),
-        ("a.h5", b"\x89HDF\r\n\x1a\n", "was the file cut?"),
+        ("a.h5", b"\x89HDF\r\n\x1a\n", "is the file truncated?"),
         ("a.bin", b"\x01\x02\x00\x00", "binary"),
         ("a.txt", b"\xff\xfet\x00", "UTF-16"),
         (

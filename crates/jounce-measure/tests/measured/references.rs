@@ -305,7 +305,7 @@ fn references_without_all_their_functions_are_told() {
     for (odd, told) in [
         (without, "0 of output node 11 +z to node 3 +z"),
         (twice, "2 of output node 11 +z to node 0 +z"),
-        (silent, "not told"),
+        (silent, "unspecified"),
     ] {
         let count = odd.channels.len();
         let given = MeasuredResponses::given(&[odd]).expect("responses");

@@ -111,7 +111,7 @@ fn a_unit_that_the_columns_would_cut_is_refused() {
         told.contains("accelerance")
             && told.contains(long)
             && told.contains("21 characters")
-            && told.contains("holds 20"),
+            && told.contains("limit of UFF is 20"),
         "{told}"
     );
     assert!(!path.exists());
@@ -144,17 +144,17 @@ fn a_place_or_name_that_the_format_would_change_is_refused() {
         (
             "beam.hammer",
             "a".to_owned(),
-            "the place of a, \"beam.hammer\", has 11 characters; UFF holds 10: give a shorter one",
+            "the place of a, \"beam.hammer\", has 11 characters; the limit of UFF is 10: give a shorter one",
         ),
         (
             "tip",
             "n".repeat(81),
-            "has 81 characters; UFF holds 80: give a shorter one",
+            "has 81 characters; the limit of UFF is 80: give a shorter one",
         ),
         (
             "tip",
             "öse".to_owned(),
-            "the name of öse, \"öse\", holds 'ö'; UFF holds ASCII only",
+            "the name of öse, \"öse\", contains 'ö'; UFF supports only ASCII",
         ),
     ] {
         let (refused, path) = written(place, &name, "uff");

@@ -113,7 +113,7 @@ fn what_the_file_does_not_tell_is_said_by_a_key() {
     let bare = ("bare.csv", "a\n1\n-1\n3\n-3\n");
     let fault = read(bare, "").unwrap_err();
     assert!(
-        fault.contains("nothing tells when the samples were taken")
+        fault.contains("no sampling times found")
             && fault.contains("give the drive a `sample_rate`"),
         "{fault}"
     );
@@ -126,7 +126,7 @@ fn what_the_file_does_not_tell_is_said_by_a_key() {
     let assumed = read(bare, "sample_rate = \"250 Hz\"\n").unwrap();
     assert_eq!(
         findings(&assumed),
-        ["road: a: no unit is told; m/s^2 is assumed"]
+        ["road: a: no unit is given; m/s^2 is assumed"]
     );
     let two = ("two.csv", "time (s),left,right\n0,1,2\n0.5,-1,0\n1,1,2\n");
     let fault = read(two, "").unwrap_err();
@@ -157,7 +157,7 @@ fn gaps_are_bridged_and_reported() {
     );
     let told = findings(&found).join("; ");
     assert!(
-        told.contains("no number") && told.contains("missing"),
+        told.contains("not numbers") && told.contains("missing"),
         "{told}"
     );
 }

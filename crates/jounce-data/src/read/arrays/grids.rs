@@ -1,7 +1,9 @@
-//! Arrays to recordings: each array goes to the time or frequency of its length that lies nearest to it among the structs of the file.
+//! Converts arrays to recordings. Each array is assigned to the nearest time or frequency array of
+//! equal length among the structs of the file.
 //!
-//! Near is what shares the most names from the outermost on: `data.run(2).acc` belongs to `data.run(2).t` rather than to `data.t`. Without
-//! such an array a number beside it, a rate or a step, tells its times. Recordings over equal grids become one.
+//! The nearest array shares the most names, counted from the outermost: `data.run(2).acc` belongs
+//! to `data.run(2).t` rather than to `data.t`. Without such an array, a rate or step stored in the
+//! same struct gives the times. Recordings over equal grids are merged.
 
 use std::collections::HashMap;
 use std::hash::Hash;
@@ -16,20 +18,20 @@ use super::spacing::{Spacing, spacings};
 use super::{Array, Path, Tree};
 use crate::recording::{Issue, IssueKind, Over, Series};
 
-/// Arrays that are named one by one where they were left out.
+/// Maximum number of skipped arrays that are listed by name.
 const MAX_NAMED: usize = 8;
 
-/// Where the samples of a recording lie.
+/// Source of the sample positions of a recording.
 enum SampleAxis {
-    /// At the numbers of an array.
+    /// Positions stored in an array.
     Array(Box<RawColumn>, Over),
-    /// As a number tells.
+    /// Uniform grid given by a scalar.
     Even(Spacing),
-    /// Nothing tells.
+    /// No information in the file.
     Unknown,
 }
 
-/// A recording in the making.
+/// Recording under construction.
 struct RecordingSet {
     axis: SampleAxis,
     length: usize,
@@ -37,7 +39,7 @@ struct RecordingSet {
     columns: Vec<RawColumn>,
 }
 
-/// The recordings in a file of arrays.
+/// Builds the recordings of a file of arrays.
 pub(in super::super) fn into_found(mut tree: Tree) -> Result<FormatContents, Damage> {
     let arrays = std::mem::take(&mut tree.arrays);
     let (singles, arrays): (Vec<Array>, Vec<Array>) = arrays
@@ -51,7 +53,7 @@ pub(in super::super) fn into_found(mut tree: Tree) -> Result<FormatContents, Dam
             format!(" ({})", tree.findings[0].about)
         };
         return Err(Damage::new(format!(
-            "it holds no numeric array that could be a record{told}; was the file cut?"
+            "it contains no numeric array that could be a recording{told}; is the file truncated?"
         )));
     }
     let spacings = spacings(&singles, &mut tree)?;
@@ -62,14 +64,15 @@ pub(in super::super) fn into_found(mut tree: Tree) -> Result<FormatContents, Dam
         for set in sets.iter().filter(|set| set.columns.is_empty()) {
             if let SampleAxis::Array(axis, _) = &set.axis {
                 tree.skip(format!(
-                    "{} has {} places, and no channel is as long",
+                    "{} has {} samples, and no channel has the same length",
                     axis.name, set.length
                 ));
             }
         }
         sets.retain(|set| !set.columns.is_empty());
     } else {
-        // Times without a channel of their length: the longest one will be refused with what was left out.
+        // Times without a channel of their length: the longest is refused later, with a list of
+        // what was left out.
         sets.sort_by_key(|set| std::cmp::Reverse(set.length));
         sets.truncate(1);
     }
@@ -103,7 +106,8 @@ fn is_single(array: &Array) -> bool {
     array.length() == 1 && array.series.len() == 1
 }
 
-/// True for each array that is the only one beside a time in its struct, so that texts beside it are about it.
+/// True for each array that is the only data array in its struct. Texts of that struct then apply
+/// to it.
 fn lonely(arrays: &[Array]) -> io::Result<HashMap<Path, bool>> {
     let mut in_scope: HashMap<&[String], usize> = HashMap::new();
     let is_axis = |array: &Array| over_by_name(array).is_some();
@@ -121,7 +125,7 @@ fn lonely(arrays: &[Array]) -> io::Result<HashMap<Path, bool>> {
         .collect())
 }
 
-/// What the name of a real series says that it holds.
+/// Independent variable (time or frequency) that the name of a real series indicates.
 fn over_by_name(array: &Array) -> Option<Over> {
     let one = array.series.len() == 1 && array.imaginary.is_none();
     let (name, _) = split(array.path.name());
@@ -134,7 +138,7 @@ fn over_by_name(array: &Array) -> Option<Over> {
     (one && named).then_some(over)
 }
 
-/// Arrays that are times or frequencies, and all others.
+/// Arrays of times or frequencies, and all others.
 #[derive(Default)]
 struct SortedArrays {
     axes: Vec<(Array, Over)>,
@@ -163,7 +167,7 @@ fn ascends(array: &Array) -> io::Result<bool> {
     Ok(ascends)
 }
 
-/// Every array to its set; names and lengths of what has none.
+/// Assigns each array to a set; returns names and lengths of arrays without one.
 fn assigned(
     tree: &Tree,
     arrays: SortedArrays,
@@ -191,7 +195,7 @@ fn assigned(
         });
     }
     let times = sets.len();
-    // A number beside a time of its own tells the rate of that time, and of nothing else.
+    // A number in the struct of a time array gives the rate of that array only.
     let mut free = NearestByName::default();
     for (k, spacing) in spacings
         .iter()
@@ -215,7 +219,7 @@ fn assigned(
         let at = by_axis
             .nearest(&order.map(|over| (length, over)), &scope)
             .unwrap_or_else(|| {
-                // A number may stand inside the array, as an attribute.
+                // A number may be an attribute of the array.
                 let spacing = free.nearest(&[()], &path);
                 *even.entry((spacing, length)).or_insert_with(|| {
                     let axis = spacing.map_or(SampleAxis::Unknown, |k| {
@@ -236,7 +240,8 @@ fn assigned(
     (sets, left)
 }
 
-/// Of the arrays whose times one number tells, and of those without any, the longest are the record; gives the others.
+/// Keeps the longest arrays of each rate, and of those without a rate if nothing else is known;
+/// returns the others.
 fn longest_only(sets: &mut Vec<RecordingSet>, times: usize) -> Vec<(String, usize)> {
     let key = |set: &RecordingSet| {
         if let SampleAxis::Even(spacing) = &set.axis {
@@ -271,7 +276,8 @@ fn longest_only(sets: &mut Vec<RecordingSet>, times: usize) -> Vec<(String, usiz
     left
 }
 
-/// Things by the names around them: which one of a kind shares the most names with an array, from the outermost on.
+/// Lookup by enclosing names: finds the item of a kind that shares the most names with an array,
+/// counted from the outermost.
 struct NearestByName<K>(HashMap<(K, Vec<String>), usize>);
 
 impl<K> Default for NearestByName<K> {
@@ -281,7 +287,7 @@ impl<K> Default for NearestByName<K> {
 }
 
 impl<K: Copy + Eq + Hash> NearestByName<K> {
-    /// The first one inside each list of outermost names is kept.
+    /// Stores the first item for each list of outermost names.
     fn insert(&mut self, kind: K, scope: &[String], number: usize) {
         for depth in 0..=scope.len() {
             self.0
@@ -290,12 +296,12 @@ impl<K: Copy + Eq + Hash> NearestByName<K> {
         }
     }
 
-    /// The first one inside these names.
+    /// Returns the first item inside these names.
     fn inside(&self, kind: K, scope: &[String]) -> Option<usize> {
         self.0.get(&(kind, scope.to_vec())).copied()
     }
 
-    /// The nearest one; of kinds that are equally near the first.
+    /// Returns the nearest item; among equally near kinds, the first.
     fn nearest(&self, kinds: &[K], scope: &[String]) -> Option<usize> {
         (0..=scope.len()).rev().find_map(|depth| {
             kinds
@@ -315,7 +321,7 @@ fn columns(tree: &Tree, array: Array, alone: bool) -> Vec<RawColumn> {
     heads.into_iter().zip(array.series).map(column).collect()
 }
 
-/// Recordings over equal grids to one.
+/// Merges recordings over equal grids.
 fn merged(sets: Vec<RecordingSet>) -> io::Result<Vec<RecordingSet>> {
     let mut kept: Vec<RecordingSet> = Vec::new();
     let mut alike: HashMap<(Over, usize, [u64; 3]), Vec<usize>> = HashMap::new();
@@ -405,7 +411,7 @@ fn raw(set: RecordingSet, rate: Option<Rate>, findings: Vec<Issue>) -> Raw {
     }
 }
 
-/// Names that texts of the file give to several columns get a number.
+/// Numbers the columns that share a name given by texts of the file.
 fn unlike(columns: &mut [RawColumn]) {
     let mut times: HashMap<String, (usize, usize)> = HashMap::new();
     columns
@@ -419,17 +425,17 @@ fn unlike(columns: &mut [RawColumn]) {
     }
 }
 
-/// Tells which arrays were left out.
+/// Records which arrays were left out.
 fn tell_left(tree: &mut Tree, left: &[(String, usize)], sets: &[RecordingSet]) {
     let record = match sets {
-        [set] => format!("where the record has {}", set.length),
-        _ => "and no time or frequency in the file is as long".to_owned(),
+        [set] => format!("where the recording has {}", set.length),
+        _ => "and no time or frequency in the file has the same length".to_owned(),
     };
     for (name, length) in left.iter().take(MAX_NAMED) {
         tree.skip(format!("{name} has {length} samples {record}"));
     }
     if let Some(more) = left.len().checked_sub(MAX_NAMED).filter(|more| *more > 0) {
-        let about = "arrays of other lengths than the record were left out".to_owned();
+        let about = "arrays of other lengths than the recording were left out".to_owned();
         tree.findings
             .push(Issue::new(IssueKind::Skipped, more, None, about));
     }

@@ -1,21 +1,22 @@
-//! Numbers of an array of any dimensions to series along its longest side.
+//! Splits an array of any number of dimensions into series along its longest side.
 
 use super::super::error::Damage;
 use super::super::numbers::ColumnNumbers;
 use super::super::samples::SampleStore;
 
-/// Series that an array may hold; with more it is an image or a table of another kind.
+/// Maximum number of series in an array; an array with more is an image or another kind of table.
 const MAX_SERIES: u64 = 4096;
 
-/// Where each number of an array belongs. With the first dimension the fastest, number `n` is sample `n / s % l` of series
-/// `n % s + n / (s l) s`, for the longest side `l` and the product `s` of the dimensions before it.
+/// Position of each number of an array. With the first dimension the fastest, number `n` is sample
+/// `n / s % l` of series `n % s + n / (s l) s`, for the longest side `l` and the product `s` of the
+/// dimensions before it.
 #[derive(Debug, Clone, PartialEq)]
 pub(in super::super) struct ArrayLayout {
-    /// Sizes, the fastest first.
+    /// Sizes, the fastest dimension first.
     dimensions: Vec<u64>,
-    /// The last dimension comes first in names.
+    /// True where names list the last dimension first.
     turned: bool,
-    /// Number of the longest dimension.
+    /// Index of the longest dimension.
     along: usize,
     stride: u64,
     length: u64,
@@ -23,8 +24,9 @@ pub(in super::super) struct ArrayLayout {
 }
 
 impl ArrayLayout {
-    /// The layout of an array whose first dimension is the fastest (MATLAB), or whose last one is (`turned`: C); `None` where it holds more series
-    /// than could be channels, or more numbers than can be counted.
+    /// Returns the layout of an array whose first dimension is the fastest (MATLAB), or the last
+    /// one (`turned`: C). Returns `None` for more series than could be channels, or more numbers
+    /// than can be counted.
     pub fn new(dimensions: &[u64], turned: bool) -> Option<Self> {
         let fastest_first: Vec<u64> = if turned {
             dimensions.iter().rev().copied().collect()
@@ -54,15 +56,15 @@ impl ArrayLayout {
         })
     }
 
-    /// All numbers.
+    /// Total count of numbers.
     pub fn total(&self) -> u64 {
         self.length * self.count
     }
 
-    /// Empty series for [`Self::push`].
+    /// Returns empty series for [`Self::push`].
     ///
     /// # Errors
-    /// There is not room for so many numbers.
+    /// Not enough memory.
     pub fn series(&self, store: &SampleStore) -> Result<Vec<ColumnNumbers>, Damage> {
         let mut series: Vec<ColumnNumbers> = (0..self.count).map(|_| store.column()).collect();
         let room = series
@@ -78,7 +80,7 @@ impl ArrayLayout {
         }
     }
 
-    /// Puts a number, counted from 0 in the order of the file, behind the others of its series.
+    /// Appends a number to its series; `number` counts from 0 in file order.
     pub fn push(&self, series: &mut [ColumnNumbers], number: u64, x: f64) -> std::io::Result<()> {
         let of = number % self.stride + number / (self.stride * self.length) * self.stride;
         series
@@ -86,7 +88,7 @@ impl ArrayLayout {
             .map_or(Ok(()), |numbers| numbers.push(x))
     }
 
-    /// Places of the series in the array, from 1: `(2)`, `(2,1)`; none for a single series.
+    /// Indices of the series in the array, from 1: `(2)`, `(2,1)`; empty for a single series.
     pub fn labels(&self) -> Vec<String> {
         if self.count < 2 {
             return Vec::new();

@@ -4,7 +4,7 @@ use super::super::name;
 use super::spacing::plain;
 use super::{Array, Path, Tree};
 
-/// Names of texts that hold a unit or a channel name, in small letters and without underlines.
+/// Names of texts that contain a unit or a channel name, in lower case without underscores.
 const UNITS: [&str; 4] = ["unit", "units", "unitlabel", "yunit"];
 const NAMES: [&str; 7] = [
     "name",
@@ -69,7 +69,7 @@ fn own_unit(tree: &Tree, array: &Array) -> Option<Vec<String>> {
         .cloned()
 }
 
-/// As many texts as series, by one of these names in the same struct.
+/// Returns the texts of one of these names in the same struct, if there are as many as series.
 fn beside(tree: &Tree, array: &Array, names: &[&str], count: usize) -> Option<Vec<String>> {
     let texts = tree.texts.get(array.path.scope())?;
     texts

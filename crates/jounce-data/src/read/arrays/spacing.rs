@@ -7,7 +7,8 @@ use super::super::raw::Rate;
 use super::{Array, Path, Tree};
 use crate::recording::{Issue, IssueKind, Over};
 
-/// Names of a number that is a rate in Hz, a step in s (Hz over frequency), or a first place, in small letters and without underlines.
+/// Names of scalars that give a rate in Hz, a step in s (Hz over frequency), or a first position;
+/// in lower case without underscores.
 const RATES: [&str; 8] = [
     "fs",
     "samplerate",
@@ -45,12 +46,13 @@ pub(super) struct Spacing {
     /// Scope of the scalars.
     pub scope: Vec<String>,
     pub rate: Rate,
-    /// First place, if stored.
+    /// First position, if stored.
     pub start: Option<f64>,
     pub over: Over,
 }
 
-/// Spacings of all scopes; if scalars of one scope disagree, the first is used and a finding is added.
+/// Spacings of all scopes; if scalars of one scope disagree, the first is used and an issue is
+/// added.
 pub(super) fn spacings(singles: &[Array], tree: &mut Tree) -> io::Result<Vec<Spacing>> {
     let mut found: Vec<Spacing> = Vec::new();
     let mut by_scope: HashMap<Vec<String>, usize> = HashMap::new();
@@ -64,7 +66,7 @@ pub(super) fn spacings(singles: &[Array], tree: &mut Tree) -> io::Result<Vec<Spa
                 if spacing.rate.differs_from(known.rate.rate_hz) {
                     let [a, b] = [&known.rate, &spacing.rate];
                     let about = format!(
-                        "{} is a rate of {} Hz, {} one of {} Hz; the first is taken",
+                        "{} is a rate of {} Hz, {} one of {} Hz; the first is used",
                         a.told, a.rate_hz, b.told, b.rate_hz
                     );
                     tree.findings
@@ -109,7 +111,7 @@ fn spacing(single: &Array, tree: &Tree) -> io::Result<Option<Spacing>> {
     }))
 }
 
-/// First places by scope.
+/// First positions by scope.
 fn starts(singles: &[Array]) -> io::Result<HashMap<&[String], f64>> {
     let is_start = |single: &&Array| STARTS.contains(&plain(single.path.name()).as_str());
     singles
@@ -144,7 +146,7 @@ fn value(single: &Array) -> io::Result<f64> {
         .map_or(f64::NAN, |(number, _)| number))
 }
 
-/// A name in small letters and without underlines.
+/// Returns a name in lower case without underscores.
 pub(super) fn plain(name: &str) -> String {
     name.to_lowercase().chars().filter(|c| *c != '_').collect()
 }

@@ -1,11 +1,12 @@
-//! What may be read of an array: only what the file can hold.
+//! Checks array sizes against the file size before reading.
 
 use hdf5_pure::{Dataset, Layout};
 
-/// Bytes that one compressed byte can stand for.
+/// Maximum compression ratio.
 const MAX_RATIO: u64 = 1032;
 
-/// The dimensions of an array whose bytes are all there; `Err` says why it cannot be read.
+/// Returns the dimensions of an array that is completely stored; `Err` gives the reason why it
+/// cannot be read.
 pub(super) fn shape(dataset: &Dataset, file_size: u64) -> Result<Vec<u64>, String> {
     let told = |fault: hdf5_pure::Error| fault.to_string();
     let shape = dataset.shape().map_err(told)?;
@@ -15,7 +16,7 @@ pub(super) fn shape(dataset: &Dataset, file_size: u64) -> Result<Vec<u64>, Strin
         .ok_or("it is larger than can be counted")?;
     match dataset.layout().map_err(told)? {
         Layout::Compact { size } if size < bytes => {
-            Err(format!("{bytes} bytes are due, {size} are there"))
+            Err(format!("it needs {bytes} bytes, but {size} are stored"))
         }
         Layout::Compact { .. } => Ok(shape),
         Layout::Contiguous {
@@ -27,7 +28,7 @@ pub(super) fn shape(dataset: &Dataset, file_size: u64) -> Result<Vec<u64>, Strin
                 Ok(shape)
             } else {
                 Err(format!(
-                    "{bytes} bytes are due, {there} follow: was the file cut?"
+                    "it needs {bytes} bytes, but {there} follow: is the file truncated?"
                 ))
             }
         }
@@ -38,11 +39,11 @@ pub(super) fn shape(dataset: &Dataset, file_size: u64) -> Result<Vec<u64>, Strin
         Layout::Chunked { chunk_shape, .. } => {
             chunks(dataset, &shape, &chunk_shape, size, file_size).map(|()| shape)
         }
-        _ => Err("its numbers lie in other files".to_owned()),
+        _ => Err("its numbers are in other files".to_owned()),
     }
 }
 
-/// Every part of the array lies inside the file, and none is missing.
+/// Checks that every chunk of the array lies inside the file and that no chunk is missing.
 fn chunks(
     dataset: &Dataset,
     shape: &[u64],
@@ -52,7 +53,7 @@ fn chunks(
 ) -> Result<(), String> {
     if shape.len() != chunk_shape.len() || chunk_shape.contains(&0) {
         return Err(format!(
-            "parts of {chunk_shape:?} do not make up an array of {shape:?}"
+            "chunks of {chunk_shape:?} do not match an array of {shape:?}"
         ));
     }
     let sides: Vec<u64> = shape
@@ -60,13 +61,13 @@ fn chunks(
         .zip(chunk_shape)
         .map(|(side, part)| side.div_ceil(*part))
         .collect();
-    let due = product(&sides).ok_or("it has more parts than can be counted")?;
+    let due = product(&sides).ok_or("it has more chunks than can be counted")?;
     let bytes = product(chunk_shape)
         .and_then(|count| count.checked_mul(size))
-        .ok_or("its parts are larger than can be counted")?;
-    // Each part takes room in the file, at least in the list of the parts.
+        .ok_or("its chunks are larger than can be counted")?;
+    // Each chunk takes room in the file, at least in the chunk index.
     if due > file_size {
-        return Err(format!("it has {due} parts, more than the file has bytes"));
+        return Err(format!("it has {due} chunks, more than the file has bytes"));
     }
     let chunks = dataset.chunks().map_err(|fault| fault.to_string())?;
     let (mut there, mut stored) = (0_u64, 0_u64);
@@ -80,7 +81,7 @@ fn chunks(
         let end = chunk.address.saturating_add(chunk.storage_size);
         if !inside || end > file_size || bytes / MAX_RATIO > chunk.storage_size {
             return Err(format!(
-                "the part at {:?} of {} bytes cannot be: was the file cut?",
+                "the chunk at {:?} of {} bytes is impossible: is the file truncated?",
                 chunk.offset, chunk.storage_size
             ));
         }
@@ -89,12 +90,12 @@ fn chunks(
     }
     if there != due {
         return Err(format!(
-            "{there} of its {due} parts are there; the others were never written"
+            "{there} of its {due} chunks are stored; the others were never written"
         ));
     }
     if stored > file_size {
         return Err(format!(
-            "its parts have {stored} bytes, the file has {file_size}"
+            "its chunks have {stored} bytes, the file has {file_size}"
         ));
     }
     Ok(())

@@ -1,21 +1,21 @@
-//! What MATLAB notes of its arrays in HDF5.
+//! MATLAB attributes of arrays in HDF5.
 
 use std::collections::HashMap;
 
 use hdf5_pure::AttrValue;
 
-/// What a dataset is to MATLAB.
+/// MATLAB class of a dataset.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Class {
-    /// Numbers, or no file of MATLAB.
+    /// Numbers, or a file not written by MATLAB.
     Numbers,
     /// Characters of two bytes.
     Text,
-    /// References to what the cells hold.
+    /// References to the contents of the cells.
     Cell,
-    /// Nothing: the numbers are the size of an empty array.
+    /// Empty: the stored numbers are the size of an empty array.
     Empty,
-    /// An object in a form that is not public.
+    /// Object in a private format.
     Object,
 }
 
@@ -35,7 +35,7 @@ impl Class {
     }
 }
 
-/// The text of an attribute.
+/// Returns the text of an attribute.
 pub(super) fn text(value: &AttrValue) -> Option<String> {
     match value {
         AttrValue::String(text)
@@ -52,7 +52,7 @@ pub(super) fn text(value: &AttrValue) -> Option<String> {
     }
 }
 
-/// The number of an attribute.
+/// Returns the number of an attribute.
 pub(super) fn number(value: &AttrValue) -> Option<f64> {
     match value {
         AttrValue::F64(x) => Some(*x),

@@ -1,7 +1,8 @@
-//! HDF5, and the MATLAB files of version 7.3 in it: arrays of numbers in groups of any depth, cells and structs of MATLAB among them.
+//! HDF5 and MATLAB 7.3 files: numeric arrays in groups of any depth, including cells and structs of
+//! MATLAB.
 //!
-//! The crate `hdf5-pure` reads the format. What it would make room for is compared with the size of the file before it is asked, since a damaged
-//! file may claim any size.
+//! The crate `hdf5-pure` reads the format. Sizes are checked against the file size before memory is
+//! allocated, because a damaged file may claim any size.
 mod checked;
 mod matlab;
 mod node;
@@ -18,7 +19,8 @@ use node::Walk;
 
 const BEGIN: &[u8] = b"\x89HDF\r\n\x1a\n";
 
-/// True where a file begins like HDF5, perhaps behind a block of 512, 1024 or 2048 bytes that another program uses, as MATLAB does.
+/// True where a file begins like HDF5, perhaps after a user block of 512, 1024 or 2048 bytes, as
+/// written by MATLAB.
 pub(super) fn begins(head: &[u8]) -> bool {
     [0, 512, 1024, 2048].iter().any(|from| {
         head.get(*from..)
@@ -39,10 +41,11 @@ pub(super) fn read(path: &FilePath, store: &SampleStore) -> Result<FormatContent
     into_found(walk.tree)
 }
 
-/// What the library says, with what converts a file that it cannot read.
+/// Adds to an error of the library how to convert a file that it cannot read.
 fn wrong(fault: &dyn std::fmt::Display) -> Damage {
     Damage::new(format!(
-        "{fault}; was the file cut? Else convert it in Python: import h5py, numpy; f = h5py.File('FILE'); \
-         numpy.savez('FILE.npz', t=f['time'][...].ravel(), v=f['NAME'][...].ravel())"
+        "{fault}; is the file truncated? Else convert it in Python: import h5py, numpy; f = \
+        h5py.File('FILE'); numpy.savez('FILE.npz', t=f['time'][...].ravel(), \
+        v=f['NAME'][...].ravel())"
     ))
 }

@@ -1,4 +1,4 @@
-//! Groups and arrays of an HDF5 file to a tree.
+//! Collects groups and arrays of an HDF5 file in a tree.
 
 use std::collections::HashMap;
 
@@ -11,24 +11,24 @@ use super::super::scalar::{Kind, Scalar};
 use super::matlab::{self, Class};
 use super::{checked, wrong};
 
-/// Groups inside groups.
+/// Maximum depth of nested groups.
 const MAX_DEPTH: usize = 60;
-/// Bytes that are decoded at once, where an array has several rows.
+/// Bytes decoded at once, for an array of several rows.
 const BYTES_AT_ONCE: u64 = 4 << 20;
-/// Characters of a text that is read.
+/// Maximum number of characters read from a text.
 const MAX_CHARACTERS: u64 = 1 << 16;
 
-/// Where a walk through a file is.
+/// Traversal state.
 pub(super) struct Walk<'a> {
     pub store: &'a SampleStore,
     /// Bytes of the file.
     pub size: u64,
     pub tree: Tree,
-    /// Groups and arrays so far; references may form circles.
+    /// Number of groups and arrays visited; limits cyclic references.
     pub visited: usize,
 }
 
-/// How numbers lie in the bytes of an element.
+/// Layout of numbers in the bytes of an element.
 struct Stored {
     scalar: Scalar,
     /// Bytes of an element.
@@ -41,7 +41,7 @@ impl Walk<'_> {
     pub fn group(&mut self, group: &Group, path: &Path) -> Result<(), Damage> {
         if path.0.len() > MAX_DEPTH {
             return Err(Damage::new(format!(
-                "{path} lies inside more than {MAX_DEPTH} groups"
+                "{path} is nested in more than {MAX_DEPTH} groups"
             )));
         }
         self.visit()?;
@@ -55,7 +55,7 @@ impl Walk<'_> {
             }
         }
         for name in group.groups().map_err(|fault| wrong(&fault))? {
-            // What cells refer to, and the objects of MATLAB.
+            // Contents of cells, and objects of MATLAB.
             if !(path.0.is_empty() && name.starts_with('#')) {
                 self.group(
                     &group.group(&name).map_err(|fault| wrong(&fault))?,
@@ -70,14 +70,14 @@ impl Walk<'_> {
         self.visited += 1;
         if self.visited > MAX_ARRAYS {
             Err(Damage::new(format!(
-                "it holds more than {MAX_ARRAYS} groups and arrays"
+                "it contains more than {MAX_ARRAYS} groups and arrays"
             )))
         } else {
             Ok(())
         }
     }
 
-    /// Single numbers and texts that stand as attributes.
+    /// Reads scalars and texts stored as attributes.
     fn attributes(
         &mut self,
         attributes: &HashMap<String, AttrValue>,
@@ -128,14 +128,16 @@ impl Walk<'_> {
         self.visit()?;
         if path.0.len() > MAX_DEPTH {
             return Err(Damage::new(format!(
-                "{path} lies inside more than {MAX_DEPTH} cells"
+                "{path} is nested in more than {MAX_DEPTH} cells"
             )));
         }
         let attributes = dataset.attrs().unwrap_or_default();
         let class = Class::of(&attributes);
         if class == Class::Object {
-            self.tree
-                .skip(format!("{path} is an object (timeseries, table) and was left out: save its numbers, as t = x.Time; v = x.Data"));
+            self.tree.skip(format!(
+                "{path} is an object (timeseries, table) and was left out; save its \
+                    numbers, for example t = x.Time; v = x.Data"
+            ));
         }
         if matches!(class, Class::Object | Class::Empty) {
             return Ok(());
@@ -167,14 +169,14 @@ impl Walk<'_> {
                 Some(stored) => self.numbers(dataset, path, &shape, &stored, &attributes),
                 None => {
                     self.tree
-                        .skip(format!("{path} holds no numbers and was left out"));
+                        .skip(format!("{path} contains no numbers and was left out"));
                     Ok(())
                 }
             },
         }
     }
 
-    /// Cells, `runs{2}`, and fields of several structs, `signal(2).values`.
+    /// Reads cells, `runs{2}`, and fields of struct arrays, `signal(2).values`.
     fn references(&mut self, dataset: &Dataset, path: &Path, class: Class) -> Result<(), Damage> {
         let objects = match dataset.dereference() {
             Ok(objects) => objects,
@@ -205,7 +207,7 @@ impl Walk<'_> {
                 Object::Dataset(dataset) => self.dataset(&dataset, &place)?,
                 _ => self
                     .tree
-                    .skip(format!("{place} is no array and was left out")),
+                    .skip(format!("{place} is not an array and was left out")),
             }
         }
         Ok(())
@@ -225,7 +227,7 @@ impl Walk<'_> {
         Ok(())
     }
 
-    /// Text of MATLAB, two bytes for each character.
+    /// Reads MATLAB text, two bytes per character.
     fn characters(
         &mut self,
         dataset: &Dataset,
@@ -259,7 +261,7 @@ impl Walk<'_> {
         let Some(layout) = ArrayLayout::new(shape, true).filter(|layout| layout.total() > 0) else {
             if !shape.contains(&0) {
                 self.tree.skip(format!(
-                    "the array {path} of size {shape:?} is no series of numbers"
+                    "the array {path} of size {shape:?} is not a series of numbers"
                 ));
             }
             return Ok(());
@@ -297,7 +299,8 @@ impl Walk<'_> {
         }
         if number != layout.total() {
             return Err(Damage::new(format!(
-                "{path} has {} numbers by its size, {number} are there: was the file cut?",
+                "{path} has {} numbers by its size, but {number} are stored: is the file \
+                truncated?",
                 layout.total()
             )));
         }
@@ -311,7 +314,8 @@ impl Walk<'_> {
     }
 }
 
-/// How the numbers of a type lie; `None` where it has none. A pair of numbers is a complex one.
+/// Returns the layout of the numbers of a type, `None` for other types. A pair of numbers is
+/// complex.
 fn stored(datatype: &Datatype) -> Option<Stored> {
     let plain = |datatype: &Datatype| {
         let order = |order: &DatatypeByteOrder| match order {

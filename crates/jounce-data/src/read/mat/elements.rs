@@ -1,4 +1,5 @@
-//! Elements of a MAT file: a tag with type and length, the data, and zeros up to the next eight bytes.
+//! Elements of a MAT file: a tag with type and length, the data, and zero padding to a multiple of
+//! eight bytes.
 
 use std::io::{self, Read};
 
@@ -7,25 +8,25 @@ use super::super::scalar::{Kind, Scalar};
 
 pub(super) const MATRIX: u32 = 14;
 pub(super) const COMPRESSED: u32 = 15;
-/// Texts of 1 byte for each character, and of 2.
+/// Types of text with 1 byte per character, and with 2.
 pub(super) const UTF8: u32 = 16;
 pub(super) const UTF16: u32 = 17;
 
-/// Bytes of a name or a text that are read at most.
+/// Maximum number of bytes of a name or text.
 const MAX_TEXT_BYTES: u64 = 1 << 20;
 
-/// What stands before the data of an element.
+/// Tag of an element.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Tag {
     pub kind: u32,
     /// Bytes of the data.
     pub length: u64,
-    /// The data themselves, where they are at most four bytes and stand in the tag.
+    /// Data stored in the tag, at most four bytes.
     small: Option<[u8; 4]>,
 }
 
 impl Tag {
-    /// The tag of a whole element of the file, which is never a small one.
+    /// Reads the tag of a top-level element, which is never a small one.
     pub fn read(source: &mut dyn Read, little_endian: bool) -> Result<Self, Damage> {
         let mut words = [[0; 4]; 2];
         for word in &mut words {
@@ -39,7 +40,7 @@ impl Tag {
         })
     }
 
-    /// How its numbers are stored; `None` where they are no numbers.
+    /// Storage type of the numbers; `None` for other data.
     pub fn scalar(&self, little_endian: bool) -> Option<Scalar> {
         let (kind, size) = match self.kind {
             1 => (Kind::Signed, 1),
@@ -66,10 +67,10 @@ fn whole(bytes: [u8; 4], little_endian: bool) -> u32 {
     }
 }
 
-/// The elements inside a matrix, one after the other.
+/// Consecutive elements inside a matrix.
 pub(super) struct Elements<'a> {
     source: &'a mut dyn Read,
-    /// Bytes that the matrix still holds.
+    /// Remaining bytes of the matrix.
     left: u64,
     pub little_endian: bool,
 }
@@ -83,7 +84,7 @@ impl<'a> Elements<'a> {
         }
     }
 
-    /// The next tag; its data must lie inside the matrix.
+    /// Reads the next tag; its data must lie inside the matrix.
     pub fn tag(&mut self) -> Result<Tag, Damage> {
         let mut word = [0; 4];
         self.exact(&mut word)?;
@@ -113,14 +114,14 @@ impl<'a> Elements<'a> {
         })
     }
 
-    /// Data of names and texts.
+    /// Reads the data of a name or text.
     pub fn bytes(&mut self, tag: &Tag) -> Result<Vec<u8>, Damage> {
         if let Some(small) = tag.small {
             return Ok(small[..tag.length.min(4) as usize].to_vec());
         }
         if tag.length > MAX_TEXT_BYTES {
             return Err(Damage::new(format!(
-                "a name or text of {} bytes; at most 1 MiB is due",
+                "a name or text of {} bytes; the limit is 1 MiB",
                 tag.length
             )));
         }
@@ -130,7 +131,7 @@ impl<'a> Elements<'a> {
         Ok(bytes)
     }
 
-    /// Hands each number to `take`; there must be as many as are due.
+    /// Passes each number to `take`; the count must match.
     pub fn numbers(
         &mut self,
         tag: &Tag,
@@ -138,12 +139,12 @@ impl<'a> Elements<'a> {
         mut take: impl FnMut(u64, f64) -> io::Result<()>,
     ) -> Result<(), Damage> {
         let scalar = tag.scalar(self.little_endian).ok_or_else(|| {
-            Damage::new(format!("numbers are due, not data of type {}", tag.kind))
+            Damage::new(format!("expected numbers, not data of type {}", tag.kind))
         })?;
         let there = tag.length / scalar.size as u64;
         if there != due {
             return Err(Damage::new(format!(
-                "{due} numbers are due, {there} follow: was the file cut?"
+                "expected {due} numbers, but {there} follow: is the file truncated?"
             )));
         }
         let mut number = 0;
@@ -160,26 +161,26 @@ impl<'a> Elements<'a> {
         self.pad(tag)
     }
 
-    /// Goes into a matrix inside; gives what [`Self::leave`] needs.
+    /// Enters a nested matrix; returns the value that [`Self::leave`] needs.
     pub fn enter(&mut self, tag: &Tag) -> u64 {
         let outside = self.left - tag.length.min(self.left);
         self.left -= outside;
         outside
     }
 
-    /// Leaves a matrix, whatever of it was not read.
+    /// Leaves a matrix and skips its unread part.
     pub fn leave(&mut self, tag: &Tag, outside: u64) -> Result<(), Damage> {
         self.skip_rest()?;
         self.left = outside;
         self.pad(tag)
     }
 
-    /// Leaves out what is left.
+    /// Skips the remaining elements.
     pub fn skip_rest(&mut self) -> Result<(), Damage> {
         self.skip(self.left)
     }
 
-    /// True where so many elements may follow, each of eight bytes or more.
+    /// True where so many elements of at least eight bytes may follow.
     pub fn may_hold(&self, elements: u64) -> bool {
         elements
             .checked_mul(8)
@@ -219,6 +220,6 @@ impl<'a> Elements<'a> {
 
 fn outside(due: u64, left: u64) -> Damage {
     Damage::new(format!(
-        "{due} bytes are due inside an array that ends after {left}: was the file cut?"
+        "expected {due} bytes inside an array that ends after {left}: is the file truncated?"
     ))
 }

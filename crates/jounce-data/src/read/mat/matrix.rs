@@ -1,13 +1,13 @@
-//! A variable of a MAT file, or what a struct or a cell holds.
+//! Reads a variable of a MAT file, or an element of a struct or cell.
 
 use super::super::arrays::{Array, ArrayLayout, MAX_ARRAYS, Path, Tree};
 use super::super::error::Damage;
 use super::super::samples::SampleStore;
 use super::elements::{Elements, MATRIX, Tag};
 
-/// Structs inside structs.
+/// Maximum depth of nested structs.
 const MAX_DEPTH: usize = 100;
-/// Characters of a text that is read.
+/// Maximum number of characters read from a text.
 const MAX_CHARACTERS: u64 = 1 << 16;
 
 /// Classes of arrays.
@@ -19,7 +19,7 @@ const SPARSE: u8 = 5;
 /// Numbers of 1 to 8 bytes.
 const NUMBERS: std::ops::RangeInclusive<u8> = 6..=15;
 
-/// Reads the content of a matrix; a text is given back too.
+/// Reads the contents of a matrix; returns its text, if it is one.
 pub(super) fn read(
     elements: &mut Elements<'_>,
     path: &Path,
@@ -29,12 +29,12 @@ pub(super) fn read(
 ) -> Result<Option<String>, Damage> {
     if depth > MAX_DEPTH {
         return Err(Damage::new(format!(
-            "{path} lies inside more than {MAX_DEPTH} structs and cells"
+            "{path} is nested in more than {MAX_DEPTH} structs and cells"
         )));
     }
     if tree.arrays.len() >= MAX_ARRAYS {
         return Err(Damage::new(format!(
-            "it holds more than {MAX_ARRAYS} arrays"
+            "it contains more than {MAX_ARRAYS} arrays"
         )));
     }
     let Some((class, complex)) = class(elements)? else {
@@ -47,7 +47,7 @@ pub(super) fn read(
         Vec::new()
     };
     let own = name(elements)?;
-    // Only variables have a name of their own; the one without holds objects in a form that is not public.
+    // Only variables have their own name; the unnamed one contains objects in a private format.
     if depth == 0 && own.is_empty() && is_known {
         return Ok(None);
     }
@@ -67,15 +67,19 @@ pub(super) fn read(
         }
         TEXT => return inside.text(elements, tree),
         _ if NUMBERS.contains(&class) => inside.numbers(elements, complex, tree)?,
-        SPARSE => tree.skip(format!("{path} is a sparse matrix and was left out; save full({path})")),
+        SPARSE => tree.skip(format!(
+            "{path} is a sparse matrix and was left out; save full({path})"
+        )),
         _ => tree.skip(
-            "an object (timeseries, table, function) was left out: save its numbers, as t = x.Time; v = x.Data; save('file.mat', 't', 'v', '-v7')",
+            "an object (timeseries, table, function) was left out; save its numbers, for example \
+            t = x.Time; v = x.Data; save('file.mat', 't', 'v', '-v7')",
         ),
     }
     Ok(None)
 }
 
-/// Class of an array and whether it is complex; none for an empty matrix without header.
+/// Returns the class of an array and true if it is complex; `None` for an empty matrix without
+/// header.
 fn class(elements: &mut Elements<'_>) -> Result<Option<(u8, bool)>, Damage> {
     if !elements.may_hold(1) {
         return Ok(None);
@@ -100,7 +104,7 @@ fn dimensions(elements: &mut Elements<'_>) -> Result<Vec<u64>, Damage> {
     let count = tag.length / 4;
     if count > 32 {
         return Err(Damage::new(format!(
-            "an array of {count} dimensions; at most 32 are due"
+            "an array has {count} dimensions; the limit is 32"
         )));
     }
     elements.numbers(&tag, count, |_, size| {
@@ -110,7 +114,7 @@ fn dimensions(elements: &mut Elements<'_>) -> Result<Vec<u64>, Damage> {
     let wrong = |size: &&f64| !(**size >= 0.0 && size.fract() == 0.0);
     match found.iter().find(wrong) {
         Some(size) => Err(Damage::new(format!(
-            "a side of {size} numbers; it must be a whole number, 0 or more"
+            "a side has {size} numbers; it must be a whole number, 0 or more"
         ))),
         None => Ok(found.iter().map(|size| *size as u64).collect()),
     }
@@ -129,7 +133,7 @@ fn latin(bytes: &[u8]) -> String {
     )
 }
 
-/// What lies behind the header of an array.
+/// Contents after the header of an array.
 struct Inside<'a> {
     path: &'a Path,
     depth: usize,
@@ -138,7 +142,7 @@ struct Inside<'a> {
 }
 
 impl Inside<'_> {
-    /// Elements of the array.
+    /// Returns the number of elements of the array.
     fn count(&self, elements: &Elements<'_>, each: u64) -> Result<u64, Damage> {
         let count = self
             .dimensions
@@ -148,7 +152,7 @@ impl Inside<'_> {
         let path = self.path;
         fits.ok_or_else(|| {
             Damage::new(format!(
-                "{path} has the size {:?}, and so many elements do not follow: was the file cut?",
+                "{path} has the size {:?}, but fewer elements follow: is the file truncated?",
                 self.dimensions
             ))
         })
@@ -163,7 +167,7 @@ impl Inside<'_> {
         let tag = elements.tag()?;
         if tag.kind != MATRIX {
             return Err(Damage::new(format!(
-                "{path}: an array is due, not data of type {}",
+                "{path}: expected an array, not data of type {}",
                 tag.kind
             )));
         }
@@ -173,7 +177,8 @@ impl Inside<'_> {
         Ok(text)
     }
 
-    /// Cells are named by their number from 1; a cell of texts is a list of them.
+    /// Reads a cell array. Cells are named by their number from 1; a cell array of texts becomes a
+    /// list.
     fn cell(&self, elements: &mut Elements<'_>, tree: &mut Tree) -> Result<(), Damage> {
         let mut texts = Vec::new();
         let count = self.count(elements, 1)?;
@@ -186,7 +191,7 @@ impl Inside<'_> {
         Ok(())
     }
 
-    /// A struct, or several, whose fields follow each other.
+    /// Reads a struct, or a struct array with consecutive fields.
     fn fields(&self, elements: &mut Elements<'_>, tree: &mut Tree) -> Result<(), Damage> {
         let tag = elements.tag()?;
         let little_endian = elements.little_endian;
@@ -244,7 +249,7 @@ impl Inside<'_> {
             return Ok(None);
         };
         let bytes = elements.bytes(&tag)?;
-        // Characters of UTF-8 may be longer than one byte: then there is one row.
+        // UTF-8 characters may be longer than one byte; the text then has one row.
         let utf8 = std::str::from_utf8(&bytes)
             .ok()
             .filter(|_| scalar.size == 1 && rows == 1);
@@ -284,7 +289,7 @@ impl Inside<'_> {
     ) -> Result<(), Damage> {
         let Some(layout) = ArrayLayout::new(&self.dimensions, false) else {
             tree.skip(format!(
-                "the array {} of size {:?} is no series of numbers",
+                "the array {} of size {:?} is not a series of numbers",
                 self.path, self.dimensions
             ));
             return Ok(());
@@ -300,7 +305,8 @@ impl Inside<'_> {
             if tag.length / size != layout.total() {
                 let (path, due, there) = (self.path, layout.total(), tag.length / size);
                 return Err(Damage::new(format!(
-                    "{path} has {due} numbers by its size, {there} follow: was the file cut?"
+                    "{path} has {due} numbers by its size, but {there} follow: is the file \
+                    truncated?"
                 )));
             }
             let mut series = layout.series(self.store)?;

@@ -1,6 +1,8 @@
-//! MATLAB files of version 5 (`-v6`, `-v7`): numeric arrays, texts, and these inside structs, cells and objects of any depth.
+//! MATLAB files of version 5 (`-v6`, `-v7`): numeric arrays and texts, including those nested in
+//! structs, cells and objects.
 //!
-//! Source: The MathWorks, "MAT-File Format", R2023b. The numbers go to the store as they come, so that no array is held as a whole.
+//! Source: The MathWorks, "MAT-File Format", R2023b. Numbers are streamed to the store, so no array
+//! is held in memory.
 mod elements;
 mod matrix;
 
@@ -16,9 +18,9 @@ use super::error::Damage;
 use super::samples::SampleStore;
 use elements::{COMPRESSED, Elements, MATRIX, Tag};
 
-/// Bytes of the header of a file, whose last two tell the byte order.
+/// Bytes of the file header; the last two give the byte order.
 const HEADER: usize = 128;
-/// Bytes that one compressed byte can stand for: 258 by a pair of codes of one bit.
+/// Maximum compression ratio: 258 by a pair of codes of one bit.
 const MAX_RATIO: u64 = 1032;
 
 pub(super) fn read(path: &FilePath, store: &SampleStore) -> Result<FormatContents, Damage> {
@@ -37,7 +39,7 @@ pub(super) fn read(path: &FilePath, store: &SampleStore) -> Result<FormatContent
     into_found(tree)
 }
 
-/// Reads one element of the file, compressed or not, and gives its bytes.
+/// Reads one element of the file, compressed or not, and returns its size in bytes.
 fn element(
     source: &mut impl Read,
     left: u64,
@@ -49,7 +51,8 @@ fn element(
     let left = left.saturating_sub(8);
     if tag.length > left {
         return Err(Damage::new(format!(
-            "the element that begins here is {} bytes long, {left} follow: was the file cut?",
+            "the element at this position is {} bytes long, but {left} follow: is the file \
+            truncated?",
             tag.length
         )));
     }
@@ -59,19 +62,19 @@ fn element(
         let inner = Tag::read(&mut inflated, little_endian)?;
         if inner.length / MAX_RATIO > tag.length {
             let why = format!(
-                "{} bytes cannot be {} compressed ones: was the file cut?",
+                "{} bytes cannot be {} compressed ones: is the file truncated?",
                 inner.length, tag.length
             );
             return Err(Damage::new(why));
         }
         root(&mut inflated, inner, little_endian, store, tree)?;
-        // The check sum is looked at behind the last byte.
+        // Reading past the last byte verifies the checksum.
         io::copy(&mut inflated.take(1), &mut io::sink()).map_err(Damage::cut)?;
     } else {
         root(&mut content, tag, little_endian, store, tree)?;
     }
     io::copy(&mut content, &mut io::sink()).map_err(Damage::cut)?;
-    // What is not compressed is filled up to eight bytes.
+    // Uncompressed data are padded to eight bytes.
     let whole = if tag.kind == COMPRESSED {
         tag.length
     } else {
@@ -92,7 +95,7 @@ fn root(
 ) -> Result<(), Damage> {
     if tag.kind != MATRIX {
         tree.skip(format!(
-            "an element of type {} is no variable and was left out",
+            "an element of type {} is not a variable and was left out",
             tag.kind
         ));
         return Ok(());

@@ -1,22 +1,23 @@
-//! Pages of a Parquet column, checked before the library decodes them: it panics at some damaged ones.
+//! Checks pages of a Parquet column before the library decodes them, because it panics at some
+//! damaged pages.
 
 use parquet::basic::Encoding;
 use parquet::column::page::{Page, PageMetadata, PageReader};
 use parquet::errors::{ParquetError, Result};
 
-/// Bytes of the length of a run, of seven bits each: enough for 32 bits.
+/// Maximum bytes of the length of a run, seven bits each: enough for 32 bits.
 const MAX_LENGTH_BYTES: usize = 5;
 
-/// Pages of a column without lists, of which each is checked.
+/// Checked pages of a column without lists.
 pub(super) struct CheckedPages {
     pages: Box<dyn PageReader>,
-    /// Bits of a definition level, 0 where no value is absent.
+    /// Bits of a definition level, 0 where no value is missing.
     level_bits: usize,
     has_dictionary: bool,
 }
 
 impl CheckedPages {
-    /// Pages of a column whose definition levels go up to `max_level`.
+    /// Returns the pages of a column whose definition levels go up to `max_level`.
     pub fn new(pages: Box<dyn PageReader>, max_level: i16) -> Self {
         let level_bits = (i16::BITS - max_level.max(0).leading_zeros()) as usize;
         Self {
@@ -51,20 +52,20 @@ impl CheckedPages {
             } => {
                 let (length, rest) = buffer
                     .split_first_chunk::<4>()
-                    .ok_or_else(|| damaged("its levels are cut"))?;
+                    .ok_or_else(|| damaged("its levels are truncated"))?;
                 rest.split_at_checked(u32::from_le_bytes(*length) as usize)
-                    .ok_or_else(|| damaged("its levels are cut"))?
+                    .ok_or_else(|| damaged("its levels are truncated"))?
             }
-            Page::DataPage { .. } => return Err(damaged("its levels are of an old encoding")),
+            Page::DataPage { .. } => return Err(damaged("its levels use an old encoding")),
             Page::DataPageV2 {
                 def_levels_byte_len,
                 rep_levels_byte_len: 0,
                 ..
             } => buffer
                 .split_at_checked(*def_levels_byte_len as usize)
-                .ok_or_else(|| damaged("its levels are cut"))?,
+                .ok_or_else(|| damaged("its levels are truncated"))?,
             Page::DataPageV2 { .. } => {
-                return Err(damaged("it has lists where the column has none"));
+                return Err(damaged("it contains lists, but the column has none"));
             }
         };
         check_encoding(page.encoding())?;
@@ -73,31 +74,33 @@ impl CheckedPages {
             return Ok(());
         }
         if !self.has_dictionary {
-            return Err(damaged("it refers to a dictionary that is not there"));
+            return Err(damaged("it refers to a missing dictionary"));
         }
         match values.split_first() {
             Some((bits, runs)) if *bits <= 32 => {
                 check_runs(runs, usize::from(*bits), page.num_values() as usize)
             }
             Some((bits, _)) => Err(damaged(&format!(
-                "its places in the dictionary have {bits} bits"
+                "its indices in the dictionary have {bits} bits"
             ))),
             None => Ok(()),
         }
     }
 }
 
-/// Other encodings are rare, and the library does not check what they hold.
+/// Refuses rare encodings, whose contents the library does not check.
 fn check_encoding(encoding: Encoding) -> Result<()> {
     match encoding {
         Encoding::PLAIN | Encoding::PLAIN_DICTIONARY | Encoding::RLE_DICTIONARY => Ok(()),
         other => Err(ParquetError::General(format!(
-            "its numbers are encoded as {other}; write them plain or with a dictionary, as pandas.read_parquet(FILE).to_parquet(FILE) does"
+            "its numbers are encoded as {other}; write them plain or with a dictionary, for \
+            example with pandas.read_parquet(FILE).to_parquet(FILE)"
         ))),
     }
 }
 
-/// Runs of equal numbers and stretches of packed ones, each behind its length, up to so many numbers.
+/// Checks runs of equal numbers and of packed ones, each preceded by its length, up to `count`
+/// numbers.
 fn check_runs(mut runs: &[u8], bits: usize, count: usize) -> Result<()> {
     let mut numbers = 0_usize;
     while numbers < count && !runs.is_empty() {

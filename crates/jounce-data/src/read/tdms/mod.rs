@@ -1,7 +1,7 @@
 //! TDMS of LabVIEW and DIAdem: channels in groups, in any number of segments.
 //!
-//! Source: National Instruments, "TDMS File Format Internal Structure". Raw data of DAQmx and texts among the channels are left out. The crates
-//! for the format hold a file whole.
+//! Source: National Instruments, "TDMS File Format Internal Structure". Raw DAQmx data and text
+//! channels are left out. The existing crates hold the complete file in memory.
 mod objects;
 
 use std::collections::HashMap;
@@ -21,16 +21,16 @@ use objects::{Metadata, Object, Stored};
 pub(super) const BEGIN: &[u8] = b"TDSm";
 /// Bytes before the metadata of a segment.
 const LEAD_IN: u64 = 28;
-/// Marks of a segment.
+/// Flags of a segment.
 const HAS_METADATA: u32 = 1 << 1;
 const IS_NEW_LIST: u32 = 1 << 2;
 const HAS_DATA: u32 = 1 << 3;
 const IS_INTERLEAVED: u32 = 1 << 5;
 const IS_BIG_ENDIAN: u32 = 1 << 6;
-/// The length of a segment that was not closed.
+/// Length of a segment that was not closed.
 const OPEN: u64 = u64::MAX;
 
-/// A file that is read segment by segment.
+/// Reader of consecutive segments.
 struct Reader<'a> {
     source: BufReader<File>,
     size: u64,
@@ -61,14 +61,14 @@ pub(super) fn read(path: &FilePath, store: &SampleStore) -> Result<FormatContent
 }
 
 impl Reader<'_> {
-    /// Reads the segment that begins there; gives where the next one does.
+    /// Reads the segment at an offset; returns the offset of the next one.
     fn segment(&mut self, at: u64) -> Result<u64, Damage> {
         self.source.seek(SeekFrom::Start(at)).map_err(Damage::cut)?;
         let mut lead = [0; LEAD_IN as usize];
         self.source.read_exact(&mut lead).map_err(Damage::cut)?;
         if !lead.starts_with(BEGIN) {
             return Err(Damage::new(format!(
-                "a segment is due, which begins with TDSm, not with {:?}",
+                "expected a segment, which begins with TDSm, not with {:?}",
                 String::from_utf8_lossy(&lead[..4])
             )));
         }
@@ -78,7 +78,8 @@ impl Reader<'_> {
         let length = if next == OPEN { left } else { next };
         if length > left || data > length && data != OPEN {
             return Err(Damage::new(format!(
-                "a segment of {length} bytes with data from {data} on is due, {left} bytes follow: was the file cut?"
+                "expected a segment of {length} bytes with data from {data}, but {left} bytes \
+                follow: is the file truncated?"
             )));
         }
         let little_endian = marks & IS_BIG_ENDIAN == 0;
@@ -89,7 +90,9 @@ impl Reader<'_> {
                 .read(&mut source, little_endian, marks & IS_NEW_LIST != 0)?;
         }
         if next == OPEN {
-            let about = "the last segment was not closed: the program that wrote it ended early; what is there is read".to_owned();
+            let about = "the last segment was not closed, because the program that wrote it ended \
+                early; the existing data are read"
+                .to_owned();
             self.findings.push(Issue::new(
                 IssueKind::HeaderDisagrees,
                 1,
@@ -106,7 +109,7 @@ impl Reader<'_> {
         Ok(at + LEAD_IN + length)
     }
 
-    /// Chunks of so many numbers of each channel, one after the other.
+    /// Reads chunks with a given count of numbers of each channel, one channel after the other.
     fn data(&mut self, bytes: u64, interleaved: bool, little_endian: bool) -> Result<(), Damage> {
         let active = self.metadata.active.clone();
         let chunk: Option<u64> = active
@@ -120,7 +123,8 @@ impl Reader<'_> {
         }
         let mut left = bytes;
         while left > 0 {
-            // The last chunk of an open segment may be cut, between its channels or inside one.
+            // The last chunk of an open segment may be truncated, between its channels or inside
+            // one.
             let mut of_chunk = left.min(chunk);
             left -= of_chunk;
             for (channel, stored) in &active {
@@ -133,7 +137,7 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// Numbers of a channel in so many bytes.
+    /// Reads the numbers of a channel from `bytes` bytes.
     fn numbers(
         &mut self,
         channel: usize,
@@ -152,7 +156,7 @@ impl Reader<'_> {
             .channels
             .entry(channel)
             .or_insert_with(|| [store.column(), store.column()]);
-        // Times put the seconds first where the highest byte stands first.
+        // Big-endian times begin with the seconds.
         let mut part = usize::from(stored.is_time() && !little_endian);
         scalar.each(&mut self.source, bytes / width * parts as u64, |x| {
             let pushed = numbers[part].push(x);
@@ -167,7 +171,7 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// One number of each channel by turns.
+    /// Reads interleaved data, one number of each channel in turn.
     fn interleaved(
         &mut self,
         active: &[(usize, Stored)],
@@ -185,7 +189,7 @@ impl Reader<'_> {
             .sum();
         if row == 0 || scalars.contains(&None) {
             return Err(Damage::new(
-                "channels of numbers by turns with others than numbers; save it again in DIAdem or LabVIEW",
+                "numeric channels are interleaved with others; save it again in DIAdem or LabVIEW",
             ));
         }
         for _ in 0..bytes / row {
@@ -199,7 +203,7 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// Channels with their properties.
+    /// Returns the channels with their properties.
     fn into_tree(mut self) -> Result<Tree, Damage> {
         let mut tree = Tree::default();
         tree.findings.append(&mut self.findings);
@@ -250,7 +254,7 @@ impl Reader<'_> {
     }
 }
 
-/// Times of a day, in parts of a second of 2^-64 s and seconds, as seconds since the first one.
+/// Converts timestamps, in units of 2^-64 s and seconds, to seconds since the first one.
 fn since_the_first(
     parts: &ColumnNumbers,
     seconds: &ColumnNumbers,
@@ -270,7 +274,7 @@ fn since_the_first(
     Ok(since)
 }
 
-/// Numbers and texts that stand as properties of an object.
+/// Reads numbers and texts stored as properties of an object.
 fn properties(
     object: &Object,
     path: &Path,

@@ -1,4 +1,5 @@
-//! Metadata of a TDMS segment: its objects (file, groups, channels), how their raw data lie, and their properties.
+//! Metadata of a TDMS segment: its objects (file, groups, channels), the layout of their raw data,
+//! and their properties.
 
 use std::collections::HashMap;
 use std::io::Read;
@@ -6,17 +7,17 @@ use std::io::Read;
 use super::super::error::Damage;
 use super::super::scalar::{Kind, Scalar};
 
-/// Bytes of a name or a text that are read at most.
+/// Maximum number of bytes of a name or text.
 const MAX_TEXT_BYTES: u32 = 1 << 20;
 /// Types of values.
 const TEXT: u32 = 0x20;
 const TIME: u32 = 0x44;
-/// How raw data may be told: none, as in the segment before, and two forms of DAQmx.
+/// Codes for the layout of raw data: no data, as in the previous segment, and two forms of DAQmx.
 const NONE: u32 = u32::MAX;
 const AS_BEFORE: u32 = 0;
 const DAQMX: [u32; 2] = [0x1269, 0x1369];
 
-/// The file, a group or a channel.
+/// File, group or channel.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(super) struct Object {
     /// Names of the group and of the channel.
@@ -24,13 +25,13 @@ pub(super) struct Object {
     /// Properties that are numbers, and those that are texts.
     pub numbers: Vec<(String, f64)>,
     pub texts: Vec<(String, String)>,
-    /// True where its values are times of a day.
+    /// True where its values are timestamps.
     pub is_time: bool,
-    /// Why its values cannot be read.
+    /// Reason why its values cannot be read.
     pub left_out: Option<&'static str>,
 }
 
-/// How the raw data of a channel lie in a chunk.
+/// Layout of the raw data of a channel in a chunk.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Stored {
     /// Type of the values.
@@ -40,19 +41,19 @@ pub(super) struct Stored {
     texts: u64,
 }
 
-/// All objects so far, and those that the raw data are of.
+/// All objects so far, and those with raw data.
 #[derive(Debug, Default)]
 pub(super) struct Metadata {
     pub objects: Vec<Object>,
-    /// Objects with raw data in the present segment, in their order there.
+    /// Objects with raw data in the current segment, in file order.
     pub active: Vec<(usize, Stored)>,
     numbers: HashMap<String, usize>,
-    /// How the raw data of each object lay last.
+    /// Most recent layout of the raw data of each object.
     last: HashMap<usize, Stored>,
 }
 
 impl Stored {
-    /// Bytes of a chunk; `None` where they cannot be counted.
+    /// Bytes of a chunk; `None` on overflow.
     pub fn bytes(self) -> Option<u64> {
         let size = match self.kind {
             TEXT => return Some(self.texts),
@@ -66,7 +67,7 @@ impl Stored {
         self.count.checked_mul(size)
     }
 
-    /// True for times of a day.
+    /// True for timestamps.
     pub fn is_time(self) -> bool {
         self.kind == TIME
     }
@@ -116,7 +117,7 @@ impl Metadata {
         Ok(())
     }
 
-    /// How the raw data of an object lie, if it has any.
+    /// Reads the layout of the raw data of an object, if it has any.
     fn stored(&mut self, values: &mut Values<'_>, number: usize) -> Result<Option<Stored>, Damage> {
         let object = &mut self.objects[number];
         let told = values.word()?;
@@ -126,15 +127,16 @@ impl Metadata {
                 let before = self.last.get(&number).copied();
                 before.ok_or_else(|| {
                     Damage::new(format!(
-                        "{} is as before, but nothing stands before",
+                        "{} refers to the previous segment, but there is no previous segment",
                         object.names.join("/")
                     ))
                 })?
             }
             _ if DAQMX.contains(&told) => {
                 return Err(Damage::new(
-                    "its data are raw values of DAQmx; save it again scaled: in LabVIEW with TDMS Write, in DIAdem, or in Python by nptdms: \
-                     TdmsFile.read(file).as_dataframe().to_parquet('FILE.parquet')",
+                    "its data are raw values of DAQmx; save it again scaled: in LabVIEW with TDMS \
+                    Write, in DIAdem, or in Python by nptdms: \
+                    TdmsFile.read(file).as_dataframe().to_parquet('FILE.parquet')",
                 ));
             }
             _ => {
@@ -142,7 +144,7 @@ impl Metadata {
                 let texts = if kind == TEXT { values.long()? } else { 0 };
                 if dimension != 1 {
                     return Err(Damage::new(format!(
-                        "{} has {dimension} dimensions; 1 is due",
+                        "{} has {dimension} dimensions; expected 1",
                         object.names.join("/")
                     )));
                 }
@@ -160,7 +162,7 @@ impl Metadata {
         object.is_time = stored.is_time();
         object.left_out = match stored.kind {
             TEXT => Some("it holds texts"),
-            11 => Some("it holds numbers of extended precision; save them as DBL"),
+            11 => Some("it contains numbers of extended precision; save them as DBL"),
             _ => None,
         };
         Ok(Some(stored))
@@ -201,7 +203,7 @@ impl Metadata {
     }
 }
 
-/// Names of a path `/'group'/'channel'`, in which a quote is doubled.
+/// Splits a path `/'group'/'channel'` into names; quotes inside are doubled.
 fn names(path: &str) -> Vec<String> {
     let inside = path
         .trim_start_matches('/')
@@ -217,7 +219,7 @@ fn names(path: &str) -> Vec<String> {
     }
 }
 
-/// Values of the metadata, one after the other.
+/// Consecutive values of the metadata.
 struct Values<'a> {
     source: &'a mut dyn Read,
     little_endian: bool,
@@ -252,7 +254,7 @@ impl Values<'_> {
         let length = self.word()?;
         if length > MAX_TEXT_BYTES {
             return Err(Damage::new(format!(
-                "a name or text of {length} bytes; at most 1 MiB is due: was the file cut?"
+                "a name or text of {length} bytes; the limit is 1 MiB: is the file truncated?"
             )));
         }
         let mut bytes = vec![0; length as usize];
@@ -266,7 +268,8 @@ impl Values<'_> {
 }
 
 impl Stored {
-    /// How the numbers of a channel are stored, and how many make up a sample; `None` where it has none.
+    /// Storage type of the numbers of a channel, and their count per sample; `None` for other
+    /// types.
     pub fn scalar(self, little_endian: bool) -> Option<(Scalar, usize)> {
         let (kind, size, parts) = match self.kind {
             1..=4 => (Kind::Signed, 1 << (self.kind - 1), 1),
@@ -274,7 +277,7 @@ impl Stored {
             9 | 0x19 => (Kind::Float, 4, 1),
             10 | 0x1a => (Kind::Float, 8, 1),
             0x21 => (Kind::Unsigned, 1, 1),
-            // Parts of a second in units of 2^-64 s and seconds.
+            // Fractions of a second in units of 2^-64 s, and seconds.
             TIME => (Kind::Unsigned, 8, 2),
             0x08_000c => (Kind::Float, 4, 2),
             0x10_000d => (Kind::Float, 8, 2),

@@ -5,28 +5,29 @@ use super::layout::Delimiter;
 use super::preamble::{is_of_time, is_pair};
 use crate::recording::Issue;
 
-/// Words in a line of units that are no units that are known here, in small letters.
+/// Words that occur in a line of units but are not known units, in lower case.
 const UNIT_WORDS: [&str; 22] = [
     "", "-", "none", "unknown", "sequence", "number", "ts", "rn", "a", "ma", "amp", "amps",
     "ampere", "amperes", "w", "watt", "ohm", "\u{b0}c", "degc", "celsius", "value", "logic",
 ];
-/// Those that say that there is no unit.
+/// Words for a missing unit.
 const NO_UNITS: [&str; 9] = [
     "-", "none", "unknown", "sequence", "number", "ts", "rn", "value", "logic",
 ];
-/// How loggers say what a column is of many samples, in small letters.
+/// Loggers' words for a statistic of many samples, in lower case.
 const REDUCTIONS: [&str; 8] = ["", "avg", "smp", "max", "min", "tot", "std", "med"];
 
-/// The name and the unit of a column.
+/// Name and unit of a column.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(in crate::read) struct ColumnHead {
     pub name: String,
     pub unit: String,
-    /// True where the first rows hold no number of it: text in it is none among the numbers.
+    /// True where the column is empty in the first rows; text in it does not count as text among
+    /// numbers.
     pub blank: bool,
-    /// True for one before all numbers, where some instruments write their settings.
+    /// True for a column before all numbers, where some instruments write their settings.
     pub beside: bool,
-    /// True where no line of the text names it.
+    /// True where no line of the text names the column.
     pub unnamed: bool,
 }
 
@@ -40,15 +41,15 @@ impl ColumnHead {
     }
 }
 
-/// Names and units from the last line above the numbers that has a field for each of the columns, `used` at least and `count` at most, and from a line of
-/// units below it; and what is doubtful about them.
+/// Reads names and units of columns, with ambiguities. Names are in the last line above the numbers
+/// with one field per column, at least `used` and at most `count`; units in that line or the next.
 pub(super) fn heads(
     above: &[&str],
     used: usize,
     count: usize,
     delimiter: Delimiter,
 ) -> (Vec<ColumnHead>, Vec<Issue>) {
-    // A word alone in a line is a title.
+    // A single word on a line is a title.
     let is_alone = |fields: &[String]| {
         fields.len() > 1 && fields[1..].iter().all(|field| field.trim().is_empty())
     };
@@ -105,7 +106,8 @@ pub(super) fn heads(
     (distinct((0..count).map(head).collect()), doubts)
 }
 
-/// Names that are numbers in order, from 0 or 1 on, in a first row whose columns hold other numbers below.
+/// Names that are consecutive numbers from 0 or 1, in a first row whose columns contain other
+/// numbers below.
 pub(super) fn numbered(
     first: &str,
     below: &[&str],
@@ -124,7 +126,7 @@ pub(super) fn numbered(
         .iter()
         .enumerate()
         .all(|(k, name)| *name == (from + k).to_string());
-    // A whole number in each column below could be the next row of counters.
+    // An integer in each column could be the next row of counters.
     let whole = |field: &String| field.parse::<i64>().is_ok();
     let rows: Vec<Vec<String>> = below
         .iter()
@@ -148,7 +150,7 @@ pub(super) fn numbered(
     Some(names.iter().enumerate().map(head).collect())
 }
 
-/// True for a line of units: one at least is known, and all others are words that stand in such lines.
+/// True for a line of units: at least one is known, and all others are words found in such lines.
 fn are_units(fields: &[String]) -> bool {
     let bare = |field: &String| {
         field
@@ -164,7 +166,7 @@ fn are_units(fields: &[String]) -> bool {
             .all(|field| known(field) || UNIT_WORDS.contains(&bare(field).as_str()))
 }
 
-/// A unit of a line of units; none for words that say that there is none.
+/// Returns a unit from a line of units; empty for words that mean no unit.
 fn meant(unit: &str) -> String {
     let bare = unit.trim().trim_matches('"').trim();
     if NO_UNITS.contains(&bare.to_lowercase().as_str()) {
@@ -174,13 +176,13 @@ fn meant(unit: &str) -> String {
     }
 }
 
-/// The fields of a line of heads, its comment sign and what says a step or a start taken away, and empty ones at its end; fields that blanks part may be
-/// parted by two blanks or more.
+/// Splits a heading line into fields, without its comment sign, entries of a step or start, and
+/// empty fields at its end. Fields separated by spaces may need two or more.
 fn fields_of_head(line: &str, used: usize, count: usize, delimiter: Delimiter) -> Vec<String> {
     let line = line
         .trim_start_matches(['#', '%', '!'])
         .trim_start_matches(' ');
-    // Where semicolons part the fields, the first one may be empty.
+    // In semicolon-separated text the first field may be empty.
     let line = if delimiter == Delimiter::Byte(b';') {
         line
     } else {
@@ -212,7 +214,8 @@ fn fields_of_head(line: &str, used: usize, count: usize, delimiter: Delimiter) -
     }
     if fields.len() > used {
         let kept = fields.iter().take(used).cloned();
-        // Beyond the columns no name is a number: those are values of a step and a start, below their keys.
+        // Numbers beyond the columns are not names but values of a step and a start, below their
+        // keys.
         let is_number = |field: &str| field.trim().parse::<f64>().is_ok();
         let rest = fields
             .iter()
@@ -227,7 +230,7 @@ fn fields_of_head(line: &str, used: usize, count: usize, delimiter: Delimiter) -
     fields
 }
 
-/// Names used twice get their column's number.
+/// Appends the column number to duplicate names.
 fn distinct(heads: Vec<ColumnHead>) -> Vec<ColumnHead> {
     let twice = |name: &str| heads.iter().filter(|head| head.name == name).count() > 1;
     let name = |k: usize, name: &str| {

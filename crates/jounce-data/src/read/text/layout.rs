@@ -1,39 +1,40 @@
-//! Where the numbers of a text begin, and what parts them.
+//! Finds the first row of numbers in a text, and the delimiter.
 
 use super::super::number::TextField;
 use super::heads::{ColumnHead, heads, numbered};
 use super::preamble::Preamble;
 use crate::recording::Issue;
 
-/// What parts the fields of a line.
+/// Delimiter of the fields of a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Delimiter {
     /// One character.
     Byte(u8),
-    /// Any number of blanks.
+    /// Any number of spaces.
     Blanks,
 }
 
-/// The layout of a text.
+/// Layout of a text.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct TextLayout {
     pub delimiter: Delimiter,
     pub decimal_comma: bool,
-    /// The byte that ends a line.
+    /// Byte that ends a line.
     pub line_end: u8,
     /// Lines before the first row of numbers.
     pub skip: usize,
-    /// Fields of a whole row at least.
+    /// Minimum number of fields of a complete row.
     pub least: usize,
     /// Name and unit of each column.
     pub heads: Vec<ColumnHead>,
-    /// What stands above the rows, or beside them.
+    /// Instrument settings above the rows, or next to them.
     pub preamble: Preamble,
-    /// How heads were read that can be read in two ways.
+    /// Issues about ambiguous headings.
     pub doubts: Vec<Issue>,
 }
 
-/// So many lines in a row with the same number of numbers are the beginning of the data; two where there are no three.
+/// Consecutive lines with equally many numbers that mark the beginning of the data; two if there
+/// are no three.
 const ROWS: [usize; 2] = [3, 2];
 const DELIMITERS: [Delimiter; 4] = [
     Delimiter::Byte(b'\t'),
@@ -43,11 +44,11 @@ const DELIMITERS: [Delimiter; 4] = [
 ];
 
 impl Delimiter {
-    /// The fields of a line; quotes keep a delimiter inside a field.
+    /// Splits a line into fields; quoted fields may contain the delimiter.
     pub(crate) fn fields(self, line: &str) -> Vec<String> {
         match self {
             Self::Blanks => line.split_whitespace().map(str::to_owned).collect(),
-            // Quotes are rare; where there are none a plain split is the same and quicker.
+            // Quotes are rare; without them a plain split is equivalent and faster.
             Self::Byte(delimiter) if !line.contains('"') => line
                 .split(char::from(delimiter))
                 .map(str::to_owned)
@@ -70,8 +71,8 @@ impl Delimiter {
 }
 
 impl TextLayout {
-    /// Finds the layout of lines that end with a byte: the delimiter that gives the most columns of numbers, at the first place where it gives them in a
-    /// row. None where there is no such place.
+    /// Finds the layout: the delimiter that gives the most columns of numbers, at the first
+    /// position with consecutive such lines. Returns `None` if there is no such position.
     pub(super) fn find(lines: &[&str], line_end: u8) -> Option<Self> {
         let (mut skip, count, delimiter, decimal_comma) =
             ROWS.iter().find_map(|rows| most_columns(lines, *rows))?;
@@ -91,7 +92,8 @@ impl TextLayout {
         let blank: Vec<bool> = (0..count)
             .map(|k| first.iter().all(|row| !row[k].is_value()))
             .collect();
-        // Rows above that hold text only where the first rows hold nothing belong to them: some oscilloscopes write their settings there.
+        // Rows above with text only in columns that are empty in the first rows belong to the data:
+        // some oscilloscopes write settings there.
         let belongs = |row: &Vec<TextField>| {
             row.len() == count
                 && row
@@ -137,10 +139,10 @@ impl TextLayout {
     }
 }
 
-/// Rows beside which settings may stand.
+/// Number of rows that may have settings next to them.
 const SETTINGS_ROWS: usize = 64;
 
-/// The fields of the lines above the rows, and of those `beside` the first rows.
+/// Fields of the lines above the rows, and of the columns `beside` the first rows.
 fn said(
     lines: &[&str],
     skip: usize,
@@ -148,7 +150,7 @@ fn said(
     delimiter: Delimiter,
     decimal_comma: bool,
 ) -> Vec<Vec<String>> {
-    // A single column tells no delimiter; that of the lines above is the one that stands there most often.
+    // A single column shows no delimiter; use the most frequent one of the lines above.
     let written = |byte: &u8| {
         lines[..skip]
             .iter()
@@ -205,7 +207,7 @@ fn most_columns(lines: &[&str], rows: usize) -> Option<(usize, usize, Delimiter,
     let counted: Vec<_> = ways
         .map(|(delimiter, comma)| (delimiter, comma, counts(lines, delimiter, comma)))
         .collect();
-    // A text may be shorter than so many rows, but not in one way of reading it only.
+    // A text may have fewer rows than required, but then under every way of reading it.
     let longest = counted
         .iter()
         .map(|(.., counts)| counts.iter().filter(|count| **count > 0).count())
@@ -222,7 +224,7 @@ fn most_columns(lines: &[&str], rows: usize) -> Option<(usize, usize, Delimiter,
     best
 }
 
-/// How many numbers each line holds; 0 for a line with something else.
+/// Number of numbers in each line; 0 for a line with other content.
 fn counts(lines: &[&str], delimiter: Delimiter, decimal_comma: bool) -> Vec<usize> {
     let numbers = |line: &str| {
         let fields = delimiter.fields(line);
@@ -247,8 +249,8 @@ fn counts(lines: &[&str], delimiter: Delimiter, decimal_comma: bool) -> Vec<usiz
         .collect()
 }
 
-/// The first line of the first rows of equally many numbers, and how many numbers. Rows of as many that stand above, with nothing but numbers in
-/// between, belong to them.
+/// First line and width of the first rows with equally many numbers. Equally wide rows above them
+/// belong to them if only numbers are in between.
 fn first_rows(counts: &[usize], rows: usize) -> Option<(usize, usize)> {
     let begins = |k: &usize| {
         counts[*k] > 0

@@ -1,6 +1,6 @@
-//! The lines of a text, whatever ends them.
+//! Splits a text into lines, for any line ending.
 
-/// The byte that ends the lines of a text: a carriage return where no line feed follows any.
+/// Line ending of a text: a carriage return if there is no line feed.
 pub(in crate::read) fn line_end(head: &[u8]) -> u8 {
     if !head.contains(&b'\n') && head.contains(&b'\r') {
         b'\r'
@@ -9,7 +9,7 @@ pub(in crate::read) fn line_end(head: &[u8]) -> u8 {
     }
 }
 
-/// The lines of the beginning of a text; the last one only where the text ends with it.
+/// Lines of the beginning of a text; the last one only if the text ends with it.
 pub(in crate::read) fn whole_lines(text: &str, end: u8, is_all: bool) -> Vec<&str> {
     let mut lines: Vec<&str> = text
         .split(char::from(end))

@@ -23,12 +23,14 @@ use super::raw::{Header, Raw, TimeStamps};
 use super::samples::SampleStore;
 use crate::recording::{Issue, IssueKind, IssuePlace};
 
-/// How much of a file is looked at first to find where its numbers begin, and at most. What a line is does not depend on it: the window grows until whole
-/// lines show the rows, and a line that it cuts does not count.
+/// Initial and maximum size of the window in which the first row of numbers is searched. The result
+/// does not depend on it: the window grows until complete lines show the rows, and a truncated line
+/// is ignored.
 const INITIAL_WINDOW: u64 = 1 << 18;
 const MAX_WINDOW: u64 = 1 << 26;
 
-/// Reads a text: the layout from its head, then its rows one by one, so that memory never holds the text.
+/// Reads a text: the layout from its head, then row by row, so memory never holds the complete
+/// text.
 pub(super) fn read(path: &Path, store: &SampleStore) -> Result<FormatContents, Damage> {
     let told = |fault: std::io::Error| Damage::new(fault.to_string());
     let mut file = File::open(path).map_err(told)?;
@@ -74,7 +76,7 @@ pub(super) fn read(path: &Path, store: &SampleStore) -> Result<FormatContents, D
     .into())
 }
 
-/// The layout, and the first line that is no UTF-8.
+/// Finds the layout, and the first line that is not UTF-8.
 fn found_layout(file: &mut File, size: u64) -> Result<(TextLayout, Option<usize>), Damage> {
     let told = |fault: std::io::Error| Damage::new(fault.to_string());
     let (mut head, mut window) = (Vec::new(), INITIAL_WINDOW);
@@ -95,18 +97,18 @@ fn found_layout(file: &mut File, size: u64) -> Result<(TextLayout, Option<usize>
             return Ok((layout, latin.then_some(odd)));
         }
         if is_all || window >= MAX_WINDOW {
-            return Err(Damage::new("it holds no rows of numbers"));
+            return Err(Damage::new("it contains no rows of numbers"));
         }
         window *= 4;
     }
 }
 
-/// The head of a file as text, and true where it is no UTF-8.
+/// Decodes the head of a file; true where it is not UTF-8.
 pub(super) fn decoded(bytes: &[u8]) -> (String, bool) {
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     match std::str::from_utf8(bytes) {
         Ok(text) => (text.to_owned(), false),
-        // A character cut in two by the end of the head.
+        // A character truncated by the end of the head.
         Err(fault) if fault.error_len().is_none() => (
             String::from_utf8_lossy(&bytes[..fault.valid_up_to()]).into_owned(),
             false,

@@ -1,13 +1,14 @@
-//! What instruments write above their rows, or beside them: rate, start, names and units.
+//! Instrument settings above the rows, or next to them: rate, start, names and units.
 //!
-//! Keys of all programs are one list, since no key means two things: `Sample Interval` is the step of Tektronix and Siglent, `Increment` that of
-//! Rigol, `XInc` that of Keysight, `Sampling Period` that of GW Instek, `HResolution` that of Yokogawa. A value stands behind its key in the next
-//! field, behind `:` or `=`, or below it in a line of values.
+//! Keys of all programs are in one list, because no key has two meanings. `Sample Interval` is the
+//! step of Tektronix and Siglent, `Increment` of Rigol, `XInc` of Keysight, `Sampling Period` of GW
+//! Instek, `HResolution` of Yokogawa. A value is in the field after its key, after `:` or `=`, or
+//! below it in a line of values.
 
 use super::super::raw::Rate;
 use crate::recording::{Issue, IssueKind, Quantity, Unit};
 
-/// Keys of a step, small letters without blanks.
+/// Keys of a step, in lower case without spaces.
 const STEPS: [&str; 19] = [
     "sampleinterval",
     "samplinginterval",
@@ -79,7 +80,7 @@ const TIME_UNITS: [&str; 7] = [
     "timeunit",
 ];
 const NAMES: [&str; 4] = ["source", "sources", "tracename", "tracenames"];
-/// Keys that stand above rows and tell nothing that is needed: such a line is no line of heads.
+/// Keys above the rows without needed information; a line with such a key is not a heading line.
 const OTHERS: [&str; 46] = [
     "recordlength",
     "memorylength",
@@ -129,24 +130,24 @@ const OTHERS: [&str; 46] = [
     "blocknumber",
 ];
 
-/// What stands above the rows of a text, or beside them.
+/// Instrument settings above the rows of a text, or next to them.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(in crate::read) struct Preamble {
-    /// The rate, and how it stands there.
+    /// Rate, with its text.
     pub rate: Option<Rate>,
     /// Time of the first sample, s.
     pub start: Option<f64>,
     /// Units of the channels: one for each, or one for all.
     pub units: Vec<String>,
-    /// The unit of the time.
+    /// Unit of the time.
     pub time_unit: Option<String>,
     /// Names of the channels.
     pub names: Vec<String>,
-    /// What disagrees.
+    /// Contradictions.
     pub doubts: Vec<Issue>,
 }
 
-/// A key without its unit in brackets and the signs around it, and that unit.
+/// Splits a key into the key without brackets and punctuation, and the unit in the brackets.
 fn key(text: &str) -> (String, String) {
     let text = text
         .trim()
@@ -171,14 +172,15 @@ fn key(text: &str) -> (String, String) {
     )
 }
 
-/// True for the key of a step or a start, in `t0 = -0.01` too: such a field in a line of heads is none.
+/// True for the key of a step or a start, also in `t0 = -0.01`. Such a field is not a column
+/// heading.
 pub(super) fn is_of_time(field: &str) -> bool {
     let name = field.split('=').next().unwrap_or_default();
     let (name, _) = key(name);
     STEPS.contains(&name.as_str()) || STARTS.contains(&name.as_str())
 }
 
-/// True for a line that begins with a key and goes on with its value.
+/// True for a line that begins with a key followed by its value.
 pub(super) fn is_pair(fields: &[String]) -> bool {
     let [first, second, ..] = fields else {
         return false;
@@ -186,7 +188,7 @@ pub(super) fn is_pair(fields: &[String]) -> bool {
     let (name, _) = key(first);
     let lists = [&STEPS[..], &RATES, &STARTS, &UNITS, &TIME_UNITS, &OTHERS];
     let is_key = lists.iter().any(|list| list.contains(&name.as_str()));
-    // `time,model` is a line of heads; `Time,12-Mar-2020 14:25:31` is none.
+    // `time,model` is a heading line; `Time,12-Mar-2020 14:25:31` is not.
     let is_head = [
         "time", "date", "rate", "interval", "start", "dt", "count", "label", "points", "samples",
         "segment",
@@ -198,7 +200,7 @@ pub(super) fn is_pair(fields: &[String]) -> bool {
 }
 
 impl Preamble {
-    /// What lines of fields say.
+    /// Parses lines of fields.
     pub(super) fn read(lines: &[Vec<String>]) -> Self {
         let mut preamble = Self::default();
         let (mut steps, mut rates) = (Vec::new(), Vec::new());
@@ -231,7 +233,7 @@ impl Preamble {
             .find(|other| other.differs_from(first.rate_hz));
         preamble.doubts.extend(other.map(|other| {
             let about = format!(
-                "{} is a rate of {} Hz, {} one of {} Hz; the first is taken",
+                "{} is a rate of {} Hz, {} one of {} Hz; the first is used",
                 first.told, first.rate_hz, other.told, other.rate_hz
             );
             Issue::new(IssueKind::HeaderDisagrees, 1, None, about)
@@ -271,7 +273,7 @@ impl Preamble {
                 rate_hz,
             }));
         } else if STARTS.contains(&word) && (self.start.is_none() || !word.starts_with("start")) {
-            // `Start` may be the number of a point where an origin stands beside it.
+            // `Start` may be the index of a point if an origin is also given.
             let start =
                 number(values, &unit).and_then(|(number, unit)| Some(number * time_factor(&unit)?));
             self.start = start.filter(|start| start.is_finite()).or(self.start);
@@ -292,7 +294,7 @@ impl Preamble {
     }
 }
 
-/// Values of a list: `V,V`, `CH1:V CH2:V`, `V`.
+/// Splits values of a list: `V,V`, `CH1:V CH2:V`, `V`.
 fn listed(values: &[String]) -> Vec<String> {
     let words = values.iter().flat_map(|value| value.split_whitespace());
     let bare = words.map(|word| {
@@ -305,7 +307,8 @@ fn listed(values: &[String]) -> Vec<String> {
     bare.filter(|word| !word.is_empty()).collect()
 }
 
-/// The first number of values, as in `2.0e-6`, `1 kHz`, `CH1:2e-6 CH2:2e-6`, and its unit: behind it, in the next field, or that of the key.
+/// First number of values, as in `2.0e-6`, `1 kHz`, `CH1:2e-6 CH2:2e-6`. Its unit is after it, in
+/// the next field, or that of the key.
 fn number(values: &[String], unit: &str) -> Option<(f64, String)> {
     let value = values.first()?.trim().trim_matches('"');
     let value = if value.contains(':') {
@@ -330,7 +333,7 @@ fn number(values: &[String], unit: &str) -> Option<(f64, String)> {
     Some((number, told.to_owned()))
 }
 
-/// Seconds in a unit of time; s without one.
+/// Seconds per unit of time; `s` if no unit is given.
 fn time_factor(unit: &str) -> Option<f64> {
     if unit.is_empty() {
         return Some(1.0);
@@ -345,7 +348,7 @@ fn time_factor(unit: &str) -> Option<f64> {
     read(unit).or_else(|| read(&spelled?))
 }
 
-/// Hertz in a unit of rate: `Hz`, `kHz`, `Sa/s`, `MS/s`, `samples/s`; Hz without one.
+/// Hertz per unit of rate: `Hz`, `kHz`, `Sa/s`, `MS/s`, `samples/s`; Hz if no unit is given.
 fn rate_factor(unit: &str) -> Option<f64> {
     let plain = [
         "samples/s",

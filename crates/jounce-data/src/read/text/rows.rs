@@ -1,4 +1,4 @@
-//! The rows of a text to columns.
+//! Reads the rows of a text into columns.
 
 use std::io::{self, BufRead, Read as _};
 
@@ -11,13 +11,13 @@ use super::super::samples::SampleStore;
 use super::{ColumnHead, Delimiter, TextLayout};
 use crate::recording::{Issue, IssueKind, IssuePlace, Series};
 
-/// Columns and what was noticed on the way.
+/// Columns with the issues found.
 pub(in crate::read) struct Rows {
     pub columns: Vec<RawColumn>,
     pub findings: Vec<Issue>,
 }
 
-/// Counts what happens to lines: how often, and where first.
+/// Counter of an event in lines, with the first line.
 #[derive(Default)]
 struct LineTally(Option<(usize, usize)>);
 
@@ -34,13 +34,14 @@ impl LineTally {
     }
 }
 
-/// Ends each header of an LVM file.
+/// Marks the end of each header of an LVM file.
 const HEADER_ENDS: &str = "***End_of_Header***";
-/// A line this long is no row of samples, bytes.
+/// Maximum length of a row of samples, bytes.
 const MAX_LINE_BYTES: u64 = 16 << 20;
-/// Rows after which the number of all is told from the size of the file, so that columns need not grow by doubling.
+/// Rows after which the total number is estimated from the file size, so that columns need not grow
+/// by doubling.
 const ESTIMATE_ROWS: usize = 4096;
-/// Share by which that number is taken larger.
+/// Safety factor on that estimate.
 const ESTIMATE_MARGIN: f64 = 1.02;
 
 /// Reads the rows below the header of a text of `size` bytes line by line.
@@ -64,7 +65,11 @@ pub(in crate::read) fn columns(
             return rows.finished(layout);
         }
         if length as u64 == MAX_LINE_BYTES {
-            return Err(here("it is longer than 16 MiB; a channel is a column, and each line holds one sample of each".to_owned()));
+            return Err(here(
+                "it is longer than 16 MiB; a channel is a column, and each line \
+                contains one sample of each"
+                    .to_owned(),
+            ));
         }
         number += 1;
         read += length as u64;
@@ -73,7 +78,8 @@ pub(in crate::read) fn columns(
         let decoded = String::from_utf8_lossy(bytes.strip_prefix(mark).unwrap_or(&bytes));
         let line = decoded.trim_end_matches(['\r', '\n']);
         if number > layout.skip && line.trim_start().starts_with(HEADER_ENDS) {
-            let why = "the header of another segment ends here; segments need not have the same channels and times: write each to a file of its own";
+            let why = "the header of another segment begins here; segments may differ in channels \
+                and times: write each to a separate file";
             return Err(Damage::at(IssuePlace::Line(number), why));
         }
         if number > layout.skip && !line.trim().is_empty() {
@@ -86,26 +92,26 @@ pub(in crate::read) fn columns(
     }
 }
 
-/// A column that grows, and what its fields were.
+/// Growing column, with the types of its fields.
 struct GrowingColumn {
     numbers: ColumnNumbers,
     /// Imaginary parts of a column that had a complex number.
     imaginary: Option<ColumnNumbers>,
-    /// The moments of a column that holds some, and the first of them.
+    /// Clock of a column of moments, and its first moment.
     clock: Option<(Clock, Moment)>,
-    /// How many numbers it holds.
+    /// Count of numbers.
     filled: usize,
     /// True once a moment differs from the first one.
     moves: bool,
 }
 
-/// Columns that grow row by row, and what was noticed so far.
+/// Columns that grow row by row, with the issues found so far.
 struct RowTable<'a> {
     store: &'a SampleStore,
     heads: &'a [ColumnHead],
     least: usize,
     columns: Vec<GrowingColumn>,
-    /// Rows without any number whose place is not known yet to be at the end, and the first of them.
+    /// Count of rows without numbers that may be at the end, and the first of them.
     empty: (usize, usize),
     ragged: LineTally,
     text: LineTally,
@@ -137,7 +143,8 @@ impl<'a> RowTable<'a> {
         }
     }
 
-    /// Takes room for all rows of a text of `size` bytes, once enough of them were `read` to tell how many there are.
+    /// Reserves memory for all rows of a text of `size` bytes, once `read` bytes suffice for an
+    /// estimate.
     fn expect(&mut self, read: u64, size: u64) {
         if self
             .columns
@@ -156,7 +163,7 @@ impl<'a> RowTable<'a> {
         }
     }
 
-    /// Takes a line; only the last one of a text may not be `ended`.
+    /// Adds a line; only the last line of a text may lack its ending.
     fn line(&mut self, number: usize, mut fields: Vec<TextField>, ended: bool) -> io::Result<()> {
         let width = self.columns.len();
         for (field, head) in fields.iter_mut().zip(self.heads) {
@@ -184,7 +191,8 @@ impl<'a> RowTable<'a> {
             );
             return Ok(());
         }
-        // What is left of a number is a number, and a wrong one: half a stamp would lie before all others.
+        // A truncated number is still a number, but a wrong one: half a stamp would be earlier than
+        // all others.
         if !ended && (fields.len() < self.least || fields.last() == Some(&TextField::Text)) {
             self.cut.add(number);
             return Ok(());
@@ -205,7 +213,7 @@ impl<'a> RowTable<'a> {
         self.row(&fields)
     }
 
-    /// Puts each field below the others of its column.
+    /// Appends each field to its column.
     fn row(&mut self, fields: &[TextField]) -> io::Result<()> {
         let store = self.store;
         self.columns
@@ -222,22 +230,26 @@ impl<'a> RowTable<'a> {
         if let Some((count, first)) = self.ragged.0.filter(|(count, _)| 2 * count > rows) {
             let width = self.columns.len();
             let why = format!(
-                "it and {} more of {rows} lines have another number of fields than the first row, which has {width}: this is no table with a \
-                 column for each channel; where the samples of one channel follow each other along the lines, write one to a line, and beside \
-                 the file, in its name with .channels.toml behind it, their rate = \"... Hz\" and under [channel.1] their unit = \"...\"",
+                "it and {} more of {rows} lines differ in number of fields from the first row, \
+                which has {width}: this is not a table with a column for each channel; if the \
+                samples of one channel follow each other along the lines, write one per line, and \
+                in a file named like this one plus .channels.toml specify rate = \"... Hz\" and \
+                under [channel.1] unit = \"...\"",
                 count - 1
             );
             return Err(Damage::at(IssuePlace::Line(first), why));
         }
         if rows == 0 {
-            let why = "no row of numbers follows it; was the file cut, or does it hold something else than a table of samples?";
+            let why = "no row of numbers follows it; is the file truncated, or does it contain \
+                something other than a table of samples?";
             return Err(Damage::at(IssuePlace::Line(layout.skip), why));
         }
         let ragged =
-            "lines with another number of fields than the first row: what is missing is no number";
-        let text = "lines with text among the numbers: the text was left out";
-        let cut = "the file ends inside a row (was it cut?); that row was left out";
-        let open = "the last line has no end: its last number is taken as whole, and may be cut";
+            "lines differ in number of fields from the first row; missing fields are not a number";
+        let text = "lines contain text among the numbers; the text was left out";
+        let cut = "the file ends inside a row (is it truncated?); that row was left out";
+        let open = "the last line has no end; its last number is read as complete, but may be \
+            truncated";
         let empty = LineTally((self.empty.0 > 0).then_some(self.empty));
         let mut findings: Vec<Issue> = [
             self.ragged.finding(IssueKind::Ragged, ragged),
@@ -263,7 +275,7 @@ impl<'a> RowTable<'a> {
 }
 
 impl GrowingColumn {
-    /// Puts a field below the others of the column.
+    /// Appends a field to the column.
     fn push(&mut self, field: Option<&TextField>, store: &SampleStore) -> io::Result<()> {
         let (re, im) = match (field, &mut self.clock) {
             (Some(TextField::Real(value)), None) => (*value, 0.0),
@@ -290,7 +302,7 @@ impl GrowingColumn {
             .map_or(Ok(()), |imaginary| imaginary.push(im))
     }
 
-    /// The column under its head. One that stays blank is no channel; neither is a date that stands in every row.
+    /// Returns the column under its heading. An empty column or a constant date is not a channel.
     fn finished(self, head: &ColumnHead, findings: &mut Vec<Issue>) -> RawColumn {
         let mut column = RawColumn {
             imaginary: self.imaginary,
@@ -299,19 +311,21 @@ impl GrowingColumn {
         if let Some((_, first)) = self.clock {
             "s".clone_into(&mut column.unit);
             if self.moves {
-                let about =
-                    format!("dates and times of day became seconds since the first, {first}");
+                let about = format!(
+                    "dates and times of day were converted to seconds since the first, \
+                        {first}"
+                );
                 findings.push(
                     Issue::new(IssueKind::Converted, self.filled, None, about).of(&head.name),
                 );
             } else {
-                column.left_out = Some(format!("{first} stands in all rows"));
+                column.left_out = Some(format!("{first} is in all rows"));
             }
         } else if self.filled == 0 && head.blank {
             column.left_out = Some(if head.unnamed {
                 String::new()
             } else {
-                "no row holds a number of it".to_owned()
+                "no row has a number in it".to_owned()
             });
         }
         column

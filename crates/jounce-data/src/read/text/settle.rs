@@ -1,4 +1,4 @@
-//! What the preamble of a text says of its columns.
+//! Applies the preamble of a text to its columns.
 
 use std::io;
 
@@ -7,7 +7,8 @@ use super::super::time::{even_step, is_counter, is_time_column};
 use super::TextLayout;
 use crate::recording::Series as _;
 
-/// Gives columns the names and units that the preamble tells, and finds the column of the time where none is named but one has the step of the preamble.
+/// Gives columns the names and units of the preamble. If no column is named as time, selects one
+/// with the step of the preamble.
 pub(super) fn settle(columns: &mut [RawColumn], layout: &TextLayout) -> io::Result<()> {
     let preamble = &layout.preamble;
     let unnamed = |k: usize| layout.heads.get(k).is_some_and(|head| head.unnamed);

@@ -1,4 +1,4 @@
-//! The bytes of data set 58b to numbers.
+//! Decodes the numbers of data set 58b.
 
 use std::io::Read;
 
@@ -7,10 +7,11 @@ use super::super::numbers::ColumnNumbers;
 use super::super::samples::SampleStore;
 use super::header::Header;
 
-/// Bytes that are read at once: whole points of any width, 3 numbers of 8 bytes at most.
+/// Bytes read at once: complete points of any width, 3 numbers of 8 bytes at most.
 const BYTES_AT_ONCE: usize = 24 << 10;
 
-/// Binary numbers: all of one size, or an uneven abscissa in single precision beside double ordinates; the length tells which.
+/// Decodes binary numbers: all of one size, or an uneven abscissa in single precision with double
+/// ordinates; the length decides.
 pub(super) fn numbers(
     source: &mut impl Read,
     header: &Header,
@@ -24,7 +25,7 @@ pub(super) fn numbers(
     let single_abscissa = header.double && !header.even && Some(length) == mixed;
     if Some(length) != points.checked_mul(width * size) && !single_abscissa {
         return Err(format!(
-            "{points} points of {width} numbers of {size} bytes are due, {length} bytes follow"
+            "expected {points} points of {width} numbers of {size} bytes, but {length} bytes follow"
         ));
     }
     let point = if single_abscissa {
@@ -44,7 +45,7 @@ pub(super) fn numbers(
         read += bytes.len();
         if bytes.len() < due {
             return Err(format!(
-                "{length} bytes of data are due, {read} follow: was the file cut?"
+                "expected {length} bytes of data, but {read} follow: is the file truncated?"
             ));
         }
         for point in bytes.chunks_exact(point) {

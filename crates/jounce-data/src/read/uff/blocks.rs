@@ -1,4 +1,4 @@
-//! A universal file to its data sets: each stands between two lines that hold `-1`.
+//! Splits a universal file into data sets, each between two lines that contain `-1`.
 
 use std::io::{BufRead, Read as _};
 
@@ -10,30 +10,30 @@ use super::header::{Header, LINES};
 use super::numbers::numbers;
 use crate::recording::IssuePlace;
 
-/// A line this long is none of a universal file, bytes.
+/// Maximum length of a line of a universal file, bytes.
 const MAX_LINE_BYTES: u64 = 1 << 20;
 
 /// One data set.
 pub(super) struct Block {
-    /// Its number.
+    /// Number of the data set.
     pub number: u32,
-    /// Where its content begins in the file, byte.
+    /// Offset of its contents in the file, byte.
     pub start: usize,
-    /// Its text lines; of data set 58 the header only.
+    /// Text lines; for data set 58 only the header.
     pub lines: Vec<String>,
-    /// What follows the header of data set 58.
+    /// Data after the header of data set 58.
     pub data: Data,
 }
 
-/// The data of a data set 58.
+/// Data of a data set 58.
 pub(super) enum Data {
-    /// Numbers of text lines; the first word that is none ends them.
+    /// Numbers from text lines; the first word that is not a number ends them.
     Lines(ColumnNumbers, Option<String>),
-    /// Numbers of bytes, as many as the header says.
+    /// Numbers from bytes, as many as the header specifies.
     Binary(ColumnNumbers),
 }
 
-/// Hands every data set of a file to `take`, one after the other, so that the store holds one.
+/// Passes each data set of a file to `take` in turn, so that the store contains one.
 pub(super) fn blocks(
     source: impl BufRead,
     store: &SampleStore,
@@ -52,7 +52,7 @@ pub(super) fn blocks(
             return Err(Damage::at(
                 IssuePlace::Byte(start),
                 format!(
-                    "a line with -1 is due before a data set, not {:?}",
+                    "expected a line with -1 before a data set, not {:?}",
                     shown(&cursor.line)
                 ),
             ));
@@ -72,11 +72,11 @@ fn block(
     let cut = |at: usize| {
         Damage::at(
             IssuePlace::Byte(at),
-            "the data set does not end with a line -1: was the file cut?",
+            "the data set does not end with a line -1: is the file truncated?",
         )
     };
     let Some(start) = cursor.next()? else {
-        // A stray -1 at the end opens nothing.
+        // A stray -1 at the end opens no data set.
         return if opening == 0 {
             Err(cut(opening))
         } else {
@@ -90,7 +90,7 @@ fn block(
     let number = number.map_err(|_| {
         Damage::at(
             IssuePlace::Byte(start),
-            format!("the number of a data set is due, not {:?}", head.trim()),
+            format!("expected the number of a data set, not {:?}", head.trim()),
         )
     })?;
     let mut block = Block {
@@ -116,7 +116,7 @@ fn block(
             Data::Binary(_) => {
                 return Err(Damage::at(
                     IssuePlace::Byte(at),
-                    "more follows the binary data than its header says",
+                    "more bytes follow the binary data than its header specifies",
                 ));
             }
             Data::Lines(found, wrong) if number == 58 && block.lines.len() == LINES => {
@@ -131,7 +131,7 @@ fn block(
     }
 }
 
-/// The header lines and the bytes of 58b, whose first line tells their numbers.
+/// Reads the header lines and the bytes of 58b, whose first line gives their numbers.
 fn binary_part(
     cursor: &mut Cursor<impl BufRead>,
     head: &str,
@@ -147,7 +147,7 @@ fn binary_part(
         .collect();
     let [order, format, lines, length, ..] = fields[..] else {
         return Err(wrong(format!(
-            "byte order, number format, header lines and length are due behind 58b, not {:?}",
+            "expected byte order, number format, header lines and length after 58b, not {:?}",
             head.trim()
         )));
     };
@@ -159,7 +159,7 @@ fn binary_part(
     for _ in 0..lines {
         cursor.next()?.ok_or_else(|| {
             wrong(format!(
-                "its {lines} header lines are not whole: was the file cut?"
+                "its {lines} header lines are incomplete: is the file truncated?"
             ))
         })?;
         block.lines.push(shown(&cursor.line));
@@ -177,7 +177,7 @@ fn binary_part(
     Ok(())
 }
 
-/// Text of a line; where it is no UTF-8, a byte outside ASCII becomes its Latin-1 character.
+/// Decodes a line; if it is not UTF-8, bytes outside ASCII are read as Latin-1.
 fn shown(line: &[u8]) -> String {
     let latin = || line.iter().map(|b| char::from(*b)).collect();
     std::str::from_utf8(line)
@@ -195,7 +195,7 @@ struct Cursor<S> {
 }
 
 impl<S: BufRead> Cursor<S> {
-    /// Reads the next line and gives the place where it begins; none at the end.
+    /// Reads the next line and returns its offset; `None` at the end.
     fn next(&mut self) -> Result<Option<usize>, Damage> {
         let start = self.at;
         self.line.clear();
@@ -209,7 +209,7 @@ impl<S: BufRead> Cursor<S> {
         if length as u64 == MAX_LINE_BYTES {
             return Err(Damage::at(
                 IssuePlace::Byte(start),
-                "the line that begins here is longer than 1 MiB; lines of 80 characters are due",
+                "the line at this position is longer than 1 MiB; expected lines of 80 characters",
             ));
         }
         self.at += length;

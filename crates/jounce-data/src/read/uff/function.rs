@@ -63,7 +63,7 @@ pub(super) fn read(block: Block, store: &SampleStore) -> Result<Raw, Damage> {
     })
 }
 
-/// Points of so many numbers to one column for each; what fills up a last line is left out.
+/// Splits points into one column per number; padding of the last line is left out.
 fn parted(
     numbers: ColumnNumbers,
     points: usize,
@@ -88,8 +88,8 @@ fn parted(
     Ok(columns)
 }
 
-/// Functions over the same grid become channels of one set; names used twice get their place, then their reference, and a number where that is
-/// not enough.
+/// Groups functions over the same grid as channels of one set. Duplicate names are extended by
+/// location, then by reference, then by a number.
 pub(super) fn grouped(sets: Vec<Raw>) -> Result<Vec<Raw>, Damage> {
     let mut groups: Vec<Raw> = Vec::new();
     for set in sets {
@@ -145,7 +145,7 @@ fn same_grid(a: &Raw, b: &Raw) -> io::Result<bool> {
     }
 }
 
-/// Gives a new name to every column whose name is used twice.
+/// Renames every column with a duplicate name.
 fn rename(columns: &mut [RawColumn], new: impl Fn(&RawColumn, usize) -> String) {
     let names: Vec<String> = columns.iter().map(|column| column.name.clone()).collect();
     for (k, column) in columns.iter_mut().enumerate() {
@@ -155,22 +155,22 @@ fn rename(columns: &mut [RawColumn], new: impl Fn(&RawColumn, usize) -> String) 
     }
 }
 
-/// Refuses text lines with a word that is no number, or with too few numbers.
+/// Refuses text lines with a word that is not a number, or with too few numbers.
 fn checked(found: &ColumnNumbers, wrong: Option<String>, header: &Header) -> Result<(), String> {
     if let Some(word) = wrong {
-        return Err(format!("{word:?} among the data is no number"));
+        return Err(format!("{word:?} among the data is not a number"));
     }
     let (due, count) = (header.points.saturating_mul(header.width()), found.count());
     if count < due {
         Err(format!(
-            "{due} numbers are due, {count} follow: was the file cut?"
+            "expected {due} numbers, but {count} follow: is the file truncated?"
         ))
     } else {
         Ok(())
     }
 }
 
-/// The ordinate's label, or the response's name.
+/// Returns the label of the ordinate, or the name of the response.
 fn name(header: &Header) -> String {
     let named = [&header.ordinate.label, &header.response.name]
         .into_iter()
@@ -182,7 +182,7 @@ fn name(header: &Header) -> String {
 
 fn unit(header: &Header) -> String {
     let (unit, below) = (&header.ordinate.unit, &header.denominator.unit);
-    // The ordinate of some programs holds the whole quotient already.
+    // Some programs write the complete quotient as unit of the ordinate.
     if below.is_empty()
         || unit.contains('/') && unit.ends_with(below.as_str())
         || header.function != 4
@@ -193,7 +193,7 @@ fn unit(header: &Header) -> String {
     }
 }
 
-/// The node, or where it has no number, the name of the entity.
+/// Node, or without a node number the name of the entity.
 fn place(dof: &Dof) -> String {
     match (dof.node, dof.name.as_str()) {
         (0, "NONE") => String::new(),
@@ -202,7 +202,7 @@ fn place(dof: &Dof) -> String {
     }
 }
 
-/// Place and direction of a degree of freedom as one text; empty where nothing is told.
+/// Node and direction of a degree of freedom as text; empty if not given.
 fn told(dof: &Dof) -> String {
     let place = place(dof);
     if place.is_empty() {

@@ -1,10 +1,10 @@
-//! The header of data set 58: eleven lines of fixed columns.
+//! Header of data set 58: eleven lines of fixed columns.
 
 use super::super::error::Damage;
 use super::blocks::Block;
 use crate::recording::IssuePlace;
 
-/// What a function is and how its numbers lie.
+/// Kind of a function and layout of its numbers.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Header {
     pub title: String,
@@ -30,7 +30,7 @@ pub(super) struct Dof {
     pub direction: i64,
 }
 
-/// What an axis holds.
+/// Quantity of an axis.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Axis {
     pub kind: u32,
@@ -52,7 +52,7 @@ impl Header {
         if block.lines.len() < LINES {
             return Err(wrong(
                 block.lines.len(),
-                format!("its header has {LINES} lines; was the file cut?"),
+                format!("its header has {LINES} lines; is the file truncated?"),
             ));
         }
         let dofs = dofs(&block.lines[5]).ok_or_else(|| {
@@ -67,10 +67,10 @@ impl Header {
         let [kind, points, even, start, step, ..] = form[..] else {
             let why = read
                 .err()
-                .map_or_else(String::new, |word| format!("; {word:?} is no number"));
+                .map_or_else(String::new, |word| format!("; {word:?} is not a number"));
             return Err(wrong(
                 6,
-                format!("type, number of points, spacing, start and step are due{why}"),
+                format!("expected type, number of points, spacing, start and step{why}"),
             ));
         };
         let kind_known = [2.0, 4.0, 5.0, 6.0].contains(&kind);
@@ -101,7 +101,7 @@ impl Header {
         })
     }
 
-    /// Numbers for each point.
+    /// Number of values per point.
     pub(super) fn width(&self) -> usize {
         usize::from(!self.even) + 1 + usize::from(self.complex)
     }
@@ -117,7 +117,8 @@ fn columns(line: &str, from: usize, to: usize) -> String {
         .to_owned()
 }
 
-/// `2(I5,I10),2(1X,10A1,I10,I4)`; programs that do not keep to the columns are read by words.
+/// Parses `2(I5,I10),2(1X,10A1,I10,I4)`; lines of programs that ignore the columns are split into
+/// words.
 fn dofs(line: &str) -> Option<(u32, Dof, Dof)> {
     let fixed = |from: usize| {
         let number = |a: usize, b: usize| columns(line, from + a, from + b).parse::<i64>().ok();
@@ -146,10 +147,11 @@ fn dofs(line: &str) -> Option<(u32, Dof, Dof)> {
     Some((function, by_words(4)?, by_words(7)?))
 }
 
-/// Columns of a label.
+/// Width of a label.
 const LABEL: usize = 20;
 
-/// A label that fills its columns was cut there: the fourth line may hold the whole name, as what jounce writes does.
+/// Restores a label that was truncated at its width: the fourth line may contain the complete name,
+/// as in files of jounce.
 fn uncut(axis: Axis, whole: &str) -> Axis {
     let kept: String = whole.chars().take(LABEL).collect();
     let cut = whole.chars().count() > LABEL && kept.trim_end() == axis.label;
@@ -163,7 +165,7 @@ fn uncut(axis: Axis, whole: &str) -> Axis {
     }
 }
 
-/// `I10,3I5,2(1X,20A1)`
+/// Parses `I10,3I5,2(1X,20A1)`.
 fn axis(line: &str) -> Axis {
     let kind = line
         .split_whitespace()

@@ -1,7 +1,9 @@
-//! Universal files: data sets 55 (data at nodes), 58 and 58b (functions at nodal degrees of freedom), 164 (units).
+//! Universal files: data sets 55 (data at nodes), 58 and 58b (functions at nodal degrees of
+//! freedom), 164 (units).
 //!
-//! Source: Structural Dynamics Research Laboratory, University of Cincinnati, "Universal file formats for modal analysis testing"; the binary
-//! form 58b as in the same collection. Other data sets are named in the findings and left out.
+//! Source: Structural Dynamics Research Laboratory, University of Cincinnati, "Universal file
+//! formats for modal analysis testing", including the binary form 58b. Other data sets are skipped
+//! and listed in the issues.
 mod binary;
 mod blocks;
 mod function;
@@ -51,11 +53,15 @@ pub(super) fn read(path: &Path, store: &SampleStore) -> Result<FormatContents, D
             others.join(", ")
         };
         return Err(Damage::new(format!(
-            "it holds no data set 55 or 58, which are mode shapes and recordings, but {others}: geometry, units, headers or results of computations"
+            "it contains no data set 55 or 58 (mode shapes or recordings), only {others}: \
+            geometry, units, headers or computed results"
         )));
     }
     for (number, (count, start)) in left_out {
-        let about = format!("data set {number} is no recording and no mode shape and was left out");
+        let about = format!(
+            "data set {number} is neither a recording nor a mode shape and was \
+            left out"
+        );
         found.findings.push(Issue::new(
             IssueKind::Skipped,
             count,

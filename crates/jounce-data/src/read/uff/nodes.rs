@@ -21,15 +21,16 @@ pub(super) fn read(block: &Block) -> Result<ModeShape, Damage> {
         let text = block
             .lines
             .get(line)
-            .ok_or_else(|| wrong(line, "it is missing: was the file cut?".to_owned()))?;
-        numbers(text, &mut found).map_err(|word| wrong(line, format!("{word:?} is no number")))?;
+            .ok_or_else(|| wrong(line, "it is missing: is the file truncated?".to_owned()))?;
+        numbers(text, &mut found)
+            .map_err(|word| wrong(line, format!("{word:?} is not a number")))?;
         Ok::<_, Damage>(found)
     };
     let kind = row(5)?;
     let [_, analysis, _, _, data, per_node, ..] = kind[..] else {
         return Err(wrong(
             5,
-            format!("six whole numbers are due, {} stand there", kind.len()),
+            format!("expected six whole numbers, found {}", kind.len()),
         ));
     };
     let complex = data == 5.0;
@@ -49,7 +50,7 @@ pub(super) fn read(block: &Block) -> Result<ModeShape, Damage> {
     while line < block.lines.len() {
         let node = row(line)?;
         let [node] = node[..] else {
-            return Err(wrong(line, "the number of a node is due".to_owned()));
+            return Err(wrong(line, "expected the number of a node".to_owned()));
         };
         line += 1;
         let mut values = Vec::new();
@@ -83,8 +84,9 @@ pub(super) fn read(block: &Block) -> Result<ModeShape, Damage> {
     })
 }
 
-/// Frequency and damping: normal modes tell them (2), complex modes by their eigenvalue in rad/s (3, 7). A normal mode has a viscous damping ratio
-/// or, where that is 0, a loss factor, which is twice the ratio at resonance.
+/// Reads frequency and damping: direct for normal modes (2), from the eigenvalue in rad/s for
+/// complex modes (3, 7). A normal mode has a viscous damping ratio or, if that is 0, a loss factor,
+/// which is twice the ratio at resonance.
 fn frequency(analysis: f64, numbers: &[f64]) -> (f64, f64) {
     let at = |k: usize| numbers.get(k).copied().unwrap_or(f64::NAN);
     if analysis == 3.0 || analysis == 7.0 {

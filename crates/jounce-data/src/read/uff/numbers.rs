@@ -1,6 +1,7 @@
-//! Numbers of universal files: fixed columns that may touch each other, `1.0-2.0E+00-3.0E+00`, and Fortran's `D`.
+//! Numbers of universal files: fixed columns without separators, `1.0-2.0E+00-3.0E+00`, and
+//! Fortran's `D`.
 
-/// The numbers of a line; `Err` holds what is none.
+/// Reads the numbers of a line; `Err` contains a word that is not a number.
 pub(super) fn numbers(line: &str, into: &mut Vec<f64>) -> Result<(), String> {
     for word in line.split_whitespace() {
         let mut rest = word;
@@ -18,7 +19,7 @@ pub(super) fn numbers(line: &str, into: &mut Vec<f64>) -> Result<(), String> {
     Ok(())
 }
 
-/// Where a number ends that another one may touch: at a sign that follows no exponent letter.
+/// Finds the end of a number without separator: a sign that does not follow an exponent letter.
 fn end_of_number(text: &str) -> usize {
     let bytes = text.as_bytes();
     let begins = |k: &usize| {
