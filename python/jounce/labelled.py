@@ -51,7 +51,7 @@ def _of_dataset(dataset: Any) -> list[Mapping[str, Any]]:
             name = stem
         found += _of_array(name, one, along[0])
     if not found:
-        raise ArgumentError(f"the dataset has no variable over time or frequency; its variables are {', '.join(map(str, dataset.variables))}")
+        raise ArgumentError(f"the dataset has no variable over time or frequency, only {', '.join(map(str, dataset.variables))}")
     return found
 
 
@@ -103,7 +103,7 @@ def _of_frame(frame: Any) -> list[Mapping[str, Any]]:
     """Returns a channel for each column of numbers, over the column or the index of times or frequencies."""
     units = frame.attrs.get("units") or {}
     if not isinstance(units, Mapping):
-        raise ArgumentError('the units of a DataFrame must be a dict by column: frame.attrs["units"] = {"tip": "mV"}', {"units": str(units)})
+        raise ArgumentError('units of a DataFrame must be a dict by column: frame.attrs["units"] = {"tip": "mV"}', {"units": str(units)})
     axis = next((name for name in frame.columns if str(name).lower() in (*_TIMES, *_FREQUENCIES)), None)
     if axis is None:
         clock = _of_index(frame.index)

@@ -105,7 +105,7 @@ class SpecOnRig(SpecText):
                 key for key in ("solution", "amplitude_wander", "frequency_wander", "amplitude_drift", "frequency_drift") if shaker[key]
             ]
             if moved or base is not None:
-                raise ArgumentError(f"{', '.join(moved) or 'base'} is for a shaker test and cannot be combined with hammer; give one of them")
+                raise ArgumentError(f"{', '.join(moved) or 'base'} needs a shaker test, without hammer; give one of them")
             test = {"point": hammer, "hits": hits, "block_s": positive_si("time", block, "block")}
             test |= {"peak_force_n": positive_si("force", peak, "peak"), "contact_time_s": positive_si("time", contact, "contact")}
             return Recording._of(_core.rig_struck(self._spec, sensors, test), self._of_rig(sensors, test))
@@ -147,7 +147,7 @@ def _solutions(given: str | Sequence[str | tuple[str, Any]]) -> list[tuple[str, 
     for number, one in enumerate(each):
         pair = (one, None) if isinstance(one, str) else tuple(one)
         if len(pair) != 2 or not isinstance(pair[0], str) or (number > 0 and pair[1] is None):
-            raise ArgumentError(f'solution: {one!r} is not a solution; give the id of the first, as in "1a", then pairs, as in ("3a", "42 s")')
+            raise ArgumentError(f'solution: {one!r} is invalid; give the id of the first, as in "1a", then pairs, as in ("3a", "42 s")')
         found.append((pair[0], 0.0 if number == 0 else positive_si("time", pair[1], f"the time of solution {pair[0]}")))
     return found
 
