@@ -81,7 +81,7 @@ class EnsembleResult(Result):
             ("required width", "reached" if self.reached else "NOT reached"),
             ("contacts", f"{self.contact_rate_hz:.4f} per second +- {self.contact_rate_half_width_hz:.2f}"),
             (
-                "strikes",
+                "impacts",
                 f"{self.mean_impact_velocity_m_s:.4e} m/s in the mean, {self.max_impact_velocity_m_s:.4e} m/s at most, {self.mean_contact_duration_s:.4e} s each",
             ),
             *((f"stop {name}", self._of_stop(k)) for k, name in enumerate(self.stop)),

@@ -74,7 +74,7 @@ class RunResult(Result):
     rectified_charge_load_c: Annotated[Floats, Along("rectified", "C", "charge through the load")]
     rectified_charge_leakage_c: Annotated[Floats, Along("rectified", "C", "charge through the leakage of the storage")]
     rectified_charge_storage_c: Annotated[Floats, Along("rectified", "C", "charge added to the storage")]
-    rectified_charge_residual_relative: Annotated[Floats, Along("rectified", "1", "residual of the charge balance, as a share of the largest term")]
+    rectified_charge_residual_relative: Annotated[Floats, Along("rectified", "1", "residual of the charge balance, relative to the largest term")]
     #: Names of the patches with leakage, and mean power of each leakage, W.
     leak: list[str]
     leak_power_w: Annotated[Floats, Along("leak", "W", "mean power lost by leakage of a patch")]
