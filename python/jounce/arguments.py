@@ -38,7 +38,7 @@ def si(kind: str, value: Any, what: str) -> float:
 
 
 def optional_si(kind: str, value: Any, what: str) -> float | None:
-    """Returns a positive quantity in SI units, or ``None`` where none is given."""
+    """Returns a positive quantity in SI units, or ``None`` where no quantity is given."""
     if value is None:
         return None
     found = si(kind, value, what)

@@ -125,7 +125,7 @@ class ContactResult(Result):
 def contact(record: Measured, *, sample_rate_hz: Any = None, force: str | None = None, mass: Any = None) -> ContactResult:
     """Fits contact time, exponent and restitution of every hit in a record of force, and stiffnesses with the ``mass`` of the hammer.
 
-    The stiffness is that of the fitted exponent, and that of the linear spring and of Hertz's law where a pulse allows them.
+    Stiffnesses are returned for the fitted exponent, and for the linear spring and Hertz's law where a pulse allows them.
 
     ``record`` is a :class:`Recording`, a file, SEP005 time series, or an array with its ``sample_rate_hz``. ``force`` names the channel, by
     default the first in newtons. The struck body is assumed to be at rest during a contact.

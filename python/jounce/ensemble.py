@@ -21,7 +21,7 @@ class EnsembleResult(Result):
     mean_power_half_width_w: Annotated[float, Along("", "W", "half width of its 95 % interval")]
     #: Basis of the interval: ``"members"``, or ``"batches"`` of them where they are few.
     interval_over: str
-    #: True where the required width was reached (or none was required) and the work was not stopped.
+    #: True where the required width was reached (or no width was required) and the work was not stopped.
     reached: Annotated[bool, Along("", "1", "the required width was reached")]
     #: Contacts per second and half width of its 95 % interval.
     contact_rate_hz: Annotated[float, Along("", "1/s", "contacts per second")]

@@ -175,8 +175,8 @@ class Spec(SpecOnRig):
 
         Curves of ``levels`` are also continued, given as in :meth:`branch`.
 
-        Not found are curves that pass neither an edge of the two ranges nor the value of ``key_2`` in the spec, and curves of branches that
-        none of the ``seeds`` converges to or of a period above ``longest_period`` cycles.
+        The search misses curves that pass neither an edge of the two ranges nor the value of ``key_2`` in the spec. It also misses curves
+        of branches that none of the ``seeds`` converges to, and of periods above ``longest_period`` cycles.
         """
         check_wholes(seeds=seeds, longest_period=longest_period, threads=threads)
         over, against = span(range, key), span(range_2, key_2)

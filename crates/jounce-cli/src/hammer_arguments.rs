@@ -80,8 +80,8 @@ pub struct HammerArguments {
     /// as in 0.01; its damping is subtracted from the modes; by default none.
     #[arg(long, value_name = "NUMBER", requires = "measured")]
     end_ratio: Option<f64>,
-    /// Treats the force as that of a shaker: half-overlapping blocks with a Hann window. By default
-    /// this holds for a continuous force of both signs.
+    /// Treats the force as the force of a shaker: half-overlapping blocks with a Hann window. This
+    /// is the default for a continuous force of both signs.
     #[arg(long, requires = "measured")]
     shaker: bool,
     /// Contents of every two columns of a file over frequency whose header does not mark them as
@@ -96,7 +96,7 @@ pub struct HammerArguments {
 }
 
 impl HammerArguments {
-    /// Returns the responses; those of a file over frequency are returned unchanged.
+    /// Returns the responses; a file over frequency is returned unchanged.
     pub fn responses(&self) -> Result<MeasuredResponses, Failure> {
         let settings = self.settings()?;
         if let [file] = &self.measured[..] {

@@ -31,7 +31,7 @@ fn method_of(name: &str, harmonics: Option<usize>) -> Result<OrbitMethodKind, Fa
         ("shooting", None) => Ok(OrbitMethodKind::Shooting),
         ("shooting", Some(harmonics)) => {
             let why = format!(
-                "harmonics is {harmonics}; shooting has none: give method=\"harmonic-balance\" or leave harmonics out"
+                "harmonics is {harmonics}; shooting has no harmonics: give method=\"harmonic-balance\" or leave harmonics out"
             );
             Err(Failure::new("ArgumentError", why)
                 .with(serde_json::json!({ "harmonics": harmonics, "method": name })))

@@ -189,7 +189,7 @@ impl Branch {
     /// Returns a note on branches that the search may miss, and on the options that find more.
     fn note(&self) -> String {
         format!(
-            "branches that none of {} seeds converges to, and branches of a period above {} cycles, are not found; more --seeds and a longer --longest-period find more",
+            "the search misses branches that none of {} seeds converges to, and branches of a period above {} cycles; more --seeds and a longer --longest-period find more",
             self.seeds, self.longest_period
         )
     }

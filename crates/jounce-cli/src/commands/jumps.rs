@@ -170,7 +170,7 @@ impl Jumps {
     /// Returns a note on curves that the search may miss, and on the options that find more.
     fn note(&self) -> String {
         format!(
-            "not found: curves that pass neither an edge of the two ranges nor the second key's value in the spec, and curves of branches that none of {} seeds converges to or of a period above {} cycles; other ranges, more --seeds and a longer --longest-period find more",
+            "the search misses curves that pass neither an edge of the two ranges nor the second key's value in the spec, and curves of branches that none of {} seeds converges to or of a period above {} cycles; other ranges, more --seeds and a longer --longest-period find more",
             self.seeds, self.longest_period
         )
     }

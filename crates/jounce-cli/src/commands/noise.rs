@@ -15,10 +15,10 @@ use std::path::Path;
 pub struct Noise {
     #[command(flatten)]
     spec: SpecArguments,
-    /// Lowest frequency of the densities, as in 1Hz; by default that of the noise.
+    /// Lowest frequency of the densities, as in 1Hz; by default the lowest of the noise.
     #[arg(long, value_name = "FREQUENCY")]
     from: Option<String>,
-    /// Highest frequency of the densities; by default that of the noise.
+    /// Highest frequency of the densities; by default the highest of the noise.
     #[arg(long, value_name = "FREQUENCY")]
     to: Option<String>,
     /// Number of frequencies, evenly spaced; further ones are added around each resonance.

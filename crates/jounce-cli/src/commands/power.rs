@@ -181,7 +181,7 @@ impl Power {
             if self.remove_mean {
                 "subtracted"
             } else {
-                "kept"
+                "retained"
             }
         ));
         if let Some(square) = answer.mean_square {

@@ -32,7 +32,7 @@ pub struct ModelArguments {
     /// Circuit of the model whose voltage was recorded; by default the first.
     #[arg(long, value_name = "CIRCUIT", requires = "model")]
     load: Option<String>,
-    /// Largest relative distance of the waveforms, in units of that of the record, at which a
+    /// Largest distance of the waveforms, relative to the waveform of the record, at which a
     /// solution matches.
     #[arg(long, default_value_t = 0.2, requires = "model")]
     within: f64,

@@ -13,7 +13,7 @@ use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// Returns every hit of a record with its fitted law, or the reason why there is none.
+/// Returns every hit of a record with its fitted law, or the reason why no law could be fitted.
 #[pyfunction]
 pub fn measured_contact<'py>(
     py: Python<'py>,

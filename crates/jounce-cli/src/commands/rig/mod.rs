@@ -41,7 +41,7 @@ pub struct SensingArguments {
     /// Sampling rate.
     #[arg(long, default_value = "2048Hz")]
     rate: String,
-    /// White noise of every sensor, as its rms divided by that of the signal.
+    /// White noise of every sensor: its rms divided by the rms of the signal.
     #[arg(long, default_value_t = 0.0)]
     noise: f64,
     /// Bits of the converters; without it nothing is rounded.
@@ -120,7 +120,7 @@ impl Rig {
     /// Simulates the test and writes the recording of its sensors.
     pub fn run(&self) -> Result<(), Failure> {
         let mut spec = self.spec.spec()?;
-        // Masses of the model are fixed, those of the instruments are free.
+        // Masses of the model are fixed, masses of the instruments are free.
         let held = self.sensing.held(&spec);
         self.sensing.fit(&mut spec)?;
         let recording = match self.hammer.point() {
