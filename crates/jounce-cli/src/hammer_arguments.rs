@@ -263,7 +263,7 @@ fn print_warnings(hits: &[ImpactHit]) {
             .map(|(number, _)| *number)
             .collect();
         if !more.is_empty() {
-            line(format!("warning: {fault} too: {}", numbered(&more)));
+            line(format!("warning: also {fault}: {}", numbered(&more)));
         }
     }
 }

@@ -29,7 +29,7 @@ const FEATURES: &str = r#"FEATURES, a small one:
   damping_deviation = 0.1
 
 Deviations are relative standard deviations, those of keys before the test.
-There are [[response]], [[power]], [[jump]] and [[history]] too: all of their
+Further tables are [[response]], [[power]], [[jump]] and [[history]]. All their
 keys, with an example of each, are in the book, "Recordings of a test rig",
 section "Model and measurement" (book/src/howto/measured.md)."#;
 
