@@ -124,7 +124,7 @@ class Source:
         arguments, after = inside(text, text.index("("))
         told = re.match(r"\s*-> (.*?) \{", text[after:], re.DOTALL)
         answer = self.python(told.group(1), True, of) if told else "None"
-        written = re.search(r"signature = \((.*)\)\)\]", attributes)
+        written = re.search(r"signature = \((.*?)\)\s*\)\s*\]", attributes, re.DOTALL)
         types = dict(one.split(": ", 1) for one in pieces(arguments) if ": " in one)
         names = pieces(written.group(1)) if written else [one for one, rust in types.items() if not rust.startswith("Python")]
         shown = []
@@ -151,7 +151,7 @@ class Source:
     def exported(self, name: str) -> list[str]:
         """The stub of what the module exports under a name."""
         if name not in self.classes:
-            found = re.search(rf"#\[pyfunction\]\n((?:#\[.*\]\n)*)pub fn {name}\b", self.text)
+            found = re.search(rf"#\[pyfunction\]\n((?:#\[(?:[^\[\]]|\[[^\]]*\])*\]\n)*)pub fn {name}\b", self.text)
             if found is None:
                 raise ValueError(f"{name}: there is no function of this name")
             return self.function(name, self.text[found.end() - len(name) :], found.group(1))

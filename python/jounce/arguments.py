@@ -1,4 +1,4 @@
-"""Arguments of the calls on a spec, as the compiled module takes them."""
+"""Conversion of the arguments of calls on a spec for the compiled module."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from .errors import ArgumentError, Fault, SpecError
 from .quantity import is_quantity, plain, texts_of, toml
 from .result import Floats
 
-#: The largest number that a count or a seed may be.
+#: Largest value of a count or a seed.
 MOST_WHOLE = 2**32 - 1
 
 
 def of_tables(tables: Mapping[str, Any]) -> _core.Spec:
-    """A spec of Python objects: its faults have no place in a text."""
+    """Returns the spec of a dict of tables; its faults have no line and column."""
     try:
         return _core.Spec(toml(tables), "")
     except SpecError as error:
@@ -27,18 +27,18 @@ def of_tables(tables: Mapping[str, Any]) -> _core.Spec:
 
 
 def names(hold: str | Sequence[str]) -> list[str]:
-    """Names, of which one may be given alone."""
+    """Returns a list of names; one name may be given alone."""
     return [hold] if isinstance(hold, str) else list(hold)
 
 
 def si(kind: str, value: Any, what: str) -> float:
-    """A quantity in SI units."""
+    """Returns a quantity in SI units."""
     made = plain(value, what)
     return _core.quantity_si(kind, made if isinstance(made, str) else repr(made))
 
 
 def optional_si(kind: str, value: Any, what: str) -> float | None:
-    """A positive quantity in SI units, where it is given."""
+    """Returns a positive quantity in SI units, or ``None`` where no quantity is given."""
     if value is None:
         return None
     found = si(kind, value, what)
@@ -48,19 +48,19 @@ def optional_si(kind: str, value: Any, what: str) -> float | None:
 
 
 def positive_si(kind: str, value: Any, what: str) -> float:
-    """A positive quantity in SI units."""
+    """Returns a positive quantity in SI units."""
     found = optional_si(kind, value, what)
     if found is None:
         raise ArgumentError(f"{what} is missing")
     return found
 
 
-#: Numbers of which there is at least one.
+#: Arguments that must be at least 1.
 COUNTED_FROM_ONE = frozenset({"longest_period"})
 
 
 def check_wholes(**numbers: int | None) -> None:
-    """Refuses numbers that nothing can be counted by; what is no whole number at all is a TypeError of the call itself."""
+    """Raises ArgumentError for counts out of range; a value that is not an integer is a TypeError of the call itself."""
     for least, names in ((1, COUNTED_FROM_ONE & numbers.keys()), (0, numbers.keys() - COUNTED_FROM_ONE)):
         given = {name: numbers[name] for name in numbers if name in names}
         wrong = {name: value for name, value in given.items() if isinstance(value, int) and not least <= value <= MOST_WHOLE}
@@ -70,17 +70,17 @@ def check_wholes(**numbers: int | None) -> None:
 
 
 def rate_hz(given: Any) -> float:
-    """Samples per second: a number, or a frequency with its unit."""
+    """Returns a sampling rate, Hz, from a number or a frequency with its unit."""
     if given is None:
-        raise ArgumentError("give the samples per second, in Hz")
+        raise ArgumentError("expected the sampling rate, in Hz")
     if is_quantity(given) or isinstance(given, str):
         return positive_si("frequency", given, "the sample rate")
     try:
         found = float(given)
     except (TypeError, ValueError) as error:
-        raise ArgumentError(f"{given!r} is no sample rate; give the samples per second, in Hz", {"given": repr(given)}) from error
+        raise ArgumentError(f"sample_rate_hz is {given!r}; it must be a number in Hz", {"given": repr(given)}) from error
     if not 0.0 < found < np.inf:
-        raise ArgumentError(f"there are {given} samples per second; give a number greater than 0", {"sample_rate_hz": found, "least": 0})
+        raise ArgumentError(f"sample_rate_hz is {given}; it must be above 0", {"sample_rate_hz": found, "least": 0})
     return found
 
 

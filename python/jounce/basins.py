@@ -1,4 +1,4 @@
-"""Attractors and how likely each is."""
+"""Attractors and the share of starts that reach each."""
 
 from __future__ import annotations
 
@@ -12,35 +12,35 @@ from .result import Along, Floats, Integers, Result, Truths, Variable, html_tabl
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class BasinsResult(Result):
-    """The attractors that a cloud or a grid of starts ends on; arrays of shape ``(attractor,)`` and, of the starts, ``(start,)``."""
+    """Attractors reached from a cloud or a grid of starts; arrays of shape ``(attractor,)`` and, of the starts, ``(start,)``."""
 
-    #: Drive cycles of the period and a letter by falling power, ``"1a"``; ``"chaos"``, ``"torus"``, ``"undecided"`` for
-    #: the starts for which no attractor was proved.
+    #: Drive cycles of the period and a letter by decreasing power, ``"1a"``; ``"chaos"``, ``"torus"``, ``"undecided"`` for the starts
+    #: without a proven attractor.
     attractor: list[str]
-    #: Period in drive cycles; 0 for none.
-    period_cycles: Annotated[Integers, Along("attractor", "1", "period in drive cycles, 0 for none")]
-    chaotic: Annotated[Truths, Along("attractor", "1", "neighbouring motions part")]
+    #: Period in drive cycles; 0 without a period.
+    period_cycles: Annotated[Integers, Along("attractor", "1", "period in drive cycles, 0 without a period")]
+    chaotic: Annotated[Truths, Along("attractor", "1", "neighbouring motions diverge")]
     mean_power_w: Annotated[Floats, Along("attractor", "W", "mean power of all loads")]
-    contacts_per_period: Annotated[Integers, Along("attractor", "1", "contacts that begin in a period")]
-    #: Id of the orbit of which each is the mirror image half a drive cycle later; ``None`` for all others.
+    contacts_per_period: Annotated[Integers, Along("attractor", "1", "contacts per period")]
+    #: Id of the orbit whose mirror image, half a drive cycle later, this orbit is; ``None`` for the others.
     mirror_of: list[str | None]
-    #: Share of the starts and its 95 % interval.
+    #: Share of the starts with its 95 % interval.
     fraction: Annotated[Floats, Along("attractor", "1", "share of the starts")]
-    fraction_low: Annotated[Floats, Along("attractor", "1", "lower end of its 95 % interval")]
-    fraction_high: Annotated[Floats, Along("attractor", "1", "upper end of its 95 % interval")]
+    fraction_low: Annotated[Floats, Along("attractor", "1", "lower end of the 95 % interval of the share")]
+    fraction_high: Annotated[Floats, Along("attractor", "1", "upper end of the 95 % interval of the share")]
     #: Largest Lyapunov exponent and its error, 1/s; NaN on an orbit.
     lyapunov_per_s: Annotated[Floats, Along("attractor", "1/s", "largest Lyapunov exponent", "lyapunov")]
-    lyapunov_error_per_s: Annotated[Floats, Along("attractor", "1/s", "its standard error", "lyapunov_error")]
-    #: Power to be expected from a start of the cloud and its 95 % interval, W.
-    expected_power_w: Annotated[float, Along("", "W", "power to be expected")]
-    expected_power_low_w: Annotated[float, Along("", "W", "lower end of its 95 % interval")]
-    expected_power_high_w: Annotated[float, Along("", "W", "upper end of its 95 % interval")]
-    #: Starts whose march failed, with the reason.
+    lyapunov_error_per_s: Annotated[Floats, Along("attractor", "1/s", "standard error of the exponent", "lyapunov_error")]
+    #: Expected power of a start of the cloud with its 95 % interval, W.
+    expected_power_w: Annotated[float, Along("", "W", "expected power")]
+    expected_power_low_w: Annotated[float, Along("", "W", "lower end of the 95 % interval of the expected power")]
+    expected_power_high_w: Annotated[float, Along("", "W", "upper end of the 95 % interval of the expected power")]
+    #: Starts whose run failed, with the reason.
     lost: list[tuple[int, str]]
-    #: Limits of patches that attractors pass, in words.
+    #: Warnings about exceeded limits of patches on attractors.
     warnings: list[str]
-    #: Number of the attractor of each start; -1 where it was lost or not finished.
-    ends_in: Annotated[Integers, Along("start", "1", "number of the attractor, -1 for none")]
+    #: Number of the attractor of each start; -1 where the run failed or was not finished.
+    ends_in: Annotated[Integers, Along("start", "1", "number of the attractor, -1 without one")]
     #: Displacement, m, and velocity, m/s, of each start towards the first stop, and voltage of the first patch, V.
     start_displacement_m: Annotated[Floats, Along("start", "m", "displacement towards the stop")]
     start_velocity_m_s: Annotated[Floats, Along("start", "m/s", "velocity towards the stop")]
@@ -51,7 +51,7 @@ class BasinsResult(Result):
 
     def _summary(self) -> list[tuple[str, str]]:
         finished = int((self.ends_in >= 0).sum())
-        lines = [("starts", f"{len(self.ends_in)}, {finished} of them recognized")]
+        lines = [("starts", f"{len(self.ends_in)}, {finished} of them classified")]
         for k, name in enumerate(self.attractor):
             share = f"share {self.fraction[k]:.3f} ({self.fraction_low[k]:.3f} to {self.fraction_high[k]:.3f})"
             lines.append((name, f"{self.mean_power_w[k]:.6e} W, {share}"))
@@ -84,7 +84,7 @@ class BasinsResult(Result):
         return self._frame({"attractor": self.attractor, **self._columns("attractor")})
 
     def plot_basins(self, ax: Any = None) -> Any:
-        """Draws the starts by displacement and velocity towards the stop, coloured by where they end."""
+        """Draws the starts by displacement and velocity towards the stop, coloured by attractor."""
         from .plot.basins import plot_basins
 
         return plot_basins(self, ax)

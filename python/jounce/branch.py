@@ -1,4 +1,4 @@
-"""Branches of periodic answers over one key."""
+"""Branches of periodic orbits over one key."""
 
 from __future__ import annotations
 
@@ -14,41 +14,41 @@ from .result import Along, Data, Floats, Integers, Result, Truths, Variable, des
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class Branch(Data):
-    """One curve of periodic answers; arrays of shape ``(point,)`` along it."""
+    """Branch of periodic orbits; arrays of shape ``(point,)`` along it."""
 
     period_cycles: int
     #: Value of the key, SI.
     parameter: Floats
     mean_power_w: Annotated[Floats, Along("point", "W", "mean power of all loads")]
-    voltage_rms_v: Annotated[Floats, Along("point", "V", "voltage of the first load, else of what the first rectifier feeds, rms")]
+    voltage_rms_v: Annotated[Floats, Along("point", "V", "rms voltage of the first load, else of the output of the first rectifier")]
     stable: Annotated[Truths, Along("point", "1", "attracts")]
-    stability_undecided: Annotated[Truths, Along("point", "1", "a multiplier has modulus one within its error")]
+    stability_undecided: Annotated[Truths, Along("point", "1", "a Floquet multiplier has modulus one within its error")]
     #: Largest modulus of a Floquet multiplier.
     floquet_max_abs: Annotated[Floats, Along("point", "1", "largest modulus of a Floquet multiplier")]
-    contacts_per_period: Annotated[Integers, Along("point", "1", "contacts that begin in a period")]
+    contacts_per_period: Annotated[Integers, Along("point", "1", "contacts per period")]
     max_penetration_m: Annotated[Floats, Along("point", "m", "largest penetration of the stop")]
-    displacement_peak_m: Annotated[Floats, Along("point", "m", "half of the range of the displacement at the first stop")]
+    displacement_peak_m: Annotated[Floats, Along("point", "m", "half the peak-to-peak displacement at the first stop")]
     #: Estimated relative error of the state.
     error_estimate: Annotated[Floats, Along("point", "1", "estimated relative error of the state")]
     #: ``"fold"``, ``"period-doubling"``, ``"neimark-sacker"``, ``"branch-point"``, ``"grazing"``, ``"sticking"``, ``"level"``.
     bifurcation_kind: list[str]
-    #: The level that is passed, or the stop that is grazed; ``None`` for the others.
+    #: Level of the event, or stop of a grazing; ``None`` for the others.
     bifurcation_name: list[str | None]
     bifurcation_parameter: Floats
     bifurcation_power_w: Floats
     bifurcation_displacement_peak_m: Floats
-    #: Parts that may hold two more events of a kind than are listed: ``event``, ``from``, ``to``, ``why``.
+    #: Segments that may contain two more events of a kind than are listed: ``event``, ``from``, ``to``, ``why``.
     not_proved: list[dict[str, Any]]
-    #: Number of period doublings whose branch was not followed: the budget was spent, or Newton found no first orbit.
+    #: Number of period doublings whose branch was not continued: the budget was used up, or Newton iteration found no first orbit.
     not_followed: int
-    #: How its two ends came about.
+    #: Terminations of the two ends of the branch.
     endings: list[dict[str, Any]]
-    #: Peak and half-power bandwidth of its stable part; ``None`` without one.
+    #: Peak and half-power bandwidth of the stable part; ``None`` without a stable part.
     half_power: dict[str, Any] | None
 
     @classmethod
     def made(cls, one: dict[str, Any]) -> Self:
-        """From what the compiled module answers."""
+        """Returns the branch of a result of the compiled module."""
         return cls(**{**one, **{name: json.loads(one[name]) for name in ("not_proved", "endings", "half_power")}})
 
     def __len__(self) -> int:
@@ -57,14 +57,15 @@ class Branch(Data):
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class BranchResult(Result):
-    """All branches that were found; iterate over it, or take one by its number."""
+    """All branches that were found; can be iterated and indexed by number."""
 
     key: str
     unit: str
     branches: list[Branch]
-    #: Limits of patches that points pass over a period, in words.
+    #: Warnings about exceeded limits of patches over a period.
     warnings: list[str]
-    #: Peak of all together, and where any stable orbit has at least half of it: ``peak``, ``width``, ``width_error``, ``intervals``.
+    #: Peak of all branches combined, and the intervals where a stable orbit has at least half of it: ``peak``, ``width``, ``width_error``,
+    #: ``intervals``.
     half_power: dict[str, Any] | None
 
     @classmethod
@@ -89,10 +90,10 @@ class BranchResult(Result):
                 lines.append(("", f"{kind}{f' ({name})' if name else ''} at {at:.6g} {self.unit}"))
             for part in one.not_proved:
                 lines.append(
-                    ("warning", f"from {part['from']:.6g} to {part['to']:.6g} {self.unit} two more of {part['event']} are possible")
+                    ("warning", f"from {part['from']:.6g} to {part['to']:.6g} {self.unit} two more events {part['event']} are possible")
                 )
             if one.not_followed:
-                lines.append(("warning", f"the branches of {one.not_followed} period doublings were not followed"))
+                lines.append(("warning", f"the branches of {one.not_followed} period doublings were not continued"))
         if self.half_power is not None:
             peak, width = self.half_power["peak"], self.half_power["width"]
             lines.append(("highest stable power", f"{peak['mean_power_w']:.6e} W at {peak['parameter']:.6g} {self.unit}"))
@@ -115,7 +116,7 @@ class BranchResult(Result):
         return np.repeat(np.arange(len(self), dtype=np.int64), [len(one) for one in self.branches])
 
     def to_xarray(self) -> Any:
-        """An ``xarray.Dataset`` over ``point`` (all branches one after the other, ``branch`` tells them apart) and ``bifurcation``."""
+        """Returns an ``xarray.Dataset`` over ``point`` (all branches in sequence, numbered by ``branch``) and ``bifurcation``."""
         variables = {"parameter": Variable(("point",), self._joined("parameter"), self.unit, self.key)}
         variables |= {along.name(field): along.of(self._joined(field)) for field, along in described(Branch).items()}
         periods = np.repeat(np.array([one.period_cycles for one in self.branches], dtype=np.int64), [len(one) for one in self.branches])
@@ -128,17 +129,17 @@ class BranchResult(Result):
             "bifurcation_branch": Variable(("bifurcation",), np.array(owners, dtype=np.int64), "1", "number of the branch"),
         }
         kinds = [kind for one in self.branches for kind in one.bifurcation_kind]
-        coords = {"bifurcation": Variable(("bifurcation",), kinds, "", "what happens")}
+        coords = {"bifurcation": Variable(("bifurcation",), kinds, "", "kind of the bifurcation")}
         return self._dataset(variables, coords)
 
     def to_pandas(self) -> Any:
-        """A ``pandas.DataFrame`` with a row for each point of each branch."""
+        """Returns a ``pandas.DataFrame`` with a row for each point of each branch."""
         periods = np.repeat([one.period_cycles for one in self.branches], [len(one) for one in self.branches])
         along = {field: self._joined(field) for field in ("parameter", *described(Branch))}
         return self._frame({"branch": self._numbers(), "period_cycles": periods, **along})
 
     def bifurcations_to_pandas(self) -> Any:
-        """A ``pandas.DataFrame`` with a row for each bifurcation."""
+        """Returns a ``pandas.DataFrame`` with a row for each bifurcation."""
         rows = [
             (number, kind, name, at, power)
             for number, one in enumerate(self.branches)
@@ -148,7 +149,7 @@ class BranchResult(Result):
         return self._frame({name: [row[k] for row in rows] for k, name in enumerate(names)})
 
     def plot_branch(self, ax: Any = None) -> Any:
-        """Draws mean power, or without any the displacement amplitude, over the key: stable solid, unstable dashed, bifurcations marked."""
+        """Draws mean power, or displacement amplitude without power, over the key: stable solid, unstable dashed, bifurcations marked."""
         from .plot.branch import plot_branch
 
         return plot_branch(self, ax)

@@ -1,4 +1,4 @@
-"""Force pulses of a hammer and the laws of contact fitted to them."""
+"""Force pulses of a hammer and the contact laws fitted to them."""
 
 from __future__ import annotations
 
@@ -15,21 +15,21 @@ from .issue import Finding, found, told
 from .recording import names_of
 from .result import Along, Data, Floats, Result, Variable, column, html_table, made_manifest
 
-#: Deviations from a value to an end of its interval of 95 %.
+#: Quantile: half width of the 95 % interval in standard deviations.
 QUANTILE_95 = 1.959963984540054
 
-#: What a pulse tells about the law, in words.
+#: Description of the laws that a pulse allows.
 TOLD = {
     "neither": "neither a linear spring nor Hertz's law fits",
     "linear": "a linear spring fits, Hertz's law does not",
     "hertz": "Hertz's law fits, a linear spring does not",
-    "both": "the data cannot tell a linear spring from Hertz's law",
+    "both": "the data do not distinguish a linear spring from Hertz's law",
 }
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class Pulse(Data):
-    """The samples of one pulse, time from the largest force, s, and the law between them; without a law those two are empty."""
+    """Samples of one pulse, time from the largest force, s, and the fitted law between them; the last two are empty without a law."""
 
     time_s: Floats
     force_n: Floats
@@ -39,38 +39,38 @@ class Pulse(Data):
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class ContactResult(Result):
-    """Every hit of a record and the law of contact fitted to it; arrays of shape ``(hit,)``, NaN where no law could be fitted."""
+    """Hits of a record and the contact law fitted to each; arrays of shape ``(hit,)``, NaN where no law could be fitted."""
 
     channel: str
     time_s: Annotated[Floats, Along("hit", "s", "time of the largest force, from the first sample")]
     peak_force_n: Annotated[Floats, Along("hit", "N", "largest force")]
     contact_time_s: Annotated[Floats, Along("hit", "s", "time above a tenth of the largest force")]
-    law_contact_time_s: Annotated[Floats, Along("hit", "s", "time from touch to parting of the law")]
+    law_contact_time_s: Annotated[Floats, Along("hit", "s", "contact time of the law")]
     impulse_n_s: Annotated[Floats, Along("hit", "N s", "integral of the force")]
     exponent: Annotated[Floats, Along("hit", "1", "exponent of the law: 1 for a linear spring, 1.5 for Hertz")]
     exponent_deviation: Annotated[Floats, Along("hit", "1", "standard deviation of the exponent")]
-    restitution: Annotated[Floats, Along("hit", "1", "speed after over speed before")]
+    restitution: Annotated[Floats, Along("hit", "1", "ratio of speed after to speed before contact")]
     restitution_deviation: Annotated[Floats, Along("hit", "1", "standard deviation of the restitution")]
     #: NaN where the mass of the hammer was not given; stiffness in N/m^exponent.
     stiffness: Annotated[Floats, Along("hit", "N m^-exponent", "stiffness of the law")]
     stiffness_relative_deviation: Annotated[Floats, Along("hit", "1", "standard deviation of the logarithm of the stiffness")]
-    stiffness_low: Annotated[Floats, Along("hit", "N m^-exponent", "lower end of the interval of 95 % of the stiffness")]
-    stiffness_high: Annotated[Floats, Along("hit", "N m^-exponent", "upper end of the interval of 95 % of the stiffness")]
-    #: NaN too where the pulse does not allow a linear spring.
+    stiffness_low: Annotated[Floats, Along("hit", "N m^-exponent", "lower end of the 95 % interval of the stiffness")]
+    stiffness_high: Annotated[Floats, Along("hit", "N m^-exponent", "upper end of the 95 % interval of the stiffness")]
+    #: Also NaN where the pulse does not allow a linear spring.
     linear_stiffness: Annotated[Floats, Along("hit", "N/m", "stiffness of a linear spring")]
-    linear_stiffness_low: Annotated[Floats, Along("hit", "N/m", "lower end of its interval of 95 %")]
-    linear_stiffness_high: Annotated[Floats, Along("hit", "N/m", "upper end of its interval of 95 %")]
-    #: NaN too where the pulse does not allow Hertz's law.
+    linear_stiffness_low: Annotated[Floats, Along("hit", "N/m", "lower end of the 95 % interval of this stiffness")]
+    linear_stiffness_high: Annotated[Floats, Along("hit", "N/m", "upper end of the 95 % interval of this stiffness")]
+    #: Also NaN where the pulse does not allow Hertz's law.
     hertz_stiffness: Annotated[Floats, Along("hit", "N m^-1.5", "stiffness of Hertz's law")]
-    hertz_stiffness_low: Annotated[Floats, Along("hit", "N m^-1.5", "lower end of its interval of 95 %")]
-    hertz_stiffness_high: Annotated[Floats, Along("hit", "N m^-1.5", "upper end of its interval of 95 %")]
+    hertz_stiffness_low: Annotated[Floats, Along("hit", "N m^-1.5", "lower end of the 95 % interval of this stiffness")]
+    hertz_stiffness_high: Annotated[Floats, Along("hit", "N m^-1.5", "upper end of the 95 % interval of this stiffness")]
     speed_m_s: Annotated[Floats, Along("hit", "m/s", "speed of the hammer")]
-    relative_error: Annotated[Floats, Along("hit", "1", "rms of what the law leaves over the largest force")]
-    #: Which laws a pulse allows, at 95 %: ``"neither"``, ``"linear"``, ``"hertz"``, ``"both"``; empty where none could be fitted.
+    relative_error: Annotated[Floats, Along("hit", "1", "rms residual of the law relative to the largest force")]
+    #: Laws that a pulse allows, at 95 %: ``"neither"``, ``"linear"``, ``"hertz"``, ``"both"``; empty where no law could be fitted.
     told: list[str]
-    #: Why no law could be fitted; empty where one was.
+    #: Reason why no law could be fitted; empty where one was fitted.
     why: list[str]
-    #: What is wrong with each hit: ``"double"``, ``"clipped"``, ``"coarse"``, ``"cut"``.
+    #: Warnings of each hit: ``"double"``, ``"clipped"``, ``"coarse"``, ``"cut"``.
     warnings: list[list[str]]
     pulses: list[Pulse]
     findings: list[Finding]
@@ -86,7 +86,7 @@ class ContactResult(Result):
             if kind:
                 law = f"95 %: exponent {self.exponent[k]:.3f} +- {QUANTILE_95 * self.exponent_deviation[k]:.3f}"
                 back = f"restitution {self.restitution[k]:.3f} +- {QUANTILE_95 * self.restitution_deviation[k]:.3f}"
-                lines.append(("", f"{law}, {back}; contact {self.law_contact_time_s[k]:.4e} s; {TOLD[kind]}"))
+                lines.append(("", f"{law}, {back}; contact time {self.law_contact_time_s[k]:.4e} s; {TOLD[kind]}"))
                 lines.extend(("", stiffness) for stiffness in self._stiffnesses(k))
             else:
                 lines.append(("", f"no law: {self.why[k]}"))
@@ -107,12 +107,12 @@ class ContactResult(Result):
         return html_table("Hits", ["time [s]", "peak force [N]", "contact [s]", "exponent", "restitution", ""], rows)
 
     def to_xarray(self) -> Any:
-        """An ``xarray.Dataset`` over ``hit``."""
+        """Returns an ``xarray.Dataset`` over ``hit``."""
         variables = {**self._variables(), "told": Variable(("hit",), self.told, "", "laws that the pulse allows")}
         return self._dataset(variables, {"hit": Variable(("hit",), np.arange(len(self)), "1", "number of the hit")})
 
     def to_pandas(self) -> Any:
-        """A ``pandas.DataFrame`` with a row for each hit."""
+        """Returns a ``pandas.DataFrame`` with a row for each hit."""
         return self._frame({**self._columns("hit"), "told": self.told, "why": self.why})
 
     def plot_contact(self, ax: Any = None, hits: int = 6) -> Any:
@@ -123,12 +123,12 @@ class ContactResult(Result):
 
 
 def contact(record: Measured, *, sample_rate_hz: Any = None, force: str | None = None, mass: Any = None) -> ContactResult:
-    """Contact time, exponent and restitution of every hit in a record of force, and with the ``mass`` of the hammer stiffnesses.
+    """Fits contact time, exponent and restitution of every hit in a record of force, and stiffnesses with the ``mass`` of the hammer.
 
-    The stiffness is that under the free exponent and under each of the linear spring and Hertz's law that a pulse allows.
+    Stiffnesses are returned for the fitted exponent, and for the linear spring and Hertz's law where a pulse allows them.
 
-    ``record`` is a :class:`Recording`, a file, SEP005 time series, or an array with its ``sample_rate_hz``; ``force`` the channel, by
-    default the first in newtons. The body that is struck is taken to stand still during a contact.
+    ``record`` is a :class:`Recording`, a file, SEP005 time series, or an array with its ``sample_rate_hz``. ``force`` names the channel, by
+    default the first in newtons. The struck body is assumed to be at rest during a contact.
     """
     given = recording(record, sample_rate_hz)
     mass_kg = optional_si("mass", mass, "mass")
@@ -157,11 +157,11 @@ def contact(record: Measured, *, sample_rate_hz: Any = None, force: str | None =
 
 
 def kind_of(warning: Any) -> str:
-    """The kind of a warning of a hit, which may carry numbers."""
+    """Returns the kind of a warning of a hit, which may carry numbers."""
     return warning if isinstance(warning, str) else next(iter(warning))
 
 
 def stiffness_95(laws: list[dict[str, Any]], prefix: str) -> dict[str, Floats]:
-    """Both ends of the interval of the stiffness of each law, NaN where there is none."""
+    """Returns both ends of the stiffness interval of each law, NaN where there is no interval."""
     ends = np.array([law.get("stiffness_95") or (np.nan, np.nan) for law in laws], dtype=float).reshape(-1, 2)
     return {f"{prefix}stiffness_low": ends[:, 0], f"{prefix}stiffness_high": ends[:, 1]}

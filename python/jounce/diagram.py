@@ -1,4 +1,4 @@
-"""Bifurcation diagrams by marching."""
+"""Bifurcation diagrams by integration."""
 
 from __future__ import annotations
 
@@ -12,41 +12,41 @@ from .branch import Branch
 from .errors import ArgumentError
 from .result import Floats, Integers, Result, Variable, html_table
 
-#: Quantities of the section: field, unit, what it is.
+#: Quantities of the section: field, unit, description.
 SECTION = {
     "displacement": ("section_displacement_m", "m", "displacement towards the stop at the start of a drive cycle"),
-    "velocity": ("section_velocity_m_s", "m/s", "its velocity"),
+    "velocity": ("section_velocity_m_s", "m/s", "velocity towards the stop"),
     "voltage": ("section_voltage_v", "V", "voltage of the first patch"),
 }
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class DiagramResult(Result):
-    """Where the motion is at the start of each drive cycle; arrays of shape ``(visit,)`` and, of the points, ``(section,)``."""
+    """State at the start of each drive cycle; arrays of shape ``(visit,)`` and, of the points, ``(section,)``."""
 
     #: The key and its SI unit.
     key: str
     unit: str
-    #: Value of the key at each march, SI.
+    #: Value of the key in each run, SI.
     parameter: Floats
-    #: How it was reached: ``"up"``, ``"down"``, ``"independent"`` (from a start of the cloud).
+    #: Direction of each run: ``"up"``, ``"down"``, ``"independent"`` (from a start of the cloud).
     direction: list[str]
-    #: Number of the start in its cloud; 0 when stepped.
+    #: Number of the start in its cloud; 0 in a stepped diagram.
     start: Integers
     #: ``"orbit"``, ``"chaos"``, ``"torus"``, ``"undecided"``, ``"lost"``.
     motion: list[str]
-    #: Period in drive cycles; 0 for none.
+    #: Period in drive cycles; 0 without a period.
     period_cycles: Integers
     contacts_per_period: Integers
     mean_power_w: Floats
-    #: Number in ``attractors`` of the one that a march ended on; -1 for none, and where the values were stepped through.
+    #: Number in ``attractors`` of the attractor of each run; -1 without one, and in a stepped diagram.
     attractor_number: Integers
-    #: The points of the section: number of the march that each belongs to, displacement towards the stop, velocity, voltage.
+    #: Points of the section: number of the run, displacement towards the stop, velocity, voltage.
     section_visit: Integers
     section_displacement_m: Floats
     section_velocity_m_s: Floats
     section_voltage_v: Floats
-    #: From starts only: each attractor with ``id``, ``motion``, ``period_cycles``, ``born``, ``died``, ``seen``.
+    #: With starts only: each attractor with ``id``, ``motion``, ``period_cycles``, ``born``, ``died``, ``seen``.
     attractors: list[dict[str, Any]]
     #: Branches continued over the same range, unstable parts included.
     branches: list[Branch]
@@ -61,7 +61,7 @@ class DiagramResult(Result):
 
     def _summary(self) -> list[tuple[str, str]]:
         kinds = sorted(set(self.motion))
-        lines = [("over", f"{self.key} [{self.unit}]"), ("marches", f"{len(self)} with {len(self.section_visit)} points of the section")]
+        lines = [("over", f"{self.key} [{self.unit}]"), ("runs", f"{len(self)} with {len(self.section_visit)} points of the section")]
         lines += [(kind, str(self.motion.count(kind))) for kind in kinds]
         for one in self.attractors:
             seen = one["seen"]
@@ -70,31 +70,31 @@ class DiagramResult(Result):
 
     def _repr_html_(self) -> str:
         rows = [[kind, self.motion.count(kind)] for kind in sorted(set(self.motion))]
-        return html_table(f"Diagram over {self.key}", ["motion", "marches"], rows)
+        return html_table(f"Diagram over {self.key}", ["motion", "runs"], rows)
 
     def to_xarray(self) -> Any:
-        """An ``xarray.Dataset`` over ``visit`` and ``section``, whose ``section_visit`` tells which march a point belongs to."""
+        """Returns an ``xarray.Dataset`` over ``visit`` and ``section``; ``section_visit`` is the run of each point."""
         of = ("visit",)
         variables = {
-            "motion": Variable(of, self.motion, "", "what the motion is"),
-            "period_cycles": Variable(of, self.period_cycles, "1", "period in drive cycles, 0 for none"),
-            "contacts_per_period": Variable(of, self.contacts_per_period, "1", "contacts that begin in a period"),
+            "motion": Variable(of, self.motion, "", "kind of the motion"),
+            "period_cycles": Variable(of, self.period_cycles, "1", "period in drive cycles, 0 without a period"),
+            "contacts_per_period": Variable(of, self.contacts_per_period, "1", "contacts per period"),
             "mean_power": Variable(of, self.mean_power_w, "W", "mean power of all loads"),
-            "attractor_number": Variable(of, self.attractor_number, "1", "number of the attractor, -1 for none"),
+            "attractor_number": Variable(of, self.attractor_number, "1", "number of the attractor, -1 without one"),
             "start": Variable(of, self.start, "1", "number of the start in its cloud"),
-            "section_visit": Variable(("section",), self.section_visit, "1", "march that the point belongs to"),
+            "section_visit": Variable(("section",), self.section_visit, "1", "run of the point"),
         }
         for name, (field, units, about) in SECTION.items():
             variables[f"section_{name}"] = Variable(("section",), getattr(self, field), units, about)
         coords = {
             "visit": Variable(of, np.arange(len(self)), "1", "order of visit"),
             "parameter": Variable(of, self.parameter, self.unit, self.key),
-            "direction": Variable(of, self.direction, "", "how the value was reached"),
+            "direction": Variable(of, self.direction, "", "direction of the sweep"),
         }
         return self._dataset(variables, coords)
 
     def to_pandas(self) -> Any:
-        """A ``pandas.DataFrame`` with a row for each point of the section."""
+        """Returns a ``pandas.DataFrame`` with a row for each point of the section."""
         visit = self.section_visit
         ids = [self.attractors[k]["id"] if k >= 0 else "" for k in self.attractor_number]
         return self._frame(
@@ -113,14 +113,14 @@ class DiagramResult(Result):
         )
 
     def section(self, quantity: str) -> tuple[Floats, str, str]:
-        """Values at the points of the section, their unit and what they are: ``"displacement"``, ``"velocity"``, ``"voltage"``."""
+        """Returns values at the points of the section, unit and description of ``"displacement"``, ``"velocity"`` or ``"voltage"``."""
         if quantity not in SECTION:
             raise ArgumentError(f"{quantity}: no such quantity of a section; there are {', '.join(SECTION)}")
         field, units, about = SECTION[quantity]
         return getattr(self, field), units, about
 
     def plot_diagram(self, ax: Any = None, quantity: str = "displacement") -> Any:
-        """Draws the section over the key: orbits as dots, motions without a period finer, the way or the attractor by colour."""
+        """Draws the section over the key: orbits as large dots, other motions as small dots, coloured by direction or attractor."""
         from .plot.diagram import plot_diagram
 
         return plot_diagram(self, ax, quantity)

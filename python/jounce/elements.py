@@ -1,6 +1,6 @@
-"""The things that a spec is made of, by their keywords: ``Stop(at="beam.tip", law="hertz", gap="1 mm", stiffness="1000 N/m^1.5")``.
+"""Elements of a spec by their keywords: ``Stop(at="beam.tip", law="hertz", gap="1 mm", stiffness="1000 N/m^1.5")``.
 
-Each is a dict of its keys, as in TOML; the keys, their units and their limits are those of the key reference, and are checked when the
+Each is a dict of its keys, as in TOML. The keys, units and limits are those of the key reference; they are checked when the
 :class:`jounce.Spec` is made.
 """
 
@@ -12,7 +12,7 @@ __all__ = ["Beam", "Circuit", "Damping", "Drive", "Gravity", "Layer", "Mass", "M
 
 
 class Thing(dict[str, Any]):
-    """A table of a spec."""
+    """Table of a spec."""
 
     def __init__(self, **keys: Any) -> None:
         super().__init__(keys)
@@ -29,39 +29,39 @@ def _again(kind: type[Thing], keys: dict[str, Any]) -> Thing:
 
 
 class Beam(Thing):
-    """A uniform beam: ``length``, ``width``, ``thickness``, ``material`` or ``youngs_modulus``, ``density``; ``root``, ``point={...}``."""
+    """Uniform beam: ``length``, ``width``, ``thickness``, ``material`` or ``youngs_modulus``, ``density``; ``root``, ``point={...}``."""
 
 
 class Patch(Thing):
-    """A piezoelectric patch: ``on``, ``start``, ``length``, ``width``, ``thickness``, ``material`` or ``d31`` and ``capacitance``."""
+    """Piezoelectric patch: ``on``, ``start``, ``length``, ``width``, ``thickness``, ``material`` or ``d31`` and ``capacitance``."""
 
 
 class Layer(Thing):
-    """A passive layer on a face of a beam: ``on``, ``face``, ``start``, ``length``, ``width``, ``thickness``, ``material``."""
+    """Passive layer on a face of a beam: ``on``, ``face``, ``start``, ``length``, ``width``, ``thickness``, ``material``."""
 
 
 class Mass(Thing):
-    """A rigid mass: ``mass``, ``on``; on a spring also ``frequency`` or ``stiffness``, and ``damping_ratio``."""
+    """Rigid mass: ``mass``, ``on``; on a spring also ``frequency`` or ``stiffness``, and ``damping_ratio``."""
 
 
 class Modal(Thing):
-    """A structure given by its modes: ``frequency_hz``, ``damping_ratio``, ``point={name: shape}``, ``patch={name: {...}}``."""
+    """Structure given by its modes: ``frequency_hz``, ``damping_ratio``, ``point={name: shape}``, ``patch={name: {...}}``."""
 
 
 class Stop(Thing):
-    """What a point strikes: ``at``, ``frame``, ``side``, ``gap``, ``law`` and the keys of the law."""
+    """Stop with a gap: ``at``, ``frame``, ``side``, ``gap``, ``law`` and the keys of the law."""
 
 
 class Circuit(Thing):
-    """An electrical load: ``patch`` or ``patches`` with their ``wiring``, ``resistance``, ``inductance``."""
+    """Electrical load: ``patch`` or ``patches`` with their ``wiring``, ``resistance``, ``inductance``."""
 
 
 class Drive(Thing):
-    """What shakes it: ``kind``, ``at``, ``signal`` and the keys of the signal, by default ``amplitude`` (zero to peak), ``frequency``."""
+    """Excitation: ``kind``, ``at``, ``signal`` and the keys of the signal, by default ``amplitude`` (zero to peak), ``frequency``."""
 
 
 class Gravity(Thing):
-    """Gravity on everything that moves: ``acceleration``."""
+    """Gravity on all moving parts: ``acceleration``."""
 
 
 class Damping(Thing):
@@ -69,8 +69,8 @@ class Damping(Thing):
 
 
 class Reduction(Thing):
-    """How many modes are kept: ``modes``, ``mesh_tolerance``."""
+    """Number of retained modes: ``modes``, ``mesh_tolerance``."""
 
 
 class Run(Thing):
-    """How a run is made: ``start``, ``duration``, ``average_over``, ``tolerance``."""
+    """Settings of a run: ``start``, ``duration``, ``average_over``, ``tolerance``."""

@@ -1,4 +1,4 @@
-"""Many realisations of noise."""
+"""Ensembles of realisations of noise."""
 
 from __future__ import annotations
 
@@ -11,64 +11,64 @@ from .result import Along, Floats, Integers, Result, Variable
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class EnsembleResult(Result):
-    """Means over realisations of noise with their 95 % intervals; arrays of shape ``(member,)``, and ``(stop,)`` where they say so.
+    """Means over realisations of noise with their 95 % intervals; arrays of shape ``(member,)``, and of the stops ``(stop,)``.
 
-    An interval that nothing can be said of is infinitely wide.
+    An interval that cannot be estimated is infinitely wide.
     """
 
-    #: Mean power of all loads and half the width of its 95 % interval, W.
+    #: Mean power of all loads and half width of its 95 % interval, W.
     mean_power_w: Annotated[float, Along("", "W", "mean power of all loads")]
-    mean_power_half_width_w: Annotated[float, Along("", "W", "half the width of its 95 % interval")]
-    #: What the interval was taken over: ``"members"``, or ``"batches"`` of them where they are few.
+    mean_power_half_width_w: Annotated[float, Along("", "W", "half width of its 95 % interval")]
+    #: Basis of the interval: ``"members"``, or ``"batches"`` of them where they are few.
     interval_over: str
-    #: Was the wanted width reached (or none wanted), and the work not stopped?
-    reached: Annotated[bool, Along("", "1", "the wanted width was reached")]
-    #: Contacts per second and half the width of its 95 % interval.
+    #: True where the required width was reached (or no width was required) and the work was not stopped.
+    reached: Annotated[bool, Along("", "1", "the required width was reached")]
+    #: Contacts per second and half width of its 95 % interval.
     contact_rate_hz: Annotated[float, Along("", "1/s", "contacts per second")]
-    contact_rate_half_width_hz: Annotated[float, Along("", "1/s", "half the width of its 95 % interval")]
-    #: Speed at which contacts began, m/s, and the time that one lasts, s; 0 without contact.
-    mean_impact_velocity_m_s: Annotated[float, Along("", "m/s", "mean speed at which contacts began")]
-    max_impact_velocity_m_s: Annotated[float, Along("", "m/s", "largest speed at which one began")]
-    mean_contact_duration_s: Annotated[float, Along("", "s", "mean time that a contact lasts")]
-    #: Number of each realisation under the seed, and its own answers.
+    contact_rate_half_width_hz: Annotated[float, Along("", "1/s", "half width of its 95 % interval")]
+    #: Impact velocity, m/s, and contact duration, s; 0 without contact.
+    mean_impact_velocity_m_s: Annotated[float, Along("", "m/s", "mean impact velocity")]
+    max_impact_velocity_m_s: Annotated[float, Along("", "m/s", "largest impact velocity")]
+    mean_contact_duration_s: Annotated[float, Along("", "s", "mean contact duration")]
+    #: Number of each realisation under the seed, and its results.
     member: Integers
     member_power_w: Annotated[Floats, Along("member", "W", "mean power of all loads")]
     member_contacts: Annotated[Integers, Along("member", "1", "contacts that began")]
     member_contact_rate_hz: Annotated[Floats, Along("member", "1/s", "contacts per second")]
-    member_mean_impact_velocity_m_s: Annotated[Floats, Along("member", "m/s", "mean speed at which contacts began")]
-    member_max_impact_velocity_m_s: Annotated[Floats, Along("member", "m/s", "largest speed at which one began")]
-    member_mean_contact_duration_s: Annotated[Floats, Along("member", "s", "mean time that a contact lasts")]
+    member_mean_impact_velocity_m_s: Annotated[Floats, Along("member", "m/s", "mean impact velocity")]
+    member_max_impact_velocity_m_s: Annotated[Floats, Along("member", "m/s", "largest impact velocity")]
+    member_mean_contact_duration_s: Annotated[Floats, Along("member", "s", "mean contact duration")]
     member_max_penetration_m: Annotated[Floats, Along("member", "m", "largest penetration of the stop")]
-    #: Limits of patches that members pass, in words.
+    #: Warnings about exceeded limits of patches in members.
     warnings: list[str]
-    member_energy_residual_relative: Annotated[Floats, Along("member", "1", "energy residual of the march")]
-    #: Names of the stops. For each, contacts per second, speed at which contacts began, m/s, time that one lasts, s, and share of the
-    #: time in contact, with half the widths of their 95 % intervals (over what ``interval_over`` says) and their largest values.
+    member_energy_residual_relative: Annotated[Floats, Along("member", "1", "energy residual of the run")]
+    #: Names of the stops. For each: contacts per second, impact velocity, m/s, contact duration, s, and share of the time in contact, with
+    #: the half widths of their 95 % intervals (basis: ``interval_over``) and their largest values.
     stop: list[str]
     stop_contact_rate_hz: Annotated[Floats, Along("stop", "1/s", "contacts per second")]
-    stop_contact_rate_half_width_hz: Annotated[Floats, Along("stop", "1/s", "half the width of its 95 % interval")]
-    stop_mean_impact_velocity_m_s: Annotated[Floats, Along("stop", "m/s", "mean speed at which contacts began")]
-    stop_mean_strike_half_width_m_s: Annotated[Floats, Along("stop", "m/s", "half the width of its 95 % interval")]
-    stop_max_impact_velocity_m_s: Annotated[Floats, Along("stop", "m/s", "largest speed at which one began")]
-    stop_mean_contact_duration_s: Annotated[Floats, Along("stop", "s", "mean time that a contact lasts")]
-    stop_mean_dwell_half_width_s: Annotated[Floats, Along("stop", "s", "half the width of its 95 % interval")]
-    stop_max_contact_duration_s: Annotated[Floats, Along("stop", "s", "longest time that one lasted")]
+    stop_contact_rate_half_width_hz: Annotated[Floats, Along("stop", "1/s", "half width of its 95 % interval")]
+    stop_mean_impact_velocity_m_s: Annotated[Floats, Along("stop", "m/s", "mean impact velocity")]
+    stop_mean_strike_half_width_m_s: Annotated[Floats, Along("stop", "m/s", "half width of its 95 % interval")]
+    stop_max_impact_velocity_m_s: Annotated[Floats, Along("stop", "m/s", "largest impact velocity")]
+    stop_mean_contact_duration_s: Annotated[Floats, Along("stop", "s", "mean contact duration")]
+    stop_mean_dwell_half_width_s: Annotated[Floats, Along("stop", "s", "half width of its 95 % interval")]
+    stop_max_contact_duration_s: Annotated[Floats, Along("stop", "s", "longest contact duration")]
     stop_contact_duty: Annotated[Floats, Along("stop", "1", "share of the time in contact")]
-    stop_contact_duty_half_width: Annotated[Floats, Along("stop", "1", "half the width of its 95 % interval")]
-    #: Largest contact force, N, 0 for impacts on a rigid stop, and penetration, m.
+    stop_contact_duty_half_width: Annotated[Floats, Along("stop", "1", "half width of its 95 % interval")]
+    #: Largest contact force, N (0 for impacts on a rigid stop), and penetration, m.
     stop_max_contact_force_n: Annotated[Floats, Along("stop", "N", "largest contact force")]
     stop_max_penetration_m: Annotated[Floats, Along("stop", "m", "largest penetration")]
-    #: Names of the patches whose voltages have a spectrum; none unless they were asked for.
+    #: Names of the patches whose voltages have a spectrum; empty unless requested.
     patch: list[str]
     #: Middle of each bin of frequencies, Hz; of shape ``(frequency,)``.
     frequency_hz: Floats
-    #: One-sided power spectral density of each voltage, V^2/Hz, and half the width of its 95 % interval over members; of shape
-    #: ``(patch, frequency)``.
+    #: One-sided power spectral density of each voltage, V^2/Hz, and half width of its 95 % interval over members; of shape ``(patch,
+    #: frequency)``.
     voltage_psd_v2_hz: Annotated[Floats, Along("patch frequency", "V^2/Hz", "one-sided power spectral density")]
-    voltage_psd_half_width_v2_hz: Annotated[Floats, Along("patch frequency", "V^2/Hz", "half the width of its 95 % interval")]
-    #: Statistical bandwidth of each voltage, Hz, and half the width of its 95 % interval; of shape ``(patch,)``.
+    voltage_psd_half_width_v2_hz: Annotated[Floats, Along("patch frequency", "V^2/Hz", "half width of its 95 % interval")]
+    #: Statistical bandwidth of each voltage, Hz, and half width of its 95 % interval; of shape ``(patch,)``.
     bandwidth_hz: Annotated[Floats, Along("patch", "Hz", "statistical bandwidth of the voltage")]
-    bandwidth_half_width_hz: Annotated[Floats, Along("patch", "Hz", "half the width of its 95 % interval")]
+    bandwidth_half_width_hz: Annotated[Floats, Along("patch", "Hz", "half width of its 95 % interval")]
 
     def __len__(self) -> int:
         return len(self.member)
@@ -78,10 +78,10 @@ class EnsembleResult(Result):
         return [
             ("mean power", power),
             ("members", str(len(self))),
-            ("wanted width", "reached" if self.reached else "NOT reached"),
+            ("required width", "reached" if self.reached else "NOT reached"),
             ("contacts", f"{self.contact_rate_hz:.4f} per second +- {self.contact_rate_half_width_hz:.2f}"),
             (
-                "strikes",
+                "impacts",
                 f"{self.mean_impact_velocity_m_s:.4e} m/s in the mean, {self.max_impact_velocity_m_s:.4e} m/s at most, {self.mean_contact_duration_s:.4e} s each",
             ),
             *((f"stop {name}", self._of_stop(k)) for k, name in enumerate(self.stop)),
@@ -98,7 +98,7 @@ class EnsembleResult(Result):
         return f"{rate}, at {strike}, {100 * self.stop_contact_duty[k]:.3g} % of the time"
 
     def to_xarray(self) -> Any:
-        """An ``xarray.Dataset`` over ``member`` and ``stop``, with the means as scalars; spectra over ``patch`` and ``frequency``."""
+        """Returns an ``xarray.Dataset`` over ``member`` and ``stop``, means as scalars, spectra over ``patch`` and ``frequency``."""
         coords = {
             "member": Variable(("member",), self.member, "1", "number of the realisation under its seed"),
             "stop": Variable(("stop",), self.stop, "", "stop"),
@@ -110,7 +110,7 @@ class EnsembleResult(Result):
         return self._dataset(asked, {name: one for name, one in coords.items() if name in axes})
 
     def to_pandas(self) -> Any:
-        """A ``pandas.DataFrame`` with a row for each member."""
+        """Returns a ``pandas.DataFrame`` with a row for each member."""
         return self._frame({"member": self.member, **self._columns("member")})
 
     def plot_ensemble(self, ax: Any = None) -> Any:
@@ -120,9 +120,9 @@ class EnsembleResult(Result):
         return plot_ensemble(self, ax)
 
     def plot_spectra(self, ax: Any = None) -> Any:
-        """Draws the density of each voltage with its 95 % interval; they are there after ``ensemble(spectrum=True)``."""
+        """Draws the density of each voltage with its 95 % interval; needs ``ensemble(spectrum=True)``."""
         from .plot.spectra import plot_spectra
 
         if not self.patch:
-            raise ArgumentError("this ensemble has no spectra; make them with ensemble(spectrum=True)")
+            raise ArgumentError("this ensemble has no spectra; compute them with ensemble(spectrum=True)")
         return plot_spectra(self, ax)

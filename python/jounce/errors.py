@@ -1,4 +1,4 @@
-"""What can go wrong: a small tree of exceptions that carry the numbers."""
+"""Exceptions of jounce, which carry the numbers of their messages."""
 
 from __future__ import annotations
 
@@ -28,9 +28,10 @@ __all__ = [
 
 @dataclass(frozen=True)
 class Fault:
-    """One thing that is wrong in a spec.
+    """Fault in a spec.
 
-    ``line`` and ``column`` count from 1 and are 0 where the fault is in no text: in a key that was set, or in a spec of Python objects.
+    ``line`` and ``column`` count from 1. They are 0 where the fault has no place in a text: in a key that was set, or a spec of Python
+    objects.
     """
 
     line: int
@@ -43,7 +44,7 @@ class Fault:
 
 
 class JounceError(Exception):
-    """Every error of jounce. ``details`` holds the numbers and names of the message, units in their keys (``time_s``)."""
+    """Base class of the errors of jounce. ``details`` holds the numbers and names of the message, with units in the keys (``time_s``)."""
 
     def __init__(self, message: str, details: dict[str, Any] | None = None) -> None:
         super().__init__(message)
@@ -54,11 +55,11 @@ class JounceError(Exception):
 
 
 class ArgumentError(JounceError, ValueError):
-    """An argument that is out of range or of a wrong kind."""
+    """An argument out of range or of a wrong type."""
 
 
 class FileError(JounceError, OSError):
-    """A file that cannot be read or written. ``details`` holds its ``path``, ``errno`` what the system says, where it says anything."""
+    """A file that cannot be read or written. ``details`` holds its ``path``, ``errno`` the error number of the system, if any."""
 
     def __init__(self, message: str, details: dict[str, Any] | None = None) -> None:
         super().__init__(message, details)
@@ -66,14 +67,14 @@ class FileError(JounceError, OSError):
 
 
 class UnknownKeyError(JounceError, KeyError):
-    """A key that a spec does not have; ``details`` holds it and the ``nearest`` one."""
+    """A key that a spec does not have; ``details`` holds the key and the ``nearest`` existing one."""
 
-    # A KeyError would show its message as the name of a key, between quotes.
+    # A KeyError would print its message in quotes, as the name of a key.
     __str__ = Exception.__str__
 
 
 class SpecError(JounceError, ValueError):
-    """A spec with faults: all of them, in the order of their places."""
+    """A spec with faults; all faults are listed in the order of their places."""
 
     def __init__(self, message: str, details: dict[str, Any] | None = None) -> None:
         super().__init__(message, details)
@@ -82,7 +83,7 @@ class SpecError(JounceError, ValueError):
 
 
 class StructureError(JounceError):
-    """A structure that has no modes as they are asked for."""
+    """A structure without the requested modes."""
 
 
 class PlantError(JounceError):
@@ -90,23 +91,23 @@ class PlantError(JounceError):
 
 
 class StartError(JounceError):
-    """A start state that cannot be read or does not fit the harvester."""
+    """A start state that cannot be read or does not match the harvester."""
 
 
 class MarchError(JounceError):
-    """A march that could not go on."""
+    """An integration that could not continue."""
 
 
 class StudyError(JounceError):
-    """A folder that does not fit a study, parts that are missing or damaged, another process at work."""
+    """A folder that does not match the study, missing or damaged parts, or another process at work on them."""
 
 
 class RecordingError(JounceError, ValueError):
-    """A recording that cannot give what is asked of it: too short, without a signal, without a hit, its samples not where they could be."""
+    """A recording without the requested quantity: too short, without a signal, without a hit, or with unusable sample times."""
 
 
 class FitError(JounceError, ValueError):
-    """Features that say nothing clear, a key or a mode that the harvester has not, or a fit that does not converge."""
+    """Features that are ambiguous, a key or a mode that the harvester does not have, or a fit that does not converge."""
 
 
 class ExploreError(JounceError):
@@ -114,16 +115,16 @@ class ExploreError(JounceError):
 
 
 class OrbitError(JounceError):
-    """Orbits are asked of a harvester that can have none of that kind."""
+    """A harvester that cannot have orbits of the requested kind."""
 
 
 class ConvergenceError(JounceError):
-    """A computation that did not converge, or found nothing."""
+    """A computation that did not converge or found no result."""
 
 
 class Interrupted(KeyboardInterrupt):
-    """Ctrl-C. ``result`` holds what was finished, of the type that the call would have returned; ``None`` where nothing was."""
+    """Interruption by Ctrl-C. ``result`` holds the finished part, of the type that the call returns; ``None`` without one."""
 
     def __init__(self, result: Any = None) -> None:
-        super().__init__("interrupted; what was finished is in `result`" if result is not None else "interrupted")
+        super().__init__("interrupted; the finished part is in `result`" if result is not None else "interrupted")
         self.result = result

@@ -1,4 +1,4 @@
-"""The published systems that come with jounce."""
+"""Published systems included in jounce."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from .spec import Spec
 
 
 class Examples(Mapping[str, Spec]):
-    """Specs by name: that of the system for its ``harvester.toml``, ``SYSTEM/FILE`` for others, as ``random-base/ball``."""
+    """Specs by name: the name of the system for its ``harvester.toml``, ``SYSTEM/FILE`` for others, as in ``random-base/ball``."""
 
     def __init__(self) -> None:
         named = ((system if file == "harvester" else f"{system}/{file}", text) for system, file, text in _core.examples())
@@ -19,7 +19,7 @@ class Examples(Mapping[str, Spec]):
     def __getitem__(self, name: str) -> Spec:
         if name not in self._texts:
             raise ArgumentError(
-                f"{name}: no such example; there are {', '.join(self._texts)}", {"wanted": name, "known": list(self._texts)}
+                f"{name}: no such example; use one of {', '.join(self._texts)}", {"wanted": name, "known": list(self._texts)}
             )
         return Spec(self._texts[name])
 
@@ -37,5 +37,5 @@ class Examples(Mapping[str, Spec]):
 
 
 def examples() -> Examples:
-    """The specs of published systems, ``jounce.examples()["impact-harvester-2019"]``."""
+    """Returns the specs of published systems, ``jounce.examples()["impact-harvester-2019"]``."""
     return Examples()

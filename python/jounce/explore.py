@@ -1,4 +1,4 @@
-"""The live page."""
+"""Live page of a harvester."""
 
 from __future__ import annotations
 
@@ -15,30 +15,30 @@ from .spec import Spec
 
 
 class Explorer:
-    """A running page: ``explorer.address`` opens it, ``explorer.stop()`` ends it; so do the end of a ``with`` block and of Python."""
+    """Running page: ``explorer.address`` opens it, ``explorer.stop()`` ends it, as does the end of a ``with`` block or of Python."""
 
     def __init__(self, core: _core.Explorer) -> None:
         self._core = core
-        # The file that leads the browser to the page goes with the server.
+        # The file that leads the browser to the page is deleted with the server.
         atexit.register(core.stop)
 
     @property
     def address(self) -> str:
-        """Address of the page. Whoever has it can use the page: its token is the key."""
+        """Address of the page. It contains the access token: anyone who has it can use the page."""
         return self._core.address
 
     @property
     def running(self) -> bool:
-        """Is the page still served?"""
+        """True while the page is served."""
         return self._core.running
 
     def stop(self) -> None:
-        """Ends it: pages are told, computations stopped. It may have ended before."""
+        """Stops the server, its computations and the open pages. A second call has no effect."""
         atexit.unregister(self._core.stop)
         self._core.stop()
 
     def wait(self) -> None:
-        """Waits until it ends; Ctrl-C ends it. For a script, whose end is the end of the page."""
+        """Waits until the page ends; Ctrl-C ends it. For scripts, whose end would end the page."""
         try:
             self._core.wait()
         except KeyboardInterrupt:
@@ -64,8 +64,8 @@ class Explorer:
 def explore(harvester: Spec | str | PathLike[str], *, browser: bool = True, listen: str | None = None) -> Explorer:
     """Serves the live page of a harvester and opens it: its drawing, branches and orbits follow every slider.
 
-    The page of a :class:`Spec` shows it as it is now and leaves no file behind; that of a path follows the file. It is served from a thread
-    of this process, to this machine alone unless ``listen = "ADDRESS:PORT"`` says otherwise, while Python goes on. In a script,
+    The page of a :class:`Spec` shows its present state and leaves no file; the page of a path follows the file. The server is a thread of this
+    process and is reachable from this machine only, unless ``listen = "ADDRESS:PORT"`` is given. In a script,
     ``jounce.explore(harvester).wait()`` serves until Ctrl-C.
     """
     if isinstance(harvester, Spec):

@@ -1,4 +1,4 @@
-"""Keys of a spec fitted to what was measured."""
+"""Fit of keys of a spec to measured features."""
 
 from __future__ import annotations
 
@@ -14,24 +14,24 @@ from .result import Along, Data, Floats, Result, Variable, column, html_table, w
 if TYPE_CHECKING:
     from .spec import Spec
 else:
-    # A spec can be fitted, so that its module imports this one; the name is looked up when a dataset is made.
+    # The module of Spec imports this one, so the name is looked up when a dataset is made.
     Spec = Any
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class FitCurve(Data):
-    """A measured curve, and that of the model before and after a fit; arrays of shape ``(place,)`` in the unit of the curve."""
+    """Measured curve with the curves of the model before and after a fit; arrays of shape ``(place,)`` in the unit of the curve."""
 
-    #: Its name, ``"mfc.voltage"``, and its unit.
+    #: Name of the curve, ``"mfc.voltage"``, and its unit.
     name: str
     unit: str
-    #: What it is taken over, ``"frequency_hz"`` or ``"time_s"``, and the places, Hz or s.
+    #: Axis of the curve, ``"frequency_hz"`` or ``"time_s"``, and its values, Hz or s.
     over: str
     at: Floats
     measured: Floats
     before: Floats
     after: Floats
-    #: The interval in which 95 % of further measurements are expected.
+    #: 95 % prediction interval of a further measurement.
     low: Floats
     high: Floats
 
@@ -40,20 +40,20 @@ class FitCurve(Data):
 
     @property
     def error_before(self) -> float:
-        """Rms of the model's error before the fit over that of the measured curve."""
+        """Rms error of the model before the fit, relative to the rms of the measured curve."""
         return float(np.linalg.norm(self.before - self.measured) / np.linalg.norm(self.measured))
 
     @property
     def error_after(self) -> float:
-        """Rms of the model's error after the fit over that of the measured curve."""
+        """Rms error of the model after the fit, relative to the rms of the measured curve."""
         return float(np.linalg.norm(self.after - self.measured) / np.linalg.norm(self.measured))
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class FitDeviation(Data):
-    """The relative standard deviation of features that share one, and what it rests on.
+    """Relative standard deviation shared by features, and its source.
 
-    ``degrees_of_freedom`` is ``None`` where the deviation was given; else it comes from the residuals.
+    ``degrees_of_freedom`` is ``None`` where the deviation was given; else it is estimated from the residuals.
     """
 
     name: str
@@ -63,7 +63,7 @@ class FitDeviation(Data):
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class FitResult(Result):
-    """Keys and features before and after a fit, and how far to trust them; arrays of shape ``(key,)`` and ``(feature,)``."""
+    """Keys and features before and after a fit, with their uncertainty; arrays of shape ``(key,)`` and ``(feature,)``."""
 
     #: The keys and their SI units; values before and after, and the ends of the 95 % interval, in these units.
     key: list[str]
@@ -75,7 +75,7 @@ class FitResult(Result):
     prior_deviation: Annotated[Floats, Along("key", "1", "relative standard deviation of the prior")]
     deviation: Annotated[Floats, Along("key", "1", "relative standard deviation after the fit")]
     correlation: Annotated[Floats, Along("key other_key", "1", "correlation of two keys")]
-    #: The features, ``"mode 1 frequency"``, and their units; as measured, and of the model before and after.
+    #: Features, ``"mode 1 frequency"``, and their units; measured values, and values of the model before and after.
     feature: list[str]
     feature_unit: list[str]
     feature_measured: Floats
@@ -83,23 +83,23 @@ class FitResult(Result):
     feature_after: Floats
     feature_deviation: Annotated[Floats, Along("feature", "1", "relative standard deviation of the measurement")]
     feature_predicted_deviation: Annotated[Floats, Along("feature", "1", "relative standard deviation of the model after the fit")]
-    #: The interval in which 95 % of further measurements are expected, in the units of the features.
+    #: 95 % prediction interval of further measurements, in the units of the features.
     feature_low: Floats
     feature_high: Floats
-    #: The features that are curves: frequency responses and time histories.
+    #: Features that are curves: frequency responses and time histories.
     curves: list[FitCurve]
-    #: Deviations of the features, given or found from the residuals.
+    #: Deviations of the features, given or estimated from the residuals.
     deviations: list[FitDeviation]
-    #: Deviations from a value to an end of its 95 % interval: those of Student's distribution where a deviation comes from residuals.
+    #: Half width of a 95 % interval in standard deviations; from Student's distribution where a deviation is estimated from residuals.
     quantile: float
-    #: Sum of the squared errors of the features over their variances; the same plus that of the keys about their priors.
+    #: Sum of the squared errors of the features, each divided by its variance; and that sum with the terms of the priors of the keys.
     chi_square: float
     objective: float
-    #: What the data cannot tell, one sentence each.
+    #: Warnings about quantities that the data do not determine, one sentence each.
     warnings: list[str]
-    #: Evaluations of the model.
+    #: Number of model evaluations.
     evaluations: int
-    #: The harvester with the fitted values.
+    #: Harvester with the fitted values.
     spec: Spec
 
     def __len__(self) -> int:
@@ -121,11 +121,11 @@ class FitResult(Result):
             for k, (key, unit) in enumerate(zip(self.key, self.key_unit))
         ]
         features = [
-            (name, f"{self.feature_measured[k]:.6g} measured, off by {100 * before:.3f} % before and {100 * after:.3f} % after")
+            (name, f"{self.feature_measured[k]:.6g} measured, error {100 * before:.3f} % before and {100 * after:.3f} % after")
             for k, (name, before, after) in enumerate(zip(self.feature, self.error_before, self.error_after))
         ]
         curves = [
-            (one.name, f"{len(one)} points, off by {100 * one.error_before:.3f} % before and {100 * one.error_after:.3f} % after, rms")
+            (one.name, f"{len(one)} points, rms error {100 * one.error_before:.3f} % before and {100 * one.error_after:.3f} % after")
             for one in self.curves
         ]
         found = [
@@ -136,13 +136,13 @@ class FitResult(Result):
         return [*keys, *features, *curves, *found, *(("warning", text) for text in self.warnings)]
 
     def curve(self, name: str | None = None) -> FitCurve:
-        """The curve of a name or of a number from 1; without one the first."""
+        """Returns the curve of a name or of a number from 1; by default the first."""
         named = {**{str(number): one for number, one in enumerate(self.curves, 1)}, **{one.name: one for one in self.curves}}
         if not named:
-            raise ArgumentError("no curve was fitted; those are what [[response]] and [[history]] tables give")
+            raise ArgumentError("no curve was fitted; add [[response]] or [[history]] tables to the features")
         found = named.get("1" if name is None else str(name))
         if found is None:
-            raise ArgumentError(f"{name}: no such curve; there are {', '.join(one.name for one in self.curves)}")
+            raise ArgumentError(f"{name}: no such curve; use one of {', '.join(one.name for one in self.curves)}")
         return found
 
     def _repr_html_(self) -> str:
@@ -154,7 +154,7 @@ class FitResult(Result):
         return html_table("Keys", ["key", "unit", "before", "after", "95 % from", "to"], rows) + html_table("Features", head, listed)
 
     def to_xarray(self) -> Any:
-        """An ``xarray.Dataset`` over ``key`` and ``feature``; values are in the units of ``key_unit`` and ``feature_unit``."""
+        """Returns an ``xarray.Dataset`` over ``key`` and ``feature``; values are in the units of ``key_unit`` and ``feature_unit``."""
         variables = self._variables()
         for axis, names in (("key", ("before", "after", "low", "high")), ("feature", ("measured", "before", "after", "low", "high"))):
             for name in names:
@@ -170,12 +170,12 @@ class FitResult(Result):
         return self._dataset(variables, coords)
 
     def to_pandas(self) -> Any:
-        """A ``pandas.DataFrame`` with a row for each key."""
+        """Returns a ``pandas.DataFrame`` with a row for each key."""
         values = {name: getattr(self, name) for name in ("before", "after", "low", "high")}
         return self._frame({"key": self.key, "unit": self.key_unit, **values, **self._columns("key")})
 
     def features_to_pandas(self) -> Any:
-        """A ``pandas.DataFrame`` with a row for each feature."""
+        """Returns a ``pandas.DataFrame`` with a row for each feature."""
         names = ("measured", "before", "after", "low", "high", "deviation", "predicted_deviation")
         values = {name: getattr(self, f"feature_{name}") for name in names}
         return self._frame({"feature": self.feature, "unit": self.feature_unit, **values})
@@ -187,14 +187,14 @@ class FitResult(Result):
         return plot_fit(self, ax)
 
     def plot_curve(self, ax: Any = None, curve: str | None = None) -> Any:
-        """Draws a curve, by default the first, as measured and of the model before and after, with the 95 % interval as a band."""
+        """Draws a measured curve, by default the first, with those of the model before and after and the 95 % interval as a band."""
         from .plot.fit import plot_curve
 
         return plot_curve(self.curve(curve), ax)
 
 
 def made_fit(spec: Spec, handed: tuple[str | None, BaseException | None], manifest: dict[str, Any]) -> FitResult:
-    """From what the compiled module answers; raises what ended the fit early."""
+    """Returns the fit of a result of the compiled module; raises the error that ended the fit early."""
     told = json.loads(whole(handed))
     keys, features = told["keys"], told["features"]
     after = {one["key"]: f"{one['after']!r} {one['unit']}".strip() for one in keys}

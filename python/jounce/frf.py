@@ -13,17 +13,17 @@ from .result import Complexes, Floats, Result, Variable
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class FrfResult(Result):
-    """Responses without contact, per newton on one point or per m/s^2 of the base; sign convention ``e^{+i w t}``."""
+    """Frequency responses without contact, per newton at a point or per m/s^2 of the base; sign convention ``e^{+i w t}``."""
 
     #: Frequencies, Hz.
     frequency_hz: Floats
-    #: The point that is pushed, or ``"base"``.
+    #: Excitation point, or ``"base"``.
     input: str
-    #: Each response by its name, ``"beam.tip.acceleration"``, ``"mfc.voltage"``.
+    #: Responses by name, ``"beam.tip.acceleration"``, ``"mfc.voltage"``.
     responses: dict[str, Complexes]
     #: Units of the responses.
     units: dict[str, str]
-    #: Masses that were held still.
+    #: Masses that were fixed.
     held: list[str]
 
     @classmethod
@@ -34,7 +34,7 @@ class FrfResult(Result):
 
     def __getitem__(self, name: str) -> Complexes:
         if name not in self.responses:
-            raise ArgumentError(f"{name}: no such response; there are {', '.join(self.responses)}")
+            raise ArgumentError(f"{name}: no such response; use one of {', '.join(self.responses)}")
         return self.responses[name]
 
     def _summary(self) -> list[tuple[str, str]]:
@@ -46,12 +46,12 @@ class FrfResult(Result):
         return [*span, ("input", self.input), *peaks]
 
     def to_xarray(self) -> Any:
-        """An ``xarray.Dataset`` over ``frequency``; each response as its real (``_re``) and imaginary (``_im``) part."""
+        """Returns an ``xarray.Dataset`` over ``frequency``; each response as real (``_re``) and imaginary (``_im``) part."""
         variables = {name: Variable(("frequency",), values, self.units[name], name) for name, values in self.responses.items()}
         return self._dataset(variables, {"frequency": Variable(("frequency",), self.frequency_hz, "Hz", "frequency")})
 
     def to_pandas(self) -> Any:
-        """A ``pandas.DataFrame`` with a row for each frequency."""
+        """Returns a ``pandas.DataFrame`` with a row for each frequency."""
         return self._frame({"frequency_hz": self.frequency_hz, **self.responses})
 
     def plot_frf(self, ax: Any = None, response: str | None = None) -> Any:

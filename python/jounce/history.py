@@ -1,4 +1,4 @@
-"""The recorded end of a run."""
+"""Recorded end of a run."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from .signal import Spectrum, spectrum
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class History(Result):
-    """Samples of the exact trajectory: evenly spaced, and (``poincare_``) once per drive cycle, ending with the end of the run.
+    """Samples of the exact trajectory: evenly spaced, and (``poincare_``) once per drive cycle, up to the end of the run.
 
     Arrays have a row for each point, patch or stop and a column for each time.
     """
@@ -21,14 +21,14 @@ class History(Result):
     point: list[str]
     patch: list[str]
     stop: list[str]
-    #: Samples per second, Hz.
+    #: Sampling rate, Hz.
     sample_rate_hz: float
     #: Time since the start of the run, s.
     time_s: Floats
     #: Displacement and velocity of each point.
     displacement_m: Floats
     velocity_m_s: Floats
-    #: Displacement towards each stop, m; it touches at the gap.
+    #: Displacement towards each stop, m; contact begins at the gap.
     relative_displacement_m: Floats
     #: Voltage of each patch, V.
     voltage_v: Floats
@@ -50,7 +50,7 @@ class History(Result):
         ]
 
     def channels(self) -> dict[str, tuple[Floats, str]]:
-        """Every channel by its name, with its unit: ``"beam.tip.displacement"``, ``"mfc.voltage"``, ``"tip.towards"``, ``"tip.force"``."""
+        """Returns channels with units by name: ``"beam.tip.displacement"``, ``"mfc.voltage"``, ``"tip.towards"``, ``"tip.force"``."""
         found: dict[str, tuple[Floats, str]] = {}
         for row, name in enumerate(self.patch):
             found[f"{name}.voltage"] = (self.voltage_v[row], "V")
@@ -63,25 +63,25 @@ class History(Result):
         return found
 
     def channel(self, name: str | None = None) -> tuple[str, Floats, str]:
-        """Name, values and unit of a channel; without a name the first, which is a voltage where there is a patch."""
+        """Returns name, values and unit of a channel; by default the first, which is a voltage if there is a patch."""
         found = self.channels()
         name = next(iter(found)) if name is None else name
         if name not in found:
-            raise ArgumentError(f"{name}: no such channel; there are {', '.join(found)}")
+            raise ArgumentError(f"{name}: no such channel; use one of {', '.join(found)}")
         return (name, *found[name])
 
     def spectrum(self, channel: str | None = None) -> Spectrum:
-        """The amplitude spectrum of a channel."""
+        """Returns the amplitude spectrum of a channel."""
         name, values, unit = self.channel(channel)
         return spectrum(values, self.sample_rate_hz, name=name, unit=unit)
 
     def to_sep005(self) -> list[dict[str, Any]]:
-        """Every channel as a time series in the form of SEP005."""
+        """Returns every channel as a time series in the form of SEP005."""
         common = {"time": self.time_s, "fs": self.sample_rate_hz}
         return [{"name": name, "data": values, "unit_str": unit, **common} for name, (values, unit) in self.channels().items()]
 
     def to_xarray(self) -> Any:
-        """An ``xarray.Dataset`` over ``time`` and ``cycle_time`` (once per drive cycle), ``point``, ``patch`` and ``stop``."""
+        """Returns an ``xarray.Dataset`` over ``time`` and ``cycle_time`` (once per drive cycle), ``point``, ``patch`` and ``stop``."""
         variables: dict[str, Variable] = {}
         for prefix, time in (("", "time"), ("poincare_", "cycle_time")):
             variables |= {
@@ -103,7 +103,7 @@ class History(Result):
         return self._dataset(variables, coords)
 
     def to_pandas(self) -> Any:
-        """A ``pandas.DataFrame`` with a row for each sample and a column for each channel; units stand in ``attrs["units"]``."""
+        """Returns a ``pandas.DataFrame`` with a row for each sample and a column for each channel; units are in ``attrs["units"]``."""
         units = {"time_s": "s", **{name: unit for name, (_, unit) in self.channels().items()}}
         return self._frame({"time_s": self.time_s, **{name: values for name, (values, _) in self.channels().items()}}, units)
 
@@ -118,7 +118,7 @@ class History(Result):
         return self.spectrum(channel).plot_spectrum(ax)
 
     def plot_poincare(self, ax: Any = None, point: str | None = None) -> Any:
-        """Draws velocity over displacement of a point once per drive cycle: as many dots as the period has cycles."""
+        """Draws velocity over displacement of a point once per drive cycle; an orbit gives one dot for each cycle of its period."""
         from .plot.history import plot_poincare
 
         return plot_poincare(self, ax, point)

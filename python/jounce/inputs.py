@@ -1,4 +1,4 @@
-"""What the functions on recordings take: recordings, files, SEP005 time series, labelled and plain arrays."""
+"""Inputs of the functions on recordings: recordings, files, SEP005 time series, labelled and plain arrays."""
 
 from __future__ import annotations
 
@@ -17,16 +17,16 @@ from .recording import Recording
 from .result import Floats
 from .sep005 import checked, numbers
 
-#: A recording, a file, a SEP005 time series or a list of those over one time, an array of xarray or pandas with its times and units, a
-#: history, or an array with its sample rate.
+#: Accepted as a recording: a recording, a file, a SEP005 time series or a list of those over one time, an array of xarray or pandas with
+#: its times and units, a history, or an array with its sampling rate.
 Measured = Any
 
-#: Relative difference up to which two rates are the same.
+#: Relative difference up to which two rates are equal.
 SAME_RATE = 1e-3
 
 
 def recording(given: Measured, sample_rate_hz: Any = None) -> Recording:
-    """One recording over time."""
+    """Returns one recording over time."""
     if isinstance(given, (str, PathLike)):
         given = read_recordings(given)
     if isinstance(given, RecordedFile):
@@ -35,7 +35,7 @@ def recording(given: Measured, sample_rate_hz: Any = None) -> Recording:
 
 
 def recordings(given: Measured, sample_rate_hz: Any = None) -> list[Recording]:
-    """One recording or several in a list; a list of SEP005 time series, or of numbers, is one."""
+    """Returns a list of recordings; a list of SEP005 time series, or of numbers, is one recording."""
     if isinstance(given, (list, tuple)) and not given:
         raise ArgumentError("there is no recording; give at least one")
     kinds = (Recording, RecordedFile, str, PathLike, list, np.ndarray)
@@ -48,7 +48,7 @@ def _is_labelled(values: Any) -> bool:
 
 
 def responses(given: Measured, sample_rate_hz: Any = None) -> list[Recording]:
-    """Recordings of a hammer test; of one file that holds nothing but responses over frequency, all of them."""
+    """Returns the recordings of a hammer test; for one file with only responses over frequency, all of its recordings."""
     found = read_recordings(given) if isinstance(given, (str, PathLike)) else given
     if isinstance(found, RecordedFile) and found.recordings and all(one.over == "frequency" for one in found):
         return found.recordings
@@ -56,14 +56,14 @@ def responses(given: Measured, sample_rate_hz: Any = None) -> list[Recording]:
 
 
 def of_arrays(values: Any, grid: Mapping[str, Any], units: str | Mapping[str, str] | None, name: str) -> dict[str, Any]:
-    """Arrays with their units over a grid, as the compiled module takes a recording."""
+    """Returns arrays with their units over a grid, in the form of the compiled module."""
     series = _series(values, units)
     frequency_hz = series[0].get("frequency")
     if frequency_hz is not None:
         grid = {**grid, "frequency_hz": _one_axis(frequency_hz, grid["frequency_hz"], "frequency_hz")}
     over = "time" if grid["frequency_hz"] is None else "frequency"
     if over == "frequency" and not all(grid[other] is None for other in ("sample_rate_hz", "time_s")):
-        raise ArgumentError("frequency_hz is given beside times; a recording is over one of them")
+        raise ArgumentError("frequency_hz and times are both given; give one of them")
     if over == "frequency":
         _check_lengths(series)
         places, step = numbers(grid["frequency_hz"], "the frequencies"), None
@@ -73,19 +73,19 @@ def of_arrays(values: Any, grid: Mapping[str, Any], units: str | Mapping[str, st
 
 
 def _one_axis(own: Floats, given: Any, what: str) -> Floats:
-    """The places that an array carries; those that are given beside it must be the same."""
+    """Returns the axis of an array; an axis that is also given must be equal."""
     if given is not None:
         places = numbers(given, what)
         if places.shape != own.shape or not np.allclose(places, own, rtol=SAME_RATE, atol=0.0):
-            raise ArgumentError(f"{what} is given, but the array has other ones; give one of them")
+            raise ArgumentError(f"{what} is given, but the array has different values; give one of them")
     return own
 
 
 def _check_lengths(series: Sequence[Mapping[str, Any]]) -> None:
-    """Channels over the frequencies that they carry have the same ones."""
+    """Raises ArgumentError where channels over frequency have different frequencies."""
     for one in series[1:]:
         if "frequency" in series[0] and not np.array_equal(one.get("frequency", ()), series[0]["frequency"]):
-            raise ArgumentError(f"{one['name']} and {series[0]['name']} lie at other frequencies; make a recording of each")
+            raise ArgumentError(f"{one['name']} and {series[0]['name']} have different frequencies; make a recording of each")
 
 
 def _channel(one: Mapping[str, Any], over: str) -> dict[str, Any]:
@@ -101,7 +101,7 @@ def _channel(one: Mapping[str, Any], over: str) -> dict[str, Any]:
 
 
 def _times(series: Sequence[Mapping[str, Any]], sample_rate_hz: Any, time_s: Any) -> tuple[Floats, float | None]:
-    """Times of the samples, and their distance where they are even."""
+    """Returns the times of the samples, and their step where they are evenly spaced."""
     if sample_rate_hz is not None and time_s is not None:
         raise ArgumentError("sample_rate_hz and time_s are both given; give one of them")
     _check_clocks(series)
@@ -123,29 +123,29 @@ def _times(series: Sequence[Mapping[str, Any]], sample_rate_hz: Any, time_s: Any
 
 
 def _check_rates(name: Any, told: Sequence[tuple[str, float]], stamps: Floats | None) -> None:
-    """Refuses rates that contradict each other or the times."""
+    """Raises ArgumentError for rates that contradict each other or the times."""
     all_told = list(told)
     if stamps is not None and len(stamps) > 1:
         step = float(np.median(np.diff(stamps)))
         all_told += [("its times", 1.0 / step)] if step > 0.0 else []
     for what, rate in all_told[1:]:
         if abs(rate / all_told[0][1] - 1.0) > SAME_RATE:
-            told_text = f"{all_told[0][0]} is {all_told[0][1]:g} Hz, but {what} say{'' if what == 'its times' else 's'} {rate:g} Hz"
+            told_text = f"{all_told[0][0]} is {all_told[0][1]:g} Hz, but {what} give{'' if what == 'its times' else 's'} {rate:g} Hz"
             raise ArgumentError(f"{name}: {told_text}; give one of them", {"rates_hz": [all_told[0][1], rate]})
 
 
 def _is_even(stamps: Floats, rate: float) -> bool:
-    """True where a rate explains all times within a thousandth of a step."""
+    """True where the times agree with a rate within a thousandth of a step."""
     even = stamps[:1] + np.arange(len(stamps)) / rate
     return bool(np.all(np.abs(stamps - even) * rate <= SAME_RATE))
 
 
 def _series(values: Any, units: str | Mapping[str, str] | None) -> list[Mapping[str, Any]]:
-    """Every channel as a SEP005 time series; without ``fs`` and ``time`` where an array has none."""
+    """Returns every channel as a SEP005 time series; without ``fs`` and ``time`` where an array has none."""
     labelled = series_of(values)
     if labelled is not None:
         return [_with_unit(one, units) for one in labelled]
-    # A time series without its data is told so: it is no dict of arrays by their names.
+    # A time series without its data is reported as such; it is not a dict of arrays by name.
     if isinstance(values, Mapping) and ("data" in values or isinstance(values.get("unit_str"), str)):
         return [_with_unit(checked(values), units)]
     if isinstance(values, Mapping):
@@ -166,7 +166,7 @@ def _series(values: Any, units: str | Mapping[str, str] | None) -> list[Mapping[
 
 
 def _named(name: Any, values: Any, unit: str) -> list[Mapping[str, Any]]:
-    """An array of a dict by its name there, with the times and the unit that it carries."""
+    """Returns an array of a dict under its name there, with its own times and unit."""
     labelled = series_of(values)
     if labelled is None:
         return [_array(name, values, unit)]
@@ -175,7 +175,7 @@ def _named(name: Any, values: Any, unit: str) -> list[Mapping[str, Any]]:
 
 
 def _with_unit(series: Mapping[str, Any], units: str | Mapping[str, str] | None) -> Mapping[str, Any]:
-    """A series with the unit that is given for it, which must be its own one where it has one."""
+    """Returns a series with the given unit, which must equal its own unit if it has one."""
     unit = units if isinstance(units, str) else (units or {}).get(series["name"], "")
     own = str(series["unit_str"])
     if unit and own and unit != own:
@@ -188,7 +188,7 @@ def _array(name: Any, values: Any, unit: str) -> Mapping[str, Any]:
 
 
 def _check_clocks(series: Sequence[Mapping[str, Any]]) -> None:
-    """Channels of one recording are sampled at the same times."""
+    """Raises ArgumentError where channels of one recording have different sample times."""
     first = series[0]
     for one in series[1:]:
         same = one.get("fs") == first.get("fs")

@@ -1,4 +1,4 @@
-"""What is odd about a recording."""
+"""Data-quality issues of recordings."""
 
 from __future__ import annotations
 
@@ -9,32 +9,32 @@ from collections.abc import Sequence
 
 @dataclasses.dataclass(frozen=True)
 class Finding:
-    """Something that a reader noticed or did; nothing is repaired in silence."""
+    """Data-quality issue of a recording, or a correction made by a reader; every correction is reported."""
 
-    #: What it is: ``"jitter"``, ``"gap"``, ``"not-a-number"``, ``"clipping"``, ``"converted"``, ``"resampled"``, ...
+    #: Kind: ``"jitter"``, ``"gap"``, ``"not-a-number"``, ``"clipping"``, ``"converted"``, ``"resampled"``, ...
     kind: str
-    #: The channel; ``None`` where it concerns the whole recording.
+    #: Channel; ``None`` for all channels of the recording.
     channel: str | None
-    #: How many samples, stamps or lines.
+    #: Number of samples, time stamps or lines.
     count: int
-    #: Where the first one is, ``"sample 7"``.
+    #: Place of the first one, ``"sample 7"``.
     first: str | None
-    #: One sentence with the numbers.
+    #: Message in one sentence, with the numbers.
     text: str
 
     def __str__(self) -> str:
         return self.text
 
 
-#: Kinds of findings that change no number of an answer.
+#: Kinds of issues that change no number of a result.
 _NOTES = ("converted", "encoding", "non-ascii-unit")
 
 
 def found(text: str) -> list[Finding]:
-    """From what the compiled module answers."""
+    """Returns the issues of a result of the compiled module."""
     return [Finding(**one) for one in json.loads(text)]
 
 
 def told(findings: Sequence[Finding]) -> list[tuple[str, str]]:
-    """Lines for people, each once; what changes no number of an answer is a note."""
+    """Returns printable lines, each once; an issue that changes no number of a result is a note."""
     return list(dict.fromkeys(("note" if one.kind in _NOTES else "!", one.text) for one in findings))

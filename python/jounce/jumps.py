@@ -1,4 +1,4 @@
-"""Where the answer jumps, over two keys."""
+"""Bifurcation curves in two keys."""
 
 from __future__ import annotations
 
@@ -13,21 +13,21 @@ from .result import Data, Floats, Integers, Result, Variable
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class JumpCurve(Data):
-    """A curve of one kind of bifurcation; arrays of shape ``(point,)`` along it."""
+    """Curve of one kind of bifurcation; arrays of shape ``(point,)`` along it."""
 
     #: ``"fold"``, ``"period-doubling"``, ``"neimark-sacker"``, ``"grazing"``, ``"level"``, or ``"peak"``: the largest mean power along a
     #: branch.
     kind: str
-    #: The level that is passed, as it was given; ``None`` for other kinds.
+    #: Level of the curve as given; ``None`` for other kinds.
     level: str | None
     period_cycles: int
     #: Values of the two keys, SI.
     parameter: Floats
     parameter_2: Floats
     mean_power_w: Floats
-    #: On a curve of peaks, whether the orbit attracts (1 or 0); -1 on the others.
+    #: On a curve of peaks, 1 for a stable orbit and 0 for an unstable one; -1 on other curves.
     stable: Integers
-    #: Where it could not be followed, and why.
+    #: Places where continuation stopped early, with the reason.
     failures: list[str]
 
     def __len__(self) -> int:
@@ -36,7 +36,7 @@ class JumpCurve(Data):
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class JumpsResult(Result):
-    """All curves that were found; iterate over it, or take one by its number."""
+    """All curves that were found; can be iterated and indexed by number."""
 
     keys: tuple[str, str]
     units: tuple[str, str]
@@ -82,23 +82,23 @@ class JumpsResult(Result):
         }
 
     def to_xarray(self) -> Any:
-        """An ``xarray.Dataset`` over ``point``: all curves one after the other, told apart by ``curve``."""
+        """Returns an ``xarray.Dataset`` over ``point``: all curves in sequence, numbered by ``curve``."""
         columns = self._table()
         about = {
             "curve": ("curve", "1", "number of the curve"),
-            "kind": ("kind", "", "what happens, or the level that is passed"),
+            "kind": ("kind", "", "kind of the bifurcation, or the level"),
             "period_cycles": ("period_cycles", "1", "period in drive cycles"),
             "parameter": ("parameter", self.units[0], self.keys[0]),
             "parameter_2": ("parameter_2", self.units[1], self.keys[1]),
             "mean_power_w": ("mean_power", "W", "mean power of all loads"),
-            "stable": ("stable", "1", "whether a peak attracts; -1 elsewhere"),
+            "stable": ("stable", "1", "1 for a stable peak; -1 on other curves"),
         }
         return self._dataset(
             {name: Variable(("point",), columns[column], units, text) for column, (name, units, text) in about.items()}, {}
         )
 
     def to_pandas(self) -> Any:
-        """A ``pandas.DataFrame`` with a row for each point of each curve."""
+        """Returns a ``pandas.DataFrame`` with a row for each point of each curve."""
         return self._frame(self._table())
 
     def plot_jumps(self, ax: Any = None) -> Any:

@@ -1,4 +1,4 @@
-"""Arrays that carry names, units and times: xarray, pandas, histories. Each becomes time series in the form of SEP005."""
+"""Labelled arrays with names, units and times: xarray, pandas, histories. Each becomes time series in the form of SEP005."""
 
 from __future__ import annotations
 
@@ -12,16 +12,16 @@ from .errors import ArgumentError
 from .quantity import is_quantity, unit_of
 from .result import Floats
 
-#: Names of a coordinate, an index or a column that holds times or frequencies, in small letters.
+#: Lower-case names of a coordinate, an index or a column that holds times or frequencies.
 _TIMES = ("time", "t", "time_s", "times", "seconds", "timestamp", "cycle_time")
 _FREQUENCIES = ("frequency", "f", "freq", "frequency_hz", "frequencies")
-#: Seconds and hertz in the units that coordinates are written in.
+#: Seconds and hertz in the units of coordinates.
 _TO_SI = {"s": 1.0, "sec": 1.0, "second": 1.0, "seconds": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9, "min": 60.0, "h": 3600.0}
 _TO_SI |= {"hz": 1.0, "khz": 1e3, "mhz": 1e6}
 
 
 def series_of(values: Any) -> list[Mapping[str, Any]] | None:
-    """The channels of labelled arrays; ``None`` for what carries no labels. Frequencies stand under ``frequency``."""
+    """Returns the channels of labelled arrays; ``None`` for unlabelled values. Frequencies are under ``frequency``."""
     if hasattr(values, "to_sep005"):
         return list(values.to_sep005())
     kind = f"{type(values).__module__.partition('.')[0]}.{type(values).__name__}"
@@ -37,7 +37,7 @@ def series_of(values: Any) -> list[Mapping[str, Any]] | None:
 
 
 def _of_dataset(dataset: Any) -> list[Mapping[str, Any]]:
-    """The variables of a dataset that lie along time, or along frequency where none does."""
+    """Returns the variables of a dataset along time, or along frequency where no variable is along time."""
     along = [name for name in dataset.dims if str(name).lower() in _TIMES[:-1]]
     along = along or [name for name in dataset.dims if _axis(name, dataset) is not None] or list(dataset.dims)[:1]
     variables = {str(name): one for name, one in dataset.data_vars.items() if along and along[0] in one.dims and one.dtype.kind in "biufc"}
@@ -51,12 +51,12 @@ def _of_dataset(dataset: Any) -> list[Mapping[str, Any]]:
             name = stem
         found += _of_array(name, one, along[0])
     if not found:
-        raise ArgumentError(f"no variable of the dataset lies along a time or a frequency; it has {', '.join(map(str, dataset.variables))}")
+        raise ArgumentError(f"the dataset has no variable over time or frequency, only {', '.join(map(str, dataset.variables))}")
     return found
 
 
 def _of_array(name: Any, array: Any, along: Any = None) -> Iterator[Mapping[str, Any]]:
-    """A channel for each place along the other dimensions, ``tip.voltage``."""
+    """Yields a channel for each place along the other dimensions, ``tip.voltage``."""
     if along is None:
         named = [dim for dim in array.dims if _axis(dim, array) is not None]
         along = (named or list(array.dims) or [None])[0]
@@ -69,7 +69,7 @@ def _of_array(name: Any, array: Any, along: Any = None) -> Iterator[Mapping[str,
 
 
 def _axis(dim: Any, array: Any) -> str | None:
-    """``"time"`` or ``"frequency"`` where a dimension is one by its name or the unit of its coordinate."""
+    """Returns ``"time"`` or ``"frequency"`` where the name or the unit of a dimension shows it."""
     small = str(dim).lower()
     unit = _text(array.coords[dim].attrs.get("units")).lower() if dim in array.coords else ""
     if small in _FREQUENCIES or unit.endswith("hz"):
@@ -78,14 +78,14 @@ def _axis(dim: Any, array: Any) -> str | None:
 
 
 def _clock(name: Any, coordinate: Any) -> dict[str, Floats]:
-    """The times in s, or the frequencies in Hz, of a coordinate."""
+    """Returns the times in s, or the frequencies in Hz, of a coordinate."""
     unit = _text(coordinate.attrs.get("units"))
     axis = "frequency" if str(name).lower() in _FREQUENCIES or unit.lower().endswith("hz") else "time"
     return {axis: _places(coordinate.data, unit, str(name))}
 
 
 def _places(values: Any, unit: str, name: str) -> Floats:
-    """Stamps as numbers in s or Hz; dates and times of a day count from the first one."""
+    """Returns stamps as numbers in s or Hz; dates and times of day count from the first one."""
     if is_quantity(values):
         values, unit = values.to_base_units().magnitude, ""
     values = np.asarray(values)
@@ -94,16 +94,16 @@ def _places(values: Any, unit: str, name: str) -> Floats:
         return since
     factor = _TO_SI.get(unit.lower(), 1.0 if not unit else None)
     if factor is None:
-        raise ArgumentError(f'{name} is in {unit}, which is no time and no frequency; write it in "s" or "Hz"', {"units": unit})
+        raise ArgumentError(f'{name} is in {unit}, which is not a unit of time or frequency; use "s" or "Hz"', {"units": unit})
     places: Floats = values.astype(np.float64) * factor
     return places
 
 
 def _of_frame(frame: Any) -> list[Mapping[str, Any]]:
-    """A channel for each column of numbers, over the column or the index that is a time or a frequency."""
+    """Returns a channel for each column of numbers, over the column or the index of times or frequencies."""
     units = frame.attrs.get("units") or {}
     if not isinstance(units, Mapping):
-        raise ArgumentError('the units of a DataFrame are a dict by column: frame.attrs["units"] = {"tip": "mV"}', {"units": str(units)})
+        raise ArgumentError('units of a DataFrame must be a dict by column: frame.attrs["units"] = {"tip": "mV"}', {"units": str(units)})
     axis = next((name for name in frame.columns if str(name).lower() in (*_TIMES, *_FREQUENCIES)), None)
     if axis is None:
         clock = _of_index(frame.index)
@@ -112,7 +112,7 @@ def _of_frame(frame: Any) -> list[Mapping[str, Any]]:
         clock = {kind: _places(frame[axis].to_numpy(), _text(units.get(axis)), str(axis))}
     rest = [name for name in frame.columns if name != axis and frame[name].dtype.kind in "biufc"]
     if not rest:
-        raise ArgumentError("the DataFrame has no column of numbers beside its times")
+        raise ArgumentError("the DataFrame has no column of numbers except its times")
     return [_of_column(str(name), frame[name], _text(units.get(name)), clock) for name in rest]
 
 
@@ -121,7 +121,7 @@ def _of_column(name: str, column: Any, unit: str, clock: Mapping[str, Floats]) -
 
 
 def _of_index(index: Any) -> dict[str, Floats]:
-    """Times of an index; nothing where it only counts the rows."""
+    """Returns the times of an index; empty where it only numbers the rows."""
     values = index.to_numpy()
     small = str(index.name or "").lower()
     if values.dtype.kind in "mM" or small in _TIMES:
@@ -138,7 +138,7 @@ def _text(unit: Any) -> str:
 
 
 def agreed(name: Any, values: Any, unit: str) -> str:
-    """The unit of values, which may carry one and may have been given one; both must be the same."""
+    """Returns the unit of values, which may have one and may be given one; both must be equal."""
     if not is_quantity(values):
         return unit
     own = values.units
@@ -146,7 +146,7 @@ def agreed(name: Any, values: Any, unit: str) -> str:
     if unit:
         try:
             same = values._REGISTRY.Unit(unit) == own
-        except Exception:  # A unit of instruments that pint does not know, such as m/s2 or "g" for 9.80665 m/s^2.
+        except Exception:  # A unit of instruments that pint does not define, such as m/s2 or "g" for 9.80665 m/s^2.
             same = unit == format(own, "~C")
     if not same:
         raise ArgumentError(f"{name} is in {own:~}, but {unit} is given for it; give one of them", {"own": f"{own:~}", "given": unit})

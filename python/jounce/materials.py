@@ -14,15 +14,15 @@ from .result import html_table
 
 @dataclasses.dataclass(frozen=True)
 class Material:
-    """A material of the library; what a spec means by ``material = "NAME"``."""
+    """Material of the library, selected in a spec by ``material = "NAME"``."""
 
     name: str
     #: Young's modulus along the beam, at short circuit, Pa.
     youngs_modulus_pa: float
     density_kg_m3: float
-    #: Largest strain that is recommended; ``None`` where none is known.
+    #: Recommended strain limit; ``None`` where unknown.
     strain_limit: float | None
-    #: Lowest and highest voltage that it bears, V.
+    #: Lowest and highest permitted voltage, V.
     voltage_limits_v: tuple[float, float] | None
     #: Strain along the beam per field, m/V; ``None`` for a material that is not piezoelectric.
     charge_coefficient_m_per_v: float | None
@@ -30,7 +30,7 @@ class Material:
     permittivity_f_m: float | None
     #: Distance between interdigitated electrodes, m; ``None`` for electrodes on the two faces.
     electrode_spacing_m: float | None
-    #: Where the numbers come from.
+    #: Source of the numbers.
     source: str
 
 
@@ -43,7 +43,7 @@ class Materials(Mapping[str, Material]):
     def __getitem__(self, name: str) -> Material:
         if name not in self._found:
             raise ArgumentError(
-                f"{name}: no such material; there are {', '.join(self._found)}", {"wanted": name, "known": list(self._found)}
+                f"{name}: no such material; use one of {', '.join(self._found)}", {"wanted": name, "known": list(self._found)}
             )
         return self._found[name]
 
@@ -71,5 +71,5 @@ def _made(one: dict[str, Any]) -> Material:
 
 
 def materials() -> Materials:
-    """The materials that a spec can name, with their sources: ``jounce.materials()["PZT-5A"]``."""
+    """Returns the materials that a spec can name, with their sources: ``jounce.materials()["PZT-5A"]``."""
     return Materials()

@@ -21,7 +21,7 @@ from .result import Complexes, Floats, Result, Variable, html_table, made_manife
 
 @dataclasses.dataclass(frozen=True)
 class ImpactHit:
-    """A hit: number of its record, largest force, N, time in contact, s, whether it was averaged, and what is wrong with it."""
+    """Hit: number of its record, largest force, N, contact time, s, True where it was averaged, and its warnings."""
 
     record: int
     peak_force_n: float
@@ -32,24 +32,23 @@ class ImpactHit:
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class MeasuredFrf(Result):
-    """Responses per input of a hammer or shaker test with their coherence; sign convention ``e^{+i w t}``."""
+    """Frequency responses of a hammer or shaker test with their coherence; sign convention ``e^{+i w t}``."""
 
     frequency_hz: Floats
-    #: Names of the sensors, and the places of the force, or its channel where no place is told; empty where responses were given
-    #: that tell none.
+    #: Names of the sensors, and excitation points (or the channel of the force without points); empty for given responses without names.
     output: list[str]
     reference: list[str]
-    #: Each response by its channel, ``"tip from beam.mid"`` where the force acts at several places, of shape ``(frequency,)``,
-    #: its unit, and its coherence, 1 throughout where one block tells nothing.
+    #: Responses by channel, ``"tip from beam.mid"`` with several excitation points, of shape ``(frequency,)``, with unit and coherence; the
+    #: coherence of a single block is 1.
     responses: dict[str, Complexes]
     units: dict[str, str]
     coherence: dict[str, Floats]
-    #: Channel of the input; empty where responses were given.
+    #: Channel of the input; empty for given responses.
     input: str
-    #: For responses to an acceleration the factor that makes them per g, and their unit then: ``(9.80665, "V/g")``.
+    #: For responses to an acceleration: factor of the response per g, and its unit: ``(9.80665, "V/g")``.
     per_g: dict[str, tuple[float, str]]
     hits: list[ImpactHit]
-    #: Length of a block, s; ``None`` where responses were given.
+    #: Length of a block, s; ``None`` for given responses.
     block_s: float | None
     #: Damping that the exponential window adds to every mode, 1/s.
     window_decay_per_s: float
@@ -57,18 +56,18 @@ class MeasuredFrf(Result):
 
     def __getitem__(self, name: str) -> Complexes:
         if name not in self.responses:
-            raise ArgumentError(f"{name}: no such response; there are {', '.join(self.responses)}")
+            raise ArgumentError(f"{name}: no such response; use one of {', '.join(self.responses)}")
         return self.responses[name]
 
     def _summary(self) -> list[tuple[str, str]]:
         used = sum(hit.used for hit in self.hits)
         lines = [] if self.block_s is None else [("hits", f"{used} of {len(self.hits)} averaged, blocks of {self.block_s:.6g} s")]
         lines += [("warning", f"hit {k} is {kind}") for k, hit in enumerate(self.hits, 1) for kind in hit.warnings]
-        lines += [("left out", f"hit {k}, its block would reach beyond the record") for k, hit in enumerate(self.hits, 1) if not hit.used]
+        lines += [("left out", f"hit {k}, its block would extend beyond the record") for k, hit in enumerate(self.hits, 1) if not hit.used]
         return [*lines, *((name, text) for name, text in zip(self.responses, self._peaks())), *told(self.findings)]
 
     def _peaks(self) -> list[str]:
-        """The highest line of each response; that at 0 Hz is the sensor's offset."""
+        """Returns the highest line of each response, without the offset of the sensor at 0 Hz."""
         lines = []
         for name, values in self.responses.items():
             k = 1 + int(np.argmax(np.abs(values[1:])))
@@ -82,14 +81,14 @@ class MeasuredFrf(Result):
         return html_table("Measured responses", ["response", ""], list(zip(self.responses, self._peaks())))
 
     def to_xarray(self) -> Any:
-        """An ``xarray.Dataset`` over ``frequency``: each response as ``_re`` and ``_im``, its coherence as ``NAME_coherence``."""
+        """Returns an ``xarray.Dataset`` over ``frequency``: each response as ``_re`` and ``_im``, its coherence as ``NAME_coherence``."""
         of = ("frequency",)
         variables = {name: Variable(of, values, self.units[name], name) for name, values in self.responses.items()}
         variables |= {f"{name}_coherence": Variable(of, values, "1", f"{name}, coherence") for name, values in self.coherence.items()}
         return self._dataset(variables, {"frequency": Variable(of, self.frequency_hz, "Hz", "frequency")})
 
     def to_pandas(self) -> Any:
-        """A ``pandas.DataFrame`` with a row for each frequency."""
+        """Returns a ``pandas.DataFrame`` with a row for each frequency."""
         coherence = {f"{name}_coherence": values for name, values in self.coherence.items()}
         return self._frame({"frequency_hz": self.frequency_hz, **self.responses, **coherence})
 
@@ -114,7 +113,7 @@ def hammer_options(
     functions: str | None,
     bridge: bool,
 ) -> dict[str, Any]:
-    """How a hammer or shaker test is taken to responses, for the compiled module."""
+    """Returns the options of a hammer or shaker test in the form of the compiled module."""
     estimator, noise_ratio, block, force_window, end_ratio, shaker = cut
     return {
         "force": force,
@@ -132,7 +131,7 @@ def hammer_options(
 
 
 def made_frf(given: list[Recording], answer: dict[str, Any], manifest: dict[str, Any]) -> MeasuredFrf:
-    """From what the compiled module answers."""
+    """Returns the responses of a result of the compiled module."""
     told = answer["responses"]
     hits = [
         ImpactHit(one["record"], one["peak_force_n"], one["contact_time_s"], one["used"], tuple(map(kind_of, one["warnings"])))
@@ -171,20 +170,20 @@ def measured_frf(
     functions: Literal["re-im", "size-degrees", "size-radians"] | None = None,
     bridge: bool = False,
 ) -> MeasuredFrf:
-    """Frequency responses of a hammer or shaker test, ``jounce frf --measured``.
+    """Estimates frequency responses from a hammer or shaker test, ``jounce frf --measured``.
 
     ``records``: one recording or a list of them, each a :class:`Recording`, a file, or SEP005 time series over one time, with one or more
-    hits; or one file of responses over frequency. Hits at several places, each recording telling its own, give one response for each sensor
-    and place. ``force`` and ``response`` name channels, by default the first in newtons and all others. ``input`` names a channel that
-    excites without being a force: the acceleration, velocity or displacement of the base, or a voltage. It excites all the time, as a
-    shaker does. Responses are in the unit of their channel per its unit, ``V/(m/s^2)``, with ``per_g`` for those per g.
-    ``estimator``: where the noise is, ``"h1"`` on the responses, ``"h2"`` on the force, ``"hv"`` on both, with ``noise_ratio`` of their
-    densities. ``block``: ``"2 s"``, by default the shortest distance of two hits. ``force_window`` takes away the force after each hit,
-    ``end_ratio`` is where an exponential window ends. A force that goes on, both ways, is taken for that of a shaker, as any is with
-    ``shaker``: half-overlapping blocks, by default an eighth of the shortest record long, weighed by a Hann window.
+    hits; or one file of responses over frequency. With several excitation points, one in each recording, there is a response for each
+    sensor and point. ``force`` and ``response`` name channels, by default the first in newtons and all others. ``input`` names a channel of
+    a continuous excitation other than a force: acceleration, velocity or displacement of the base, or a voltage. Responses are in the unit
+    of their channel per unit of the input, ``V/(m/s^2)``; ``per_g`` gives those per g. ``estimator``: ``"h1"`` for noise on the responses,
+    ``"h2"`` for noise on the force, ``"hv"`` for noise on both, with ``noise_ratio`` of their densities. ``block``: ``"2 s"``, by default
+    the shortest time between two hits. ``force_window`` sets the force after each hit to zero; an exponential window ends at ``end_ratio``.
+    A continuous force of both signs, or any force with ``shaker``, is treated as that of a shaker: half-overlapping blocks with a Hann
+    window, by default an eighth of the shortest record long.
 
-    Of a file over frequency the complex channels are the responses; ``functions`` says what every two real columns hold where no header
-    does, and ``bridge`` puts lines that are no numbers on straight lines between their neighbours.
+    In a file over frequency the complex channels are the responses. ``functions`` gives the contents of every two real columns where the
+    header does not, and ``bridge`` interpolates lines that are not numbers linearly.
     """
     given = responses(records, sample_rate_hz)
     cut = (estimator, noise_ratio, block, force_window, end_ratio, shaker)

@@ -1,4 +1,4 @@
-"""Modes of a hammer or shaker test, of free decays and of outputs alone."""
+"""Modes of a hammer or shaker test, of free decays and of output-only tests."""
 
 from __future__ import annotations
 
@@ -21,42 +21,43 @@ from .result import Along, Complexes, Floats, Integers, Result, Variable, html_t
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class MeasuredModes(Result):
-    """Modes that were identified, in ascending frequency; arrays of shape ``(mode,)``."""
+    """Identified modes in ascending frequency; arrays of shape ``(mode,)``."""
 
     frequency_hz: Annotated[Floats, Along("mode", "Hz", "undamped natural frequency")]
     frequency_deviation_hz: Annotated[Floats, Along("mode", "Hz", "standard deviation of the frequency")]
     damping_ratio: Annotated[Floats, Along("mode", "1", "damping ratio")]
     damping_deviation: Annotated[Floats, Along("mode", "1", "standard deviation of the damping ratio")]
-    #: True where the interval of the damping ratio reaches down to 0: noise makes such poles, and it may be no mode.
+    #: True where the interval of the damping ratio includes 0: the mode may be noise.
     doubtful: list[bool]
-    #: Names of the responses, and the shapes there, of size 1 at the largest.
+    #: Names of the responses, and the shapes, normalised to 1 at the largest response.
     response: list[str]
-    shape: Annotated[Complexes, Along("response mode", "1", "shape, of size 1 at the largest response")]
-    #: Places of the force where there are several, and what each moves of a mode, 1 at the largest: by reciprocity the shape there.
+    shape: Annotated[Complexes, Along("response mode", "1", "shape, normalised to 1 at the largest response")]
+    #: Excitation points, where there are several, and participation of each in a mode, 1 at the largest; by reciprocity the shape there.
     reference: list[str]
-    participation: Annotated[Complexes, Along("reference mode", "1", "participation of a force, by reciprocity the shape where it acts")]
-    #: Shape at each response times the participation of the base whose motion is the input; those of all modes add to 1 at each point of
-    #: the structure, and of voltages they are in V/m. NaN under another input.
+    participation: Annotated[Complexes, Along("reference mode", "1", "participation of a force, by reciprocity the shape at its point")]
+    #: Shape at each response times the participation of the base whose motion is the input. The sum over all modes is 1 at each point of
+    #: the structure; values of voltages are in V/m. NaN for another input.
     base_participation: Annotated[Complexes, Along("response mode", "", "shape times participation of the base")]
     mac: Annotated[Floats, Along("mode other_mode", "1", "modal assurance criterion")]
-    #: Squared error over the variance that the coherence tells; above 1 the deviations are widened by its root.
+    #: Squared error relative to the variance from the coherence; above 1 the deviations are widened by its root.
     misfit: float
-    #: Deviations from a value to an end of its 95 % interval: more than 1.96 where they rest on few blocks.
-    quantile_95: Annotated[Floats, Along("mode", "1", "deviations to an end of the 95 % interval")]
-    #: Peaks of the responses that no mode explains, Hz; try a band around them, or a larger order.
+    #: Half width of a 95 % interval in standard deviations: above 1.96 where it is based on few blocks.
+    quantile_95: Annotated[Floats, Along("mode", "1", "half width of the 95 % interval in standard deviations")]
+    #: Peaks of the responses without a mode, Hz; try a band around them, or a larger order.
     unexplained_hz: Floats
-    #: The stabilisation diagram, of shape ``(pole,)``; ``pole_stable`` is ``"new"``, ``"frequency"`` or ``"pole"``, for what has stayed.
+    #: Stabilisation diagram, of shape ``(pole,)``; ``pole_stable`` is ``"new"``, ``"frequency"`` or ``"pole"``, the agreement with the
+    #: order below.
     pole_order: Annotated[Integers, Along("pole", "1", "order of the denominator")]
     pole_frequency_hz: Annotated[Floats, Along("pole", "Hz", "frequency of the pole")]
     pole_damping_ratio: Annotated[Floats, Along("pole", "1", "damping ratio of the pole")]
     pole_stable: list[str]
-    #: Lines of the band, Hz, and the functions that the modes were sought in, of shape ``(function, line)``: the responses of a hammer
+    #: Lines of the band, Hz, and the functions that the modes were identified from, of shape ``(function, line)``: responses of a hammer
     #: test as displacement per force; without a measured force one-sided spectra of decays, one or more for each response.
     function: list[str]
     line_hz: Floats
     measured: Annotated[Complexes, Along("function line", "", "function, measured")]
-    model: Annotated[Complexes, Along("function line", "", "function that the modes give")]
-    #: The responses of a hammer test; ``None`` without a measured force.
+    model: Annotated[Complexes, Along("function line", "", "function reconstructed from the modes")]
+    #: Responses of a hammer test; ``None`` without a measured force.
     frf: MeasuredFrf | None
     findings: list[Finding]
 
@@ -71,14 +72,14 @@ class MeasuredModes(Result):
         ]
         if any(self.doubtful):
             which = ", ".join(str(k) for k, doubtful in enumerate(self.doubtful, 1) if doubtful)
-            lines.append(("doubtful", f"the damping of mode {which} cannot be told from none: it may be no mode"))
+            lines.append(("doubtful", f"the damping of mode {which} is statistically indistinguishable from zero: it may be noise"))
         if len(self.unexplained_hz):
             peaks = ", ".join(f"{hz:.6g}" for hz in self.unexplained_hz[:8])
             lines.append(("unexplained", f"peaks at {peaks} Hz; try between=... around them, or a larger order"))
         if self.frf is not None and self.frf.window_decay_per_s > 0.0:
-            lines.append(("window", f"its damping, {self.frf.window_decay_per_s:.5g} 1/s, was taken off"))
+            lines.append(("window", f"its damping, {self.frf.window_decay_per_s:.5g} 1/s, was subtracted"))
         if self.frf is not None and self.frf.block_s is None:
-            lines.append(("noise", "told by what the modes leave of each line"))
+            lines.append(("noise", "estimated from the residual of each line"))
         return [*lines, ("misfit", f"{self.misfit:.3g}")]
 
     def _repr_html_(self) -> str:
@@ -87,36 +88,36 @@ class MeasuredModes(Result):
         return html_table("Measured modes", ["mode", "frequency [Hz]", "deviation [Hz]", "damping ratio", "deviation"], rows)
 
     def to_xarray(self) -> Any:
-        """An ``xarray.Dataset`` over ``mode``, ``response``, ``pole``, ``function`` and ``line``; complex values as ``_re`` and ``_im``."""
+        """Returns an ``xarray.Dataset`` over ``mode``, ``response``, ``pole``, ``function``, ``line``; complex as ``_re``, ``_im``."""
         numbers = range(1, len(self) + 1)
         coords = {
             "mode": Variable(("mode",), numbers, "1", "number of the mode"),
             "other_mode": Variable(("other_mode",), numbers, "1", "number of another mode"),
             "response": Variable(("response",), self.response, "", "response"),
-            "reference": Variable(("reference",), self.reference, "", "place of a force"),
-            "function": Variable(("function",), self.function, "", "function that the modes were sought in"),
+            "reference": Variable(("reference",), self.reference, "", "excitation point"),
+            "function": Variable(("function",), self.function, "", "function that the modes were identified from"),
             "line": Variable(("line",), self.line_hz, "Hz", "frequency"),
         }
-        stable = Variable(("pole",), self.pole_stable, "", "what stays from the order below")
+        stable = Variable(("pole",), self.pole_stable, "", "agreement with the order below")
         return self._dataset({**self._variables(), "pole_stable": stable}, coords)
 
     def to_pandas(self) -> Any:
-        """A ``pandas.DataFrame`` with a row for each mode."""
+        """Returns a ``pandas.DataFrame`` with a row for each mode."""
         return self._frame(self._columns("mode"))
 
     def plot_stabilisation(self, ax: Any = None) -> Any:
-        """Draws the stabilisation diagram: poles by order, filled where frequency and damping stay."""
+        """Draws the stabilisation diagram: poles by order, filled where frequency and damping are stable."""
         from .plot.measured import plot_stabilisation
 
         return plot_stabilisation(self, ax)
 
     def plot_fit(self, ax: Any = None, function: str | None = None) -> Any:
-        """Draws a response or the spectrum of a decay, by default the first, beside what the modes give."""
+        """Draws a response or the spectrum of a decay, by default the first, with its reconstruction from the modes."""
         from .plot.measured import plot_modal_fit
 
         name = self.function[0] if function is None else function
         if name not in self.function:
-            raise ArgumentError(f"{name}: no such function; there are {', '.join(self.function)}")
+            raise ArgumentError(f"{name}: no such function; use one of {', '.join(self.function)}")
         return plot_modal_fit(self, ax, self.function.index(name))
 
 
@@ -143,29 +144,29 @@ def measured_modes(
     reference: str | Sequence[str] = (),
     lags: Any = None,
 ) -> MeasuredModes:
-    """Modes of a hammer or shaker test, of free decays or of outputs alone, with their uncertainty, ``jounce modes --measured``.
+    """Identifies modes of a hammer or shaker test, of free decays or of outputs only, with uncertainty, ``jounce modes --measured``.
 
-    They are sought ``between = "500 Hz:4300 Hz"``, by default over all lines, with denominators up to an ``order``. ``records`` and the
-    other options are those of :func:`measured_frf`; damping that an exponential window adds is taken off. Of hits at several places
-    shapes are known there too, ``participation``, and modes as close as one place alone could not tell apart are told apart.
+    The band is ``between = "500 Hz:4300 Hz"``, by default all lines, with denominators up to an ``order``. ``records`` and the other
+    options are those of :func:`measured_frf`; damping of an exponential window is subtracted. With several excitation points the shapes at
+    these points are also returned, in ``participation``, and close modes are separated that one point cannot separate.
 
-    With ``free_decay`` each record is one, after a release or a hit: used from its largest size on, or over a ``span``, ``"0.2 s:3 s"``,
-    after its first sample. With ``output_only`` the one record is that of a structure under noise that nobody measured, correlated with
-    the ``reference`` channels (by default all) up to ``lags``, ``"2 s"`` (by default a sixty-fourth of the record, 512 samples at least);
-    or an amplitude spectrum over frequency. Nothing of a hammer is given with either.
+    With ``free_decay`` each record is a decay after a release or a hit, used from its largest sample, or over a ``span`` after its first
+    sample, ``"0.2 s:3 s"``. With ``output_only`` the record is the response to unmeasured noise. It is correlated with the ``reference``
+    channels (by default all) up to ``lags``, ``"2 s"`` (by default a sixty-fourth of the record, at least 512 samples). It can also be an
+    amplitude spectrum over frequency. Options of a hammer are not allowed with either.
 
     Sources: B. Peeters and others, Shock and Vibration 11 (2004) 395 (poles); G. James, T. Carne, J. Lauffer, SAND92-1666 (1993)
-    (outputs alone).
+    (output-only).
     """
     check_wholes(order=order)
     given = responses(records, sample_rate_hz)
     if free_decay or output_only:
         hammer = (force, input, estimator != "h1", noise_ratio != 1.0, block, force_window, end_ratio, shaker, functions, bridge)
         if free_decay and output_only or any(one not in (None, False) for one in hammer):
-            raise ArgumentError("a test is one of free_decay, output_only and hits of a hammer; give the options of one of them")
+            raise ArgumentError("free_decay, output_only and the options of a hammer exclude each other; give the options of one of them")
         return _unforced(given, response, (free_decay, span, reference, lags), between, order)
     if span is not None or reference or lags is not None:
-        raise ArgumentError("span is that of free_decay=True, reference and lags are those of output_only=True")
+        raise ArgumentError("span needs free_decay=True; reference and lags need output_only=True")
     cut = (estimator, noise_ratio, block, force_window, end_ratio, shaker)
     options = hammer_options(force, input, response, cut, functions, bridge)
     band = _ends("frequency", between, "between")
@@ -178,10 +179,10 @@ def measured_modes(
 def _unforced(
     given: list[Recording], response: str | Sequence[str], how: tuple[bool, Any, str | Sequence[str], Any], between: Any, order: int
 ) -> MeasuredModes:
-    """Modes of free decays or of outputs alone."""
+    """Identifies modes of free decays or of outputs only."""
     free, span_given, reference, lags = how
     if (free and (reference or lags is not None)) or (not free and span_given is not None):
-        raise ArgumentError("span is that of free_decay=True, reference and lags are those of output_only=True")
+        raise ArgumentError("span needs free_decay=True; reference and lags need output_only=True")
     options = {
         "responses": names(response),
         "free": free,
@@ -197,17 +198,17 @@ def _unforced(
 
 
 def _ends(kind: str, range: Any, what: str) -> tuple[float, float] | None:
-    """The two ends of a range, SI."""
+    """Returns the two ends of a range, SI."""
     if range is None:
         return None
     low, high = (si(kind, end, what) for end in span_of(range, what))
     if not 0.0 <= low < high:
-        raise ArgumentError(f"{what} is {range!r}; its ends must be at least 0, the first one the smaller one")
+        raise ArgumentError(f"{what} is {range!r}; its ends must be at least 0, with the first below the second")
     return low, high
 
 
 def _shaped(answer: dict[str, Any]) -> dict[str, Any]:
-    """Without a mode or a line the arrays have an axis of length 0."""
+    """Sets the shape of arrays without a mode or a line, which have an axis of length 0."""
     modes = len(answer["frequency_hz"])
     shape = np.array(answer["shape"]).reshape(modes, len(answer["response"])).T
     participation = np.array(answer["participation"], dtype=np.complex128).reshape(modes, len(answer["reference"])).T

@@ -24,15 +24,15 @@ class ModesResult(Result):
     shape: Annotated[Floats, Along("point mode", "kg^-0.5", "mass-normalised shape")]
     #: Names of the patches.
     patch: list[str]
-    #: Frequencies with a patch open, that mode alone, Hz; NaN for a rigid-body mode. Shape ``(patch, mode)``.
+    #: Frequencies with a patch open, for that mode only, Hz; NaN for a rigid-body mode. Shape ``(patch, mode)``.
     open_circuit_hz: Annotated[Floats, Along("patch mode", "Hz", "frequency with the patch open")]
     #: Modal coupling ``theta^2 / (C w^2)``. Shape ``(patch, mode)``.
     coupling_squared: Annotated[Floats, Along("patch mode", "1", "modal coupling, squared")]
     #: Modal coupling ``theta``, force per voltage along each mass-normalised mode, N/V per kg^1/2. Shape ``(patch, mode)``.
     coupling_n_per_v: Annotated[Floats, Along("patch mode", "N V^-1 kg^-0.5", "modal coupling", "coupling")]
-    #: Per beam: places along it, m, and the shapes there, kg^-1/2, shape ``(mode, place)``.
+    #: Per beam: positions along it, m, and the shapes there, kg^-1/2, shape ``(mode, place)``.
     beams: dict[str, tuple[Floats, Floats]]
-    #: Masses that were held still.
+    #: Masses that were fixed.
     held: list[str]
 
     def __len__(self) -> int:
@@ -52,7 +52,7 @@ class ModesResult(Result):
         return html_table("Modes", ["mode", "frequency [Hz]", "damping ratio", *(f"coupling² {name}" for name in self.patch)], rows)
 
     def to_xarray(self) -> Any:
-        """An ``xarray.Dataset`` over ``mode``, ``point`` and ``patch``; shapes along a beam over ``place_BEAM``."""
+        """Returns an ``xarray.Dataset`` over ``mode``, ``point`` and ``patch``; shapes along a beam over ``place_BEAM``."""
         variables = self._variables()
         coords = {
             "mode": Variable(("mode",), range(1, len(self) + 1), "1", "number of the mode"),
@@ -65,7 +65,7 @@ class ModesResult(Result):
         return self._dataset(variables, coords)
 
     def to_pandas(self) -> Any:
-        """A ``pandas.DataFrame`` with a row for each mode."""
+        """Returns a ``pandas.DataFrame`` with a row for each mode."""
         couplings = {f"coupling_squared_{name}": self.coupling_squared[k] for k, name in enumerate(self.patch)}
         return self._frame({**self._columns("mode"), **couplings})
 

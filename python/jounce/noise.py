@@ -1,4 +1,4 @@
-"""The exact answer to noise without contact."""
+"""Exact response to noise without contact."""
 
 from __future__ import annotations
 
@@ -11,22 +11,22 @@ from .result import Along, Floats, Result, Variable
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class NoiseResult(Result):
-    """Means, mean squares and one-sided power spectral densities of what noise does without contact.
+    """Means, mean squares and one-sided power spectral densities of the response to noise without contact.
 
-    Stops are left out: ``stop_`` tells how often their gap would be reached. So are drives that are no noise, ``left_out``.
+    Stops are omitted: ``stop_`` fields give the crossing rates of their gaps. Drives other than noise are omitted too, see ``left_out``.
     """
 
-    #: Names of the drives of noise, and of those that are left out.
+    #: Names of the drives with noise, and of the omitted drives.
     drive: list[str]
     left_out: list[str]
     #: Mean power of all loads, W.
     mean_power_w: Annotated[float, Along("", "W", "mean power of all loads")]
     #: Names of the circuits; arrays of shape ``(load,)``.
     load: list[str]
-    #: Mean power by the Lyapunov equation and by the integral over frequency, W, and their difference over the first.
+    #: Mean power by the Lyapunov equation and by the integral over frequency, W, and their difference relative to the first.
     load_power_w: Annotated[Floats, Along("load", "W", "mean power, by the Lyapunov equation")]
     load_spectral_power_w: Annotated[Floats, Along("load", "W", "mean power, by the integral over frequency")]
-    load_power_difference_relative: Annotated[Floats, Along("load", "1", "difference of the two over the first")]
+    load_power_difference_relative: Annotated[Floats, Along("load", "1", "difference of the two relative to the first")]
     #: Voltage, rms, V.
     load_voltage_rms_v: Annotated[Floats, Along("load", "V", "voltage, rms")]
     #: Noise bandwidth of the voltage per unit of each drive, Hz; of shape ``(load, drive)``.
@@ -36,22 +36,22 @@ class NoiseResult(Result):
     #: Names of the patches, and their voltages, rms, V; of shape ``(patch,)``.
     patch: list[str]
     patch_voltage_rms_v: Annotated[Floats, Along("patch", "V", "voltage, rms")]
-    #: Names of the points; displacement about its mean, rms, m, relative to the base where that moves, and velocity, rms, m/s.
+    #: Names of the points; displacement about its mean, rms, m, relative to a moving base, and velocity, rms, m/s.
     point: list[str]
     point_displacement_rms_m: Annotated[Floats, Along("point", "m", "displacement, rms about its mean")]
     point_velocity_rms_m_s: Annotated[Floats, Along("point", "m/s", "velocity, rms")]
-    #: Names of the stops; their gap, and displacement towards them without them: its mean, and rms about that, m; of shape ``(stop,)``.
+    #: Names of the stops; gap, and displacement towards the stop in its absence: mean, and rms about the mean, m; of shape ``(stop,)``.
     stop: list[str]
     stop_gap_m: Annotated[Floats, Along("stop", "m", "gap")]
     stop_mean_m: Annotated[Floats, Along("stop", "m", "mean displacement towards the stop")]
     stop_displacement_rms_m: Annotated[Floats, Along("stop", "m", "displacement towards the stop, rms about its mean")]
-    #: How often the gap would be reached, 1/s, and the share of the time beyond it; NaN where a noise moves one side of the gap
-    #: alone, farther and farther.
-    stop_reached_hz: Annotated[Floats, Along("stop", "1/s", "how often the gap would be reached")]
+    #: Crossing rate of the gap, 1/s, and share of the time beyond it; NaN where a noise moves only one side of the gap, with growing
+    #: variance.
+    stop_reached_hz: Annotated[Floats, Along("stop", "1/s", "crossing rate of the gap without contact")]
     stop_share_beyond: Annotated[Floats, Along("stop", "1", "share of the time beyond the gap")]
     #: Frequencies of the densities, Hz, closer about each resonance.
     frequency_hz: Floats
-    #: Density of each output by its name, ``"mfc.voltage"``, ``"beam.tip.displacement"``; of shape ``(frequency,)``.
+    #: Density of each output by name, ``"mfc.voltage"``, ``"beam.tip.displacement"``; of shape ``(frequency,)``.
     densities: dict[str, Floats]
     #: Units of the densities, ``"V^2/Hz"``.
     units: dict[str, str]
@@ -64,7 +64,7 @@ class NoiseResult(Result):
 
     def __getitem__(self, name: str) -> Floats:
         if name not in self.densities:
-            raise ArgumentError(f"{name}: no such density; there are {', '.join(self.densities)}")
+            raise ArgumentError(f"{name}: no such density; use one of {', '.join(self.densities)}")
         return self.densities[name]
 
     def _summary(self) -> list[tuple[str, str]]:
@@ -79,20 +79,20 @@ class NoiseResult(Result):
             ),
             *((f"patch {name}", f"{volts:.6g} V rms") for name, volts in zip(self.patch, self.patch_voltage_rms_v)),
             *((f"point {name}", f"{place:.4e} m rms, {speed:.4e} m/s rms") for name, place, speed in points),
-            *((f"drive {name}", "LEFT OUT: it is no stationary noise") for name in self.left_out),
+            *((f"drive {name}", "LEFT OUT: not a stationary noise") for name in self.left_out),
             *(
                 (
                     f"stop {name}",
-                    f"LEFT OUT: gap of {gap:.4g} m reached {rate:.4g} times per second, passed for {100 * share:.3g} %"
+                    f"LEFT OUT: gap of {gap:.4g} m reached {rate:.4g} times per second, exceeded for {100 * share:.3g} %"
                     if rate == rate
-                    else f"LEFT OUT: a drive moves one side of its gap of {gap:.4g} m alone, so that there is no rate",
+                    else f"LEFT OUT: a drive moves only one side of its gap of {gap:.4g} m, so there is no crossing rate",
                 )
                 for name, gap, rate, share in stops
             ),
         ]
 
     def to_xarray(self) -> Any:
-        """An ``xarray.Dataset``: densities over ``frequency``, the rest over ``load``, ``drive``, ``patch``, ``point`` and ``stop``."""
+        """Returns an ``xarray.Dataset``: densities over ``frequency``, others over ``load``, ``drive``, ``patch``, ``point``, ``stop``."""
         variables = self._variables()
         for name, values in self.densities.items():
             about = f"{name}, one-sided power spectral density"
@@ -101,7 +101,7 @@ class NoiseResult(Result):
         return self._dataset(variables, {**coords, "frequency": Variable(("frequency",), self.frequency_hz, "Hz", "frequency")})
 
     def to_pandas(self) -> Any:
-        """A ``pandas.DataFrame`` of the densities, with a row for each frequency."""
+        """Returns a ``pandas.DataFrame`` of the densities, with a row for each frequency."""
         return self._frame({"frequency_hz": self.frequency_hz, **self.densities})
 
     def plot_noise(self, ax: Any = None, density: str | None = None) -> Any:

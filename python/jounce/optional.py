@@ -7,7 +7,7 @@ from typing import Any
 
 
 def needed(module: str, extra: str) -> Any:
-    """The module, or an ImportError that says how to get it."""
+    """Returns the module, or raises an ImportError with the command that installs it."""
     try:
         return import_module(module)
     except ImportError as error:

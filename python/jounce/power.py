@@ -18,30 +18,30 @@ from .recording import Recording, names_of
 from .result import Along, Floats, Integers, Result, Truths, Variable, column, html_table, made_manifest, whole, with_uncertainty
 from .signal import Spectrum
 
-#: Multiples of the drive whose amplitudes are told.
+#: Multiples of the drive frequency whose amplitudes are reported.
 ORDERS = [0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0]
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class PowerResult(Result):
-    """Mean power of each record with its interval; arrays of shape ``(record,)`` and, of amplitudes at orders, ``(record, order)``."""
+    """Mean power of each record with its interval; arrays of shape ``(record,)`` and, for amplitudes at orders, ``(record, order)``."""
 
-    #: Names of the recordings, and of the channels of their voltage.
+    #: Names of the recordings and of their voltage channels.
     record: list[str]
     channel: list[str]
     resistance_ohm: Annotated[Floats, Along("record", "ohm", "resistance of the load")]
     mean_power_w: Annotated[Floats, Along("record", "W", "mean power")]
-    half_width_w: Annotated[Floats, Along("record", "W", "half the width of its 95 % interval")]
-    #: Batches that the interval rests on, the correlation of neighbouring ones, independent values that the record is worth (256 at
-    #: most), and whether any of that makes the interval too narrow.
-    batches: Annotated[Integers, Along("record", "1", "batches that the interval rests on")]
+    half_width_w: Annotated[Floats, Along("record", "W", "half width of its 95 % interval")]
+    #: Batches of the interval, correlation of neighbouring batches, effective number of independent values (at most 256), and True where
+    #: the interval is too narrow.
+    batches: Annotated[Integers, Along("record", "1", "number of batches of the interval")]
     batch_correlation: Annotated[Floats, Along("record", "1", "correlation of neighbouring batches")]
-    effective_samples: Annotated[Floats, Along("record", "1", "independent values that the record is worth")]
-    correlated: Annotated[Truths, Along("record", "1", "the record is too short and its interval too narrow")]
+    effective_samples: Annotated[Floats, Along("record", "1", "effective number of independent values")]
+    correlated: Annotated[Truths, Along("record", "1", "True where the record is too short and its interval too narrow")]
     mean_voltage_v: Annotated[Floats, Along("record", "V", "mean of the voltage")]
-    #: NaN where no base was named.
+    #: NaN where no base channel was named.
     mean_square_base_acceleration_m2_s4: Annotated[Floats, Along("record", "m^2/s^4", "mean square of the base's acceleration")]
-    #: Multiples of the drive, and amplitudes there, zero to peak; NaN above half the sample rate, and empty without a drive.
+    #: Multiples of the drive, and amplitudes there, zero to peak; NaN above half the sampling rate, and empty without a drive.
     order: Floats
     order_amplitude_peak_v: Annotated[Floats, Along("record order", "V", "amplitude zero to peak at a multiple of the drive")]
     #: Spectra of the voltages, Hann window.
@@ -53,7 +53,7 @@ class PowerResult(Result):
 
     @property
     def mean_power_per_mean_square_w_s4_m2(self) -> Floats:
-        """Mean power over the mean square of the base's acceleration, W/(m/s^2)^2."""
+        """Mean power divided by the mean square of the base acceleration, W/(m/s^2)^2."""
         return self.mean_power_w / self.mean_square_base_acceleration_m2_s4
 
     def _summary(self) -> list[tuple[str, str]]:
@@ -72,7 +72,7 @@ class PowerResult(Result):
         return html_table("Measured power", ["record", "load [ohm]", "mean power [W]", "± 95 % [W]"], rows)
 
     def to_xarray(self) -> Any:
-        """An ``xarray.Dataset`` over ``record`` and ``order``."""
+        """Returns an ``xarray.Dataset`` over ``record`` and ``order``."""
         coords = {
             "record": Variable(("record",), self.record, "", "recording"),
             "order": Variable(("order",), self.order, "1", "multiple of the drive"),
@@ -80,11 +80,11 @@ class PowerResult(Result):
         return self._dataset(self._variables(), coords)
 
     def to_pandas(self) -> Any:
-        """A ``pandas.DataFrame`` with a row for each record."""
+        """Returns a ``pandas.DataFrame`` with a row for each record."""
         return self._frame({"record": self.record, "channel": self.channel, **self._columns("record")})
 
     def plot_power(self, ax: Any = None) -> Any:
-        """Draws mean power over the load with its intervals, per mean square of the base's acceleration where that is known."""
+        """Draws mean power over the load with its intervals, per mean square of the base acceleration where that is known."""
         from .plot.power import plot_power
 
         return plot_power(self, ax)
@@ -106,12 +106,12 @@ def power(
     drive: Any = None,
     remove_mean: bool = False,
 ) -> PowerResult:
-    """Mean power of a voltage over a ``resistance``, with an interval that respects correlation.
+    """Computes the mean power of a voltage over a ``resistance``, with a confidence interval that accounts for correlation.
 
-    ``records``: one recording or a list of them, each a :class:`Recording`, a file, a SEP005 time series (a list of these is the channels
-    of one recording), or an array with its ``sample_rate_hz``. ``resistance``: one for all, ``"100 kohm"``, or a list. ``voltage`` and
-    ``base`` name channels; by default the first one in volts, and none. With a ``drive``, ``"13 Hz"``, amplitudes at its multiples are
-    told. ``remove_mean`` takes the mean of the voltage away first: that of an amplifier is no power.
+    ``records``: one recording or a list of them, each a :class:`Recording`, a file, a SEP005 time series (a list of these is one
+    recording), or an array with its ``sample_rate_hz``. ``resistance``: one for all, ``"100 kohm"``, or a list. ``voltage`` and ``base``
+    name channels; by default the first one in volts, and no base. With a ``drive``, ``"13 Hz"``, amplitudes at its multiples are returned.
+    ``remove_mean`` subtracts the mean of the voltage first, where it is an amplifier offset.
     """
     given = recordings(records, sample_rate_hz)
     several = isinstance(resistance, Sequence) and not isinstance(resistance, str)

@@ -1,4 +1,4 @@
-"""Progress of long calls."""
+"""Progress reports of long calls."""
 
 from __future__ import annotations
 
@@ -9,13 +9,13 @@ from typing import Any
 from .errors import ArgumentError
 from .optional import needed
 
-#: Called with the parts done, the parts in all (as far as known, 0 where nothing is) and the seconds left (``None`` where nobody can tell).
+#: Function called with the parts done, the total (as far as known, else 0) and the seconds left (``None`` where unknown).
 Progress = Callable[[int, int, float | None], object]
 
 
 @contextmanager
 def told(progress: bool | Progress | None) -> Iterator[Progress | None]:
-    """What is called while the work goes on: nothing, the callable itself, or a tqdm bar for ``True``."""
+    """Yields the progress callback: ``None``, the given function, or a tqdm bar for ``True``."""
     if progress is None or progress is False:
         yield None
     elif progress is True:

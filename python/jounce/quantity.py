@@ -1,4 +1,4 @@
-"""Python values as the text that a spec is made of."""
+"""Conversion of Python values to the text of a spec."""
 
 from __future__ import annotations
 
@@ -15,17 +15,17 @@ _BARE = re.compile(r"[A-Za-z0-9_-]+\Z")
 
 
 def is_quantity(value: Any) -> bool:
-    """True for a number with a unit, as pint makes them."""
+    """True for a number with a unit, as defined by pint."""
     return hasattr(value, "to_base_units") and hasattr(value, "magnitude")
 
 
 def unit_of(value: Any) -> str:
-    """The SI unit of a quantity."""
+    """Returns the SI unit of a quantity."""
     return format(value.to_base_units().units, "~C")
 
 
 def texts_of(value: Any, what: str) -> list[str]:
-    """Each number of an array with a unit as text, ``["10.0 1/s", "11.0 1/s"]``."""
+    """Returns each number of an array with a unit as text, ``["10.0 1/s", "11.0 1/s"]``."""
     base, unit = value.to_base_units(), unit_of(value)
     numbers = np.atleast_1d(np.asarray(base.magnitude, dtype=float))
     if numbers.ndim != 1:
@@ -34,7 +34,7 @@ def texts_of(value: Any, what: str) -> list[str]:
 
 
 def plain(value: Any, what: str) -> Any:
-    """A value as text, number, truth value, list or dict of those; a quantity with a unit becomes text in SI units."""
+    """Returns a value as text, number, bool, list or dict of those; a quantity with a unit becomes text in SI units."""
     if isinstance(value, np.generic):
         value = value.item()
     if isinstance(value, (str, bool, int, float)):
@@ -42,7 +42,7 @@ def plain(value: Any, what: str) -> Any:
     if is_quantity(value):
         texts = texts_of(value, what)
         one = texts[0] if np.ndim(value.magnitude) == 0 else texts
-        # A pure number has no unit: it is the number that a plain key expects.
+        # A pure number has no unit, as a key without unit expects.
         return float(one) if isinstance(one, str) and " " not in one else one
     if isinstance(value, Mapping):
         return {name(key, what): plain(item, f"{what}.{key}") for key, item in value.items()}
@@ -57,14 +57,14 @@ def plain(value: Any, what: str) -> Any:
 
 
 def name(key: Any, what: str) -> str:
-    """The name of a thing."""
+    """Returns the name of an element."""
     if not isinstance(key, str):
-        raise ArgumentError(f"{what}: {key!r} is no name; names are text", {"given": repr(key)})
+        raise ArgumentError(f"{what}: {key!r} is not a name; names must be text", {"given": repr(key)})
     return key
 
 
 def setting(value: Any, key: str) -> str:
-    """A value as it stands behind ``key =`` on a command line."""
+    """Returns a value as it is written after ``key =`` on a command line."""
     made = plain(value, key)
     if isinstance(made, dict):
         raise ArgumentError(f"{key} is a table; set its keys one by one, or make a spec of a dict")
@@ -72,7 +72,7 @@ def setting(value: Any, key: str) -> str:
 
 
 def toml(tables: Mapping[str, Any]) -> str:
-    """A spec as TOML."""
+    """Returns a spec as TOML."""
     lines: list[str] = []
     _table(plain(tables, "spec"), "", lines)
     return "\n".join(lines).strip() + "\n"
@@ -103,12 +103,12 @@ def _value(value: Any) -> str:
 
 
 def span(value: Any, key: str) -> tuple[str, str]:
-    """The two ends of a range: ``"12 Hz:13 Hz"``, or two quantities."""
+    """Returns the two ends of a range: ``"12 Hz:13 Hz"``, or two quantities."""
     made = plain(value, key)
     ends = made.split(":") if isinstance(made, str) else made
     if not isinstance(ends, list) or len(ends) != 2 or any(isinstance(end, (dict, list)) for end in ends):
         raise ArgumentError(
-            f'{key}: {value!r} is no range; give "FROM:TO", as in "4 Hz:20 Hz", or a pair of quantities', {"given": repr(value)}
+            f'{key}: {value!r} is not a range; give "FROM:TO", as in "4 Hz:20 Hz", or a pair of quantities', {"given": repr(value)}
         )
     low, high = (str(end) for end in ends)
     return low, high
@@ -119,7 +119,7 @@ _SIDES = {"displacement": "m", "velocity": "m/s", "voltage": "V"}
 
 
 def sides(grid: Mapping[str, Any] | None) -> list[str]:
-    """The sides of a grid of starts as texts, ``["displacement=-5 mm:5 mm:21x"]``."""
+    """Returns the sides of a grid of starts as texts, ``["displacement=-5 mm:5 mm:21x"]``."""
     if grid is None:
         return []
     if not isinstance(grid, Mapping) or not grid:
@@ -132,17 +132,17 @@ def _side(side: Any, range: Any) -> str:
         return range
     if not isinstance(range, Sequence) or len(range) != 3:
         raise ArgumentError(
-            f'grid, {side}: {range!r} is no side; give "FROM:TO:Nx", or a tuple of two quantities and a number',
+            f'grid, {side}: {range!r} is not a side; give "FROM:TO:Nx", or a tuple of two quantities and a number',
             {"side": side, "given": repr(range)},
         )
     if side not in _SIDES:
-        raise ArgumentError(f"grid, {side}: there is no such side; there are {', '.join(_SIDES)}")
+        raise ArgumentError(f"grid, {side}: no such side; use one of {', '.join(_SIDES)}")
     low, high = (f"{end.to(_SIDES[side]).magnitude!r} {_SIDES[side]}" if is_quantity(end) else str(end) for end in range[:2])
     return f"{low}:{high}:{range[2]}x"
 
 
 def values(given: Any, unit: str | None, key: str) -> str:
-    """The values of a sweep as one text: a range, or a list of quantities, or numbers in ``unit``."""
+    """Returns the values of a sweep as one text: a range, or a list of quantities, or numbers in ``unit``."""
     made = plain(given, key)
     if isinstance(made, str):
         return made
@@ -150,5 +150,5 @@ def values(given: Any, unit: str | None, key: str) -> str:
     if not items:
         raise ArgumentError(f"{key}: the list of values is empty; give at least one")
     if any(isinstance(item, (dict, list)) for item in items):
-        raise ArgumentError(f"{key}: the values of a sweep are one list, without lists in it")
+        raise ArgumentError(f"{key}: the values of a sweep must be one list without nested lists")
     return ",".join(str(item) if unit is None or isinstance(item, str) else f"{item!r} {unit}" for item in items)

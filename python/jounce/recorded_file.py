@@ -17,23 +17,23 @@ from .result import Complexes, Data, Floats, Integers, Result, Variable, html_ta
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class ModeShape(Data):
-    """A mode shape of a UFF file: natural frequency, Hz, damping ratio, NaN where none is told, and the shape at each node."""
+    """Mode shape of a UFF file: natural frequency, Hz, damping ratio, NaN where not given, and the shape at each node."""
 
     frequency_hz: float
     damping_ratio: float
-    #: Numbers of the nodes, and components at each, of shape ``(node, component)``.
+    #: Numbers of the nodes, and components at each node, of shape ``(node, component)``.
     node: Integers
     shape: Complexes
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class RecordedFile(Result):
-    """Everything in a file: its recordings, one for each grid of time or frequency, and its mode shapes; iterate over it."""
+    """Contents of a file: recordings, one for each grid of time or frequency, and mode shapes; can be iterated."""
 
     name: str
     recordings: list[Recording]
     shapes: list[ModeShape]
-    #: What concerns the file as a whole.
+    #: Issues of the complete file.
     findings: list[Finding]
 
     def __len__(self) -> int:
@@ -47,11 +47,11 @@ class RecordedFile(Result):
 
     @property
     def over_time(self) -> Recording:
-        """The first recording over time."""
+        """First recording over time."""
         for one in self.recordings:
             if one.over == "time":
                 return one
-        raise ArgumentError(f"{self.name} holds no recording over time")
+        raise ArgumentError(f"{self.name} contains no recording over time")
 
     def _summary(self) -> list[tuple[str, str]]:
         lines = [("file", self.name)]
@@ -76,20 +76,20 @@ class RecordedFile(Result):
         return html_table(self.name, list(table), list(zip(*table.values())))
 
     def to_xarray(self) -> Any:
-        """An ``xarray.Dataset`` over ``channel`` that lists them; each recording has a dataset of its samples."""
+        """Returns an ``xarray.Dataset`` over ``channel`` that lists the channels; each recording has a dataset of its samples."""
         of = ("channel",)
         variables = {name: Variable(of, values, "", name) for name, values in self._table().items() if name != "channel"}
         return self._dataset(variables, {"channel": Variable(of, self._table()["channel"], "", "channel")})
 
     def to_pandas(self) -> Any:
-        """A ``pandas.DataFrame`` with a row for each channel; each recording has a frame of its samples."""
+        """Returns a ``pandas.DataFrame`` with a row for each channel; each recording has a frame of its samples."""
         return self._frame(self._table())
 
 
 def read_recordings(path: str | PathLike[str]) -> RecordedFile:
     """Reads a file of an instrument: CSV and text with any header, Parquet, NPY, NPZ, MAT, HDF5, TDMS, WAV, UFF 55, 58 and 58b, LVM.
 
-    Notes beside it in ``FILE.channels.toml`` name what the file does not. Everything odd is a :class:`Finding`.
+    Notes in ``FILE.channels.toml`` next to the file add data that the file lacks. Every data-quality issue is a :class:`Finding`.
     """
     told = _core.recording_read(fspath(path))
     name = Path(path).name

@@ -21,42 +21,42 @@ class Channel(Data):
     """Samples of one quantity at one place."""
 
     name: str
-    #: ``"acceleration"``, ``"voltage"``, ``"force"``, ..., ``"unknown"`` where nothing is told.
+    #: ``"acceleration"``, ``"voltage"``, ``"force"``, ..., ``"unknown"`` where the file does not give it.
     quantity: str
-    #: SI unit; as it was given where the quantity is unknown.
+    #: SI unit; unchanged where the quantity is unknown.
     unit: str
-    #: Where the sensor sits and which way it points; empty where nothing is told.
+    #: Place and direction of the sensor; empty where unknown.
     place: str
     direction: str
-    #: Where and which way the force of a response function acts, ``"node 3 +z"``; empty where nothing is told.
+    #: Place and direction of the force of a response function, ``"node 3 +z"``; empty where unknown.
     reference: str
-    #: The samples; NaN where one is missing.
+    #: Samples; NaN for a missing sample.
     values: Floats | Complexes
 
     @property
     def rms(self) -> float:
-        """Rms of the samples that are numbers."""
+        """Rms of the valid samples."""
         finite = self.values[np.isfinite(self.values)]
         return float(np.sqrt(np.mean(np.abs(finite) ** 2))) if len(finite) else 0.0
 
     @property
     def peak(self) -> float:
-        """Largest size of the samples that are numbers."""
+        """Largest magnitude of the valid samples."""
         return float(np.max(np.abs(self.values[np.isfinite(self.values)]), initial=0.0))
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class Recording(Result):
-    """Channels of equal length over one grid of time or frequency, and what is odd about them.
+    """Channels of equal length over one grid of time or frequency, and their data-quality issues.
 
-    Made by :func:`jounce.read_recordings`, by ``harvester.rig()``, and from arrays or SEP005 time series by :meth:`Recording.of`.
+    Returned by :func:`jounce.read_recordings` and ``harvester.rig()``, and by :meth:`Recording.of` from arrays or SEP005 time series.
     """
 
     name: str
     over: Literal["time", "frequency"]
-    #: Where the samples lie, s or Hz.
+    #: Times or frequencies of the samples, s or Hz.
     places: Floats
-    #: Their distance; ``None`` where each sample has a stamp of its own.
+    #: Step between samples; ``None`` where each sample has its own stamp.
     step: float | None
     #: Samples per second, or per hertz.
     rate: float
@@ -65,7 +65,7 @@ class Recording(Result):
 
     @classmethod
     def _of(cls, told: Mapping[str, Any], manifest: Mapping[str, Any]) -> Self:
-        """From what the compiled module answers; the manifest gets the digest of the samples where it has none of a file."""
+        """Returns a recording of the compiled module; the manifest gets the digest of the samples where it has no digest of a file."""
         channels = [_channel(one) for one in told["channels"]]
         made = cls(**{**told, "manifest": dict(manifest), "channels": channels, "findings": found(told["findings"])})
         options = {"recording": made.name, "recording_sha256": made._sha256(), **manifest["options"]}
@@ -82,13 +82,13 @@ class Recording(Result):
         units: str | Mapping[str, str] | None = None,
         name: str = "recording",
     ) -> Self:
-        """A recording of arrays: one, a dict of them by channel, a SEP005 time series, or a list of these; or of a history.
+        """Returns a recording of arrays: one, a dict of them by channel, a SEP005 time series, or a list of these; or of a history.
 
         Arrays of xarray and pandas bring their names, their times or frequencies, and the units in their ``attrs``; arrays of pint bring
-        their units. What is given beside them must not contradict them.
-        ``units`` is the unit of one array, or that of each channel, as an instrument writes it (``"g"``, ``"m/s2"``, ``"lbf"``): values
-        become SI. There are ``sample_rate_hz`` samples per second, or they lie at ``time_s``, whose jitter and gaps are found; NaN are
-        missing samples. With ``frequency_hz`` they are accelerations per force, complex and for ``e^{+i w t}``.
+        their units. Arguments must not contradict them. ``units`` is the unit of one array, or of each channel, as an instrument writes it
+        (``"g"``, ``"m/s2"``, ``"lbf"``); values are converted to SI. The sampling is given by ``sample_rate_hz``, or by ``time_s``, which
+        is checked for jitter and gaps; NaN are missing samples. With ``frequency_hz`` the values are accelerations per force, complex and
+        for ``e^{+i w t}``.
         """
         from .inputs import of_arrays
 
@@ -105,15 +105,15 @@ class Recording(Result):
         return self.channel(name).values
 
     def channel(self, name: str) -> Channel:
-        """The channel of a name, or of a number from 1."""
+        """Returns the channel of a name, or of a number from 1."""
         numbered = {str(number): one for number, one in enumerate(self.channels, 1)}
         one = {**numbered, **{one.name: one for one in self.channels}}.get(str(name))
         if one is None:
-            raise ArgumentError(f"{name}: no such channel; there are {', '.join(one.name for one in self.channels)}")
+            raise ArgumentError(f"{name}: no such channel; use one of {', '.join(one.name for one in self.channels)}")
         return one
 
     def _core(self) -> dict[str, Any]:
-        """As the compiled module takes it."""
+        """Returns the recording in the form of the compiled module."""
 
         def plain(one: Channel) -> dict[str, Any]:
             values = np.asarray(one.values)
@@ -132,16 +132,16 @@ class Recording(Result):
         return digest.hexdigest()
 
     def even(self) -> Self:
-        """At even places and without missing samples, both by straight lines; what was done is among the findings."""
+        """Returns the recording at even steps without missing samples, by linear interpolation; ``findings`` lists the corrections."""
         even = type(self)._of(_core.recording_even(self._core()), self.manifest)
         return dataclasses.replace(even, findings=[*self.findings, *even.findings])
 
     def write(self, path: str | PathLike[str]) -> None:
-        """Writes it in SI, in the format that the ending tells: ``.uff`` (UFF 58 in ASCII), ``.parquet`` or ``.csv``."""
+        """Writes the recording in SI, in the format of the ending: ``.uff`` (UFF 58 in ASCII), ``.parquet`` or ``.csv``."""
         _core.recording_write(self._core(), fspath(path))
 
     def to_sep005(self) -> list[dict[str, Any]]:
-        """Every channel as a time series in the form of SEP005."""
+        """Returns every channel as a time series in the form of SEP005."""
         if self.over != "time":
             raise ArgumentError(f"{self.name} is over {self.over}; a SEP005 time series is over time")
         common = {"time": self.places, "fs": self.rate}
@@ -163,18 +163,18 @@ class Recording(Result):
         return html_table(title, ["channel", "quantity", "unit", "rms", "peak"], rows) + listed
 
     def to_xarray(self) -> Any:
-        """An ``xarray.Dataset`` over ``time`` or ``frequency`` with a variable for each channel."""
+        """Returns an ``xarray.Dataset`` over ``time`` or ``frequency`` with a variable for each channel."""
         axis, _, unit = self._grid()
         variables = {one.name: Variable((axis,), one.values, one.unit, " ".join([one.name, one.place]).strip()) for one in self.channels}
         return self._dataset(variables, {axis: Variable((axis,), self.places, unit, axis)})
 
     def to_pandas(self) -> Any:
-        """A ``pandas.DataFrame`` with a row for each sample and a column for each channel; units stand in ``attrs["units"]``."""
+        """Returns a ``pandas.DataFrame`` with a row for each sample and a column for each channel; units are in ``attrs["units"]``."""
         units = {self._grid()[1]: self._grid()[2], **{one.name: one.unit for one in self.channels}}
         return self._frame({self._grid()[1]: self.places, **{one.name: one.values for one in self.channels}}, units)
 
     def plot_recording(self, ax: Any = None, channel: str | None = None) -> Any:
-        """Draws a channel, by default the first; a complex one by its size."""
+        """Draws a channel, by default the first; a complex one by its magnitude."""
         from .plot.recording import plot_recording
 
         return plot_recording(self, ax, self.channels[0] if channel is None else self.channel(channel))
@@ -187,12 +187,12 @@ def _channel(told: Mapping[str, Any]) -> Channel:
 
 
 def digest_of(path: str | PathLike[str]) -> str:
-    """SHA-256 of a file, read piece by piece."""
+    """Computes the SHA-256 of a file, read in blocks."""
     with open(path, "rb") as file:
         return hashlib.file_digest(file, "sha256").hexdigest()
 
 
 def names_of(recordings: Sequence[Recording]) -> dict[str, str]:
-    """Options of a manifest that say which recordings an answer rests on."""
+    """Returns the options of a manifest that name the recordings of a result."""
     options = [one.manifest["options"] for one in recordings]
     return {name: " ".join(each[name] for each in options) for name in ("recording", "recording_sha256")}

@@ -1,4 +1,4 @@
-"""A long record cut into stretches of one solution each."""
+"""Segmentation of a long record into steady-state responses."""
 
 from __future__ import annotations
 
@@ -20,34 +20,35 @@ from .spec import Spec
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class RegimesResult(Result):
-    """Stretches of one solution each; arrays of shape ``(stretch,)`` and, of the record that was cut, ``(time,)``."""
+    """Segments of one solution each; arrays of shape ``(stretch,)`` and, for the segmented record, ``(time,)``."""
 
-    #: The channel that was cut, and its unit.
+    #: Segmented channel, and its unit.
     channel: str
     unit: str
     drive_hz: float
-    start_s: Annotated[Floats, Along("stretch", "s", "begin of the stretch")]
-    end_s: Annotated[Floats, Along("stretch", "s", "end of the stretch")]
+    start_s: Annotated[Floats, Along("stretch", "s", "begin of the segment")]
+    end_s: Annotated[Floats, Along("stretch", "s", "end of the segment")]
     #: Rms about the mean, in ``unit``.
     rms: Floats
-    period_cycles: Annotated[Integers, Along("stretch", "1", "drive cycles of the period, 0 where it is longer than 12, or none")]
-    mismatch: Annotated[Floats, Along("stretch", "1", "what the repetition misses, over the rms")]
-    #: NaN where no resistance was given, and where a stretch is too short for an interval.
+    period_cycles: Annotated[Integers, Along("stretch", "1", "period in drive cycles, 0 where it is longer than 12 or absent")]
+    mismatch: Annotated[Floats, Along("stretch", "1", "deviation from periodicity, relative to the rms")]
+    #: NaN where no resistance was given, and where a segment is too short for an interval.
     mean_power_w: Annotated[Floats, Along("stretch", "W", "mean power")]
-    half_width_w: Annotated[Floats, Along("stretch", "W", "half the width of its 95 % interval")]
-    effective_samples: Annotated[Floats, Along("stretch", "1", "independent values of the power that the stretch is worth")]
-    #: Changes that are none of solution: ``"noise-changed"``, ``"drifts"`` or ``"glitch"`` at each.
-    joint_s: Annotated[Floats, Along("joint", "s", "change that is none of solution")]
+    half_width_w: Annotated[Floats, Along("stretch", "W", "half width of its 95 % interval")]
+    effective_samples: Annotated[Floats, Along("stretch", "1", "effective number of independent values of the power")]
+    #: Changes within one solution: ``"noise-changed"``, ``"drifts"`` or ``"glitch"`` at each.
+    joint_s: Annotated[Floats, Along("joint", "s", "change within one solution")]
     joint_reason: list[str]
-    #: How far a change may lie from its place, s.
+    #: Uncertainty of the time of a change, s.
     uncertainty_s: float
-    #: The solution of the model that each stretch shows, ``"1a"``; ``"several"`` and ``"none"`` where no one or more than one fits. Empty
-    #: without a model.
+    #: Matching solution of the model for each segment, ``"1a"``; ``"several"`` where more than one matches, ``"none"`` where no solution
+    #: matches. Empty without a model.
     solution: list[str]
-    #: For each stretch every solution of the model, the nearest first: ``id``, ``period_cycles``, ``mean_power_w``, ``waveform_distance``,
-    #: ``spectrum_distance`` (over that of the record, ``None`` without a period), ``power_ratio``, ``inverted``. Empty without a model.
+    #: For each segment every solution of the model, the nearest first: ``id``, ``period_cycles``, ``mean_power_w``, ``waveform_distance``,
+    #: ``spectrum_distance`` (relative to that of the record, ``None`` without a period), ``power_ratio``, ``inverted``. Empty without a
+    #: model.
     candidates: list[list[dict[str, Any]]]
-    #: The record: time from its first sample, s, and the values.
+    #: Record: time from its first sample, s, and the values.
     time_s: Floats
     values: Floats
     findings: list[Finding]
@@ -56,55 +57,55 @@ class RegimesResult(Result):
         return len(self.start_s)
 
     def names(self) -> list[str]:
-        """What each stretch is: ``"period 2"``, ``"no period"``."""
+        """Returns the kind of each segment: ``"period 2"``, ``"no period"``."""
         return [f"period {cycles}" if cycles else "no period" for cycles in self.period_cycles]
 
     def _summary(self) -> list[tuple[str, str]]:
         lines = [
             ("channel", f"{self.channel} [{self.unit or 'no unit'}]"),
-            ("changes", f"lie within {self.uncertainty_s:.3g} s of their places"),
+            ("changes", f"uncertainty {self.uncertainty_s:.3g} s"),
         ]
         for k, name in enumerate(self.names()):
             mean = with_uncertainty(self.mean_power_w[k], self.half_width_w[k], "W")
             power = f", {mean}" if np.isfinite(self.mean_power_w[k]) else ""
             shown = f", solution: {self.solution[k]}" if self.solution else ""
             lines.append((f"{self.start_s[k]:.3f} s to {self.end_s[k]:.3f} s", f"rms {self.rms[k]:.5e} {self.unit}, {name}{power}{shown}"))
-        lines += [(f"{at_s:.3f} s", f"{reason}, the solution stays") for at_s, reason in zip(self.joint_s, self.joint_reason)]
+        lines += [(f"{at_s:.3f} s", f"{reason}, same solution") for at_s, reason in zip(self.joint_s, self.joint_reason)]
         return lines + told(self.findings)
 
     def _repr_html_(self) -> str:
         columns = (self.start_s, self.end_s, self.rms, self.mismatch)
         rows = [[name, *(f"{one[k]:.5g}" for one in columns)] for k, name in enumerate(self.names())]
-        return html_table("Stretches", ["solution", "from [s]", "to [s]", f"rms [{self.unit}]", "mismatch"], rows)
+        return html_table("Segments", ["solution", "from [s]", "to [s]", f"rms [{self.unit}]", "mismatch"], rows)
 
     def to_xarray(self) -> Any:
-        """An ``xarray.Dataset`` over ``stretch``, and the record over ``time``."""
+        """Returns an ``xarray.Dataset`` over ``stretch``, and the record over ``time``."""
         variables = {
             **self._variables(),
             "rms": Variable(("stretch",), self.rms, self.unit, f"{self.channel}, rms about the mean"),
             "values": Variable(("time",), self.values, self.unit, self.channel),
         }
-        variables["joint_reason"] = Variable(("joint",), self.joint_reason, "", "why the change is none of solution")
+        variables["joint_reason"] = Variable(("joint",), self.joint_reason, "", "reason of the change")
         if self.solution:
-            variables["solution"] = Variable(("stretch",), self.solution, "", "solution of the model that fits")
+            variables["solution"] = Variable(("stretch",), self.solution, "", "matching solution of the model")
         coords = {
-            "stretch": Variable(("stretch",), np.arange(len(self)), "1", "number of the stretch"),
+            "stretch": Variable(("stretch",), np.arange(len(self)), "1", "number of the segment"),
             "time": Variable(("time",), self.time_s, "s", "time from the first sample"),
         }
         return self._dataset(variables, coords)
 
     def to_pandas(self) -> Any:
-        """A ``pandas.DataFrame`` with a row for each stretch."""
+        """Returns a ``pandas.DataFrame`` with a row for each segment."""
         shown = {"solution": self.solution} if self.solution else {}
         return self._frame({**self._columns("stretch"), "rms": self.rms, **shown})
 
     def candidates_to_pandas(self) -> Any:
-        """A ``pandas.DataFrame`` with a row for each solution of the model beside each stretch."""
+        """Returns a ``pandas.DataFrame`` with a row for each solution of the model in each segment."""
         rows = [{"stretch": k, **one} for k, each in enumerate(self.candidates) for one in each]
         return self._frame({name: [row[name] for row in rows] for name in (rows[0] if rows else ())})
 
     def plot_regimes(self, ax: Any = None) -> Any:
-        """Draws the record, a colour for each stretch."""
+        """Draws the record, with a colour for each segment."""
         from .plot.regimes import plot_regimes
 
         return plot_regimes(self, ax)
@@ -123,14 +124,15 @@ def regimes(
     load: str | None = None,
     within: float = 0.2,
 ) -> RegimesResult:
-    """Cuts a record under a ``drive`` of a known frequency, ``"13 Hz"``, into stretches of one solution each.
+    """Segments a record under a ``drive`` of a known frequency, ``"13 Hz"``, by steady-state response.
 
-    ``record`` is a :class:`Recording`, a file, SEP005 time series, or an array with its ``sample_rate_hz``; ``channel`` the one to cut, by
-    default the first in volts. With the ``resistance`` of the load, of which the channel is the voltage, power is told for each stretch.
+    ``record`` is a :class:`Recording`, a file, SEP005 time series, or an array with its ``sample_rate_hz``. ``channel`` names the channel
+    to segment, by default the first in volts. With the ``resistance`` of a load whose voltage this channel is, the power of each segment is
+    returned.
 
-    With a ``model``, put to the drive and the load of the record, each stretch is joined to the solution that it shows: the nearest one,
-    where its waveform is at most ``within`` of the record's away. Solutions are sought from so many random ``starts`` with a ``seed``;
-    ``load`` names the circuit whose voltage was recorded, by default the first.
+    With a ``model``, set to the drive and the load of the record, each segment is matched with the nearest solution. A solution matches if
+    the relative distance of its waveform is at most ``within``. The solutions are found from random ``starts`` with a ``seed``; ``load``
+    names the circuit whose voltage was recorded, by default the first.
     """
     check_wholes(starts=starts, seed=seed)
     if model is not None and not isinstance(model, Spec):
@@ -170,7 +172,7 @@ def regimes(
 
 
 def _named(shown: dict[str, Any]) -> str:
-    """The solution that a stretch shows."""
+    """Returns the matching solution of a segment."""
     one: str = shown["candidates"][0]["id"] if shown["fits"] == "one" else shown["fits"]
     return one
 

@@ -1,4 +1,4 @@
-"""The paper of 2019 computed again."""
+"""Reproduction of the 2019 paper."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ from .result import Result, html_table, made_manifest, whole
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class ReproduceResult(Result):
-    """The claims of the paper with a verdict on each, and where the report was written."""
+    """Claims of the paper with a verdict on each, and the files of the report."""
 
-    #: The report, one HTML file; the tables (CSV with a manifest beside it, and JSON); the figures (SVG and PNG).
+    #: The report, one HTML file; the tables (CSV with a manifest, and JSON); the figures (SVG and PNG).
     report: Path
     tables: list[Path]
     figures: list[Path]
-    #: The claims, whether each holds, and the numbers that say so.
+    #: The claims, True where a claim holds, and the numbers of the evidence.
     claim: list[str]
     holds: list[bool]
     evidence: list[str]
@@ -38,18 +38,18 @@ class ReproduceResult(Result):
         return html_table("Claims of the paper", ["claim", "holds", "evidence"], rows)
 
     def to_pandas(self) -> Any:
-        """A ``pandas.DataFrame`` with a row for each claim."""
+        """Returns a ``pandas.DataFrame`` with a row for each claim."""
         return self._frame({"claim": self.claim, "holds": self.holds, "evidence": self.evidence})
 
 
 def reproduce(
     out: str | PathLike[str] = "report", *, threads: int | None = None, progress: bool | Progress | None = None
 ) -> ReproduceResult:
-    """Computes the tables, figures and claims of the 2019 impact-harvester paper, ``jounce reproduce``: some ten seconds of two cores.
+    """Computes the tables, figures and claims of the 2019 impact-harvester paper, ``jounce reproduce``: about ten seconds on two cores.
 
-    ``report.html``, ``tables/`` and ``figures/`` are written into the folder ``out``, which is made where it is missing. The numbers are
-    the same bits for any number of threads. ``progress`` is told the runs and searches that are finished; their number in all is known as
-    they come. Raises :class:`FileError` where the folder cannot be written.
+    ``report.html``, ``tables/`` and ``figures/`` are written into the folder ``out``, which is created if missing. The numbers are bitwise
+    equal for any number of threads. ``progress`` reports finished runs and searches; the total increases as they become known. Raises
+    :class:`FileError` where the folder cannot be written.
 
     Source: "Experimental validation of an impact off-resonance energy harvester" (2019).
     """

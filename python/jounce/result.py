@@ -1,4 +1,4 @@
-"""What every result has in common: equality, printing, tables, and where it comes from."""
+"""Common base of all results: equality, printing, tables and origin."""
 
 from __future__ import annotations
 
@@ -22,13 +22,13 @@ Truths = NDArray[np.bool_]
 Complexes = NDArray[np.complex128]
 
 
-#: What a long call of the compiled module answers: the answer, if there is one, and what ended it early.
+#: Result of a long call of the compiled module, if there is one, and the error that ended it early.
 Handed = tuple[dict[str, Any] | None, BaseException | None]
 Answer = TypeVar("Answer")
 
 
 class Variable(NamedTuple):
-    """A variable of a dataset."""
+    """Variable of a dataset."""
 
     dims: tuple[str, ...]
     values: Any
@@ -37,33 +37,33 @@ class Variable(NamedTuple):
 
 
 class Along(NamedTuple):
-    """What a field of a result is in a dataset, said where the field is: ``power_w: Annotated[Floats, Along("record", "W", "power")]``."""
+    """Description of a result field in a dataset: ``power_w: Annotated[Floats, Along("record", "W", "power")]``."""
 
-    #: Names of its axes, with blanks between; empty for a number.
+    #: Names of the axes, separated by blanks; empty for a number.
     axes: str
     unit: str
     about: str
-    #: Name in a dataset, which tells the unit apart; by default that of the field without its unit.
+    #: Name in a dataset, without a unit; by default the name of the field without its unit.
     called: str = ""
 
     def name(self, field: str) -> str:
-        """Name in a dataset."""
+        """Returns the name in a dataset."""
         written = {"1/s": "hz"}.get(self.unit, self.unit.lower().replace("^", "").replace("/", "_").replace(" ", "_"))
         return self.called or field.removesuffix(f"_{written}")
 
     def of(self, values: Any) -> Variable:
-        """The variable of these values."""
+        """Returns the variable of these values."""
         return Variable(tuple(self.axes.split()), values, self.unit, self.about)
 
 
 def described(kind: type) -> dict[str, Along]:
-    """Fields of a class that are part of its dataset."""
+    """Returns the fields of a class that are part of its dataset."""
     hints = get_type_hints(kind, include_extras=True)
     return {field: found for field, hint in hints.items() for found in get_args(hint)[1:] if isinstance(found, Along)}
 
 
 class Data:
-    """Plain data that compares by its values, arrays included."""
+    """Plain data that is compared by value, arrays included."""
 
     def __eq__(self, other: object) -> bool:
         if type(other) is not type(self):
@@ -76,30 +76,30 @@ class Data:
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class Result(Data):
-    """A result: plain data, which pickles, compares and prints itself."""
+    """Base class of results: plain data that can be pickled, compared and printed."""
 
-    #: Where it comes from: program, version, SHA-256 of the spec, command and options.
+    #: Origin: program, version, SHA-256 of the spec, command and options.
     manifest: dict[str, Any]
 
     @classmethod
     def _made(cls, answer: dict[str, Any]) -> Self:
-        """From what the library answers."""
+        """Returns the result of a dict of the library."""
         return cls(**{**answer, "manifest": json.loads(answer["manifest"])})
 
     @classmethod
     def _handed(cls, handed: Handed) -> Self:
-        """From what a long call answers; raises what ended it early, with what was finished."""
+        """Returns the result of a long call; raises the error that ended it early, with the finished part."""
         answer, ended = handed
         result = None if answer is None else cls._made(answer)
         if isinstance(ended, KeyboardInterrupt):
             raise Interrupted(result) from None
         if ended is not None:
             raise ended
-        assert result is not None, "a call that nothing ended has an answer"
+        assert result is not None, "a call without an error must have a result"
         return result
 
     def _summary(self) -> list[tuple[str, str]]:
-        """Lines of name and value for people."""
+        """Returns printable lines of name and value."""
         raise NotImplementedError
 
     def __repr__(self) -> str:
@@ -111,15 +111,15 @@ class Result(Data):
         return html_table(type(self).__name__, ["", ""], self._summary())
 
     def _variables(self) -> dict[str, Variable]:
-        """The fields that say what they are in a dataset."""
+        """Returns the fields that have a description for a dataset."""
         return {along.name(field): along.of(getattr(self, field)) for field, along in described(type(self)).items()}
 
     def _columns(self, axis: str) -> dict[str, Any]:
-        """The fields along one axis, by their own names."""
+        """Returns the fields along one axis, by their own names."""
         return {field: getattr(self, field) for field, along in described(type(self)).items() if along.axes == axis}
 
     def _dataset(self, variables: Mapping[str, Variable], coords: Mapping[str, Variable]) -> Any:
-        """An xarray.Dataset with units, long names and the manifest in its attributes."""
+        """Returns an xarray.Dataset with units, long names and the manifest in its attributes."""
         xarray = needed("xarray", "xarray")
 
         def described(found: Mapping[str, Variable]) -> dict[str, Any]:
@@ -138,7 +138,7 @@ class Result(Data):
         return xarray.Dataset(described(variables), described(coords), attrs)
 
     def _frame(self, columns: Mapping[str, Any], units: Mapping[str, str] | None = None) -> Any:
-        """A pandas.DataFrame with the manifest in its attributes, and the units of its columns where they are given."""
+        """Returns a pandas.DataFrame with the manifest in its attributes, and the units of its columns where given."""
         frame = needed("pandas", "pandas").DataFrame(dict(columns))
         frame.attrs["manifest"] = self.manifest
         if units is not None:
@@ -157,29 +157,29 @@ def _same(a: Any, b: Any) -> bool:
 
 
 def whole(handed: tuple[Answer | None, BaseException | None]) -> Answer:
-    """The answer of a long call that is worth nothing unless it is whole; raises what ended it early."""
+    """Returns the result of a long call that has no partial result; raises the error that ended it early."""
     answer, ended = handed
     if isinstance(ended, KeyboardInterrupt):
         raise Interrupted(None) from None
     if ended is not None:
         raise ended
-    assert answer is not None, "a call that nothing ended has an answer"
+    assert answer is not None, "a call without an error must have a result"
     return answer
 
 
 def column(rows: Sequence[Mapping[str, Any]], name: str) -> Floats:
-    """Numbers of a name in each of the rows; NaN where there is none."""
+    """Returns the numbers of a name in each row; NaN where missing."""
     return np.array([np.nan if row.get(name) is None else row[name] for row in rows], dtype=np.float64)
 
 
 def made_manifest(command: str, **options: Any) -> dict[str, Any]:
-    """Where an answer comes from that needs no spec; options of ``None`` are those that were not given."""
+    """Returns the origin of a result that needs no spec; options of ``None`` are those that were not given."""
     given = {name: str(value) for name, value in options.items() if value is not None}
     return {"created_by": "jounce", "version": _core.VERSION, "spec_sha256": "", "options": {"command": command, **given}}
 
 
 def with_uncertainty(value: float, half_width: float, unit: str = "") -> str:
-    """A value with half the width of its interval, both to the digit of the second one that the half width has: ``(6.9 +- 4.9)e-6 W``."""
+    """Formats a value with the half width of its interval, both to the second digit of the half width: ``(6.9 +- 4.9)e-6 W``."""
     behind = f" {unit}" if unit else ""
     largest = max(abs(value), abs(half_width))
     if not (math.isfinite(value) and math.isfinite(half_width) and largest > 0.0):
@@ -196,7 +196,7 @@ def _power_of_ten(value: float) -> int:
 
 
 def html_table(title: str, header: Sequence[str], rows: Sequence[Sequence[object]]) -> str:
-    """A table of HTML."""
+    """Returns a table in HTML."""
     head = "".join(f"<th>{html.escape(cell)}</th>" for cell in header)
     body = "".join("<tr>" + "".join(f"<td>{html.escape(str(cell))}</td>" for cell in row) + "</tr>" for row in rows)
     heading = f"<thead><tr>{head}</tr></thead>" if any(header) else ""

@@ -1,4 +1,4 @@
-"""A harvester on the test rig: what sensors would record of it, and its keys fitted to what they did record."""
+"""Virtual test of a harvester: simulated sensor recordings, and the fit of its keys to measurements."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 
 class SpecOnRig(SpecText):
-    """A spec with what a test rig gives and takes."""
+    """Spec with virtual tests and fits."""
 
     __slots__ = ()
 
@@ -58,27 +58,27 @@ class SpecOnRig(SpecText):
         base_channel: str | None = None,
         keep_mean: bool = False,
     ) -> Recording:
-        """What the sensors of a virtual rig would record, so that the truth behind a recording is known; ``jounce rig``.
+        """Simulates the recordings of sensors in a test, so that the true parameters are known; ``jounce rig``.
 
-        By default the run is marched and its averaging window recorded: voltages, V, contact forces, N, the acceleration of the base, and
-        those of accelerometers ``at`` some points, m/s^2. ``rate`` is the sample rate, ``noise`` that of every sensor, rms over that of its
-        signal, ``bits`` those of the converters. An accelerometer loads the structure with its ``sensor_mass``, ``"2 g"``; a ``cable``,
-        ``"1 nF"``, with its ``cable_leakage``, ``"10 Mohm"``, lowers the voltage of each patch. Masses in ``hold`` are held still, with
-        ``fixed_table`` all of them.
+        By default the run is integrated and its averaging window recorded: voltages, V, contact forces, N, the acceleration of the base and
+        those of accelerometers ``at`` some points, m/s^2. ``rate`` is the sampling rate, ``noise`` the rms noise of every sensor relative
+        to the rms of its signal, ``bits`` the resolution of the converters. An accelerometer loads the structure with its ``sensor_mass``,
+        ``"2 g"``; a ``cable``, ``"1 nF"``, with its ``cable_leakage``, ``"10 Mohm"``, lowers the voltage of each patch. Masses in ``hold``
+        are fixed, with ``fixed_table`` all of them.
 
-        With ``hammer``, the point that is struck, stops and drives are taken away, and the force and the accelerations ``at`` some points
-        recorded, by default at all and the voltages too: so many ``hits``, one every ``block``, with a force of ``peak`` for a time of
-        ``contact``.
+        ``hammer`` is the excitation point of a hammer test: stops and drives are removed, and the force and the accelerations ``at`` some
+        points are recorded, by default all points and the voltages. There are ``hits``, one every ``block``, with a force of ``peak`` and a
+        duration of ``contact``.
 
-        ``solution`` shows solutions of the model instead of its run, by their ids in :meth:`basins`: ``["1a", ("3a", "42 s")]`` goes on
-        from another one at a time of the record. They are sought from so many random ``starts`` with a seed. The drive's amplitude and
-        frequency wander by ``amplitude_wander`` and ``frequency_wander`` (standard deviations over themselves) within ``wander_time``, and
-        drift by ``amplitude_drift`` and ``frequency_drift`` from begin to end. ``base`` moves the base as a recording says, for as long as
-        it lasts, in place of the drives: a :class:`Recording`, a file or SEP005 time series, its ``base_channel`` by default the first
-        acceleration, its mean taken away unless ``keep_mean``.
+        ``solution`` selects solutions of the model instead of its run, by their ids in :meth:`basins`: ``["1a", ("3a", "42 s")]`` changes
+        to another one at a time of the record. They are found from random ``starts`` with a seed. Amplitude and frequency of the drive
+        fluctuate with the relative standard deviations ``amplitude_wander`` and ``frequency_wander`` and the correlation time
+        ``wander_time``, and drift by ``amplitude_drift`` and ``frequency_drift`` from begin to end. ``base`` moves the base as in a
+        recording, for its duration, instead of the drives: a :class:`Recording`, a file or SEP005 time series. Its ``base_channel`` is by
+        default the first acceleration, its mean is subtracted unless ``keep_mean``.
 
-        Raises :class:`ArgumentError` for a number out of its range, a name or a solution that there is not, :class:`MarchError` for a march
-        that could not go on. Source of the wander: D. Gillespie, Phys. Rev. E 54 (1996) 2084, equation 1.9.
+        Raises :class:`ArgumentError` for a number out of range or an unknown name or solution, :class:`MarchError` for an integration that
+        could not continue. Source of the fluctuation: D. Gillespie, Phys. Rev. E 54 (1996) 2084, equation 1.9.
         """
         check_wholes(bits=bits, seed=seed, hits=hits, starts=starts, starts_seed=starts_seed)
         sensors: dict[str, Any] = {"rate_hz": positive_si("frequency", rate, "rate"), "noise": noise, "bits": bits, "seed": seed}
@@ -87,7 +87,7 @@ class SpecOnRig(SpecText):
         sensors["cable_f"] = optional_si("capacitance", cable, "cable")
         sensors["cable_leakage_ohm"] = optional_si("resistance", cable_leakage, "cable_leakage")
         if sensor_mass is not None and not sensors["at"]:
-            raise ArgumentError('sensor_mass is that of the accelerometers; name their points with at=["beam.tip"]')
+            raise ArgumentError('sensor_mass needs accelerometers; name their points with at=["beam.tip"]')
         shaker: dict[str, Any] = {
             "solution": _solutions(solution),
             "starts": starts,
@@ -105,12 +105,12 @@ class SpecOnRig(SpecText):
                 key for key in ("solution", "amplitude_wander", "frequency_wander", "amplitude_drift", "frequency_drift") if shaker[key]
             ]
             if moved or base is not None:
-                raise ArgumentError(f"{', '.join(moved) or 'base'} is that of a shaker, and a hammer strikes; give one of them")
+                raise ArgumentError(f"{', '.join(moved) or 'base'} needs a shaker test, without hammer; give one of them")
             test = {"point": hammer, "hits": hits, "block_s": positive_si("time", block, "block")}
             test |= {"peak_force_n": positive_si("force", peak, "peak"), "contact_time_s": positive_si("time", contact, "contact")}
             return Recording._of(_core.rig_struck(self._spec, sensors, test), self._of_rig(sensors, test))
         if shaker["solution"] and (base is not None or sensors["hold"]):
-            raise ArgumentError("solution is one of the whole model under its own drive; give it without base, hold and fixed_table")
+            raise ArgumentError("solution needs the complete model under its own drive; give it without base, hold and fixed_table")
         moves = None if base is None else recording(base)
         handed = _core.rig_shaken(self._spec, sensors, shaker, None if moves is None else moves._core())
         of_base = {} if moves is None else {"base": moves.name, "base_sha256": moves.manifest["options"]["recording_sha256"]}
@@ -118,22 +118,22 @@ class SpecOnRig(SpecText):
         return made if moves is None else dataclasses.replace(made, findings=[*moves.findings, *made.findings])
 
     def _of_rig(self, sensors: Mapping[str, Any], test: Mapping[str, Any]) -> dict[str, Any]:
-        """Where a recording of the rig comes from."""
+        """Returns the origin of a recording of the rig."""
         return {**made_manifest("rig", **sensors, **test), "spec_sha256": self.sha256}
 
     def fit(self, to: str | PathLike[str] | Mapping[str, Any], *, progress: bool | Progress | None = None) -> FitResult:
-        """Fits keys to measured features: a file of them, or a dict that says the same.
+        """Fits keys to measured features: the path of a file of features, or a dict with the same contents.
 
-        ``{"hold": ["table"], "frequency_deviation": 0.002, "free": {"beam.beam.thickness": 0.01}, "mode": [{"number": 1, "frequency":
-        "9.01 Hz"}]}`` frees a key within 1 % of itself and holds the first mode to 9.01 Hz within 0.2 %, standard deviations both.
-        ``progress`` is told the models tried; how many there will be is not known, so that their number in all is 0.
+        ``{"hold": ["table"], "frequency_deviation": 0.002, "free": {"beam.beam.thickness": 0.01}, "mode": [{"number": 1, "frequency": "9.01
+        Hz"}]}`` frees a key with a relative standard deviation of 1 % and fits the first mode to 9.01 Hz with one of 0.2 %. ``progress``
+        reports the number of computed models; their total is not known and reported as 0.
         """
         if isinstance(to, Mapping):
             given, about = {"text": features(to)}, "features"
         elif isinstance(to, (str, PathLike)):
             given, about = {"path": fspath(to)}, Path(to).name
         else:
-            raise ArgumentError(f"to is of type {type(to).__name__}; give the path of a file of features, or a dict that says the same")
+            raise ArgumentError(f"to is of type {type(to).__name__}; give the path of a file of features, or a dict with the same contents")
         with told(progress) as tell:
             answer = _core.fit(self._spec, **given, progress=tell)
         manifest = {**made_manifest("fit", to=about), "spec_sha256": self.sha256}
@@ -141,19 +141,19 @@ class SpecOnRig(SpecText):
 
 
 def _solutions(given: str | Sequence[str | tuple[str, Any]]) -> list[tuple[str, float]]:
-    """Ids of solutions, and the times of the record from which on they are shown, s; the first one from the begin."""
+    """Returns ids of solutions and the times of the record at which they begin, s; the first one begins with the record."""
     each = [given] if isinstance(given, str) else list(given)
     found = []
     for number, one in enumerate(each):
         pair = (one, None) if isinstance(one, str) else tuple(one)
         if len(pair) != 2 or not isinstance(pair[0], str) or (number > 0 and pair[1] is None):
-            raise ArgumentError(f'solution: {one!r} is none; give the id of the first, as in "1a", then pairs, as in ("3a", "42 s")')
+            raise ArgumentError(f'solution: {one!r} is invalid; give the id of the first, as in "1a", then pairs, as in ("3a", "42 s")')
         found.append((pair[0], 0.0 if number == 0 else positive_si("time", pair[1], f"the time of solution {pair[0]}")))
     return found
 
 
 def features(tables: Mapping[str, Any]) -> str:
-    """Features as TOML; a list of dicts is an array of tables, ``[[mode]]``."""
+    """Returns features as TOML; a list of dicts is an array of tables, ``[[mode]]``."""
     lists = {key: value for key, value in tables.items() if _is_list_of_tables(value)}
     text = toml({key: value for key, value in tables.items() if key not in lists})
     return text + "".join(f"\n[[{key}]]\n{toml(one)}" for key, each in lists.items() for one in each)

@@ -1,4 +1,4 @@
-"""One run."""
+"""One run and its result."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from .result import Along, Floats, Integers, Result, Variable
 
 @dataclasses.dataclass(frozen=True)
 class State:
-    """A state that another run can start from; the same file as that of ``jounce run --save-state``."""
+    """State that another run can start from, in the file format of ``jounce run --save-state``."""
 
     json: str
 
@@ -44,13 +44,13 @@ class State:
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class RunResult(Result):
-    """Means over the averaging window at the end of a run, and the audit of the whole run."""
+    """Means over the averaging window at the end of a run, and the energy balance of the complete run."""
 
     #: Mean power of all loads and rectified circuits together, W.
     mean_power_w: Annotated[float, Along("", "W", "mean power of all loads and rectified circuits")]
-    #: Names of the loads; of each the mean power, W, the rms voltage, V, and the largest magnitude of the voltage, V: within a period of
-    #: the orbit where the run has settled, else within the last eight drive cycles; of drives that do not repeat themselves within the
-    #: record, NaN where none was kept.
+    #: Names of the loads. Of each the mean power, W, the rms voltage, V, and the largest magnitude of the voltage, V: within a period of
+    #: the orbit where the run has settled, else within the last eight drive cycles. For drives without a common period within the record,
+    #: NaN where no record was stored.
     load: list[str]
     load_power_w: Annotated[Floats, Along("load", "W", "mean power")]
     load_voltage_rms_v: Annotated[Floats, Along("load", "V", "voltage, rms")]
@@ -58,8 +58,8 @@ class RunResult(Result):
     #: Names of the patches, and the largest magnitude of the voltage of each, V, within the same time.
     patch: list[str]
     patch_voltage_peak_v: Annotated[Floats, Along("patch", "V", "voltage, peak")]
-    #: Names of the rectified circuits; of each the mean power into its load or battery, W, the voltage of its storage, rms, V, the mean
-    #: current of its diodes, A, the mean power that fills the storage, W, and that lost in diodes, in the switch and by leakage, W.
+    #: Names of the rectified circuits. Of each the mean power of its load or battery, W, the rms voltage of its storage, V, the mean
+    #: current of its diodes, A, the mean power that fills the storage, W, and the losses in diodes, in the switch and by leakage, W.
     rectified: list[str]
     rectified_power_w: Annotated[Floats, Along("rectified", "W", "mean power")]
     rectified_voltage_rms_v: Annotated[Floats, Along("rectified", "V", "voltage of the storage, rms")]
@@ -68,26 +68,26 @@ class RunResult(Result):
     rectified_diode_loss_w: Annotated[Floats, Along("rectified", "W", "mean power lost in diodes")]
     rectified_switch_loss_w: Annotated[Floats, Along("rectified", "W", "mean power lost in the switch")]
     rectified_leakage_w: Annotated[Floats, Along("rectified", "W", "mean power lost by leakage")]
-    #: Balance of the charge that the diodes passed in the averaging window, C: ``passed = load + leakage + storage``, and what is left over
-    #: as a share of the largest; NaN where no diodes feed a capacitor.
-    rectified_charge_passed_c: Annotated[Floats, Along("rectified", "C", "charge that the diodes passed")]
+    #: Balance of the charge through the diodes in the averaging window, C: ``passed = load + leakage + storage``, and its residual as a
+    #: share of the largest term; NaN where no diodes feed a capacitor.
+    rectified_charge_passed_c: Annotated[Floats, Along("rectified", "C", "charge through the diodes")]
     rectified_charge_load_c: Annotated[Floats, Along("rectified", "C", "charge through the load")]
     rectified_charge_leakage_c: Annotated[Floats, Along("rectified", "C", "charge through the leakage of the storage")]
-    rectified_charge_storage_c: Annotated[Floats, Along("rectified", "C", "charge that the storage kept")]
-    rectified_charge_residual_relative: Annotated[Floats, Along("rectified", "1", "charge left over, as a share of the largest")]
-    #: Names of the patches that leak, and the mean power that each takes, W.
+    rectified_charge_storage_c: Annotated[Floats, Along("rectified", "C", "charge added to the storage")]
+    rectified_charge_residual_relative: Annotated[Floats, Along("rectified", "1", "residual of the charge balance, relative to the largest term")]
+    #: Names of the patches with leakage, and mean power of each leakage, W.
     leak: list[str]
-    leak_power_w: Annotated[Floats, Along("leak", "W", "mean power that the leakage of a patch takes")]
-    #: Names of the stops; of each the contacts that began and how many a second, the mean and the largest speed at which they began, m/s,
-    #: the mean and the longest time that one lasted, s (both 0 without a contact), the share of the time in contact, the largest
-    #: penetration, m, the largest contact force, N, and its time integral, N s.
+    leak_power_w: Annotated[Floats, Along("leak", "W", "mean power lost by leakage of a patch")]
+    #: Names of the stops. Of each the contacts that began and their rate, the mean and the largest impact velocity, m/s, the mean and the
+    #: longest contact duration, s (all 0 without a contact), the share of the time in contact, the largest penetration, m, the largest
+    #: contact force, N, and its time integral, N s.
     stop: list[str]
     stop_contacts: Annotated[Integers, Along("stop", "1", "contacts that began")]
     stop_contact_rate_hz: Annotated[Floats, Along("stop", "1/s", "contacts per second")]
-    stop_mean_impact_velocity_m_s: Annotated[Floats, Along("stop", "m/s", "mean speed at which contacts began")]
-    stop_max_impact_velocity_m_s: Annotated[Floats, Along("stop", "m/s", "largest speed at which a contact began")]
-    stop_mean_contact_duration_s: Annotated[Floats, Along("stop", "s", "mean time that a contact lasted")]
-    stop_max_contact_duration_s: Annotated[Floats, Along("stop", "s", "longest time that a contact lasted")]
+    stop_mean_impact_velocity_m_s: Annotated[Floats, Along("stop", "m/s", "mean impact velocity")]
+    stop_max_impact_velocity_m_s: Annotated[Floats, Along("stop", "m/s", "largest impact velocity")]
+    stop_mean_contact_duration_s: Annotated[Floats, Along("stop", "s", "mean contact duration")]
+    stop_max_contact_duration_s: Annotated[Floats, Along("stop", "s", "longest contact duration")]
     stop_contact_duty: Annotated[Floats, Along("stop", "1", "share of the time in contact")]
     stop_max_penetration_m: Annotated[Floats, Along("stop", "m", "largest penetration")]
     stop_max_contact_force_n: Annotated[Floats, Along("stop", "N", "largest contact force")]
@@ -98,32 +98,32 @@ class RunResult(Result):
     #: Contacts that began, and the share of the time in contact, summed over the stops.
     contacts: Annotated[int, Along("", "1", "contacts that began")]
     contact_duty: Annotated[float, Along("", "1", "share of the time in contact")]
-    #: Has the run settled, on what period in drive cycles, with what relative change over it, how far from the orbit? ``None`` and NaN
-    #: where the drives do not repeat themselves, so that there is nothing to settle to.
+    #: True where the run has settled; period in drive cycles, relative change over it, and distance to the orbit. ``None`` and NaN where
+    #: the drives have no common period, so that there is no periodic steady state.
     settled: bool | None
     period_cycles: int | None
     periodicity_change: float
     distance_to_orbit: float
-    #: Limits of patches that the recorded end of the run has passed, in words.
+    #: Warnings about exceeded limits of patches in the recorded end of the run.
     warnings: list[str]
-    #: Input less all outputs and what is stored, over the largest energy of the run.
-    energy_residual_relative: Annotated[float, Along("", "1", "energy residual of the march")]
-    #: No energy flowed or changed by more than roundoff, so that the residual says nothing.
+    #: Input minus all outputs and the stored energy, relative to the largest energy of the run.
+    energy_residual_relative: Annotated[float, Along("", "1", "energy residual of the run")]
+    #: True where no energy changed by more than roundoff, so that the residual has no meaning.
     is_trivial: Annotated[bool, Along("", "1", "no contact began and no energy flowed by more than roundoff")]
-    #: Energies of the whole run, J: ``input_j``, ``loads_j``, ``rectified_j`` (into loads and batteries behind rectifiers),
+    #: Energies of the complete run, J: ``input_j``, ``loads_j``, ``rectified_j`` (into loads and batteries behind rectifiers),
     #: ``rectified_loss_j`` (in their diodes and switches, and by leakage), ``leaks_j`` (by leakage of patches), ``damping_j``,
     #: ``contact_loss_j``, ``stored_j``.
     energies_j: dict[str, float]
     duration_s: float
     average_over_s: float
     tolerance: float
-    #: The state at the end.
+    #: State at the end.
     end: State
-    #: Steps and iterations.
+    #: Numbers of steps and iterations.
     work: dict[str, int]
-    #: The recorded end of the run; ``None`` unless it was asked for.
+    #: Recorded end of the run; ``None`` unless requested.
     history: History | None
-    #: Wall time of the marching, s; it does not count when results are compared.
+    #: Wall time of the integration, s; not compared between results.
     wall_time_s: float = dataclasses.field(compare=False)
 
     @classmethod
@@ -136,25 +136,25 @@ class RunResult(Result):
 
     @property
     def voltage_rms_v(self) -> float | None:
-        """Voltage of the first load, or of the storage of the first rectified circuit where there is none, rms, V."""
+        """Rms voltage of the first load, or of the storage of the first rectified circuit without a load, V."""
         volts = [*self.load_voltage_rms_v, *self.rectified_voltage_rms_v]
         return float(volts[0]) if volts else None
 
     @property
     def voltage_peak_v(self) -> float | None:
-        """Largest voltage of the first load, or of the first patch where there is none, V."""
+        """Largest voltage of the first load, or of the first patch without a load, V."""
         peaks = [*self.load_voltage_peak_v, *self.patch_voltage_peak_v]
         return float(peaks[0]) if peaks else None
 
     def _peaks(self) -> list[tuple[str, float]]:
-        """Largest voltage of each load, and of each patch whose voltage is not that of a load."""
+        """Returns the largest voltage of each load, and of each patch without a load."""
         peaks = list(zip(self.load, map(float, self.load_voltage_peak_v)))
         of_patches = zip(self.patch, map(float, self.patch_voltage_peak_v))
         return peaks + [(name, volts) for name, volts in of_patches if volts not in self.load_voltage_peak_v]
 
     def _summary(self) -> list[tuple[str, str]]:
         settled = f"period {self.period_cycles} drive cycles" if self.settled else f"NOT settled, change {self.periodicity_change:.1e}"
-        settled = "no period: the drives do not repeat themselves" if self.settled is None else settled
+        settled = "no period: the drives have no common period" if self.settled is None else settled
         return [
             ("mean power", f"{self.mean_power_w:.6e} W"),
             *((f"voltage, rms ({name})", f"{volts:.6g} V") for name, volts in zip(self.load, self.load_voltage_rms_v)),
@@ -169,28 +169,28 @@ class RunResult(Result):
         ]
 
     def to_dict(self) -> dict[str, Any]:
-        """Every number and name but the record."""
+        """Returns every number and name except the record."""
         left = ("history", "end", "manifest")
         return {field.name: getattr(self, field.name) for field in dataclasses.fields(self) if field.name not in left}
 
     def to_xarray(self) -> Any:
-        """An ``xarray.Dataset`` of the means over ``load``, ``patch``, ``rectified``, ``leak``, ``stop``; the record has its own."""
+        """Returns an ``xarray.Dataset`` of the means over ``load``, ``patch``, ``rectified``, ``leak``, ``stop``, without the record."""
         told = {
-            "settled": Variable((), bool(self.settled), "1", "settled when it was averaged"),
-            "period_cycles": Variable((), self.period_cycles or 0, "1", "period in drive cycles, 0 for none"),
+            "settled": Variable((), bool(self.settled), "1", "settled when averaged"),
+            "period_cycles": Variable((), self.period_cycles or 0, "1", "period in drive cycles, 0 without a period"),
         }
         coords = {name: Variable((name,), getattr(self, name), "", name) for name in ("load", "patch", "rectified", "leak", "stop")}
         return self._dataset({**self._variables(), **told}, coords)
 
     def to_pandas(self) -> Any:
-        """A ``pandas.DataFrame`` with one row."""
+        """Returns a ``pandas.DataFrame`` with one row."""
         flat = {key: [value] for key, value in self.to_dict().items() if isinstance(value, (bool, int, float))}
         return self._frame(flat)
 
     def recorded(self) -> History:
-        """The record, or an error that says how to get one."""
+        """Returns the record; raises ArgumentError without one."""
         if self.history is None:
-            raise ArgumentError('this run kept no record; make it with run(record="1 s")')
+            raise ArgumentError('this run has no record; compute it with run(record="1 s")')
         return self.history
 
     def plot_time_history(self, ax: Any = None, channel: str | None = None) -> Any:
@@ -206,7 +206,7 @@ class RunResult(Result):
         return self.recorded().plot_poincare(ax, point)
 
     def plot_energy(self, ax: Any = None) -> Any:
-        """Draws where the energy of the drive went, as a share of it."""
+        """Draws the energy outputs as shares of the input energy."""
         from .plot.energy import plot_energy
 
         return plot_energy(self, ax)

@@ -13,7 +13,7 @@ from .result import Floats
 
 
 def checked(series: Mapping[str, Any]) -> Mapping[str, Any]:
-    """The series, if it has what every series has."""
+    """Returns the series; raises ArgumentError where a required key is missing."""
     missing = [key for key in ("data", "name", "unit_str") if key not in series]
     if missing:
         raise ArgumentError(f"a SEP005 time series has data, name and unit_str; missing: {', '.join(missing)}", {"missing": missing})
@@ -21,23 +21,23 @@ def checked(series: Mapping[str, Any]) -> Mapping[str, Any]:
 
 
 def numbers(values: Any, what: str) -> Floats:
-    """Real numbers along one axis, read-only or strided as they may be."""
+    """Returns real numbers along one axis, from read-only or strided arrays too."""
     if is_quantity(values):
         values = values.to_base_units().magnitude
     if np.iscomplexobj(values):
-        raise ArgumentError(f"{what} are complex; a series in time is real")
+        raise ArgumentError(f"{what} are complex; a time series must be real")
     try:
-        # What is masked is missing.
+        # Masked values are missing.
         row = np.ma.filled(values.astype(np.float64), np.nan) if np.ma.isMaskedArray(values) else np.asarray(values, dtype=np.float64)
     except (TypeError, ValueError) as error:
-        raise ArgumentError(f"{what} are no numbers: {error}") from error
+        raise ArgumentError(f"{what} are not numbers: {error}") from error
     if row.ndim != 1:
         raise ArgumentError(f"{what} have {row.ndim} axes; give one", {"axes": row.ndim})
     return row
 
 
 def even_rate_hz(series: Mapping[str, Any]) -> float:
-    """Samples per second of a series that is evenly spaced."""
+    """Returns the sampling rate of an evenly spaced series."""
     if "fs" in series:
         return float(series["fs"])
     steps = np.diff(numbers(series.get("time", ()), "the times"))

@@ -1,4 +1,4 @@
-"""Measures of sampled signals."""
+"""Spectra of sampled signals, and files of recorded drives."""
 
 from __future__ import annotations
 
@@ -35,12 +35,12 @@ class Spectrum(Result):
         ]
 
     def to_xarray(self) -> Any:
-        """An ``xarray.Dataset`` over ``frequency``."""
+        """Returns an ``xarray.Dataset`` over ``frequency``."""
         amplitude = Variable(("frequency",), self.amplitude_peak, self.unit, f"{self.name}, amplitude zero to peak")
         return self._dataset({"amplitude": amplitude}, {"frequency": Variable(("frequency",), self.frequency_hz, "Hz", "frequency")})
 
     def to_pandas(self) -> Any:
-        """A ``pandas.DataFrame`` with a row for each line."""
+        """Returns a ``pandas.DataFrame`` with a row for each line."""
         return self._frame({"frequency_hz": self.frequency_hz, "amplitude_peak": self.amplitude_peak})
 
     def plot_spectrum(self, ax: Any = None) -> Any:
@@ -51,7 +51,7 @@ class Spectrum(Result):
 
 
 def spectrum(values: Any, sample_rate_hz: float | None = None, *, name: str = "signal", unit: str = "") -> Spectrum:
-    """The amplitude spectrum of evenly spaced samples, or of a time series in the form of SEP005."""
+    """Computes the amplitude spectrum of evenly spaced samples, or of a time series in the form of SEP005."""
     row, row_rate_hz = _samples(values, sample_rate_hz)
     if isinstance(values, Mapping):
         name, unit = values["name"], values["unit_str"]
@@ -62,15 +62,15 @@ def spectrum(values: Any, sample_rate_hz: float | None = None, *, name: str = "s
 
 
 def write_recording(path: str | PathLike[str], values: Any, sample_rate_hz: float | None = None) -> None:
-    """Writes evenly spaced samples, or a time series in the form of SEP005, as the CSV file that a drive reads.
+    """Writes evenly spaced samples, or a time series in the form of SEP005, as the CSV file of a recorded drive.
 
-    ``jounce.Drive(kind="base-acceleration", signal="recording", file=PATH)``; values without a unit are in SI, or in
+    ``jounce.Drive(kind="base-acceleration", signal="recording", file=PATH)`` reads the file. Values without a unit are in SI, or in
     that of ``unit=``.
     """
     row, row_rate_hz = _samples(values, sample_rate_hz)
     unit = values["unit_str"] if isinstance(values, Mapping) else unit_of(values) if is_quantity(values) else ""
     if not np.isfinite(row).all() or len(row) < 2:
-        raise ArgumentError("a recording needs two samples at least, all of them finite")
+        raise ArgumentError("a recording needs at least two samples, all finite")
     times = np.arange(len(row)) / row_rate_hz
     try:
         with open(path, "w", encoding="utf-8", newline="\n") as file:
@@ -81,7 +81,7 @@ def write_recording(path: str | PathLike[str], values: Any, sample_rate_hz: floa
 
 
 def _samples(values: Any, sample_rate_hz: float | None) -> tuple[Floats, float]:
-    """Samples and their rate, Hz."""
+    """Returns samples and their rate, Hz."""
     if isinstance(values, Mapping):
         values, sample_rate_hz = checked(values)["data"], even_rate_hz(values)
     return numbers(values, "the samples"), rate_hz(sample_rate_hz)

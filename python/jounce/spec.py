@@ -1,4 +1,4 @@
-"""A harvester: what is said of it, and what can be asked of it."""
+"""Harvesters and the computations on them."""
 
 from __future__ import annotations
 
@@ -27,14 +27,14 @@ from .sweep import SweepResult
 
 
 class Spec(SpecOnRig):
-    """A harvester, always valid: a change that would make it wrong raises :class:`jounce.SpecError` with every fault, and changes nothing.
+    """Harvester, always valid: an invalid change raises :class:`jounce.SpecError` with every fault, and changes nothing.
 
     Parameters
     ----------
     source
-        The text of a spec in TOML, or a dict of its tables. Files are read with :meth:`Spec.read`.
+        Text of a spec in TOML, or a dict of its tables. Files are read with :meth:`Spec.read`.
     tables
-        Tables by keyword, ``stop={"tip": jounce.Stop(at="beam.tip", ...)}``; they take the place of those of a dict.
+        Tables by keyword, ``stop={"tip": jounce.Stop(at="beam.tip", ...)}``; they replace those of a dict.
 
     Quantities are text with a unit, ``"0.5 mm"``, or quantities of pint. A number without a unit is refused.
     """
@@ -42,7 +42,7 @@ class Spec(SpecOnRig):
     __slots__ = ()
 
     def modes(self, hold: str | Sequence[str] = (), *, fixed_table: bool = False) -> ModesResult:
-        """Natural frequencies, damping ratios, couplings and shapes, with some masses held still, with ``fixed_table`` all of them."""
+        """Computes natural frequencies, damping ratios, couplings and shapes, with some masses fixed, with ``fixed_table`` all of them."""
         return ModesResult._made(_core.modes(self._spec, self._held(hold, fixed_table)))
 
     def frf(
@@ -55,20 +55,20 @@ class Spec(SpecOnRig):
         fixed_table: bool = False,
         open_circuit: bool = False,
     ) -> FrfResult:
-        """Frequency responses without contact, per newton on ``input`` (by default the point of the first force).
+        """Computes frequency responses without contact, per newton on ``input`` (by default the point of the first force).
 
-        With ``base`` the base is accelerated instead: displacements relative to it and voltages, per m/s^2. Masses in ``hold`` are held
-        still, with ``fixed_table`` all of them; with ``open_circuit`` the patches have no circuit.
+        With ``base`` the base is excited instead: displacements relative to it and voltages, per m/s^2. Masses in ``hold`` are fixed, with
+        ``fixed_table`` all of them; with ``open_circuit`` the patches have no circuit.
 
         ``frequency``: text or quantities, ``["1 Hz", "2 Hz"]``, or a pint array; by default 2000 from 1 to 1000 Hz.
         """
         return FrfResult._handed(_core.frf(self._spec, frequencies(frequency), input, base, self._held(hold, fixed_table), open_circuit))
 
     def noise(self, *, low: Any = None, high: Any = None, points: int = 1000) -> NoiseResult:
-        """What the noises of the spec do without contact, exact: means, mean squares, bandwidths, how often each gap would be reached.
+        """Computes the exact response to the noises of the spec without contact: means, mean squares, bandwidths, gap crossing rates.
 
-        Densities are told at ``points`` frequencies from ``low`` to ``high``, by default over the band of the noise, and at more about each
-        resonance.
+        Densities are computed at ``points`` frequencies from ``low`` to ``high``, by default over the band of the noise, and at further
+        ones around each resonance.
         """
         check_wholes(points=points)
         low_hz = None if low is None else in_si("frequency", low, "low")
@@ -84,10 +84,10 @@ class Spec(SpecOnRig):
         sample_rate: Any = "4096 Hz",
         progress: bool | Progress | None = None,
     ) -> RunResult:
-        """Marches one run.
+        """Integrates one run.
 
-        ``tolerance`` overrides ``run.tolerance``; ``start`` is the ``end`` of another run; ``record`` is how much of the end of the run is
-        kept as samples, ``"1 s"``. The parts that ``progress`` tells of are thousandths of the duration.
+        ``tolerance`` overrides ``run.tolerance``; ``start`` is the ``end`` of another run; ``record`` is the length of the stored end of
+        the run, ``"1 s"``. The parts reported to ``progress`` are thousandths of the duration.
         """
         record_s = 0.0 if record is None else in_si("time", record, "record")
         rate_hz = in_si("frequency", sample_rate, "sample_rate")
@@ -114,10 +114,10 @@ class Spec(SpecOnRig):
         threads: int | None = None,
         progress: bool | Progress | None = None,
     ) -> SweepResult:
-        """Marches a run at every value of a key, the state carried over unless the points are ``"independent"``.
+        """Runs the model at every value of a key, from the last state of the point before unless ``"independent"``.
 
         ``range``: ``"10 Hz:14 Hz:0.5 Hz"`` (step), ``"10 Hz:14 Hz:9x"`` (number), ``"1 kohm:1 Mohm:9log"``, a list of quantities, or
-        numbers with their ``unit``. Each point marches until it has settled, or for ``run.duration`` with ``fixed_duration``.
+        numbers with their ``unit``. Each point is integrated until it has settled, or for ``run.duration`` with ``fixed_duration``.
         """
         check_wholes(threads=threads)
         text = values(range, unit, key)
@@ -140,14 +140,14 @@ class Spec(SpecOnRig):
         threads: int | None = None,
         progress: bool | Progress | None = None,
     ) -> BranchResult:
-        """Follows every branch of periodic answers over ``range = "12 Hz:13 Hz"`` of a key, stable or not.
+        """Continues every branch of periodic orbits over ``range = "12 Hz:13 Hz"`` of a key, stable or unstable.
 
-        Branches that no march of the ``seeds`` settles on are not found, and none of a period above ``longest_period`` cycles; more of
-        both find more. ``harmonics`` is where harmonic balance begins, 64 if left out.
+        Branches that none of the ``seeds`` converges to, and branches of a period above ``longest_period`` cycles, are not found; larger
+        values of both find more. ``harmonics`` is the number of harmonics at the start of harmonic balance, 64 if left out.
 
-        ``levels`` are labelled where a branch passes them: ``"mean_power=50 uW"``, ``"voltage.PATCH=5 V"``, ``"strain.PATCH=3e-4"``,
+        ``levels`` are marked on the branches: ``"mean_power=50 uW"``, ``"voltage.PATCH=5 V"``, ``"strain.PATCH=3e-4"``,
         ``"contact_force.STOP=2 N"``. ``largest_step`` is in relative changes of the state or twentieths of the range. After orbits of
-        ``budget`` drive cycles no further branch is followed; the rest is counted in ``not_followed``.
+        ``budget`` drive cycles no further branch is continued; ``not_followed`` counts the rest.
         """
         check_wholes(harmonics=harmonics, seeds=seeds, longest_period=longest_period, budget=budget, threads=threads)
         ends = span(range, key)
@@ -171,12 +171,12 @@ class Spec(SpecOnRig):
         threads: int | None = None,
         progress: bool | Progress | None = None,
     ) -> JumpsResult:
-        """Follows the places where the answer jumps (folds, doublings, tori, grazings) over two keys, and the ``peaks`` of power.
+        """Continues bifurcation curves (folds, period doublings, tori, grazings) in two keys, and the ``peaks`` of power.
 
-        ``levels`` are followed too, given as in :meth:`branch`.
+        Curves of ``levels`` are also continued, given as in :meth:`branch`.
 
-        Curves that pass neither an edge of the two ranges nor the spec's own value of ``key_2`` are not found, nor those of branches that
-        no march of the ``seeds`` settles on or of a period above ``longest_period`` cycles.
+        The search misses curves that pass neither an edge of the two ranges nor the value of ``key_2`` in the spec. It also misses curves
+        of branches that none of the ``seeds`` converges to, and of periods above ``longest_period`` cycles.
         """
         check_wholes(seeds=seeds, longest_period=longest_period, threads=threads)
         over, against = span(range, key), span(range_2, key_2)
@@ -198,13 +198,13 @@ class Spec(SpecOnRig):
         threads: int | None = None,
         progress: bool | Progress | None = None,
     ) -> BasinsResult:
-        """Finds the attractors, the share of the starts that each takes, and the power to be expected.
+        """Finds the attractors, the share of the starts that reach each, and the expected power.
 
         The starts are a cloud of ``starts`` (200) starts with the ``seed`` 1, ``spread`` (10) gaps wide, or every combination of the
         sides of a ``grid``: ``{"displacement": "-5 mm:5 mm:21x", "velocity": ("-1 m/s", "1 m/s", 21)}``, and ``"voltage"``.
 
-        A start belongs to the orbit that its motion is proved to reach, of a period of up to ``longest_period`` (64) drive cycles. A start
-        without a proved attractor after ``max_cycles`` (20000) is chaos or undecided.
+        A start belongs to the orbit that its motion is proven to reach, of a period of up to ``longest_period`` (64) drive cycles. A start
+        without a proven attractor after ``max_cycles`` (20000) is chaos or undecided.
         """
         check_wholes(starts=starts, seed=seed, longest_period=longest_period, max_cycles=max_cycles, threads=threads)
         with told(progress) as tell:
@@ -228,11 +228,12 @@ class Spec(SpecOnRig):
         threads: int | None = None,
         progress: bool | Progress | None = None,
     ) -> DiagramResult:
-        """Marches to where the motion is at the start of each drive cycle, over rising values of a key.
+        """Computes the state at the start of each drive cycle, over increasing values of a key.
 
-        ``"starts"`` marches at each value from a cloud of ``starts`` (20) starts with the ``seed`` 1 and the size ``spread`` (10 gaps),
-        and follows the attractors from value to value; the other directions carry the state over and have no cloud. ``range`` is as in
-        :meth:`sweep`; ``cycles`` is how many points a motion without a period shows, ``longest_period`` (4) that of a continued branch.
+        ``"starts"`` integrates at each value from a cloud of ``starts`` (20) starts with the ``seed`` 1 and the size ``spread`` (10 gaps),
+        and matches the attractors between values. The other directions start from the state of the value before and have no cloud.
+        ``range`` is as in :meth:`sweep`; ``cycles`` is the number of points of a motion without a period, ``longest_period`` (4) the limit
+        for continued branches.
         """
         check_wholes(starts=starts, seed=seed, cycles=cycles, longest_period=longest_period, threads=threads)
         text = values(range, unit, key)
@@ -252,10 +253,11 @@ class Spec(SpecOnRig):
         threads: int | None = None,
         progress: bool | Progress | None = None,
     ) -> EnsembleResult:
-        """Marches realisations of the noise and answers with 95 % intervals.
+        """Integrates realisations of the noise and returns means with 95 % intervals.
 
-        With ``relative_width``, rounds of so many ``members`` are added until half the interval of the mean power is this share of it.
-        With ``spectrum``, of two members at least, the power spectral density of every voltage and its bandwidth are estimated as well.
+        With ``relative_width``, rounds of ``members`` are added until the half width of the interval is at most this share of the mean
+        power. With ``spectrum``, for at least two members, the power spectral density of every voltage and its bandwidth are also
+        estimated.
         """
         check_wholes(members=members, seed=seed, threads=threads)
         with told(progress) as tell:

@@ -1,4 +1,4 @@
-"""What is said of a harvester: its text and its keys."""
+"""Text and keys of a spec."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from .result import html_table
 
 
 class SpecText:
-    """The text of a spec and what can be done with it without computing anything."""
+    """Text of a spec with its operations that need no computation."""
 
     __slots__ = ("_spec",)
     _spec: _core.Spec
@@ -41,43 +41,43 @@ class SpecText:
 
     @classmethod
     def read(cls, path: str | PathLike[str]) -> Self:
-        """Reads a TOML file; a state file that it names is looked for beside it."""
+        """Reads a TOML file; the path of a state file in it is relative to its folder."""
         return cls._of(_core.Spec.read(fspath(path)))
 
     def write(self, path: str | PathLike[str]) -> None:
-        """Writes the text to a file, comments and layout kept; the file appears whole or not at all."""
+        """Writes the text to a file, with comments and layout; the file is written completely or not at all."""
         self._spec.write(fspath(path))
 
     def to_toml(self, canonical: bool = False) -> str:
-        """The text, comments and layout kept; or in canonical form: every key that applies, with its default."""
+        """Returns the text with comments and layout; or in canonical form: every key that applies, with its default."""
         return self._spec.to_toml() if canonical else self._spec.text
 
     @property
     def findings(self) -> list[Finding]:
-        """What was noticed of the recordings of its drives, and what was done to them."""
+        """Data-quality issues of the recordings of its drives, and the corrections made."""
         return found(self._spec.findings())
 
     def to_dict(self, canonical: bool = False) -> dict[str, Any]:
-        """The tables; ``Spec(spec.to_dict()) == spec``."""
+        """Returns the tables; ``Spec(spec.to_dict()) == spec``."""
         return tomllib.loads(self.to_toml(canonical))
 
     def set(self, key: str | Mapping[str, Any], value: Any = None) -> None:
         """Sets a key, ``spec.set("stop.tip.gap", "0.5 mm")``, or several at once with a dict."""
         if not isinstance(key, (str, Mapping)):
             raise ArgumentError(
-                f'{key!r} is no key; give its name, as in "stop.tip.gap", or a dict of keys and values', {"given": repr(key)}
+                f'{key!r} is not a key; give its name, as in "stop.tip.gap", or a dict of keys and values', {"given": repr(key)}
             )
         pairs = key if isinstance(key, Mapping) else {key: value}
         self._spec = self._spec.with_keys([(name_of(key, "spec"), setting(item, str(key))) for key, item in pairs.items()])
 
     def changed(self, keys: Mapping[str, Any]) -> Self:
-        """A copy with keys set."""
+        """Returns a copy with changed keys."""
         spec = self.copy()
         spec.set(keys)
         return spec
 
     def copy(self) -> Self:
-        """A copy that can be changed on its own."""
+        """Returns an independent copy."""
         return self._of(self._spec)
 
     __copy__ = copy
@@ -89,9 +89,9 @@ class SpecText:
         self.set(key, value)
 
     def __getitem__(self, key: str) -> Any:
-        """What the text says of a key, or its default; a table as a dict."""
+        """Returns the value of a key in the text, or its default; a table as a dict."""
         if not isinstance(key, str):
-            raise ArgumentError(f'{key!r} is no key; keys are text, as in "stop.tip.gap"', {"given": repr(key)})
+            raise ArgumentError(f'{key!r} is not a key; keys are text, as in "stop.tip.gap"', {"given": repr(key)})
         found = self._found(key)
         if found is None:
             raise self._unknown(key)
@@ -108,29 +108,29 @@ class SpecText:
 
     def _unknown(self, key: str) -> UnknownKeyError:
         near = next(iter(get_close_matches(key, _paths(self.to_dict(canonical=True), ""), 1)), None)
-        hint = f"did you mean {near}?" if near else "spec.to_dict(canonical=True) holds them all"
+        hint = f"did you mean {near}?" if near else "spec.to_dict(canonical=True) contains all keys"
         return UnknownKeyError(f"{key}: this spec has no such key; {hint}", {"wanted": key, "nearest": near})
 
     def _number(self, key: str) -> tuple[float, str]:
         try:
             return self._spec.number(key)
         except SpecError:
-            # A key that is there, but is no number, is the other fault.
+            # An existing key that is not a number is a different fault.
             if self._found(key) is None:
                 raise self._unknown(key) from None
             raise
 
     def si(self, key: str) -> float:
-        """The number of a key in SI units."""
+        """Returns the number of a key in SI units."""
         return self._number(key)[0]
 
     def unit(self, key: str) -> str:
-        """The SI unit of a key; empty for a plain number."""
+        """Returns the SI unit of a key; empty for a plain number."""
         return self._number(key)[1]
 
     @property
     def sha256(self) -> str:
-        """Digest of the canonical form: the same for two specs that say the same."""
+        """Digest of the canonical form, equal for specs with equal contents."""
         return self._spec.hash_hex()
 
     def __eq__(self, other: object) -> bool:
@@ -144,7 +144,7 @@ class SpecText:
         return (_again, (type(self), self._spec.text, str(self._spec.folder)))
 
     def _held(self, hold: str | Sequence[str], fixed_table: bool) -> list[str]:
-        """The masses that are held still, with ``fixed_table`` all of them."""
+        """Returns the fixed masses, with ``fixed_table`` all of them."""
         every = self.to_dict(canonical=True).get("mass", {}) if fixed_table else {}
         return [*names(hold), *every]
 
@@ -177,7 +177,7 @@ def _again(kind: type[SpecText], text: str, folder: str) -> SpecText:
 
 
 def _paths(tables: Mapping[str, Any], path: str) -> list[str]:
-    """The dotted keys of tables."""
+    """Returns the dotted keys of tables."""
     found: list[str] = []
     for key, value in tables.items():
         found += _paths(value, f"{path}{key}.") if isinstance(value, dict) else [path + key]

@@ -15,31 +15,31 @@ from .result import Along, Floats, Result, Variable, html_table, made_manifest, 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class SpectraResult(Result):
-    """What a channel shows over frequency, from overlapping segments; arrays of shape ``(frequency,)``, ``(segment,)`` and ``(order,)``.
+    """Spectra of a channel from overlapping segments; arrays of shape ``(frequency,)``, ``(segment,)`` and ``(order,)``.
 
     Densities are one-sided: their integral over frequency is the variance. Amplitudes are zero to peak, in the ``unit`` of the channel.
     """
 
     channel: str
     unit: str
-    #: Weights of a segment, the share that the next one overlaps, their length and distance, s, and the distance of the lines, Hz.
+    #: Window of a segment, overlap of adjacent segments, their length and step, s, and the distance of the lines, Hz.
     window: str
     overlap: float
     segment_s: Annotated[float, Along("", "s", "length of a segment")]
-    step_s: Annotated[float, Along("", "s", "time from segment to segment")]
+    step_s: Annotated[float, Along("", "s", "time between starts of segments")]
     resolution_hz: Annotated[float, Along("", "Hz", "distance of the lines")]
-    #: Mean of the record, taken away from the density; the spectrogram keeps it, at 0 Hz.
+    #: Mean of the record, subtracted before the density; the spectrogram includes it, at 0 Hz.
     mean: float
     #: Lines, Hz, and the power spectral density there (Welch), in the unit of the channel squared per hertz.
     frequency_hz: Floats
     density: Floats
-    #: The highest peaks, five at most, the highest first, without side lobes of the window: frequency, Hz, and density.
+    #: The highest peaks, at most five, the highest first, without side lobes of the window: frequency, Hz, and density.
     peak_frequency_hz: Annotated[Floats, Along("peak", "Hz", "frequency of a peak of the density")]
     peak_density: Floats
     #: Middle of each segment, s from the first sample, and amplitudes of shape ``(segment, frequency)``.
     time_s: Floats
     amplitude_peak: Floats
-    #: The drive, Hz (``None`` without one), its multiples below half the sample rate, and where each lies, Hz, with its amplitude.
+    #: Drive, Hz (``None`` without one), its multiples below half the sampling rate, with frequency, Hz, and amplitude of each.
     drive_hz: float | None
     order: Floats
     order_frequency_hz: Annotated[Floats, Along("order", "Hz", "frequency of a multiple of the drive")]
@@ -57,7 +57,7 @@ class SpectraResult(Result):
         return f"{self.unit}^2/Hz" if self.unit.isalpha() else f"({self.unit})^2/Hz"
 
     def variance_between(self, low_hz: float, high_hz: float) -> float:
-        """Variance between two frequencies: the integral of the density."""
+        """Returns the variance between two frequencies: the integral of the density."""
         inside = (self.frequency_hz >= low_hz) & (self.frequency_hz <= high_hz)
         return float(self.density[inside].sum() * self.resolution_hz)
 
@@ -80,7 +80,7 @@ class SpectraResult(Result):
         return lines + html_table("Orders", ["order", "frequency [Hz]", f"amplitude, peak [{self.unit}]"], rows) if rows else lines
 
     def to_xarray(self) -> Any:
-        """An ``xarray.Dataset`` over ``frequency``, ``time`` (the middle of each segment) and ``order``."""
+        """Returns an ``xarray.Dataset`` over ``frequency``, ``time`` (the middle of each segment) and ``order``."""
         variables = {
             **self._variables(),
             "mean": Variable((), self.mean, self.unit, f"{self.channel}, mean"),
@@ -97,16 +97,16 @@ class SpectraResult(Result):
         return self._dataset(variables, coords)
 
     def to_pandas(self) -> Any:
-        """A ``pandas.DataFrame`` of the density, with a row for each line."""
+        """Returns a ``pandas.DataFrame`` of the density, with a row for each line."""
         return self._frame({"frequency_hz": self.frequency_hz, "density": self.density})
 
     def orders_to_pandas(self) -> Any:
-        """A ``pandas.DataFrame`` with a row for each multiple of the drive."""
+        """Returns a ``pandas.DataFrame`` with a row for each multiple of the drive."""
         numbers = {"frequency_hz": self.order_frequency_hz, "amplitude_peak": self.order_amplitude_peak}
         return self._frame({"order": self.order, **numbers})
 
     def plot_density(self, ax: Any = None) -> Any:
-        """Draws the power spectral density; multiples of the drive are upright lines."""
+        """Draws the power spectral density; vertical lines mark multiples of the drive."""
         from .plot.spectra import plot_density
 
         return plot_density(self, ax)
@@ -128,16 +128,16 @@ def spectra(
     overlap: float = 0.5,
     window: Literal["hann", "flat-top", "rectangular"] = "hann",
 ) -> SpectraResult:
-    """Power spectral density (Welch), order lines and spectrogram of a channel, ``jounce spectra``.
+    """Computes power spectral density (Welch), order lines and spectrogram of a channel, ``jounce spectra``.
 
-    ``record`` is a :class:`Recording`, a file, SEP005 time series, or an array with its ``sample_rate_hz``; ``channel`` by default the
-    first in volts that moves, else the first that does. With a ``drive``, ``"13 Hz"``, amplitudes at its multiples are fitted to the
-    whole record, exact where no line falls on a bin. A ``segment``, ``"2 s"``, is by default 24 cycles of the drive, or without one a
-    thirty-second of the record.
-    A sinusoid between two lines shows up to 15 % less under ``"hann"``, at most 0.1 % less under ``"flat-top"``, whose lines are wider.
+    ``record`` is a :class:`Recording`, a file, SEP005 time series, or an array with its ``sample_rate_hz``. ``channel`` is by default the
+    first varying one in volts, else the first varying one. With a ``drive``, ``"13 Hz"``, amplitudes at its multiples are fitted to the
+    complete record, exact where no line is at a bin. A ``segment``, ``"2 s"``, is by default 24 cycles of the drive, or without a drive a
+    thirty-second of the record. A sinusoid between two lines shows up to 15 % less under ``"hann"``, at most 0.1 % less under
+    ``"flat-top"``, whose lines are wider.
 
-    Raises :class:`ArgumentError` for a channel, window or unit that there is not, :class:`RecordingError` for segments that do not fit the
-    record. Source: P. Welch, IEEE Trans. Audio Electroacoust. 15 (1967) 70; G. Heinzel, A. Ruediger, R. Schilling (2002).
+    Raises :class:`ArgumentError` for an unknown channel, window or unit, :class:`RecordingError` for segments that do not fit the record.
+    Source: P. Welch, IEEE Trans. Audio Electroacoust. 15 (1967) 70; G. Heinzel, A. Ruediger, R. Schilling (2002).
     """
     given = recording(record, sample_rate_hz)
     drive_hz, segment_s = optional_si("frequency", drive, "drive"), optional_si("time", segment, "segment")

@@ -1,4 +1,4 @@
-"""Commented specs to start from, and what a spec may hold."""
+"""Commented templates of specs, and the reference of keys."""
 
 from __future__ import annotations
 
@@ -10,24 +10,24 @@ from .spec import Spec
 
 
 def starters() -> dict[str, str]:
-    """The kinds of harvester that there is a commented spec for, and what each is in one line."""
+    """Returns the kinds of harvester with a commented template, with a summary of each in one line."""
     return dict(_core.starters())
 
 
 def new(kind: str) -> Spec:
-    """The commented spec of a kind of harvester to start from, ``jounce.new("cantilever-with-stop")``.
+    """Returns the commented template of a kind of harvester, ``jounce.new("cantilever-with-stop")``.
 
-    :func:`jounce.starters` lists the kinds. The numbers are plausible, not those of a device; ``spec.to_toml()`` tells what each key is.
+    :func:`jounce.starters` lists the kinds. The numbers are plausible, but not those of a device; ``spec.to_toml()`` explains each key.
     """
     return Spec(_core.starter(kind))
 
 
 def keys() -> str:
-    """The reference of all keys of a spec, in Markdown: what ``jounce keys`` prints."""
+    """Returns the reference of all keys of a spec, in Markdown, as printed by ``jounce keys``."""
     return _core.keys()
 
 
 def schema() -> dict[str, Any]:
-    """The JSON Schema (draft-07) of a spec, for editors: what ``jounce schema`` prints."""
+    """Returns the JSON Schema (draft-07) of a spec, for editors, as printed by ``jounce schema``."""
     found: dict[str, Any] = json.loads(_core.schema())
     return found

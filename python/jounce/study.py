@@ -21,7 +21,7 @@ from .quantity import values as range_text
 from .spec import Spec
 from .study_result import StudyResult, StudyStatus
 
-#: Wanted time of a task for an executor, s: long beside the work of handing it out.
+#: Target duration of a task for an executor, s: long relative to its overhead.
 TASK_S = 1.0
 
 
@@ -31,7 +31,7 @@ class Study:
     Parameters
     ----------
     spec
-        The harvester.
+        Harvester.
     vary
         Values of each key, ``{"stop.tip.gap": "0.5mm:1.5mm:20x", "circuit.load.resistance": ["1 kohm", "1 Mohm"]}``; with a sampling that
         draws points, its range ``"0.5mm:1.5mm"``, or ``"1kohm:1Mohm:log"``.
@@ -45,9 +45,9 @@ class Study:
         ``"sweep"``, ``"diagram"``, ``"branch"`` and ``"jumps"`` need:
         ``{"command": "sweep", "over": "drive.shaker.frequency=10Hz:14Hz:0.1Hz"}``.
     points_per_part
-        Points of a part, which is computed by one process and written whole.
+        Number of points of a part, which one process computes and writes in one file.
 
-    The text of a study on the command line says the same; :meth:`Study.to_toml` gives it.
+    :meth:`Study.to_toml` returns the equivalent file for the command line.
     """
 
     def __init__(
@@ -73,7 +73,7 @@ class Study:
 
     @classmethod
     def read(cls, path: str | PathLike[str]) -> Study:
-        """Reads the file of a study, the same as that of ``jounce study run``; the path of its spec begins beside it."""
+        """Reads the file of a study, as used by ``jounce study run``; the path of its spec is relative to its folder."""
         file = Path(path)
         try:
             tables = tomllib.loads(file.read_text(encoding="utf-8"))
@@ -95,12 +95,12 @@ class Study:
 
     @property
     def spec(self) -> Spec:
-        """The harvester; a copy."""
+        """Copy of the harvester."""
         return self._spec.copy()
 
     @property
     def sha256(self) -> str:
-        """Digest of all that the table depends on."""
+        """Digest of all inputs of the table."""
         return self._study.hash_hex()
 
     @property
@@ -112,12 +112,12 @@ class Study:
         return self._study.points()
 
     def point(self, index: int) -> list[float]:
-        """Values of the keys at a point, SI."""
+        """Returns the values of the keys at a point, SI."""
         check_wholes(index=index)
         return self._study.point(index)
 
     def to_toml(self, spec: str | PathLike[str] | None = None) -> str:
-        """The text of the study; for the command line it needs the path of the ``spec``."""
+        """Returns the text of the study; for the command line it needs the path of the ``spec``."""
         return self._text if spec is None else f"spec = {json.dumps(fspath(spec))}\n{self._text}"
 
     def __eq__(self, other: object) -> bool:
@@ -141,11 +141,11 @@ class Study:
         threads: int | None = None,
         progress: bool | Progress | None = None,
     ) -> StudyResult:
-        """Computes what is not finished in the folder ``out``, and gives the table.
+        """Computes the unfinished parts in the folder ``out``, and returns the table.
 
-        Without an ``executor``, on all threads of this process; with one, on whatever it has: a process pool, Dask's
-        ``Client.get_executor()``. Parts are written as they are finished, whole or not at all: a call that was stopped or killed goes on
-        from there. ``shard="3/8"`` takes every eighth part; the table is there once no part is missing.
+        Without an ``executor`` all threads of this process are used; with one its workers: a process pool, Dask's
+        ``Client.get_executor()``. Parts are written when finished, completely or not at all, so that a stopped or killed call can be
+        continued. ``shard="3/8"`` computes every eighth part; the table is written when no part is missing.
         """
         check_wholes(threads=threads)
         if executor is not None and not callable(getattr(executor, "submit", None)):
@@ -167,9 +167,9 @@ class Study:
         return StudyResult(Path(folder), wall_time_s)
 
     def _spread(self, folder: str, executor: concurrent.futures.Executor, shard: str, tell: Progress | None) -> float:
-        """Hands parts to an executor, a few at a time so that a study larger than memory works, and writes what comes back.
+        """Submits parts to an executor, a few at a time so that a study larger than memory works, and writes the results.
 
-        The time that the workers marched, s.
+        Returns the integration time of the workers, s.
         """
         index, of = _shard(shard)
         waiting = [part for part in self._study.missing(folder) if part % of == index - 1]
@@ -178,7 +178,7 @@ class Study:
         tasks: dict[Any, list[int]] = {}
         try:
             while waiting or tasks:
-                # The first tasks are of one part each: they tell how many make a task long enough.
+                # The first tasks have one part each, from which the size of later tasks is computed.
                 size = 1 if each_s is None else max(1, math.ceil(TASK_S / max(each_s, 1e-6)))
                 most = 2 * _workers(executor) + 2
                 while waiting and len(tasks) < most:
@@ -203,7 +203,7 @@ class Study:
 
 
 def _workers(executor: Any) -> int:
-    """Workers of an executor, as far as it says; more tasks than these are kept waiting for them."""
+    """Returns the number of workers of an executor, as far as known; it limits the number of waiting tasks."""
     known = getattr(executor, "_max_workers", None)
     if known is None and hasattr(executor, "_client"):
         known = sum(executor._client.nthreads().values())
@@ -214,18 +214,18 @@ def _shard(text: str) -> tuple[int, int]:
     index, slash, of = text.partition("/")
     if slash and index.isdecimal() and of.isdecimal() and 1 <= int(index) <= int(of):
         return int(index), int(of)
-    raise ArgumentError(f'"{text}" is no shard; write I/N with I from 1 to N, as in 3/8')
+    raise ArgumentError(f'"{text}" is not a shard; write I/N with I from 1 to N, as in 3/8')
 
 
 def _parts(study: Study, parts: Sequence[int]) -> tuple[float, list[tuple[bytes, float]]]:
-    """Computes parts, in whatever process this is; how long it took, and of each the bytes of its file and how long it marched, s."""
+    """Computes parts in any process; returns the elapsed time, and of each part the bytes of its file and the integration time, s."""
     begun = time.monotonic()
     found = []
     for part in parts:
         answer, ended = study._study.part(part)
         if ended is not None:
             raise ended
-        assert answer is not None, "a part that nothing ended has an answer"
+        assert answer is not None, "a part without an error must have a result"
         found.append((answer["bytes"], answer["wall_time_s"]))
     return time.monotonic() - begun, found
 

@@ -1,4 +1,4 @@
-"""What a study has found, on disk."""
+"""Results of a study on disk."""
 
 from __future__ import annotations
 
@@ -15,35 +15,35 @@ from .result import Result, Variable, html_table
 
 @dataclasses.dataclass(frozen=True)
 class StudyStatus:
-    """How far a study is."""
+    """Progress of a study."""
 
     study_sha256: str
     points: int
     parts: int
-    #: Parts that are there, and points of them without an answer.
+    #: Finished parts, and their points without a result.
     finished: int
     failed_points: int
-    #: Files that are not the part that their name says.
+    #: Files whose contents do not match the part in their name.
     damaged: list[str]
-    #: Is the merged table there?
+    #: True where the merged table exists.
     merged: bool
 
     @classmethod
     def read(cls, folder: str | PathLike[str]) -> Self:
-        """The status of the study in a folder."""
+        """Returns the status of the study in a folder."""
         return cls(**json.loads(_core.study_status(fspath(folder))))
 
     @property
     def missing(self) -> int:
-        """Parts that are not there yet."""
+        """Number of unfinished parts."""
         return self.parts - self.finished
 
 
 class StudyResult:
-    """The table of a study in a folder, ``jounce.StudyResult("out")``: read when it is asked for.
+    """Table of a study in a folder, ``jounce.StudyResult("out")``; it is read on access.
 
-    ``wall_time_s`` is the wall time of the marching of runs in the call that gave it, s, summed over all threads and workers; 0 where no
-    part was missing.
+    ``wall_time_s`` is the wall time of the integration of runs in the call that returned it, s, summed over all threads and workers; 0
+    where no part was missing.
     """
 
     def __init__(self, folder: str | PathLike[str], wall_time_s: float = 0.0) -> None:
@@ -52,31 +52,31 @@ class StudyResult:
 
     @property
     def status(self) -> StudyStatus:
-        """How far the study is."""
+        """Progress of the study."""
         return StudyStatus.read(self.folder)
 
     @property
     def path(self) -> Path:
-        """The merged table, in Parquet."""
+        """Merged table, in Parquet."""
         return self.folder / "study.parquet"
 
     def merge(self) -> Path:
-        """Joins the parts that shards have written to one table; its path. Raises :class:`StudyError` while parts are missing."""
+        """Joins the parts written by shards into one table and returns its path. Raises :class:`StudyError` while parts are missing."""
         return _core.study_merge(fspath(self.folder))
 
     def table(self) -> StudyTable:
-        """The merged table, in memory."""
+        """Returns the merged table, in memory."""
         if not self.path.exists():
-            raise ArgumentError(f"the study in {self.folder} has {self.status.missing} parts missing: run it first")
+            raise ArgumentError(f"the study in {self.folder} lacks {self.status.missing} parts; run it first")
         columns, notes, manifest = _core.table_read(fspath(self.path))
         return StudyTable(json.loads(manifest), columns, notes)
 
     def to_pandas(self) -> Any:
-        """A ``pandas.DataFrame`` with a row for each point."""
+        """Returns a ``pandas.DataFrame`` with a row for each point."""
         return self.table().to_pandas()
 
     def to_xarray(self) -> Any:
-        """An ``xarray.Dataset`` over ``point``."""
+        """Returns an ``xarray.Dataset`` over ``point``."""
         return self.table().to_xarray()
 
     def __len__(self) -> int:
@@ -100,17 +100,17 @@ class StudyTable(Result):
 
     def __getitem__(self, name: str) -> Any:
         if name not in self.columns:
-            raise ArgumentError(f"{name}: no such column; there are {', '.join(self.columns)}")
+            raise ArgumentError(f"{name}: no such column; use one of {', '.join(self.columns)}")
         return self.columns[name]
 
     @property
     def keys(self) -> list[str]:
-        """The keys that were varied."""
+        """Varied keys."""
         return [name for name, (_, about) in self.notes.items() if about == "varied key"]
 
     def _summary(self) -> list[tuple[str, str]]:
         failed = sum(1 for text in self.columns["failure"] if text)
-        return [("points", f"{len(self)}, {failed} without an answer"), ("varied", ", ".join(self.keys))]
+        return [("points", f"{len(self)}, {failed} without a result"), ("varied", ", ".join(self.keys))]
 
     def _repr_html_(self) -> str:
         shown = [name for name in self.columns if name != "failure"]
@@ -118,7 +118,7 @@ class StudyTable(Result):
         return html_table(f"The first of {len(self)} points", shown, rows)
 
     def to_xarray(self) -> Any:
-        """An ``xarray.Dataset`` over ``point``, the varied keys as further coordinates."""
+        """Returns an ``xarray.Dataset`` over ``point``, the varied keys as further coordinates."""
         made = {
             name: Variable(("point",), values, self.notes[name][0] or "1", self.notes[name][1] if name not in self.keys else name)
             for name, values in self.columns.items()
@@ -127,5 +127,5 @@ class StudyTable(Result):
         return self._dataset(made, coords)
 
     def to_pandas(self) -> Any:
-        """A ``pandas.DataFrame`` with a row for each point."""
+        """Returns a ``pandas.DataFrame`` with a row for each point."""
         return self._frame(self.columns)

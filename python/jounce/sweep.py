@@ -12,24 +12,24 @@ from .result import Along, Floats, Integers, Result, Truths, Variable, html_tabl
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class SweepResult(Result):
-    """A run at every value of a key, in the order of visit; arrays of shape ``(point,)``."""
+    """Runs at every value of a key, in the order of computation; arrays of shape ``(point,)``."""
 
-    #: The key and its SI unit.
+    #: Key and its SI unit.
     key: str
     unit: str
     #: Value of the key, SI.
     parameter: Floats
-    #: How each point was reached: ``"up"``, ``"down"``, ``"independent"``.
+    #: Direction of each point: ``"up"``, ``"down"``, ``"independent"``.
     direction: list[str]
     mean_power_w: Annotated[Floats, Along("visit", "W", "mean power of all loads")]
-    voltage_rms_v: Annotated[Floats, Along("visit", "V", "voltage of the first load, else of what the first rectifier feeds, rms")]
+    voltage_rms_v: Annotated[Floats, Along("visit", "V", "rms voltage of the first load, else of the output of the first rectifier")]
     max_penetration_m: Annotated[Floats, Along("visit", "m", "largest penetration of the stop")]
     contact_rate_hz: Annotated[Floats, Along("visit", "1/s", "contacts per second")]
-    settled: Annotated[Truths, Along("visit", "1", "settled when it was averaged")]
+    settled: Annotated[Truths, Along("visit", "1", "settled when averaged")]
     period_cycles: Annotated[Integers, Along("visit", "1", "period in drive cycles")]
-    energy_residual_relative: Annotated[Floats, Along("visit", "1", "energy residual of the march")]
-    simulated_time_s: Annotated[Floats, Along("visit", "s", "time marched")]
-    #: Limits of patches that points pass, in words.
+    energy_residual_relative: Annotated[Floats, Along("visit", "1", "energy residual of the run")]
+    simulated_time_s: Annotated[Floats, Along("visit", "s", "simulated time")]
+    #: Warnings about exceeded limits of patches at points.
     warnings: list[str]
 
     def __len__(self) -> int:
@@ -51,20 +51,20 @@ class SweepResult(Result):
         return html_table(f"Sweep over {self.key}", [f"[{self.unit}]", "direction", "mean power [W]", "voltage, rms [V]", "settled"], shown)
 
     def to_xarray(self) -> Any:
-        """An ``xarray.Dataset`` over ``visit``, with ``parameter`` and ``direction`` as further coordinates."""
+        """Returns an ``xarray.Dataset`` over ``visit``, with ``parameter`` and ``direction`` as further coordinates."""
         coords = {
-            "visit": Variable(("visit",), np.arange(len(self)), "1", "order of visit"),
+            "visit": Variable(("visit",), np.arange(len(self)), "1", "order of the points"),
             "parameter": Variable(("visit",), self.parameter, self.unit, self.key),
-            "direction": Variable(("visit",), self.direction, "", "how the point was reached"),
+            "direction": Variable(("visit",), self.direction, "", "direction of the sweep"),
         }
         return self._dataset(self._variables(), coords)
 
     def to_pandas(self) -> Any:
-        """A ``pandas.DataFrame`` with a row for each point."""
+        """Returns a ``pandas.DataFrame`` with a row for each point."""
         return self._frame({"parameter": self.parameter, "direction": self.direction, **self._columns("visit")})
 
     def going(self, direction: str) -> Self:
-        """The points of one direction, by ascending value of the key."""
+        """Returns the points of one direction, by ascending value of the key."""
         own = np.array([way == direction for way in self.direction], dtype=bool)
         order = np.flatnonzero(own)[np.argsort(self.parameter[own], kind="stable")]
         arrays = {
@@ -75,7 +75,7 @@ class SweepResult(Result):
         return dataclasses.replace(self, direction=[direction] * len(order), **arrays)
 
     def plot_sweep(self, ax: Any = None, label: str | None = None) -> Any:
-        """Draws mean power over the key: up solid, down dashed, single points as dots; what had not settled has a ring."""
+        """Draws mean power over the key: up solid, down dashed, single points as dots; unsettled points have a ring."""
         from .plot.sweep import plot_sweep
 
         return plot_sweep(self, ax, label)

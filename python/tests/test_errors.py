@@ -156,7 +156,7 @@ def test_a_key_that_is_not_there_is_told_with_the_nearest(harvester):
         harvester.si("stop.nope.gap")
     with pytest.raises(jounce.SpecError, match="no key with a number"):
         harvester.si("stop.tip.law")
-    with pytest.raises(jounce.ArgumentError, match="Spec.run marches"):
+    with pytest.raises(jounce.ArgumentError, match="use Spec.run"):
         harvester.ensemble()
 
 

@@ -51,15 +51,15 @@ def test_units_and_times_are_read(values, sample_rate_hz):
 @pytest.mark.parametrize(
     ("values", "given", "words"),
     [
-        (array(), {"sample_rate_hz": 500.0}, "sample_rate_hz is 500 Hz, but its times say 1000 Hz"),
+        (array(), {"sample_rate_hz": 500.0}, "sample_rate_hz is 500 Hz, but its times give 1000 Hz"),
         (array(), {"units": "V"}, "is in mV, but V is given"),
-        (array(), {"time_s": 2 * T}, "time_s is given, but the array has other ones"),
-        ({"data": V, "name": "u", "unit_str": "V", "fs": 500.0, "time": T}, {}, "fs is 500 Hz, but its times say 1000 Hz"),
-        ({"data": V, "name": "u", "unit_str": "V", "fs": 1000.0}, {"sample_rate_hz": 500.0}, "but fs says 1000 Hz"),
+        (array(), {"time_s": 2 * T}, "time_s is given, but the array has different values"),
+        ({"data": V, "name": "u", "unit_str": "V", "fs": 500.0, "time": T}, {}, "fs is 500 Hz, but its times give 1000 Hz"),
+        ({"data": V, "name": "u", "unit_str": "V", "fs": 1000.0}, {"sample_rate_hz": 500.0}, "but fs gives 1000 Hz"),
         ({"data": REGISTRY.Quantity(V, "V"), "name": "u", "unit_str": "mV", "fs": 1e3}, {}, "is in V, but mV is given"),
-        (array(time_unit="m"), {}, "no time and no frequency"),
+        (array(time_unit="m"), {}, "is not a unit of time or frequency"),
         (pd.Series(V, index=T), {}, "the index of numbers has no name"),
-        (array().rename(time="x").to_dataset().drop_vars("mfc"), {}, "no variable of the dataset"),
+        (array().rename(time="x").to_dataset().drop_vars("mfc"), {}, "the dataset has no variable"),
     ],
 )
 def test_contradictions_are_refused(values, given, words):

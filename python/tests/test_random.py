@@ -99,4 +99,4 @@ def test_an_oscillator_in_noise_is_its_closed_form():
 
 def test_a_run_under_noise_has_no_period_to_settle_to():
     answer = jounce.examples()["random-base"].changed({"run.duration": "2 s", "run.average_over": "1 s"}).run()
-    assert answer.settled is None and answer.period_cycles is None and "do not repeat" in repr(answer)
+    assert answer.settled is None and answer.period_cycles is None and "no common period" in repr(answer)

@@ -200,7 +200,7 @@ def test_what_is_wrong_is_told(study, harvester, tmp_path):
     with pytest.raises(jounce.ArgumentError, match="write I/N"):
         study.run(tmp_path / "a", shard="9/8")
     partly = study.run(tmp_path / "b", shard="1/8")
-    with pytest.raises(jounce.ArgumentError, match="7 parts missing"):
+    with pytest.raises(jounce.ArgumentError, match="lacks 7 parts"):
         partly.to_pandas()
     other = jounce.Study(harvester, VARY)
     with pytest.raises(jounce.StudyError, match="another study"):

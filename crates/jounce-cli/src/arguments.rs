@@ -1,4 +1,4 @@
-//! What can be typed.
+//! Commands of the command line.
 
 use crate::commands::{
     basins, branch, check, completions, contact, diagram, ensemble, explore, fit, frf, jumps,
@@ -9,11 +9,12 @@ use clap::{Parser, Subcommand};
 
 /// Simulates, analyses and designs vibro-impact piezoelectric energy harvesters.
 ///
-/// Exit codes: 0 done, 2 wrong usage, 3 not converged (of `branch` and `jumps`: no part of the answer whole), 4 invalid input.
+/// Exit codes: 0 success, 2 wrong usage, 3 not converged (`branch` and `jumps`: no branch or curve
+/// is complete), 4 invalid input.
 #[derive(Debug, Parser)]
 #[command(name = "jounce", version, max_term_width = 110)]
 pub struct Arguments {
-    /// What to do.
+    /// Command to run.
     #[command(subcommand)]
     pub command: Command,
 }
@@ -21,52 +22,63 @@ pub struct Arguments {
 /// The commands.
 #[derive(Debug, Subcommand)]
 pub enum Command {
-    /// Writes a commented spec to start from, one per kind of harvester.
+    /// Writes a commented template of a spec, one for each kind of harvester.
     New(new::New),
     /// Reads a spec and reports every fault in it.
     Check(check::Check),
-    /// Draws the harvester to scale, so that a wrong number is seen.
+    /// Draws the harvester to scale, which makes wrong numbers visible.
     Show(show::Show),
-    /// Natural frequencies, damping ratios and coupling factors of a spec, or the modes of a hammer or shaker test, of free decays, or of
-    /// outputs alone.
+    /// Computes natural frequencies, damping ratios and coupling factors of a spec, or identifies
+    /// modes from a hammer test, shaker test, free decays or outputs only.
     Modes(modes::Modes),
-    /// Frequency response functions without contact, in closed form, or those of a hammer test.
+    /// Computes frequency response functions without contact in closed form, or estimates them from
+    /// a hammer test.
     Frf(frf::Frf),
-    /// Exact answer to stationary noise without contact: mean powers, rms values, bandwidths, how often a gap would be reached.
+    /// Computes the exact response to stationary noise without contact: mean powers, rms values,
+    /// bandwidths and gap crossing rates.
     Noise(noise::Noise),
-    /// Marches one run and reports its mean power and its energy balance.
+    /// Integrates one run and reports its mean power and energy balance.
     Run(run::Run),
-    /// Marches a run at every value of a key.
+    /// Runs the model at every value of a key.
     Sweep(sweep::Sweep),
-    /// Follows every branch of periodic answers over a range of a key, stable or not.
+    /// Continues every branch of periodic orbits over a range of a key, stable or unstable.
     Branch(branch::Branch),
-    /// Follows the places where the answer jumps (folds, doublings, grazings) over two keys.
+    /// Continues bifurcation curves (folds, period doublings, grazings) in two keys.
     Jumps(jumps::Jumps),
-    /// Marches a bifurcation diagram, stepped or from many starts, and lays it over the continued branches.
+    /// Computes a bifurcation diagram, stepped or from many starts, and plots it over the continued
+    /// branches.
     Diagram(diagram::Diagram),
-    /// Finds the attractors, the share of random starts that each takes, and the power to be expected.
+    /// Finds the attractors, the share of random starts that reach each, and the expected power.
     Basins(basins::Basins),
-    /// Marches realisations of noise and reports the mean power with its interval.
+    /// Integrates realisations of noise and reports the mean power with its confidence interval.
     Ensemble(ensemble::Ensemble),
-    /// Opens a page in the browser whose drawing and curves follow every slider.
+    /// Opens a page in the browser with sliders for the keys; the drawing and curves follow every
+    /// change.
     Explore(explore::Explore),
-    /// Computes one quantity at many points over the keys of a spec, in parts that any number of processes share.
+    /// Computes one quantity at many points over the keys of a spec, in parts that several
+    /// processes can share.
     Study(study::Study),
     /// Computes the tables, figures and claims of the 2019 impact-harvester paper.
     Reproduce(reproduce::Reproduce),
-    /// Reads a recording of any format and tells what is in it and what is odd about it.
+    /// Reads a recording of any supported format and reports its contents and its data-quality
+    /// issues.
     Read(read::Read),
-    /// Mean power of a recorded voltage, with an interval that respects correlation.
+    /// Computes the mean power of a recorded voltage, with a confidence interval that accounts for
+    /// correlation.
     Power(power::Power),
-    /// Contact time, exponent, restitution and stiffness from the force pulses of a hammer.
+    /// Computes contact time, exponent, restitution and stiffness from the force pulses of a
+    /// hammer.
     Contact(contact::Contact),
-    /// Cuts a long recording into stretches of one solution each, and names the solution of a model that each shows.
+    /// Segments a recording by steady-state response and matches each segment to an attractor of
+    /// the model.
     Regimes(segments::Segments),
-    /// Power spectral density, order lines and spectrogram of a recorded channel.
+    /// Computes power spectral density, order lines and spectrogram of a recorded channel.
     Spectra(spectra::Spectra),
-    /// Fits keys of a spec to what was measured (modes, frequency responses, powers, jumps, time histories), with intervals.
+    /// Fits keys of a spec to measured modes, frequency responses, powers, jumps and time
+    /// histories, with confidence intervals.
     Fit(fit::Fit),
-    /// Records a model as the sensors of a rig would, hammer test or run, so that the truth is known.
+    /// Simulates a hammer test or a shaker test with sensors, so that the true parameters are
+    /// known.
     Rig(rig::Rig),
     /// Lists the materials that a spec can name, with their sources.
     Materials(materials::Materials),
@@ -79,7 +91,7 @@ pub enum Command {
 }
 
 impl Command {
-    /// True when answers and faults go to stdout as JSON.
+    /// True when results and faults go to stdout as JSON.
     pub fn wants_json(&self) -> bool {
         match self {
             Command::New(command) => command.json,

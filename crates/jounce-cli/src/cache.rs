@@ -1,9 +1,10 @@
-//! Where finished points of long work are kept, and under which name.
+//! Folder and name of the stored points of long work.
 
 use sha2::{Digest, Sha256};
 use std::path::PathBuf;
 
-/// Where journals live: `JOUNCE_CACHE`, else the user's cache folder, else the temporary one.
+/// Returns the folder of journals: `JOUNCE_CACHE`, else the user's cache folder, else the temporary
+/// one.
 pub fn folder() -> PathBuf {
     if let Some(folder) = std::env::var_os("JOUNCE_CACHE") {
         return PathBuf::from(folder);
@@ -20,7 +21,7 @@ pub fn folder() -> PathBuf {
         .join("jounce")
 }
 
-/// Tells one piece of work from another: the spec's own digest, the options and the version.
+/// Returns the name of a piece of work: digest of the spec, options and version.
 pub fn key(spec_hash_hex: &str, options: &str) -> String {
     let digest = Sha256::digest(format!(
         "{spec_hash_hex} {options} {}",

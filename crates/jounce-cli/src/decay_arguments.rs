@@ -1,4 +1,4 @@
-//! Arguments of tests without a measured force: free decays, and outputs alone.
+//! Arguments of tests without a measured force: free decays and output-only tests.
 
 use crate::failure::Failure;
 use crate::measured_file::{ends, manifest, positive, print_issues, record};
@@ -10,35 +10,38 @@ use jounce_measure::recording::Over;
 use jounce_measure::response::{AmbientSettings, Decays};
 use std::path::PathBuf;
 
-/// How recordings without a measured force are taken.
+/// Options for recordings without a measured force.
 #[derive(Debug, Args)]
 pub struct DecayArguments {
-    /// The recordings are free decays, one after each release or hit, each from its largest size on or over --span; by default they are those
-    /// of a hammer or shaker.
+    /// The recordings are free decays, one after each release or hit, each from its largest sample
+    /// on or over --span; by default they are hammer or shaker tests.
     #[arg(long, requires = "measured", conflicts_with_all = ["output_only", "force", "input"])]
     pub free_decay: bool,
-    /// The recording is that of a structure under noise that nobody measured; or one amplitude spectrum over frequency; by default the
-    /// recordings hold a force.
+    /// The recording is the response to unmeasured noise, or one amplitude spectrum over frequency;
+    /// by default the recordings contain a force.
     #[arg(long, requires = "measured", conflicts_with_all = ["force", "input"])]
     pub output_only: bool,
-    /// Part of each free decay that is used, in times after its first sample, as in 0.2s:3s; by default from its largest size to its end.
+    /// Part of each free decay to use, in times after its first sample, as in 0.2s:3s; by default
+    /// from its largest sample to its end.
     #[arg(long, value_name = "FROM:TO", requires = "free_decay")]
     span: Option<String>,
-    /// Channel that the others are correlated with, by its name; can be given several times; by default all.
+    /// Reference channel of the correlations, by name; can be given several times; by default all
+    /// channels.
     #[arg(long, value_name = "CHANNEL", requires = "output_only")]
     reference: Vec<String>,
-    /// Longest lag of the correlations, as in 2s; by default a sixty-fourth of the record, 512 samples at least.
+    /// Longest lag of the correlations, as in 2s; by default a sixty-fourth of the record, at least
+    /// 512 samples.
     #[arg(long, value_name = "TIME", requires = "output_only")]
     lags: Option<String>,
 }
 
 impl DecayArguments {
-    /// True where the recordings hold no force.
+    /// True where the recordings contain no force.
     pub fn are_given(&self) -> bool {
         self.free_decay || self.output_only
     }
 
-    /// The decays of the recordings.
+    /// Returns the decays of the recordings.
     pub fn decays(&self, files: &[PathBuf], responses: &[String]) -> Result<Decays, Failure> {
         if self.free_decay {
             let records = files
@@ -49,7 +52,7 @@ impl DecayArguments {
         }
         let [file] = files else {
             return Err(Failure::usage(format!(
-                "--output-only takes one recording, and {} are given",
+                "--output-only takes one recording, but {} are given",
                 files.len()
             )));
         };
@@ -74,7 +77,7 @@ impl DecayArguments {
         Ok(reported(Decays::ambient(&record, &settings)?))
     }
 
-    /// Manifest of an answer.
+    /// Returns the manifest of a result.
     pub fn manifest(&self, files: &[PathBuf]) -> Result<Manifest, Failure> {
         let manifest = manifest("modes", files)?.with(
             "test",
@@ -100,13 +103,13 @@ impl DecayArguments {
             Ok(Some((from_s, to_s)))
         } else {
             Err(Failure::usage(format!(
-                "--span {text}: a decay begins at 0"
+                "--span {text}: the first time must be at least 0"
             )))
         }
     }
 }
 
-/// Tells what was noticed of the channels in use.
+/// Prints the issues of the channels in use.
 fn reported(decays: Decays) -> Decays {
     let used: Vec<&str> = decays
         .outputs

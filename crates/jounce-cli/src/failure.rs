@@ -1,4 +1,4 @@
-//! How a command ends when it does not succeed.
+//! Failures of commands and their exit codes.
 
 use crate::output::print;
 use jounce::analysis::AnalysisError;
@@ -7,13 +7,13 @@ use jounce::spec::{Fault, ReadError};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-/// Exit code of what was stopped by the user, as shells have it.
+/// Exit code of a command that the user stopped, as in shells.
 const INTERRUPTED: u8 = 130;
 
 /// Exit code of a computation that did not converge.
 const NOT_CONVERGED: u8 = 3;
 
-/// Why a command did not succeed.
+/// Reason why a command did not succeed.
 #[derive(Debug)]
 pub enum Failure {
     /// Wrong usage: exit code 2.
@@ -24,26 +24,26 @@ pub enum Failure {
     Input(String),
     /// A computation that did not converge: exit code 3.
     NotConverged(String),
-    /// A computation of which no part is whole, its answer already told: exit code 3.
+    /// A result without any complete part, already printed: exit code 3.
     Incomplete(String),
-    /// Stopped by the user; finished work is kept: exit code 130.
+    /// Stopped by the user; finished work is stored: exit code 130.
     Interrupted(String),
-    /// Stopped by the user, the answer of what was finished already told: exit code 130.
+    /// Stopped by the user, the finished part of the result already printed: exit code 130.
     Partial(String),
 }
 
 impl Failure {
-    /// Wrong usage.
+    /// Returns a failure by wrong usage.
     pub fn usage(message: String) -> Self {
         Failure::Usage(message)
     }
 
-    /// Faults of a spec file.
+    /// Returns a failure by faults of a spec file.
     pub fn faults(path: &Path, faults: Vec<Fault>) -> Self {
         Failure::Faults(path.to_path_buf(), faults)
     }
 
-    /// Tells the user and gives the exit code.
+    /// Prints the failure and returns the exit code.
     pub fn report(self, json: bool) -> ExitCode {
         let (code, text, faults) = match self {
             Failure::Partial(text) => {
@@ -72,7 +72,7 @@ impl Failure {
     }
 }
 
-/// A fault with the file it stands in.
+/// Formats a fault with the name of its file.
 pub fn described(path: &Path, fault: &Fault) -> String {
     match fault.set {
         Some(_) => fault.to_string(),

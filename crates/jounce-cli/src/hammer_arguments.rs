@@ -15,7 +15,7 @@ use jounce_measure::spectral::{Estimator, HitWarning, ImpactHit, ImpactSettings}
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-/// Which noise is thought of.
+/// Place of the noise.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum Noise {
     /// On the responses only.
@@ -26,39 +26,42 @@ pub enum Noise {
     Hv,
 }
 
-/// What two columns of a file over frequency hold.
+/// Contents of two columns of a file over frequency.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Functions {
     /// Real and imaginary part.
     ReIm,
-    /// Size and phase in degrees.
+    /// Magnitude and phase in degrees.
     SizeDegrees,
-    /// Size and phase in radians.
+    /// Magnitude and phase in radians.
     SizeRadians,
 }
 
 /// Arguments of a hammer test.
 #[derive(Debug, Args)]
 pub struct HammerArguments {
-    /// Recordings of a hammer or shaker test instead of a spec: input and responses over time, one or more hits in each or an input that
-    /// goes on, at one place or at several that they tell; or one file of response functions over frequency. CSV or text, Parquet, NPY,
-    /// NPZ, MAT, HDF5, TDMS, WAV, UFF or LVM; by default the spec is used.
+    /// Recordings of a hammer or shaker test instead of a spec: input and responses over time, with
+    /// one or more hits or a continuous input, at one or more excitation points; or one file of
+    /// response functions over frequency. CSV or text, Parquet, NPY, NPZ, MAT, HDF5, TDMS, WAV, UFF
+    /// or LVM; by default the spec is used.
     #[arg(long, value_name = "FILE", num_args = 1..)]
     pub measured: Vec<PathBuf>,
-    /// Channel of the force, by its name; by default the first one in newtons.
+    /// Channel of the force, by name; by default the first one in newtons.
     #[arg(long, value_name = "CHANNEL", requires = "measured")]
     force: Option<String>,
-    /// With --measured the channel of an input that need not be a force: the acceleration, velocity or displacement of the base, a voltage.
-    /// Without it a point of the spec that is pushed; by default the first channel in newtons, or the point of the first drive.
+    /// With --measured: channel of the input, which need not be a force (acceleration, velocity or
+    /// displacement of the base, or a voltage). Without it: point of the spec that the force acts
+    /// on. By default the first channel in newtons, or the point of the first drive.
     #[arg(long, value_name = "CHANNEL", conflicts_with = "force")]
     pub input: Option<String>,
-    /// Channel of a response, by its name; can be given several times; by default all but the input.
+    /// Channel of a response, by name; can be given several times; by default all but the input.
     #[arg(long, value_name = "CHANNEL", requires = "measured")]
     pub response: Vec<String>,
-    /// Where the noise is: h1 on the responses, h2 on the force, hv on both.
+    /// Estimator: h1 for noise on the responses, h2 for noise on the force, hv for noise on both.
     #[arg(long, value_enum, default_value = "h1", requires = "measured")]
     estimator: Noise,
-    /// For hv: density of the responses' noise over that of the force's, in squares of their SI units; a number above 0.
+    /// For hv: spectral density of the response noise divided by that of the force noise, in
+    /// squares of their SI units; a number above 0.
     #[arg(
         long,
         value_name = "NUMBER",
@@ -66,32 +69,34 @@ pub struct HammerArguments {
         requires = "measured"
     )]
     noise_ratio: f64,
-    /// Length of a block, as in 2s; by default a record with one hit is a block, else the shortest distance of two hits; under a shaker
-    /// an eighth of the shortest record.
+    /// Length of a block, as in 2s; by default a record with one hit is a block, else the shortest
+    /// time between two hits; with a shaker an eighth of the shortest record.
     #[arg(long, value_name = "TIME", requires = "measured")]
     block: Option<String>,
-    /// Takes away the force after each hit, which is noise; by default it stays.
+    /// Sets the force after each hit, which is noise, to zero; by default it is unchanged.
     #[arg(long, requires = "measured")]
     force_window: bool,
-    /// Exponential window on force and responses that ends at this ratio, a number between 0 and 1, as in 0.01; its damping is taken off the
-    /// modes; by default none.
+    /// Exponential window on force and responses that ends at this ratio, a number between 0 and 1,
+    /// as in 0.01; its damping is subtracted from the modes; by default none.
     #[arg(long, value_name = "NUMBER", requires = "measured")]
     end_ratio: Option<f64>,
-    /// Takes the force for that of a shaker: half-overlapping blocks weighed by a Hann window. By default a force that goes on, both ways,
-    /// is taken so.
+    /// Treats the force as the force of a shaker: half-overlapping blocks with a Hann window. This
+    /// is the default for a continuous force of both signs.
     #[arg(long, requires = "measured")]
     shaker: bool,
-    /// What every two columns of a file over frequency hold, where no header tells that they are response functions; by default only complex
-    /// channels, as NAME.re and NAME.im, are.
+    /// Contents of every two columns of a file over frequency whose header does not mark them as
+    /// response functions; by default only complex channels, as NAME.re and NAME.im, are response
+    /// functions.
     #[arg(long, value_enum, value_name = "PARTS", requires = "measured")]
     functions: Option<Functions>,
-    /// Bridges lines of response functions that are no numbers by straight lines; by default they are refused.
+    /// Interpolates lines of response functions that are not numbers linearly; by default they are
+    /// refused.
     #[arg(long, requires = "measured")]
     bridge: bool,
 }
 
 impl HammerArguments {
-    /// The responses; those of a file over frequency as they stand there.
+    /// Returns the responses; a file over frequency is returned unchanged.
     pub fn responses(&self) -> Result<MeasuredResponses, Failure> {
         let settings = self.settings()?;
         if let [file] = &self.measured[..] {
@@ -130,7 +135,7 @@ impl HammerArguments {
         Ok(found)
     }
 
-    /// Recordings with their columns paired and their lines bridged, as asked for.
+    /// Returns recordings with their columns paired and their lines interpolated as requested.
     fn prepared(&self, recordings: Vec<Recording>) -> Result<Vec<Recording>, Failure> {
         let parts = self.functions.map(|functions| match functions {
             Functions::ReIm => ComplexParts::ReIm,
@@ -144,7 +149,7 @@ impl HammerArguments {
         Ok(if self.bridge { bridged(found) } else { found })
     }
 
-    /// Manifest of an answer.
+    /// Returns the manifest of a result.
     pub fn manifest(&self, command: &str) -> Result<Manifest, Failure> {
         let manifest =
             manifest(command, &self.measured)?.with("estimator", format!("{:?}", self.estimator));
@@ -168,7 +173,7 @@ impl HammerArguments {
             .filter(|ratio| !(*ratio > 0.0 && *ratio < 1.0))
         {
             return Err(Failure::usage(format!(
-                "--end-ratio {ratio}: it must lie between 0 and 1; 0.01 is usual"
+                "--end-ratio {ratio}: it must be between 0 and 1; try 0.01"
             )));
         }
         let estimator = match self.estimator {
@@ -193,10 +198,10 @@ impl HammerArguments {
     }
 }
 
-/// Hits of one fault that are told one by one; of more, their number and the first ones.
+/// Number of hits that are listed for each fault; for more hits only the count is printed.
 const MAX_LISTED_HITS: usize = 3;
 
-/// Tells the hits, and what is wrong with them, or the blocks of a shaker test.
+/// Prints the hits and their faults, or the blocks of a shaker test.
 pub fn print_hits(responses: &MeasuredResponses) {
     if let Some(block_s) = responses.block_s {
         if responses.hits.is_empty() {
@@ -205,7 +210,7 @@ pub fn print_hits(responses: &MeasuredResponses) {
                 .first()
                 .map_or(0, |function| function.blocks);
             line(format!(
-                "the input goes on, as a shaker's: {blocks} blocks of {block_s:.6} s averaged, half overlapping, Hann"
+                "continuous input (shaker): {blocks} blocks of {block_s:.6} s averaged, half overlapping, Hann"
             ));
         } else {
             let used = responses.hits.iter().filter(|hit| hit.used).count();
@@ -223,19 +228,19 @@ pub fn print_hits(responses: &MeasuredResponses) {
         .collect();
     if !left.is_empty() {
         line(format!(
-            "left out: {}, whose blocks would reach beyond the record",
+            "left out: {}, whose blocks would extend beyond the record",
             numbered(&left)
         ));
     }
 }
 
-/// Tells what is wrong with hits: of each fault the first few, and how many more there are.
+/// Prints the faults of hits: the first few of each fault, and the number of the others.
 fn print_warnings(hits: &[ImpactHit]) {
     let mut faults: BTreeMap<&str, Vec<(usize, String)>> = BTreeMap::new();
     for (number, ImpactHit { hit, .. }) in (1..).zip(hits) {
         for warning in &hit.warnings {
             let fault = faults.entry(fault(*warning)).or_default();
-            // A hit that bounces many times is one double hit.
+            // A hit with many bounces is one double hit.
             if fault.last().is_none_or(|(last, _)| *last != number) {
                 fault.push((
                     number,
@@ -258,7 +263,7 @@ fn print_warnings(hits: &[ImpactHit]) {
             .map(|(number, _)| *number)
             .collect();
         if !more.is_empty() {
-            line(format!("warning: {fault} too: {}", numbered(&more)));
+            line(format!("warning: also {fault}: {}", numbered(&more)));
         }
     }
 }

@@ -1,23 +1,25 @@
-//! Ctrl-C: the work ends soon, what is finished is told, and the exit code says that it is not all.
+//! Ctrl-C: the work ends soon, the finished part is printed, and the exit code marks it as
+//! incomplete.
 
 use crate::failure::Failure;
 use jounce::integrate::Control;
 
-/// Lets Ctrl-C end the work of a control. A second handler cannot be set where another already stands; then the default, to end at once, is
-/// kept.
+/// Lets Ctrl-C end the work of a control. Only one handler can be set; without it the default
+/// remains, which ends at once.
 pub fn install(control: &Control) {
     let asked = control.clone();
     let _ = ctrlc::set_handler(move || asked.stop());
 }
 
-/// How a command ends whose answer is told: `finished` says what the answer is made of where the work was stopped.
+/// Ends a command whose result is printed: `finished` names the finished part where the work was
+/// stopped.
 ///
 /// # Errors
 /// [`Failure::Partial`].
 pub fn end(control: &Control, finished: impl FnOnce() -> String) -> Result<(), Failure> {
     if control.is_stopped() {
         Err(Failure::Partial(format!(
-            "stopped: the answer is that of {}",
+            "stopped: the result covers {}",
             finished()
         )))
     } else {

@@ -1,21 +1,21 @@
-//! Levels of quantities of an orbit, as the command line gives them.
+//! Levels of quantities of an orbit on the command line.
 
 use crate::failure::Failure;
 use clap::Args;
 use jounce::analysis::QuantityLevel;
 use jounce::plant::Plant;
 
-/// Levels that are labelled on branches and followed over two keys.
+/// Levels that are marked on branches and continued in two keys.
 #[derive(Debug, Args)]
 pub struct LevelArguments {
-    /// Level to find on the branches, in quotes, as in --level "mean_power=50 uW", "voltage.PATCH=5 V", "strain.PATCH=3e-4" or
-    /// "contact_force.STOP=2 N"; can be given several times.
+    /// Level to find on the branches, in quotes, as in --level "mean_power=50 uW", "voltage.PATCH=5
+    /// V", "strain.PATCH=3e-4" or "contact_force.STOP=2 N"; can be given several times.
     #[arg(long = "level", value_name = "QUANTITY=VALUE")]
     levels: Vec<String>,
 }
 
 impl LevelArguments {
-    /// The levels, for a plant.
+    /// Returns the levels for a plant.
     pub fn read(&self, plant: &Plant) -> Result<Vec<QuantityLevel>, Failure> {
         let levels = self
             .levels

@@ -1,8 +1,8 @@
-//! Limits of patches that some of many answers pass.
+//! Warnings about exceeded limits of patches.
 
 use jounce::run::{ExceededLimit, WorstExcess};
 
-/// One line on stderr for each limit, with the place of the worst of the `answers`.
+/// Prints one line on stderr for each limit, with the place of the worst of the `answers`.
 pub fn warn(answers: &[&[ExceededLimit]], what: &str, place: impl Fn(usize) -> String) {
     WorstExcess::messages(answers, what, place)
         .iter()

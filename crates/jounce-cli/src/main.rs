@@ -1,4 +1,5 @@
-//! The command line of jounce: arguments in, library calls, answers out. It computes nothing itself.
+//! The command line of jounce: it reads arguments, calls the library and prints results. It
+//! computes nothing itself.
 
 mod arguments;
 mod cache;
@@ -19,12 +20,13 @@ use clap::{CommandFactory, FromArgMatches};
 use mimalloc::MiMalloc;
 use std::process::ExitCode;
 
-/// Branches make and drop many small matrices: a quarter of their time went into the system's allocator.
+/// Branches allocate and free many small matrices; the system allocator took a quarter of their
+/// time.
 #[global_allocator]
 static ALLOCATOR: MiMalloc = MiMalloc;
 
 fn main() -> ExitCode {
-    // A negative number is a value, which its option may refuse by name, and no option of its own.
+    // A negative number is a value, not an option, so that the option can refuse it by name.
     let command = arguments::Arguments::command()
         .mut_subcommands(|command| command.allow_negative_numbers(true));
     let arguments = arguments::Arguments::from_arg_matches(&command.get_matches())

@@ -1,4 +1,4 @@
-//! Arguments of commands that take a recording.
+//! Arguments of commands that read a recording.
 
 use crate::failure::Failure;
 use crate::spec_arguments::OutputArguments;
@@ -13,33 +13,35 @@ use sha2::{Digest, Sha256};
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
-/// A recording and the form of the answer.
+/// A recording and the output options.
 #[derive(Debug, Args)]
 pub struct MeasuredFile {
-    /// The recording: CSV or text, Parquet, NPY, NPZ, MAT, HDF5, TDMS, WAV, UFF or LVM; notes beside it in FILE.channels.toml.
+    /// The recording: CSV or text, Parquet, NPY, NPZ, MAT, HDF5, TDMS, WAV, UFF or LVM. Channel
+    /// notes can stand in FILE.channels.toml next to it.
     pub file: PathBuf,
     #[command(flatten)]
     pub output: OutputArguments,
 }
 
 impl MeasuredFile {
-    /// As [`summary()`].
+    /// Returns the [`summary()`] of the file.
     pub fn survey(&self) -> Result<RecordingSummary, Failure> {
         summary(&self.file)
     }
 
-    /// Manifest of an answer.
+    /// Returns the manifest of a result.
     pub fn manifest(&self, command: &str) -> Result<Manifest, Failure> {
         manifest(command, std::slice::from_ref(&self.file))
     }
 }
 
-/// The first recording over time in a file, at even times and without missing samples.
+/// Reads the first recording over time in a file, at even times and without missing samples.
 pub fn record(file: &Path) -> Result<Recording, Failure> {
     Ok(read::record(file)?.into_even()?)
 }
 
-/// Manifest of an answer that rests on recordings: their names and the SHA-256 of their bytes, in order.
+/// Returns the manifest of a result from recordings: their names and the SHA-256 of their bytes, in
+/// order.
 pub fn manifest(command: &str, files: &[PathBuf]) -> Result<Manifest, Failure> {
     let name = |file: &PathBuf| {
         file.file_name()
@@ -56,7 +58,7 @@ pub fn manifest(command: &str, files: &[PathBuf]) -> Result<Manifest, Failure> {
         .with("recording_sha256", hashes.join(" ")))
 }
 
-/// SHA-256 of a file, read piece by piece.
+/// Computes the SHA-256 of a file, read in blocks.
 fn hash_hex(file: &Path) -> Result<String, Failure> {
     let fault = |reason: std::io::Error| Failure::Input(format!("{}: {reason}", file.display()));
     let mut from = std::fs::File::open(file).map_err(fault)?;
@@ -74,8 +76,8 @@ fn hash_hex(file: &Path) -> Result<String, Failure> {
     }
 }
 
-/// The number of the channel of a name or number; without one, of the only channel or the first of a quantity. Where it tells no unit, what is
-/// assumed is kept among the findings.
+/// Returns the number of the channel of a name or number; without one, of the only channel or the
+/// first of a quantity. If the channel has no unit, the assumption is added to the findings.
 pub fn channel(
     recording: &mut RecordingSummary,
     wanted: Option<&str>,
@@ -84,7 +86,7 @@ pub fn channel(
 ) -> Result<usize, Failure> {
     let found = chosen(&recording.name, &recording.heads(), wanted, quantity);
     if found.is_err() {
-        // Which recording was taken may be why it has no such channel.
+        // The message names the recording, which may be the wrong one.
         print_issues(&recording.findings, Some(&[]));
     }
     let number = found.map_err(|error| match error {
@@ -97,12 +99,13 @@ pub fn channel(
     Ok(number)
 }
 
-/// The number of the channel of a name or number, whatever it measures.
+/// Returns the number of the channel of a name or number, of any quantity.
 pub fn any_channel(recording: &RecordingSummary, wanted: &str) -> Result<usize, Failure> {
     Ok(named(&recording.name, &recording.heads(), wanted)?)
 }
 
-/// The first channel of a quantity that moves, else the first channel that does, else the first of them.
+/// Returns the first varying channel of a quantity, else the first varying channel, else the first
+/// channel of the quantity.
 pub fn first_live(recording: &RecordingSummary, quantity: Quantity) -> Option<usize> {
     let still = |name: &str| {
         recording
@@ -124,13 +127,14 @@ pub fn first_live(recording: &RecordingSummary, quantity: Quantity) -> Option<us
         .map(|(k, _)| *k)
 }
 
-/// The first recording over time in a file, its numbers not in memory.
+/// Reads the first recording over time in a file, without its samples in memory.
 pub fn summary(file: &Path) -> Result<RecordingSummary, Failure> {
     Ok(read::survey_record(file)?)
 }
 
-/// Some channels of it at even times and without missing samples; the others never come to memory. Tells on stderr what was noticed of these and of
-/// the whole, and what was done to them.
+/// Loads channels of a recording at even times and without missing samples; the others are not
+/// loaded. Prints on stderr the issues of these channels and of the recording, and the corrections
+/// made.
 pub fn loaded(recording: RecordingSummary, channels: &[usize]) -> Result<Recording, Failure> {
     let kept = recording
         .into_recording_of(channels)
@@ -140,7 +144,7 @@ pub fn loaded(recording: RecordingSummary, channels: &[usize]) -> Result<Recordi
     Ok(even)
 }
 
-/// A positive quantity of an option.
+/// Reads a positive quantity of an option.
 pub fn positive(option: &str, text: &str, quantity: Unit) -> Result<f64, Failure> {
     let fault = |reason: String| Failure::usage(format!("{option} {text}: {reason}"));
     let value = quantity
@@ -153,7 +157,7 @@ pub fn positive(option: &str, text: &str, quantity: Unit) -> Result<f64, Failure
     }
 }
 
-/// Two quantities of an option, as in `0.2s:3s`.
+/// Reads two quantities of an option, as in `0.2s:3s`.
 pub fn ends(option: &str, text: &str, quantity: Unit) -> Result<(f64, f64), Failure> {
     let example = if quantity == Unit::Time {
         "0.2s:3s"
@@ -179,8 +183,9 @@ pub fn ends(option: &str, text: &str, quantity: Unit) -> Result<(f64, f64), Fail
     }
 }
 
-/// Tells on stderr what was noticed of recordings as a whole and of the channels in use, of all without a list: each sentence once, with the number
-/// of times that it holds where it holds of several recordings. What changes no number of an answer is a note.
+/// Prints on stderr the issues of recordings and of the channels in use (without a list, of all
+/// channels). A sentence is printed once, with the number of recordings it holds for. An issue that
+/// changes no number of a result is a note.
 pub fn print_issues(findings: &[Issue], used: Option<&[&str]>) {
     let concerns = |finding: &&Issue| match (&finding.channel, used) {
         (Some(channel), Some(used)) => used.contains(&channel.as_str()),

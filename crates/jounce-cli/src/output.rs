@@ -1,4 +1,4 @@
-//! Writing answers: JSON on stdout, tables and pictures into a folder.
+//! Output: JSON on stdout, tables and pictures in a folder.
 
 use crate::failure::Failure;
 use jounce::picture::Figure;
@@ -6,7 +6,7 @@ use jounce::table::{Manifest, Table};
 use std::io::Write;
 use std::path::Path;
 
-/// Prints one JSON value on stdout. A reader that has gone away is no fault of ours.
+/// Prints one JSON value on stdout. A closed stdout is not an error.
 pub fn print(value: &serde_json::Value) {
     let _ = writeln!(std::io::stdout().lock(), "{value}");
 }
@@ -16,7 +16,8 @@ pub fn line(text: impl std::fmt::Display) {
     let _ = writeln!(std::io::stdout().lock(), "{text}");
 }
 
-/// A value of a key, in SI: with six decimals, and a small one with as many more as keep seven digits of it.
+/// Formats a value of a key in SI: six decimals, or more where a small value needs them for seven
+/// digits.
 pub fn key_value(value: f64) -> String {
     match value.abs() {
         0.0 => format!("{value:.6}"),
@@ -28,10 +29,11 @@ pub fn key_value(value: f64) -> String {
     }
 }
 
-/// Powers of ten that are written out.
+/// Powers of ten that are written without an exponent.
 const PLAIN: std::ops::RangeInclusive<i32> = -3..=5;
 
-/// A value with half the width of its interval, both to the digit that the second one of the half width has: `(6.9 +- 4.9)e-6 W`.
+/// Formats a value with the half width of its interval, both to the second digit of the half width:
+/// `(6.9 +- 4.9)e-6 W`.
 pub fn with_uncertainty(value: f64, half_width: f64, unit: &str) -> String {
     let behind = if unit.is_empty() {
         String::new()
@@ -49,7 +51,7 @@ pub fn with_uncertainty(value: f64, half_width: f64, unit: &str) -> String {
         power(largest)
     };
     let scale = 10f64.powi(-exponent);
-    // Of no uncertainty more digits than a number has say nothing.
+    // An uncertainty of zero needs no more digits than a number has.
     let last = power(half_width.max(largest * 1e-12)) - exponent;
     let digits = usize::try_from(1 - last).unwrap_or(0);
     let numbers = format!(
@@ -64,7 +66,7 @@ pub fn with_uncertainty(value: f64, half_width: f64, unit: &str) -> String {
     }
 }
 
-/// Prints a text on stdout as it is.
+/// Prints a text on stdout unchanged.
 pub fn text(text: &str) {
     let _ = std::io::stdout().lock().write_all(text.as_bytes());
 }
@@ -90,7 +92,7 @@ pub fn figure(folder: &Path, name: &str, figure: &Figure) -> Result<(), Failure>
 fn make(folder: &Path) -> Result<(), Failure> {
     std::fs::create_dir_all(folder).map_err(|error| {
         Failure::Input(format!(
-            "the folder {} cannot be made: {error}",
+            "the folder {} cannot be created: {error}",
             folder.display()
         ))
     })

@@ -1,22 +1,23 @@
-//! Progress of long work on stderr, rate and time left: a bar where stderr is a terminal, else a plain line every ten seconds.
+//! Progress of long work on stderr, with rate and time left: a bar on a terminal, else a line every
+//! ten seconds.
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use jounce::integrate::Control;
 use std::io::{IsTerminal, Write};
 use std::time::{Duration, Instant};
 
-/// Time between two looks at a counter.
+/// Time between two readings of a counter.
 const POLL_INTERVAL: Duration = Duration::from_millis(100);
 
 /// Time between two plain lines.
 const LINE_INTERVAL: Duration = Duration::from_secs(10);
 
-/// A bar for a number of points.
+/// Returns a bar for a number of points.
 pub fn bar(points: usize) -> ProgressBar {
     counted(points, "points")
 }
 
-/// A bar for a number of things of one name.
+/// Returns a bar for a number of items of one name.
 pub fn counted(things: usize, name: &'static str) -> ProgressBar {
     let bar = ProgressBar::with_draw_target(Some(things as u64), ProgressDrawTarget::stderr());
     let style = ProgressStyle::with_template(&format!(
@@ -27,12 +28,13 @@ pub fn counted(things: usize, name: &'static str) -> ProgressBar {
     bar
 }
 
-/// Shows the orbits that a control counts while `work` runs: curves have no length that is known before their end, so there is no time left.
+/// Shows the orbits that a control counts while `work` runs. The length of curves is not known in
+/// advance, so no time left is shown.
 pub fn with_progress<T>(control: &Control, work: impl FnOnce() -> T) -> T {
-    with_count("orbits tried", &|| control.harvesters(), work)
+    with_count("orbits computed", &|| control.harvesters(), work)
 }
 
-/// Shows a count of things of one name, whose end is not known, while `work` runs.
+/// Shows a count of items of one name, without a known end, while `work` runs.
 pub fn with_count<T>(
     name: &'static str,
     count: &(dyn Fn() -> u64 + Sync),
@@ -62,14 +64,14 @@ pub fn with_count<T>(
 
 fn lines_without_terminal(bar: &ProgressBar, name: &'static str) {
     if !std::io::stderr().is_terminal() {
-        // A closed stderr is no reason to end the work.
+        // A closed stderr does not end the work.
         print_lines(bar, name, LINE_INTERVAL, |line| {
             drop(writeln!(std::io::stderr(), "{line}"))
         });
     }
 }
 
-/// Says a line about a bar now and then, from a thread that ends with the bar.
+/// Prints a line about a bar at intervals, from a thread that ends with the bar.
 fn print_lines(
     bar: &ProgressBar,
     name: &'static str,
@@ -85,7 +87,7 @@ fn print_lines(
             let Some(bar) = bar.upgrade().filter(|bar| !bar.is_finished()) else {
                 return;
             };
-            // What an earlier run has finished is none of this one's rate.
+            // Work of an earlier run does not count in the rate.
             let before = *before.get_or_insert(bar.position());
             if clock.elapsed() >= next {
                 next += every;
@@ -101,7 +103,8 @@ fn print_lines(
     });
 }
 
-/// `"120 of 400 points, 12 per s, 23 s left"`; without an end `"120 orbits tried, 12 per s, 10 s so far"`.
+/// Formats `"120 of 400 points, 12 per s, 23 s left"`; without an end `"120 orbits computed, 12 per
+/// s, 10 s so far"`.
 fn line(name: &str, position: u64, before: u64, end: Option<u64>, elapsed: Duration) -> String {
     let seconds = elapsed.as_secs_f64();
     let rate = position.saturating_sub(before) as f64 / seconds;
@@ -145,7 +148,7 @@ mod tests {
         assert_eq!(at(50, 0, None, 10), "50 points, 5 per s, 10 s so far");
     }
 
-    /// Lines come for as long as the bar is not finished, and hold no control characters.
+    /// Lines are printed until the bar is finished, and hold no control characters.
     #[test]
     fn lines_come_until_the_bar_is_finished() {
         let (said, heard) = std::sync::mpsc::channel();
@@ -155,7 +158,7 @@ mod tests {
         });
         let first = heard.recv_timeout(Duration::from_secs(60)).unwrap();
         bar.inc(4);
-        // Some lines may have been said before.
+        // Some lines may have been printed before.
         let later = std::iter::from_fn(|| heard.recv_timeout(Duration::from_secs(60)).ok())
             .find(|line| !line.starts_with("0 of 10"));
         assert!(

@@ -1,4 +1,4 @@
-//! The arguments that every command on a spec shares.
+//! Arguments that all commands on a spec share.
 
 use crate::failure::Failure;
 use clap::Args;
@@ -14,18 +14,20 @@ use std::path::{Path, PathBuf};
 pub struct SpecArguments {
     /// The spec file (TOML).
     pub spec: PathBuf,
-    /// Sets a key for this call, as in --set stop.tip.gap="0.5 mm"; can be given several times; by default the spec holds as it stands.
+    /// Sets a key for this call, as in --set stop.tip.gap="0.5 mm"; can be given several times; by
+    /// default the spec is used unchanged.
     #[arg(long = "set", value_name = "KEY=VALUE")]
     pub set: Vec<String>,
 }
 
-/// Where answers go.
+/// Output options.
 #[derive(Debug, Args)]
 pub struct OutputArguments {
-    /// Prints one JSON object on stdout; by default lines to read.
+    /// Prints one JSON object on stdout; by default lines of text.
     #[arg(long)]
     pub json: bool,
-    /// Writes tables (CSV, Parquet, JSON) and pictures (SVG, PNG) into this folder, which is made where it is missing; by default none.
+    /// Writes tables (CSV, Parquet, JSON) and pictures (SVG, PNG) into this folder, which is
+    /// created if missing; by default no files.
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
 }
@@ -52,19 +54,20 @@ impl SpecArguments {
         }
     }
 
-    /// The spec itself.
+    /// Reads the spec with its overrides.
     pub fn spec(&self) -> Result<Spec, Failure> {
         self.read(&self.file()?)
     }
 
-    /// The spec of the file with its overrides; prints on stderr what was noticed of the recordings of its drives.
+    /// Reads the spec with its overrides; prints the issues of the recordings of its drives on
+    /// stderr.
     pub fn read(&self, file: &SpecFile) -> Result<Spec, Failure> {
         let spec = self.checked(file.spec())?;
         print_recording_issues(&spec);
         Ok(spec)
     }
 
-    /// Faults with the name of the file.
+    /// Adds the name of the file to faults.
     pub fn checked<T>(&self, result: Result<T, Faults>) -> Result<T, Failure> {
         result.map_err(|faults| Failure::faults(&self.spec, faults.as_slice().to_vec()))
     }
@@ -91,19 +94,19 @@ impl SpecArguments {
         match range.values() {
             [low, high] if low < high => Ok((key, (*low, *high))),
             _ => Err(Failure::usage(format!(
-                "{over}: the range must go from a smaller to a larger value"
+                "{over}: the first value must be below the second"
             ))),
         }
     }
 
-    /// Folder of the spec file.
+    /// Returns the folder of the spec file.
     pub fn folder(&self) -> PathBuf {
         self.spec
             .parent()
             .map_or_else(PathBuf::new, Path::to_path_buf)
     }
 
-    /// Manifest of an answer.
+    /// Returns the manifest of a result.
     pub fn manifest(&self, spec: &Spec, command: &str) -> Manifest {
         Manifest::new(&spec.hash_hex())
             .with("command", command)
@@ -111,7 +114,7 @@ impl SpecArguments {
     }
 }
 
-/// Prints on stderr what was noticed of the recordings of the drives.
+/// Prints the issues of the recordings of the drives on stderr.
 pub fn print_recording_issues(spec: &Spec) {
     for (drive, finding) in spec.findings() {
         let kind = if finding.kind.is_note() {
@@ -123,7 +126,7 @@ pub fn print_recording_issues(spec: &Spec) {
     }
 }
 
-/// A frequency above 0 given with an option.
+/// Reads a frequency above 0 of an option.
 pub fn frequency_hz(option: &str, text: &str) -> Result<f64, Failure> {
     let fault = |reason: String| Failure::usage(format!("--{option} {text}: {reason}"));
     let value = Quantity::Frequency
@@ -136,7 +139,7 @@ pub fn frequency_hz(option: &str, text: &str) -> Result<f64, Failure> {
     }
 }
 
-/// A tolerance for orbits: double precision carries no march below its smallest.
+/// Checks a tolerance for orbits; double precision allows no smaller one than the limit.
 pub fn check_tolerance(tolerance: f64) -> Result<(), Failure> {
     let fits = (1e-14..1e-2).contains(&tolerance);
     if fits {
@@ -148,7 +151,8 @@ pub fn check_tolerance(tolerance: f64) -> Result<(), Failure> {
     }
 }
 
-/// Drives that repeat themselves together, and move: without them nothing attracts but rest.
+/// Checks that the drives have a common period and a nonzero amplitude. Without them the only
+/// attractor is rest.
 pub fn check_drive(spec: &SpecArguments, plant: &Plant, what: &str) -> Result<(), Failure> {
     if let Some(drive) = plant.system.aperiodic() {
         return Err(AnalysisError::Aperiodic {

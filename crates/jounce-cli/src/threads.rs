@@ -1,4 +1,4 @@
-//! How many threads a command uses.
+//! Number of threads of a command.
 
 use crate::failure::Failure;
 use clap::Args;
@@ -6,7 +6,7 @@ use clap::Args;
 /// The number of threads.
 #[derive(Debug, Args)]
 pub struct ThreadsArgument {
-    /// Number of threads; by default one per core. The answer is the same for any number.
+    /// Number of threads; by default one per core. The result does not depend on it.
     #[arg(long, value_parser = clap::value_parser!(u16).range(1..))]
     threads: Option<u16>,
 }

@@ -129,7 +129,7 @@ fn what_stands_in_the_way_is_told_and_left_alone() {
     let again = ["new", "ball", "--out", "mine.toml"];
     let (code, _, told) = jounce(folder.path(), &again);
     assert!(
-        code == 4 && told.contains("mine.toml is there already") && told.contains("--force"),
+        code == 4 && told.contains("mine.toml already exists") && told.contains("--force"),
         "{code}: {told}"
     );
     assert_eq!(std::fs::read_to_string(&mine).unwrap(), "mine");

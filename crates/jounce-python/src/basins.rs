@@ -1,4 +1,4 @@
-//! Attractors and how likely each is.
+//! Attractors and the share of starts that reach each.
 
 use crate::arrays::PythonDict;
 use crate::branch::checked_tolerance;
@@ -16,17 +16,17 @@ use jounce::run::{ExceededLimit, WorstExcess};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// Starts of the cloud that is meant if nothing else is said.
+/// Default number of starts of the cloud.
 const STARTS: usize = 200;
 
-/// Number of the attractor of a start that has none.
+/// Attractor number of a start without an attractor.
 const NOWHERE: i64 = -1;
 
-/// Marches a cloud or a grid of starts until each is recognised.
+/// Integrates a cloud or a grid of starts until each is classified.
 #[pyfunction]
 #[expect(
     clippy::too_many_arguments,
-    reason = "one argument per option of the Python method, which calls by name"
+    reason = "one argument per option of the Python method, which passes them by name"
 )]
 pub fn basins<'py>(
     py: Python<'py>,
@@ -80,7 +80,7 @@ pub fn basins<'py>(
             starts,
             recognition,
         };
-        // Before the marches, so that nothing is left to do for a call that is stopped.
+        // Computed before the runs, so that a stopped call needs no further work.
         let places = places(&base.kernel.plant, &study.starts);
         Ok((on_threads(threads, || Ok(study.run(&|| ())?))?, places))
     });
@@ -90,7 +90,7 @@ pub fn basins<'py>(
     })
 }
 
-/// Where every start is.
+/// Returns the coordinates of every start.
 fn places(plant: &Plant, starts: &InitialStates) -> Vec<SectionPoint> {
     (0..starts.len())
         .map(|index| SectionPoint::of(&plant.system, &starts.start(plant, index)))
@@ -146,7 +146,7 @@ fn into_python<'py>(
     Ok(answer.dict())
 }
 
-/// Limits of patches that attractors pass.
+/// Returns warnings about exceeded limits of patches on attractors.
 fn warnings(all: &[Attractor]) -> Vec<String> {
     let passed: Vec<&[ExceededLimit]> = all
         .iter()

@@ -14,10 +14,10 @@ use jounce::run::{ExceededLimit, Limits, WorstExcess};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// Harmonics with which harmonic balance begins.
+/// Number of harmonics at the start of harmonic balance.
 const HARMONICS: usize = 64;
 
-/// How orbits are computed, by name.
+/// Returns the method of computing orbits by its name.
 fn method_of(name: &str, harmonics: Option<usize>) -> Result<OrbitMethodKind, Failure> {
     if let Some(harmonics) = harmonics.filter(|harmonics| !(4..=2048).contains(harmonics)) {
         let details = serde_json::json!({ "harmonics": harmonics, "least": 4, "most": 2048 });
@@ -31,7 +31,7 @@ fn method_of(name: &str, harmonics: Option<usize>) -> Result<OrbitMethodKind, Fa
         ("shooting", None) => Ok(OrbitMethodKind::Shooting),
         ("shooting", Some(harmonics)) => {
             let why = format!(
-                "harmonics is {harmonics}; shooting has none: give method=\"harmonic-balance\" or leave harmonics out"
+                "harmonics is {harmonics}; shooting has no harmonics: give method=\"harmonic-balance\" or leave harmonics out"
             );
             Err(Failure::new("ArgumentError", why)
                 .with(serde_json::json!({ "harmonics": harmonics, "method": name })))
@@ -46,7 +46,7 @@ fn method_of(name: &str, harmonics: Option<usize>) -> Result<OrbitMethodKind, Fa
     }
 }
 
-/// A tolerance for orbits.
+/// Checks a tolerance for orbits.
 pub fn checked_tolerance(tolerance: f64) -> Result<f64, Failure> {
     let fits = (1e-14..1e-2).contains(&tolerance);
     if fits {
@@ -61,10 +61,10 @@ pub fn checked_tolerance(tolerance: f64) -> Result<f64, Failure> {
     }
 }
 
-/// Most values at which orbits are sought by marching.
+/// Maximum number of values at which orbits are sought by integration.
 const MAX_SEEDS: usize = 100_000;
 
-/// A number of seeds.
+/// Checks a number of seeds.
 pub fn checked_seeds(seeds: usize) -> Result<usize, Failure> {
     if seeds <= MAX_SEEDS {
         return Ok(seeds);
@@ -77,7 +77,7 @@ pub fn checked_seeds(seeds: usize) -> Result<usize, Failure> {
     .with(details))
 }
 
-/// Levels of quantities of an orbit.
+/// Reads levels of quantities of an orbit.
 pub fn checked_levels(levels: &[String], plant: &Plant) -> Result<Vec<QuantityLevel>, Failure> {
     let read = |text: &String| {
         QuantityLevel::parse(text, plant)
@@ -98,11 +98,11 @@ fn checked_step(largest_step: f64) -> Result<f64, Failure> {
     .with(details))
 }
 
-/// Follows every branch over a range of a key.
+/// Continues every branch over a range of a key.
 #[pyfunction]
 #[expect(
     clippy::too_many_arguments,
-    reason = "one argument per option of the Python method, which calls by name"
+    reason = "one argument per option of the Python method, which passes them by name"
 )]
 pub fn branch<'py>(
     py: Python<'py>,
@@ -153,7 +153,7 @@ pub fn branch<'py>(
         on_threads(threads, || {
             let branches = search.run_with(&options)?;
             let warnings = match warnings(&base, &parameter, &branches, tolerance) {
-                // What was followed so far is worth more than its warnings.
+                // The branches found so far are returned without their warnings.
                 Err(_) if control.is_stopped() => Vec::new(),
                 warnings => warnings?,
             };
@@ -183,7 +183,7 @@ pub fn branch<'py>(
     })
 }
 
-/// Limits of patches that points of branches pass.
+/// Returns warnings about exceeded limits of patches at points of branches.
 fn warnings(
     base: &Model,
     parameter: &Parameter<'_>,
@@ -207,12 +207,12 @@ fn warnings(
     }))
 }
 
-/// A value as JSON.
+/// Formats a value as JSON.
 pub fn json(value: &impl serde::Serialize) -> PyResult<String> {
     Ok(serde_json::to_string(value).map_err(|error| Failure::new("JounceError", error))?)
 }
 
-/// One branch as a dictionary.
+/// Converts one branch to a dictionary.
 pub fn one<'py>(
     py: Python<'py>,
     branch: &Branch,

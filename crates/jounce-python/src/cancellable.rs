@@ -1,5 +1,6 @@
-//! A computation without the interpreter's lock, while somebody looks for Ctrl-C and tells how far it is: on a thread of its own, with
-//! Python's own thread waiting for it, or, where a thread would cost more than the work, on Python's own thread, which looks in between.
+//! Computation without the lock of the interpreter, with checks for Ctrl-C and progress reports.
+//! The work runs on its own thread while the thread of Python waits; where a thread would cost more
+//! than the work, it runs on the thread of Python, which checks between steps.
 
 use jounce::integrate::Control;
 use pyo3::prelude::*;
@@ -9,14 +10,15 @@ use std::time::{Duration, Instant};
 
 use crate::failure::Failure;
 
-/// Time between two looks for Ctrl-C.
+/// Time between two checks for Ctrl-C.
 const POLL_INTERVAL: Duration = Duration::from_millis(20);
 
 /// Time between two calls of `progress`.
 const REPORT_INTERVAL: Duration = Duration::from_millis(100);
 
-/// Runs `work` with the interpreter's lock released. The second value is what ended it early: `KeyboardInterrupt`, or the exception of
-/// `progress`, which is called with parts done, parts in all and seconds left.
+/// Runs `work` with the lock of the interpreter released. The second value is the error that ended
+/// it early: `KeyboardInterrupt`, or the exception of `progress`, which is called with parts done,
+/// parts in total and seconds left.
 pub fn cancellable<T: Send>(
     py: Python<'_>,
     progress: Option<&Bound<'_, PyAny>>,
@@ -60,8 +62,8 @@ pub fn cancellable<T: Send>(
     })
 }
 
-/// The same for work that takes long in parts without a look of their own. All that it needs belongs to it: at Ctrl-C it is left to itself, and
-/// what it gives is thrown away.
+/// Runs work with long parts that do not check for cancellation. The work owns its data: at Ctrl-C
+/// it is abandoned, and its result is discarded.
 pub fn left_alone<T: Send + 'static>(
     py: Python<'_>,
     work: impl FnOnce(&Control) -> Result<T, Failure> + Send + 'static,
@@ -92,7 +94,8 @@ pub fn left_alone<T: Send + 'static>(
     }
 }
 
-/// The same on this thread, for one march: it is over before another thread would have begun, or lets somebody look in between its steps.
+/// Runs one integration on this thread: it ends before another thread would have started, or checks
+/// between its steps.
 pub fn visited<T: Send>(
     py: Python<'_>,
     progress: Option<&Bound<'_, PyAny>>,
@@ -120,7 +123,7 @@ pub fn visited<T: Send>(
     (answer, ended)
 }
 
-/// A look from within the work.
+/// Check from within the work.
 struct Visit {
     looked: Instant,
     ended: Option<PyErr>,
@@ -144,7 +147,7 @@ impl Visit {
     }
 }
 
-/// Tells Python how far the work is.
+/// Reports progress to Python.
 struct ProgressReporter {
     progress: Option<Py<PyAny>>,
     begun: Instant,
@@ -166,7 +169,7 @@ impl ProgressReporter {
         let Some(progress) = &self.progress else {
             return Ok(());
         };
-        // What it answers is read at the next look.
+        // The progress requested here is read at the next check.
         control.request_progress();
         let now = control.progress();
         let due = at_the_end || self.told.elapsed() >= REPORT_INTERVAL;
@@ -175,7 +178,7 @@ impl ProgressReporter {
         }
         (self.last, self.told) = (now, Instant::now());
         let (done, expected) = now;
-        // Without a known end there is nothing left to estimate.
+        // Without a known end no time left is estimated.
         let left_s = (done > 0 && expected > 0).then(|| {
             self.begun.elapsed().as_secs_f64() * expected.saturating_sub(done) as f64 / done as f64
         });
@@ -183,7 +186,7 @@ impl ProgressReporter {
     }
 }
 
-/// Runs `work` on a pool of its own: the shared one does not survive a `fork`.
+/// Runs `work` on its own pool: the shared one does not survive a `fork`.
 pub fn on_threads<T: Send>(
     threads: Option<usize>,
     work: impl FnOnce() -> Result<T, Failure> + Send,
@@ -200,7 +203,8 @@ pub fn on_threads<T: Send>(
     .install(work)
 }
 
-/// An answer for Python, and what ended it early. Where that left no answer at all, only the latter counts.
+/// Returns a result for Python, and the error that ended it early. Without a result only that error
+/// is returned.
 pub fn to_python_result<'py, T>(
     py: Python<'py>,
     (answer, ended): (Result<T, Failure>, Option<PyErr>),

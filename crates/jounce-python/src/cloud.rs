@@ -1,16 +1,16 @@
-//! The cloud of starts of a call.
+//! Cloud of starts of a call.
 
 use crate::failure::Failure;
 use jounce::analysis::Cloud;
 
-/// Most starts of a cloud.
+/// Maximum number of starts of a cloud.
 const MAX_STARTS: usize = 100_000_000;
 
-/// Its seed and its size, in gaps, that are meant if nothing else is said.
+/// Default seed and size of a cloud, the size in gaps.
 const SEED: u64 = 1;
 const SPREAD: f64 = 10.0;
 
-/// The numbers of a cloud that a call gives.
+/// Options of a cloud.
 #[derive(Clone, Copy)]
 pub struct CloudOptions {
     pub starts: Option<usize>,
@@ -19,7 +19,7 @@ pub struct CloudOptions {
 }
 
 impl CloudOptions {
-    /// The cloud, of so many starts if nothing else is said.
+    /// Returns the cloud, with a default number of starts.
     pub fn cloud(self, starts: usize) -> Result<Cloud, Failure> {
         let cloud = Cloud {
             starts: self.starts.unwrap_or(starts),
@@ -37,7 +37,7 @@ impl CloudOptions {
         Err(Failure::new("ArgumentError", why).with(details))
     }
 
-    /// Refuses them where there is no cloud; `else_try` is what would make one.
+    /// Refuses the options where there is no cloud; `else_try` names the option that needs one.
     pub fn refuse(self, else_try: &str) -> Result<(), Failure> {
         let given = [
             ("starts", self.starts.is_some()),
@@ -47,9 +47,8 @@ impl CloudOptions {
         match given.into_iter().find(|(_, is_given)| *is_given) {
             None => Ok(()),
             Some((option, _)) => {
-                let why = format!(
-                    "{option} belongs to a cloud of starts: {else_try} or leave {option} out"
-                );
+                let why =
+                    format!("{option} needs a cloud of starts: {else_try} or leave {option} out");
                 Err(Failure::new("ArgumentError", why)
                     .with(serde_json::json!({ "option": option })))
             }

@@ -17,19 +17,19 @@ use jounce::spec::KeyRange;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// Values at which branches beside the diagram are sought by marching.
+/// Number of values at which branches of the diagram are sought by integration.
 const DEFAULT_START_VALUES: usize = 4;
 
-/// Starts at each value that are meant if nothing else is said.
+/// Default number of starts at each value.
 const STARTS: usize = 20;
 
 /// Longest period of a continued branch, drive cycles.
 const DEFAULT_MAX_PERIOD: u32 = 4;
 
-/// Number of the attractor of a march that has none.
+/// Attractor number of a run without an attractor.
 const NOWHERE: i64 = -1;
 
-/// What is asked for beside the spec and its key.
+/// Options of a diagram other than the spec and its key.
 struct DiagramOptions {
     order: DiagramOrder,
     cycles: u32,
@@ -45,11 +45,11 @@ struct DiagramResult {
     branches: Vec<Branch>,
 }
 
-/// Where the motion is at the start of each drive cycle, over a key.
+/// Computes the state at the start of each drive cycle, over a key.
 #[pyfunction]
 #[expect(
     clippy::too_many_arguments,
-    reason = "one argument per option of the Python method, which calls by name"
+    reason = "one argument per option of the Python method, which passes them by name"
 )]
 pub fn diagram<'py>(
     py: Python<'py>,
@@ -101,7 +101,7 @@ pub fn diagram<'py>(
     if range.values().windows(2).any(|pair| pair[0] >= pair[1]) {
         return Err(Failure::new(
             "ArgumentError",
-            format!("{key}: the values of a diagram must rise"),
+            format!("{key}: the values of a diagram must increase"),
         )
         .raised(py));
     }
@@ -189,7 +189,7 @@ fn marched(
         };
         let followed = options.branches && high > low && !control.is_stopped();
         let branches = if followed { search.run()? } else { Vec::new() };
-        // A history whose marches were stopped says nothing.
+        // A history of interrupted runs is incomplete.
         Ok(DiagramResult {
             visits,
             history: history.filter(|_| !control.is_stopped()),

@@ -1,4 +1,4 @@
-//! The drives that a study of orbits needs: they repeat themselves together, and they move.
+//! Checks of the drives for studies of orbits: a common period and a nonzero amplitude.
 
 use crate::failure::Failure;
 use crate::spec::Spec;
@@ -7,7 +7,8 @@ use jounce::orbit::OrbitError;
 use jounce::plant::Plant;
 use jounce::spec::NumericKey;
 
-/// The key of the first drive's frequency, and its value in Hz; `what` is the study that needs it.
+/// Returns the key of the first drive's frequency, and its value in Hz; `what` is the study that
+/// needs it.
 pub fn frequency(spec: &Spec, what: &str) -> Result<(NumericKey, f64), Failure> {
     let none = || {
         Failure::new(
@@ -24,7 +25,7 @@ pub fn frequency(spec: &Spec, what: &str) -> Result<(NumericKey, f64), Failure> 
     Ok((spec.key(&format!("drive.{name}.frequency"))?, value))
 }
 
-/// Refuses a harvester that has no orbit but rest, or whose drives do not repeat themselves together.
+/// Refuses a harvester whose only orbit is rest, or whose drives have no common period.
 pub fn check(plant: &Plant, what: &str) -> Result<(), Failure> {
     if let Some(drive) = plant.system.aperiodic() {
         return Err(AnalysisError::Aperiodic {

@@ -1,4 +1,4 @@
-//! Many realisations of noise.
+//! Ensembles of realisations of noise.
 
 use crate::arrays::PythonDict;
 use crate::cancellable::{cancellable, on_threads, to_python_result};
@@ -12,17 +12,19 @@ use jounce::run::{ExceededLimit, WorstExcess};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// Most members of a round.
+/// Maximum number of members of a round.
 const MAX_MEMBERS: usize = 1_000_000;
 
-/// Rounds of members after which a width that is not reached is reported as it is.
+/// Maximum number of rounds of members; then the interval is reported even if it is wider than
+/// required.
 const MAX_ROUNDS: usize = 100;
 
-/// Marches realisations of the noise, by rounds until the interval is narrow enough where a width is wanted.
+/// Integrates realisations of the noise, in rounds until the interval is narrow enough where a
+/// width is required.
 #[pyfunction]
 #[expect(
     clippy::too_many_arguments,
-    reason = "one argument per option of the Python method, which calls by name"
+    reason = "one argument per option of the Python method, which passes them by name"
 )]
 pub fn ensemble<'py>(
     py: Python<'py>,
@@ -46,8 +48,7 @@ pub fn ensemble<'py>(
         return Err(Failure::new("ArgumentError", why).with(details).raised(py));
     }
     if spectrum && members < 2 {
-        let why =
-            "spectrum needs two members at least: one alone tells no density from its scatter";
+        let why = "spectrum needs at least two members to estimate the scatter of the density";
         let details = serde_json::json!({ "members": members, "least_members": 2 });
         return Err(Failure::new("ArgumentError", why).with(details).raised(py));
     }
@@ -127,10 +128,10 @@ fn into_python<'py>(
     spectra(stops(answer, &found.stops)?, &found.spectra).map(PythonDict::dict)
 }
 
-/// Names of a mean and of half its interval, and the estimate.
+/// Names of a mean and of its half width, and the estimate.
 type Named = (&'static str, &'static str, fn(&StopEstimates) -> &Estimate);
 
-/// Contacts of each stop.
+/// Adds the contacts of each stop.
 fn stops<'py>(answer: PythonDict<'py>, stops: &[StopEstimates]) -> PyResult<PythonDict<'py>> {
     let estimates: [Named; 4] = [
         (
@@ -183,7 +184,7 @@ fn stops<'py>(answer: PythonDict<'py>, stops: &[StopEstimates]) -> PyResult<Pyth
         })
 }
 
-/// Densities of the voltages, a row for each patch.
+/// Adds the densities of the voltages, a row for each patch.
 fn spectra<'py>(answer: PythonDict<'py>, spectra: &[VoltageSpectrum]) -> PyResult<PythonDict<'py>> {
     let frequency_hz = spectra
         .first()
@@ -216,7 +217,7 @@ fn spectra<'py>(answer: PythonDict<'py>, spectra: &[VoltageSpectrum]) -> PyResul
         })
 }
 
-/// Limits of patches that members pass.
+/// Returns warnings about exceeded limits of patches in members.
 fn warnings(all: &[Member]) -> Vec<String> {
     let passed: Vec<&[ExceededLimit]> = all
         .iter()

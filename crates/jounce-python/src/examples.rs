@@ -1,11 +1,11 @@
-//! The specs of published systems, inside the module.
+//! Specs of published systems, included in the module.
 
 use pyo3::prelude::*;
 
 /// System, file and text.
 const EXAMPLES: &[(&str, &str, &str)] = include!(concat!(env!("OUT_DIR"), "/examples.rs"));
 
-/// System, file and text of every example.
+/// Returns system, file and text of every example.
 #[pyfunction]
 pub fn examples() -> Vec<(&'static str, &'static str, &'static str)> {
     EXAMPLES.to_vec()

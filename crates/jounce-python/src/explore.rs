@@ -1,4 +1,4 @@
-//! The live page of a harvester, served from a thread of this process.
+//! Live page of a harvester, served from a thread of this process.
 
 use crate::failure::Failure;
 use crate::spec::Spec;
@@ -14,7 +14,7 @@ use std::sync::{Mutex, PoisonError};
 use std::thread::JoinHandle;
 use std::time::Duration;
 
-/// Time between two looks for Ctrl-C.
+/// Time between two checks for Ctrl-C.
 const POLL_INTERVAL: Duration = Duration::from_millis(20);
 
 /// A running server.
@@ -23,13 +23,13 @@ pub struct Explorer {
     address: String,
     stopper: Stopper,
     running: Mutex<Option<JoinHandle<Result<(), ExploreError>>>>,
-    /// The file that leads the browser to the page; it goes with this.
+    /// File that leads the browser to the page; it is deleted with this value.
     opened: Mutex<Option<Box<dyn Any + Send>>>,
 }
 
 #[pymethods]
 impl Explorer {
-    /// Serves a spec as it is, or a file and what becomes of it.
+    /// Serves a spec as it is, or a file with its later changes.
     #[new]
     #[pyo3(signature = (*, spec = None, path = None, listen = None))]
     fn new(
@@ -74,13 +74,13 @@ impl Explorer {
         })
     }
 
-    /// The address of the page, with its token.
+    /// Returns the address of the page, with its token.
     #[getter]
     fn address(&self) -> &str {
         &self.address
     }
 
-    /// Is it still there?
+    /// True while the page is served.
     #[getter]
     fn running(&self) -> bool {
         self.running
@@ -97,7 +97,7 @@ impl Explorer {
         Ok(())
     }
 
-    /// Ends it; it may have ended before.
+    /// Stops the server; it may have stopped before.
     fn stop(&self, py: Python<'_>) -> PyResult<()> {
         self.stopper.stop();
         let ended = py.detach(|| {
@@ -119,7 +119,7 @@ impl Explorer {
         }
     }
 
-    /// Waits until it has ended; raises what a signal raises.
+    /// Waits until the server has stopped; raises the exception of a signal.
     fn wait(&self, py: Python<'_>) -> PyResult<()> {
         while self.running() {
             py.detach(|| std::thread::sleep(POLL_INTERVAL));

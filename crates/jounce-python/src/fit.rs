@@ -1,4 +1,4 @@
-//! Keys of a spec fitted to what was measured.
+//! Fit of keys of a spec to measured features.
 
 use crate::branch::json;
 use crate::cancellable::cancellable;
@@ -9,10 +9,10 @@ use jounce_measure::fit::{Features, FitError, FitResult};
 use pyo3::prelude::*;
 use std::path::PathBuf;
 
-/// What a fit answers: the answer as JSON, if there is one, and what ended it early.
+/// Result of a fit as JSON, if there is one, and the error that ended it early.
 type Fitted = PyResult<(Option<String>, Option<PyErr>)>;
 
-/// Fits the free keys that a text of features names, or a file of that text.
+/// Fits the free keys of a text of features, or of a file with that text.
 #[pyfunction]
 #[pyo3(signature = (spec, *, text = None, path = None, progress = None))]
 pub fn fit<'py>(

@@ -14,8 +14,8 @@ use numpy::{Complex64, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// Acceleration of every point and voltage of every patch and circuit per newton on `input`; or, for an acceleration of the base,
-/// displacement and voltages per m/s^2 of it.
+/// Computes acceleration of every point and voltage of every patch and circuit per newton on
+/// `input`; or, for an acceleration of the base, displacement and voltages per m/s^2.
 #[pyfunction]
 pub fn frf<'py>(
     py: Python<'py>,
@@ -87,7 +87,7 @@ fn input_name(input: &FrfInput) -> String {
     }
 }
 
-/// What shakes it: by default the point of the first force.
+/// Returns the excitation: by default the point of the first force.
 fn input_of(spec: &Spec, named: Option<String>, base: bool) -> Result<FrfInput, Failure> {
     let wrong = |why: String| Err(Failure::new("ArgumentError", why));
     if base {
@@ -102,7 +102,7 @@ fn input_of(spec: &Spec, named: Option<String>, base: bool) -> Result<FrfInput, 
         {
             None => Ok(FrfInput::BaseAcceleration),
             Some((name, _)) => wrong(format!(
-                "modal.{name}.participation_sqrt_kg is missing: without it jounce cannot know how an acceleration of the base shakes this structure"
+                "modal.{name}.participation_sqrt_kg is missing: it gives the excitation of this structure by the base"
             )),
         };
     }
@@ -114,7 +114,7 @@ fn input_of(spec: &Spec, named: Option<String>, base: bool) -> Result<FrfInput, 
     match named.or_else(|| forced.map(|drive| drive.at.clone())) {
         Some(point) => Ok(FrfInput::Force(point)),
         None => {
-            wrong("this spec has no force: name the point to push with input=\"POINT\", or accelerate the base with base=True".to_owned())
+            wrong("this spec has no force: name the excitation point with input=\"POINT\", or excite the base with base=True".to_owned())
         }
     }
 }

@@ -9,7 +9,7 @@ use pyo3::types::PyDict;
 /// Motion at given times.
 pub struct Samples {
     time_s: Vec<f64>,
-    /// Per point, stop or patch, then per time.
+    /// Values per point, stop or patch, then per time.
     displacement_m: Vec<Vec<f64>>,
     velocity_m_s: Vec<Vec<f64>>,
     relative_displacement_m: Vec<Vec<f64>>,
@@ -17,7 +17,7 @@ pub struct Samples {
     force_n: Vec<Vec<f64>>,
 }
 
-/// The samples of a record: evenly spaced, and once per drive cycle.
+/// Samples of a record: evenly spaced, and once per drive cycle.
 pub struct History {
     even: Samples,
     strobed: Samples,
@@ -54,7 +54,7 @@ impl History {
         }
     }
 
-    /// For Python.
+    /// Converts the samples for Python.
     pub fn dict<'py>(self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let answer = PythonDict::new(py)
             .with("point", self.point)?

@@ -1,4 +1,4 @@
-//! Curves over two keys where the answer jumps.
+//! Bifurcation curves in two keys.
 
 use crate::arrays::PythonDict;
 use crate::branch::{checked_levels, checked_seeds, checked_tolerance};
@@ -10,11 +10,11 @@ use jounce::analysis::{BifurcationCurve, BifurcationCurvePoint, BifurcationSearc
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// Follows folds, doublings, tori, grazings and levels over two keys.
+/// Continues folds, period doublings, tori, grazings and levels in two keys.
 #[pyfunction]
 #[expect(
     clippy::too_many_arguments,
-    reason = "one argument per option of the Python method, which calls by name"
+    reason = "one argument per option of the Python method, which passes them by name"
 )]
 pub fn jumps<'py>(
     py: Python<'py>,
@@ -77,7 +77,7 @@ pub fn jumps<'py>(
     })
 }
 
-/// Stability where it is not asked for: on every curve but those of peaks.
+/// Stability where it is not computed: on all curves except peaks.
 const UNKNOWN: i64 = -1;
 
 fn one<'py>(py: Python<'py>, curve: &BifurcationCurve) -> PyResult<Bound<'py, PyDict>> {

@@ -1,4 +1,5 @@
-//! The Python module of jounce: arguments in, library calls, arrays out. It computes nothing itself; the package around it is in `python/jounce`.
+//! The Python module of jounce: it reads arguments, calls the library and returns arrays. It
+//! computes nothing itself; the package that uses it is in `python/jounce`.
 
 mod arrays;
 mod basins;
@@ -28,7 +29,7 @@ mod starters;
 mod study;
 mod sweep;
 
-/// The module as Python sees it.
+/// The module seen from Python.
 #[pyo3::pymodule]
 mod _core {
     #[pymodule_export]
@@ -88,7 +89,8 @@ mod _core {
     #[pymodule_export]
     use super::sweep::sweep;
 
-    /// numpy's own interface is loaded here: loaded by the first array of an answer, it could meet a pending Ctrl-C, and fail.
+    /// Loads the interface of numpy. If the first array of a result loaded it, a pending Ctrl-C
+    /// could make that fail.
     #[pymodule_init]
     fn init(module: &pyo3::Bound<'_, pyo3::types::PyModule>) -> pyo3::PyResult<()> {
         let _ = numpy::PyArray1::<f64>::zeros(module.py(), 0, false);

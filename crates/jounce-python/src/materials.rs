@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use jounce::material::LIBRARY;
 use pyo3::prelude::*;
 
-/// Every material as JSON, SI units in the names.
+/// Returns every material as JSON, with SI units in the names.
 #[pyfunction]
 pub fn materials() -> PyResult<String> {
     Ok(serde_json::to_string(LIBRARY).map_err(|error| Failure::new("JounceError", error))?)

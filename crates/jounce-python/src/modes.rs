@@ -9,10 +9,10 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::f64::consts::TAU;
 
-/// Places along each beam at which shapes are given.
+/// Number of positions along each beam for the shapes.
 const PLACES: usize = 201;
 
-/// Natural frequencies, damping, couplings and shapes, with some masses held still.
+/// Computes natural frequencies, damping, couplings and shapes, with some masses fixed.
 #[pyfunction]
 pub fn modes<'py>(py: Python<'py>, spec: &Spec, hold: Vec<String>) -> PyResult<Bound<'py, PyDict>> {
     let solve = || {

@@ -1,4 +1,4 @@
-//! The exact answer to noise without contact.
+//! Exact response to noise without contact.
 
 use crate::arrays::PythonDict;
 use crate::cancellable::{cancellable, to_python_result};
@@ -12,17 +12,18 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::ops::RangeInclusive;
 
-/// Numbers of frequencies that densities are told at.
+/// Allowed numbers of frequencies of the densities.
 const POINTS: RangeInclusive<usize> = 2..=1_000_000;
 
-/// What a spec answers to its noises.
+/// Response of a spec to its noises.
 struct NoiseResult {
     answer: RandomResponse,
     frequency_hz: Vec<f64>,
     densities: Vec<Density>,
 }
 
-/// Means and mean squares, and densities at so many frequencies from one to another, Hz; by default over the band of the noises.
+/// Computes means and mean squares, and densities at a number of frequencies between two, Hz; by
+/// default over the band of the noises.
 #[pyfunction]
 pub fn noise<'py>(
     py: Python<'py>,

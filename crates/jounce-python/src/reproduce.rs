@@ -1,4 +1,4 @@
-//! The paper computed again.
+//! Reproduction of the paper.
 
 use crate::arrays::PythonDict;
 use crate::cancellable::{cancellable, on_threads, to_python_result};

@@ -1,4 +1,4 @@
-//! What the sensors of a virtual rig record of a harvester.
+//! Virtual test: simulated sensor recordings of a harvester.
 
 use crate::cancellable::{cancellable, to_python_result};
 use crate::failure::Failure;
@@ -20,7 +20,7 @@ use jounce_measure::solution::{SolutionSearch, solutions, start_of};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// The sensors and their clock, and what they do to the harvester.
+/// Sensors, their clock, and their effect on the harvester.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub struct Sensors {
@@ -28,16 +28,16 @@ pub struct Sensors {
     noise: f64,
     bits: Option<u32>,
     seed: u64,
-    /// Points with an accelerometer, and the mass of each.
+    /// Points with an accelerometer, and the mass of each accelerometer.
     at: Vec<String>,
     sensor_mass_kg: Option<f64>,
     cable_f: Option<f64>,
     cable_leakage_ohm: Option<f64>,
-    /// Bodies that are held still.
+    /// Bodies that are fixed.
     hold: Vec<String>,
 }
 
-/// A hammer test, but for its sensors.
+/// Options of a hammer test, without its sensors.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub struct Hits {
@@ -48,7 +48,7 @@ pub struct Hits {
     contact_time_s: f64,
 }
 
-/// What a shaker does beside what the spec says.
+/// Options of a shaker in addition to the spec.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub struct Shaker {
@@ -57,7 +57,7 @@ pub struct Shaker {
     wander_time_s: f64,
     amplitude_drift: f64,
     frequency_drift: f64,
-    /// Solutions of the model by their ids, and from which time of the record on each is shown, s.
+    /// Solutions of the model by id, with the time of the record at which each begins, s.
     solution: Vec<(String, f64)>,
     starts: usize,
     starts_seed: u64,
@@ -73,7 +73,7 @@ impl Sensors {
         }
     }
 
-    /// Cables and accelerometers are part of what is measured.
+    /// Adds cables and accelerometers to the spec.
     fn fit(&self, spec: &mut jounce::spec::Spec) -> Result<(), Failure> {
         if self.cable_f.is_some() || self.cable_leakage_ohm.is_some() {
             Cable {
@@ -98,7 +98,7 @@ impl Shaker {
             amplitude_drift: self.amplitude_drift,
             frequency_drift: self.frequency_drift,
         };
-        // A memory of nothing is none.
+        // A correlation time of zero means no fluctuation.
         let still = Disturbance {
             memory_s: wander.memory_s,
             ..Disturbance::NONE
@@ -106,7 +106,7 @@ impl Shaker {
         if still { Disturbance::NONE } else { wander }
     }
 
-    /// Times and states of the solutions that are asked for.
+    /// Returns times and states of the requested solutions.
     fn solutions(
         &self,
         spec: &jounce::spec::Spec,
@@ -128,7 +128,8 @@ impl Shaker {
     }
 }
 
-/// Marches the run, or what moves the base in its place; what the sensors record over its averaging window.
+/// Integrates the run, or a given motion of the base, and returns the sensor recordings of its
+/// averaging window.
 #[pyfunction]
 pub fn rig_shaken<'py>(
     py: Python<'py>,
@@ -190,7 +191,8 @@ fn shaken(
     Ok(shaker_test(&spec, &modes, &test, control)?)
 }
 
-/// Strikes a point with a hammer, stops and drives taken away; without points to record at, every point and patch records.
+/// Hits a point with a hammer, with stops and drives removed; without given points, every point and
+/// patch is recorded.
 #[pyfunction]
 pub fn rig_struck<'py>(
     py: Python<'py>,

@@ -13,10 +13,10 @@ use jounce::run::{
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// What a call answers: the answer, if there is one, and what ended it early.
+/// Result of a call, if there is one, and the error that ended it early.
 pub type PythonResult<'py> = PyResult<(Option<Bound<'py, PyDict>>, Option<PyErr>)>;
 
-/// Most samples of a record.
+/// Maximum number of samples of a record.
 const MAX_SAMPLES: f64 = 1e8;
 
 /// Options of a run.
@@ -27,7 +27,7 @@ struct RunOptions {
     sample_rate_hz: f64,
 }
 
-/// What was marched.
+/// Data of a run.
 struct RunData {
     plan: RunPlan,
     answer: RunResult,
@@ -35,13 +35,13 @@ struct RunData {
     /// Names of the patches.
     patch: Vec<String>,
     peaks: VoltagePeaks,
-    /// Balance of charge of each circuit whose diodes feed a capacitor.
+    /// Charge balance of each circuit whose diodes feed a capacitor.
     charges: Vec<ChargeResult>,
-    /// What the answer should not be believed without, in words.
+    /// Warnings about the result.
     warnings: Vec<String>,
 }
 
-/// Marches one run; `start` is a state as JSON.
+/// Integrates one run; `start` is a state as JSON.
 #[pyfunction]
 pub fn run<'py>(
     py: Python<'py>,
@@ -92,12 +92,12 @@ fn marched(spec: &Spec, options: &RunOptions, control: &Control) -> Result<RunDa
     let samples = options.record_s * options.sample_rate_hz;
     if samples > MAX_SAMPLES {
         let why = format!(
-            "record times sample_rate makes {samples:e} samples; at most {MAX_SAMPLES:e} are kept"
+            "record times sample_rate makes {samples:e} samples; at most {MAX_SAMPLES:e} are allowed"
         );
         return Err(Failure::new("ArgumentError", why)
             .with(serde_json::json!({ "samples": samples, "most": MAX_SAMPLES })));
     }
-    // As the command line does, so that both tell the same bits.
+    // The same options as the command line, so that both return equal bits.
     let watching = plan
         .clone()
         .watching(&prepared.spec, &kernel.plant)
@@ -152,7 +152,7 @@ fn into_python<'py>(
     Ok(answer.dict())
 }
 
-/// Powers, and voltages of loads and patches.
+/// Adds powers, and voltages of loads and patches.
 fn voltages<'py>(answer: PythonDict<'py>, marched: &RunData) -> PyResult<PythonDict<'py>> {
     let RunData {
         answer: found,
@@ -185,7 +185,7 @@ fn voltages<'py>(answer: PythonDict<'py>, marched: &RunData) -> PyResult<PythonD
         .each("leak_power_w", leaks, |leak| leak.mean_power_w)
 }
 
-/// What happened behind the rectifiers.
+/// Adds the results of the rectifiers.
 fn rectified<'py>(
     answer: PythonDict<'py>,
     rectified: &[RectifiedResult],
@@ -243,7 +243,7 @@ fn rectified<'py>(
         })
 }
 
-/// What happened at the stops.
+/// Adds the results of the stops.
 fn contacts<'py>(answer: PythonDict<'py>, found: &RunResult) -> PyResult<PythonDict<'py>> {
     let stops: &[StopResult] = &found.stops;
     answer
@@ -282,7 +282,7 @@ fn contacts<'py>(answer: PythonDict<'py>, found: &RunResult) -> PyResult<PythonD
         .with("contact_duty", found.contact_duty)
 }
 
-/// How far to trust the answer: has it settled, is the energy balanced, what was asked for.
+/// Adds settling, energy balance and the requested record.
 fn trust<'py>(
     answer: PythonDict<'py>,
     RunData {
@@ -316,7 +316,7 @@ fn trust<'py>(
         .with("wall_time_s", found.wall_time_s)
 }
 
-/// Where the energy of the whole run went, J.
+/// Adds the energies of the complete run, J.
 fn flows<'py>(py: Python<'py>, energies: &Energies) -> PyResult<Bound<'py, PyDict>> {
     let rectified =
         |of: fn(&RectifiedEnergies) -> f64| energies.rectified.iter().map(of).sum::<f64>();

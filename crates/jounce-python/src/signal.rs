@@ -1,14 +1,14 @@
-//! Measures of sampled signals.
+//! Spectra of sampled signals.
 
 use crate::failure::Failure;
 use jounce::signal::{Samples, Window};
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 
-/// An array of one axis.
+/// Array of one axis.
 type Row<'py> = Bound<'py, PyArray1<f64>>;
 
-/// Frequencies and amplitudes (zero to peak) of the spectrum of a signal, Hann window.
+/// Returns frequencies and amplitudes (zero to peak) of the spectrum of a signal, Hann window.
 #[pyfunction]
 pub fn spectrum<'py>(
     py: Python<'py>,

@@ -1,4 +1,4 @@
-//! A spec: its text, and what the text says.
+//! Spec: its text and its contents.
 
 use crate::branch::json;
 use crate::failure::Failure;
@@ -12,12 +12,12 @@ use pyo3::types::PyBytes;
 use std::path::PathBuf;
 use std::sync::OnceLock;
 
-/// A spec, read and checked. It never changes; a change makes a new one.
+/// Spec that is read and checked. It is immutable; a change returns a new one.
 #[pyclass(frozen, module = "jounce._core")]
 pub struct Spec {
     text: String,
     folder: PathBuf,
-    /// What the text says.
+    /// Contents of the text.
     pub spec: jounce::spec::Spec,
     prepared: OnceLock<Model>,
     hash_hex: OnceLock<String>,
@@ -25,7 +25,7 @@ pub struct Spec {
 
 #[pymethods]
 impl Spec {
-    /// Reads a text; state files and recordings are looked for in `folder`.
+    /// Reads a text; paths of state files and recordings are relative to `folder`.
     #[new]
     fn new(text: String, folder: PathBuf) -> Result<Self, Failure> {
         let spec = SpecFile::from_text(text.as_str())
@@ -47,7 +47,7 @@ impl Spec {
         Self::new(text, path.parent().map(PathBuf::from).unwrap_or_default())
     }
 
-    /// The same with keys set, all at once.
+    /// Returns a copy with keys set, all at once.
     fn with_keys(&self, keys: Vec<(String, String)>) -> Result<Self, Failure> {
         let mut file = self.file();
         let faults: Vec<_> = keys
@@ -67,24 +67,24 @@ impl Spec {
         })
     }
 
-    /// The text, comments and layout kept.
+    /// Returns the text, with comments and layout.
     #[getter]
     fn text(&self) -> &str {
         &self.text
     }
 
-    /// Where state files and recordings are looked for.
+    /// Returns the folder of state files and recordings.
     #[getter]
     pub fn folder(&self) -> PathBuf {
         self.folder.clone()
     }
 
-    /// The text in canonical form: every key that applies, with its default.
+    /// Returns the text in canonical form: every key that applies, with its default.
     fn to_toml(&self) -> String {
         self.spec.to_toml()
     }
 
-    /// What was noticed of the recordings of its drives, as JSON.
+    /// Returns the issues of the recordings of its drives, as JSON.
     fn findings(&self) -> PyResult<String> {
         let findings: Vec<_> = self
             .spec
@@ -94,18 +94,18 @@ impl Spec {
         crate::measured::recording::findings(&findings)
     }
 
-    /// SHA-256 of the canonical form.
+    /// Returns the SHA-256 of the canonical form.
     fn hash_hex(&self) -> &str {
         self.hash_hex.get_or_init(|| self.spec.hash_hex())
     }
 
-    /// Value of a key with a number, SI, and its unit.
+    /// Returns the value of a key with a number, SI, and its unit.
     fn number(&self, key: &str) -> Result<(f64, String), Failure> {
         let found = NumericKey::find(&self.spec, key)?;
         Ok((found.get(&self.spec)?, found.unit()))
     }
 
-    /// The harvester to scale: as SVG, and as PNG at twice its size.
+    /// Draws the harvester to scale: as SVG, and as PNG at twice its size.
     fn drawing<'py>(
         &self,
         py: Python<'py>,
@@ -118,20 +118,20 @@ impl Spec {
         Ok((drawing.to_svg(), PyBytes::new(py, &png)))
     }
 
-    /// Writes the text to a file, whole or not at all.
+    /// Writes the text to a file, completely or not at all.
     fn write(&self, path: PathBuf) -> Result<(), Failure> {
         jounce::store::write(&path, self.text.as_bytes()).map_err(Failure::from)
     }
 }
 
 impl Spec {
-    /// The harvester, made once and shared by every call, under the control of one call.
+    /// Returns the model, built once and shared by all calls, under the control of one call.
     pub fn prepared(&self, control: &Control) -> Result<Model, Failure> {
         let known = match self.prepared.get() {
             Some(known) => known,
             None => {
                 let made = Model::watched(self.spec.clone(), control)?;
-                // What was made for a call that ends early lacks its noise.
+                // A model built for a call that ended early lacks its noise.
                 if control.is_stopped() {
                     return Ok(made);
                 }
@@ -142,22 +142,22 @@ impl Spec {
         Ok(known.with_control(control)?)
     }
 
-    /// The text, ready to be changed.
+    /// Returns a modifiable copy of the text.
     pub fn file(&self) -> SpecFile {
         SpecFile::from_text(self.text.as_str()).in_folder(&self.folder)
     }
 
-    /// A key with a number.
+    /// Returns a key with a number.
     pub fn key(&self, key: &str) -> Result<NumericKey, Failure> {
         Ok(self.file().numeric_key(key)?)
     }
 
-    /// A key and its values.
+    /// Returns a key and its values.
     pub fn range(&self, key: &str, values: &str) -> Result<KeyRange, Failure> {
         Ok(KeyRange::parse(self.key(key)?, values)?)
     }
 
-    /// A key and the two ends of its range.
+    /// Returns a key and the two ends of its range.
     pub fn ends(
         &self,
         key: &str,
@@ -168,7 +168,7 @@ impl Spec {
             [low, high] if low < high => Ok((found.key().clone(), (*low, *high))),
             ends => {
                 let why = format!(
-                    "{key}: the range {} to {} must go from a smaller to a larger value",
+                    "{key}: the range is {} to {}; its first value must be below the second",
                     range.0, range.1
                 );
                 Err(Failure::new("ArgumentError", why)
@@ -177,7 +177,7 @@ impl Spec {
         }
     }
 
-    /// The spec with another tolerance of the march.
+    /// Returns the spec with another tolerance of the integration.
     pub fn with_tolerance(&self, tolerance: Option<f64>) -> Result<Option<Self>, Failure> {
         tolerance
             .map(|tolerance| {
@@ -186,7 +186,7 @@ impl Spec {
             .transpose()
     }
 
-    /// Where an answer comes from, as JSON.
+    /// Returns the origin of a result, as JSON.
     pub fn manifest(&self, command: &str, options: &[(&str, String)]) -> String {
         let manifest = Manifest::new(self.hash_hex()).with("command", command);
         let manifest = options.iter().fold(manifest, |manifest, (name, value)| {
@@ -196,19 +196,20 @@ impl Spec {
     }
 }
 
-/// The JSON Schema of a spec.
+/// Returns the JSON Schema of a spec.
 #[pyfunction]
 pub fn schema() -> PyResult<String> {
     json(&jounce::spec::schema())
 }
 
-/// The reference of all keys of a spec, in Markdown.
+/// Returns the reference of all keys of a spec, in Markdown.
 #[pyfunction]
 pub fn keys() -> String {
     jounce::spec::reference_markdown()
 }
 
-/// A quantity as text, in SI: kind is `time`, `frequency`, `length`, `resistance`, `capacitance`, `mass` or `force`.
+/// Converts a quantity as text to SI: kind is `time`, `frequency`, `length`, `resistance`,
+/// `capacitance`, `mass` or `force`.
 #[pyfunction]
 pub fn quantity_si(kind: &str, text: &str) -> PyResult<f64> {
     let quantity = match kind {
@@ -221,7 +222,7 @@ pub fn quantity_si(kind: &str, text: &str) -> PyResult<f64> {
         "force" => Quantity::Force,
         _ => {
             return Err(PyValueError::new_err(format!(
-                "{kind}: no kind of quantity"
+                "{kind}: unknown kind of quantity"
             )));
         }
     };

@@ -1,10 +1,10 @@
-//! Commented specs to start from.
+//! Commented templates of specs.
 
 use crate::failure::Failure;
 use jounce::starter::{STARTERS, Starter};
 use pyo3::prelude::*;
 
-/// Kind and summary of every starter.
+/// Returns kind and summary of every template.
 #[pyfunction]
 pub fn starters() -> Vec<(&'static str, &'static str)> {
     STARTERS
@@ -13,7 +13,7 @@ pub fn starters() -> Vec<(&'static str, &'static str)> {
         .collect()
 }
 
-/// The text of the starter of a kind.
+/// Returns the text of the template of a kind.
 #[pyfunction]
 pub fn starter(kind: &str) -> Result<&'static str, Failure> {
     Ok(Starter::of(kind)?.spec)

@@ -12,13 +12,13 @@ use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 use std::path::PathBuf;
 
-/// A study, read and checked.
+/// Study that is read and checked.
 #[pyclass(frozen, module = "jounce._core")]
 pub struct Study(jounce::study::Study);
 
 #[pymethods]
 impl Study {
-    /// A study of a spec from the text of what varies.
+    /// Reads a study of a spec from the text of its variation.
     #[new]
     fn new(spec: &Spec, text: &str) -> Result<Self, Failure> {
         Ok(Self(jounce::study::Study::with_spec(
@@ -28,27 +28,27 @@ impl Study {
         )?))
     }
 
-    /// SHA-256 of all that its table depends on.
+    /// Returns the SHA-256 of all inputs of the table.
     fn hash_hex(&self) -> &str {
         self.0.hash_hex()
     }
 
-    /// Number of points.
+    /// Returns the number of points.
     fn points(&self) -> usize {
         self.0.design.len()
     }
 
-    /// Number of parts.
+    /// Returns the number of parts.
     fn parts(&self) -> usize {
         self.0.parts()
     }
 
-    /// Number of points of a part.
+    /// Returns the number of points of a part.
     fn points_of(&self, part: usize) -> usize {
         self.0.points(part).len()
     }
 
-    /// Values of the keys at a point, SI.
+    /// Returns the values of the keys at a point, SI.
     fn point(&self, index: usize) -> Result<Vec<f64>, Failure> {
         match index < self.0.design.len() {
             true => Ok(self.0.design.point(index)),
@@ -66,7 +66,7 @@ impl Study {
         }
     }
 
-    /// A part as the bytes of its file, computed on one thread.
+    /// Returns a part as the bytes of its file, computed on one thread.
     fn part<'py>(&self, py: Python<'py>, part: usize) -> PythonResult<'py> {
         if part >= self.0.parts() {
             let why = format!("there is no part {part}; the study has {}", self.0.parts());
@@ -91,7 +91,7 @@ impl Study {
         })
     }
 
-    /// Computes what is missing of a shard of the study in a folder, on all threads.
+    /// Computes the missing parts of a shard of the study in a folder, on all threads.
     fn run<'py>(
         &self,
         py: Python<'py>,
@@ -115,27 +115,27 @@ impl Study {
         })
     }
 
-    /// Numbers of the parts that a folder lacks; the folder is made where there is none.
+    /// Returns the numbers of the parts that a folder lacks; a missing folder is created.
     fn missing(&self, py: Python<'_>, folder: PathBuf) -> PyResult<Vec<usize>> {
         py.detach(|| Ok::<_, Failure>(Folder::of(&folder, &self.0)?.missing()))
             .map_err(|failure| failure.raised(py))
     }
 
-    /// Keeps a part that was computed elsewhere.
+    /// Stores a part that was computed elsewhere.
     fn keep(&self, py: Python<'_>, folder: PathBuf, part: usize, bytes: &[u8]) -> PyResult<()> {
         let kept = py.detach(|| Ok::<_, Failure>(Folder::of(&folder, &self.0)?.keep(part, bytes)?));
         kept.map_err(|failure| failure.raised(py))
     }
 }
 
-/// Joins the parts of a folder to one table; its path.
+/// Joins the parts of a folder into one table and returns its path.
 #[pyfunction]
 pub fn study_merge(py: Python<'_>, folder: PathBuf) -> PyResult<PathBuf> {
     py.detach(|| Ok::<_, Failure>(Folder::open(&folder)?.merge()?))
         .map_err(|failure| failure.raised(py))
 }
 
-/// How far the study of a folder is, as JSON.
+/// Returns the progress of the study in a folder, as JSON.
 #[pyfunction]
 pub fn study_status(py: Python<'_>, folder: PathBuf) -> PyResult<String> {
     let status = py
@@ -144,7 +144,8 @@ pub fn study_status(py: Python<'_>, folder: PathBuf) -> PyResult<String> {
     Ok(serde_json::to_string(&status).map_err(|error| Failure::new("JounceError", error))?)
 }
 
-/// A table that jounce wrote: columns by name, their units and meanings, the manifest as JSON.
+/// Reads a table written by jounce: columns by name, their units and meanings, the manifest as
+/// JSON.
 #[pyfunction]
 pub fn table_read<'py>(
     py: Python<'py>,

@@ -10,11 +10,11 @@ use jounce::run::{ExceededLimit, WorstExcess};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// Marches a run at every value of a key.
+/// Runs the model at every value of a key.
 #[pyfunction]
 #[expect(
     clippy::too_many_arguments,
-    reason = "one argument per option of the Python method, which calls by name"
+    reason = "one argument per option of the Python method, which passes them by name"
 )]
 pub fn sweep<'py>(
     py: Python<'py>,
@@ -94,7 +94,7 @@ fn into_python<'py>(
     Ok(answer.dict())
 }
 
-/// Limits of patches that points pass.
+/// Returns warnings about exceeded limits of patches at points.
 fn warnings(key: &str, unit: &str, points: &[SweepPoint]) -> Vec<String> {
     let passed: Vec<&[ExceededLimit]> = points
         .iter()

@@ -1,4 +1,4 @@
-"""Pictures with matplotlib: each function draws into the axes that it is given, or into new ones, and gives them back.
+"""Pictures with matplotlib: each function draws into the given axes, or into new ones, and returns them.
 
-The look is set for the pictures of jounce alone; matplotlib's own settings stay as they are.
+The style applies to the pictures of jounce only; the settings of matplotlib are unchanged.
 """

@@ -1,4 +1,4 @@
-"""Where starts end."""
+"""Picture of basins of attraction."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 def plot_basins(result: BasinsResult, ax: Any = None) -> Any:
-    """Draws the starts by displacement and velocity towards the stop, coloured by the attractor that they end on."""
+    """Draws the starts by displacement and velocity towards the stop, coloured by attractor."""
     with axes(ax) as ax:
         for number, name in enumerate(result.attractor):
             own = result.ends_in == number
@@ -19,7 +19,7 @@ def plot_basins(result: BasinsResult, ax: Any = None) -> Any:
             ax.plot(result.start_displacement_m[own], result.start_velocity_m_s[own], "o", alpha=0.8, label=text)
         left = result.ends_in < 0
         if left.any():
-            ax.plot(result.start_displacement_m[left], result.start_velocity_m_s[left], "x", color="#888888", label="not recognised")
+            ax.plot(result.start_displacement_m[left], result.start_velocity_m_s[left], "x", color="#888888", label="not classified")
         label(ax.xaxis, "Displacement towards the stop", "m")
         label(ax.yaxis, "Velocity", "m/s")
         ax.legend()

@@ -1,4 +1,4 @@
-"""Branches with their bifurcations."""
+"""Picture of branches with their bifurcations."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ MARKS = {"fold": "s", "period-doubling": "^", "neimark-sacker": "D", "branch-poi
 def plot_branch(result: BranchResult, ax: Any = None) -> Any:
     """Draws mean power over the key: stable solid, unstable dashed, a colour for each period, bifurcations marked.
 
-    Where nothing takes power the displacement amplitude at the first stop is drawn instead.
+    Without power the displacement amplitude at the first stop is drawn instead.
     """
     harvests = any(one.mean_power_w.any() for one in result)
     periods = sorted({one.period_cycles for one in result})
@@ -51,7 +51,7 @@ def plot_branch(result: BranchResult, ax: Any = None) -> Any:
 
 
 def _stretch(stable: Any, wanted: bool) -> Any:
-    """The points of one stability; the unstable ones with their neighbours, so that no gap is left where stability changes."""
+    """Returns the points of one stability; the unstable ones include their neighbours, which avoids gaps at changes of stability."""
     inside = stable == wanted
     if wanted:
         return inside

@@ -1,4 +1,4 @@
-"""Force pulses and the laws fitted to them."""
+"""Picture of force pulses and the fitted contact laws."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Bifurcation diagrams."""
+"""Picture of bifurcation diagrams."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 def plot_diagram(result: DiagramResult, ax: Any = None, quantity: str = "displacement") -> Any:
-    """Draws the section over the key; a colour for each attractor, or for each way where the values were stepped through."""
+    """Draws the section over the key, with a colour for each attractor, or for each direction of a stepped diagram."""
     values, unit, about = result.section(quantity)
     names = [one["id"] for one in result.attractors]
     home = [names[k] if k >= 0 else way for k, way in zip(result.attractor_number, result.direction)]

@@ -1,4 +1,4 @@
-"""Where the energy of the drive went."""
+"""Picture of the energy balance."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ _NAMES = {
 
 
 def plot_energy(result: RunResult, ax: Any = None) -> Any:
-    """Draws a bar for each place where the energy went, in percent of the input."""
+    """Draws a bar for each energy output, in percent of the input."""
     input_j = result.energies_j["input_j"]
     if input_j <= 0.0:
-        raise ArgumentError(f"the drives put in {input_j:g} J, so that there is no share to draw")
-    # What the harvester does not have is left out.
+        raise ArgumentError(f"the input energy is {input_j:g} J, so there are no shares to draw")
+    # Outputs that the harvester does not have are omitted.
     there = {"rectified_j": result.rectified, "rectified_loss_j": result.rectified, "leaks_j": result.leak}
     names = {key: name for key, name in _NAMES.items() if there.get(key, True)}
     shares = [100.0 * result.energies_j[key] / input_j for key in names]

@@ -1,4 +1,4 @@
-"""Realisations of noise."""
+"""Picture of realisations of noise."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ def plot_ensemble(result: EnsembleResult, ax: Any = None) -> Any:
         ax.plot(result.member, result.member_power_w, "o", label="member")
         ax.axhline(mean, color=COLOURS[1], label="mean")
         if np.isfinite(half):
-            ax.axhspan(mean - half, mean + half, color=COLOURS[1], alpha=0.2, linewidth=0.0, label="its 95 % interval")
+            ax.axhspan(mean - half, mean + half, color=COLOURS[1], alpha=0.2, linewidth=0.0, label="95 % interval")
         label(ax.xaxis, "Number of the realisation", "")
         label(ax.yaxis, "Mean power", "W")
         ax.legend()

@@ -1,4 +1,4 @@
-"""Features before and after a fit."""
+"""Picture of features before and after a fit."""
 
 from __future__ import annotations
 
@@ -29,12 +29,12 @@ def plot_fit(result: FitResult, ax: Any = None) -> Any:
 
 
 def plot_curve(curve: FitCurve, ax: Any = None) -> Any:
-    """Draws a curve as measured and of the model before and after, with the 95 % interval of a further measurement as a band."""
+    """Draws a measured curve with those of the model before and after, and the 95 % prediction interval as a band."""
     over_time = curve.over == "time_s"
-    # The real and imaginary parts of a response, and times, go through 0; sizes do not.
+    # Real and imaginary parts and time histories pass through 0; magnitudes do not.
     log = not over_time and bool((curve.measured > 0.0).all() and (curve.low > 0.0).all())
     with axes(ax) as ax:
-        ax.fill_between(curve.at, curve.low, curve.high, color="#888888", alpha=0.25, linewidth=0.0, label="95 % of further measurements")
+        ax.fill_between(curve.at, curve.low, curve.high, color="#888888", alpha=0.25, linewidth=0.0, label="95 % prediction interval")
         ax.plot(curve.at, curve.measured, ".", color="#000000", markersize=3, label="measured")
         ax.plot(curve.at, curve.before, "--", label="model before")
         ax.plot(curve.at, curve.after, label="model after")

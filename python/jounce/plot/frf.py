@@ -1,4 +1,4 @@
-"""Frequency responses."""
+"""Picture of frequency responses."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The harvester to scale."""
+"""Picture of the harvester to scale."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Any
 from ..optional import needed
 from .style import axes
 
-#: Width of the picture, inches: that of two columns of a journal.
+#: Width of the picture, inches: two columns of a journal.
 WIDTH_IN = 7.2
 
 

@@ -1,4 +1,4 @@
-"""Records, spectra and Poincaré sections."""
+"""Pictures of records, spectra and Poincaré sections."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def plot_time_history(history: History, ax: Any, channel: str | None) -> Any:
 
 
 def plot_spectrum(found: Spectrum, ax: Any) -> Any:
-    """Draws a spectrum, its zero line left out."""
+    """Draws a spectrum without its line at 0 Hz."""
     with axes(ax) as ax:
         ax.plot(found.frequency_hz[1:], found.amplitude_peak[1:], label=found.name)
         label(ax.xaxis, "Frequency", "Hz", log=True)
@@ -37,11 +37,11 @@ def plot_spectrum(found: Spectrum, ax: Any) -> Any:
 def plot_poincare(history: History, ax: Any, point: str | None) -> Any:
     """Draws velocity over displacement once per drive cycle."""
     if len(history.poincare_time_s) == 0:
-        raise ArgumentError("this harvester has no drive, so there is no drive cycle to look at once")
+        raise ArgumentError("this harvester has no drive, so there is no drive cycle for a Poincaré section")
     struck = next((name for name in history.point if name.endswith(".tip")), history.point[-1])
     point = struck if point is None else point
     if point not in history.point:
-        raise ArgumentError(f"{point}: no such point; there are {', '.join(history.point)}")
+        raise ArgumentError(f"{point}: no such point; use one of {', '.join(history.point)}")
     row = history.point.index(point)
     with axes(ax) as ax:
         ax.plot(history.poincare_displacement_m[row], history.poincare_velocity_m_s[row], "o", alpha=0.7, label=point)
@@ -54,7 +54,7 @@ def plot_poincare(history: History, ax: Any, point: str | None) -> Any:
 
 
 def _widen(axis: Any, motion: Floats) -> None:
-    """Makes an axis a hundredth of the motion wide at least, so that a settled orbit is a place and not the roundoff about it."""
+    """Sets a minimum width of an axis, a hundredth of the motion, so that a settled orbit shows a point and not its roundoff."""
     low, high = axis.get_view_interval()
     lacking = 0.01 * float(np.ptp(motion)) - (high - low)
     if lacking > 0.0:

@@ -1,4 +1,4 @@
-"""Where the answer jumps."""
+"""Picture of bifurcation curves."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a hammer test gives: responses, coherence, stabilisation, and what the modes give beside the responses."""
+"""Pictures of a hammer test: responses, coherence, stabilisation, and the reconstruction from the modes."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 def plot_measured_frf(result: MeasuredFrf, ax: Any, response: str) -> Any:
-    """Draws the magnitude of a response over frequency; the line at 0 Hz, that of the sensor's offset, is left out."""
+    """Draws the magnitude of a response over frequency, without the offset of the sensor at 0 Hz."""
     values = result[response]
     with axes(ax) as ax:
         ax.plot(result.frequency_hz[1:], np.abs(values[1:]), label=response)
@@ -43,7 +43,7 @@ _POLES = {
 
 
 def plot_stabilisation(result: MeasuredModes, ax: Any = None) -> Any:
-    """Draws the poles by order; the modes that were chosen are upright lines."""
+    """Draws the poles by order; vertical lines mark the selected modes."""
     inside = (result.pole_frequency_hz >= result.line_hz[0]) & (result.pole_frequency_hz <= result.line_hz[-1])
     kinds = np.array(result.pole_stable)
     with axes(ax) as ax:
@@ -60,7 +60,7 @@ def plot_stabilisation(result: MeasuredModes, ax: Any = None) -> Any:
 
 
 def plot_modal_fit(result: MeasuredModes, ax: Any, row: int) -> Any:
-    """Draws a function of the band, measured and as the modes give it: motion as displacement, voltage as it is."""
+    """Draws a function of the band, measured and reconstructed from the modes: motion as displacement, voltage unchanged."""
     unit = "" if result.frf is None else result.frf.units[result.function[row]]
     moves = unit.startswith("m/s") or unit == "m/N"
     about = "Spectrum of the decay" if result.frf is None else "Displacement per force" if moves else "Response"

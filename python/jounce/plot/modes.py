@@ -1,4 +1,4 @@
-"""Mode shapes."""
+"""Picture of mode shapes."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ def plot_modes(result: ModesResult, ax: Any = None, modes: int = 4) -> Any:
     if not result.beams:
         raise ArgumentError("this harvester is given by its modes: there is no beam to draw them along")
     if modes < 1:
-        raise ArgumentError(f"modes is {modes}; draw one at least")
+        raise ArgumentError(f"modes is {modes}; it must be at least 1")
     with axes(ax) as ax:
         for mode in range(min(modes, len(result))):
             scale = max(np.abs(shape[mode]).max() for _, shape in result.beams.values()) or 1.0

@@ -1,4 +1,4 @@
-"""Densities without contact."""
+"""Picture of densities without contact."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 def plot_noise(result: NoiseResult, ax: Any, density: str) -> Any:
-    """Draws a power spectral density over frequency, its axis logarithmic."""
+    """Draws a power spectral density over frequency, on a logarithmic axis."""
     values = result[density]
     with axes(ax) as ax:
         ax.plot(result.frequency_hz, values, label=density)

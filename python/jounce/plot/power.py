@@ -1,4 +1,4 @@
-"""Measured power and the spectra of its voltage."""
+"""Pictures of measured power and of the voltage spectra."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def plot_power(result: PowerResult, ax: Any = None) -> Any:
 
 
 def plot_spectra(result: PowerResult, ax: Any = None) -> Any:
-    """Draws the spectra of the voltages, their zero lines left out."""
+    """Draws the spectra of the voltages without their lines at 0 Hz."""
     with axes(ax) as ax:
         for spectrum, ohm in zip(result.spectra, result.resistance_ohm):
             ax.plot(spectrum.frequency_hz[1:], spectrum.amplitude_peak[1:], label=f"{ohm:g} ohm")

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 def plot_recording(recording: Recording, ax: Any, channel: Channel) -> Any:
-    """Draws a channel over time, or its size over frequency."""
+    """Draws a channel over time, or its magnitude over frequency."""
     over_time = recording.over == "time"
     values = channel.values if over_time else np.abs(channel.values)
     with axes(ax) as ax:

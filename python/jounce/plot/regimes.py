@@ -1,4 +1,4 @@
-"""Stretches of one solution each."""
+"""Picture of the segments of a record."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 def plot_regimes(result: RegimesResult, ax: Any = None) -> Any:
-    """Draws the record, a colour for each stretch, named after what it is."""
+    """Draws the record, with a colour and a label for each segment."""
     with axes(ax) as ax:
         for k, name in enumerate(result.names()):
             inside = (result.time_s >= result.start_s[k]) & (result.time_s < result.end_s[k])

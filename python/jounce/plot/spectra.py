@@ -1,4 +1,4 @@
-"""Spectra of realisations of noise, and of recorded channels."""
+"""Pictures of spectra of realisations of noise, and of recorded channels."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 def plot_spectra(result: EnsembleResult, ax: Any = None) -> Any:
     """Draws the density of each voltage over frequency with its 95 % interval as a band."""
     densities = result.voltage_psd_v2_hz
-    # An axis of powers of ten has no 0: an interval that reaches it goes down to the floor of the picture.
+    # A logarithmic axis has no 0: an interval that includes it extends to the lower limit of the picture.
     floor = 0.1 * np.min(densities[densities > 0.0], initial=np.inf)
     with axes(ax) as ax:
         for name, mean, half in zip(result.patch, densities, result.voltage_psd_half_width_v2_hz):
@@ -33,7 +33,7 @@ def plot_spectra(result: EnsembleResult, ax: Any = None) -> Any:
 
 
 def plot_density(result: SpectraResult, ax: Any = None) -> Any:
-    """Draws the density of a channel, its line at 0 Hz left out; multiples of the drive are upright lines."""
+    """Draws the density of a channel without its line at 0 Hz; vertical lines mark multiples of the drive."""
     with axes(ax) as ax:
         for hz in result.order_frequency_hz:
             ax.axvline(hz, color="#888888", linewidth=0.5, linestyle=":")
@@ -43,19 +43,19 @@ def plot_density(result: SpectraResult, ax: Any = None) -> Any:
     return ax
 
 
-#: Decades of amplitude that a spectrogram shows below the largest.
+#: Range of a spectrogram below the largest amplitude, in decades.
 _DECADES = 4.0
 
 
 def plot_spectrogram(result: SpectraResult, ax: Any = None) -> Any:
-    """Draws the amplitudes of each segment over time and frequency, their line at 0 Hz left out, with a bar of colours."""
+    """Draws the amplitudes of each segment over time and frequency without their line at 0 Hz, with a colour bar."""
     colours = needed("matplotlib.colors", "plot")
     highest_hz = 2.0 * result.order_frequency_hz.max() if len(result.order) else result.frequency_hz[-1]
     shown = (result.frequency_hz > 0.0) & (result.frequency_hz <= highest_hz)
     values = result.amplitude_peak[:, shown].T
     most = float(values.max())
     if not most > 0.0:
-        raise ArgumentError(f"{result.channel} has no amplitude above 0 Hz, so that there is nothing to draw")
+        raise ArgumentError(f"{result.channel} has no amplitude above 0 Hz, so there is nothing to draw")
     least = most / 10.0**_DECADES
     with axes(ax) as ax:
         scale = colours.LogNorm(least, most)

@@ -1,4 +1,4 @@
-"""The look of the pictures."""
+"""Style of the pictures."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Any
 
 from ..optional import needed
 
-#: Colours that people who see few colours tell apart (Okabe and Ito, 2008), black first left out.
+#: Colours that colour-blind readers can distinguish (Okabe and Ito, 2008); black, their first, is omitted.
 COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"]
 
 _LOOK: dict[str, Any] = {
@@ -40,14 +40,14 @@ _LOOK: dict[str, Any] = {
 
 @contextmanager
 def axes(ax: Any, **figure: Any) -> Iterator[Any]:
-    """The axes to draw into, under the look of jounce."""
+    """Yields the axes to draw into, with the style of jounce."""
     matplotlib = needed("matplotlib", "plot")
     with matplotlib.rc_context({**_LOOK, "axes.prop_cycle": matplotlib.cycler(color=COLOURS)}):
         yield needed("matplotlib.pyplot", "plot").subplots(**figure)[1] if ax is None else ax
 
 
 def label(axis: Any, what: str, unit: str, log: bool = False) -> None:
-    """Names an axis with its unit. Ticks of a linear axis carry the unit themselves, with a prefix, ``2 mW``; the data stay in SI."""
+    """Labels an axis with its unit. Ticks of a linear axis carry the unit with a prefix, ``2 mW``; the data remain in SI."""
     ticker = needed("matplotlib.ticker", "plot")
     if log:
         axis.axes.set(**{f"{axis.axis_name}scale": "log"})

@@ -17,7 +17,7 @@ _WAYS = {
 
 
 def plot_sweep(result: SweepResult, ax: Any = None, text: str | None = None) -> Any:
-    """Draws mean power over the key, the directions apart; what had not settled has a ring."""
+    """Draws mean power over the key, with separate directions; unsettled points have a ring."""
     with axes(ax) as ax:
         colour = None
         for way, look in _WAYS.items():

@@ -1,4 +1,4 @@
-//! How `jounce branch` tells peaks and half-power bandwidths.
+//! Output of peaks and half-power bandwidths by `jounce branch`.
 
 use crate::failure::Failure;
 use crate::output::{key_value, line};
@@ -6,12 +6,12 @@ use jounce::analysis::{BandLimit, Bandwidth, Bandwidths, IntervalEdge};
 use jounce::spec::NumericKey;
 use jounce::table::{Column, Table};
 
-/// As JSON: the width, its error and its intervals; the peak stands beside it.
+/// Converts the width, its error and its intervals; the peak is a separate key.
 pub fn to_json(width: &Bandwidth) -> serde_json::Value {
     serde_json::json!({ "width": width.width, "width_error": width.width_error, "intervals": width.intervals })
 }
 
-/// As lines of text.
+/// Prints the bandwidth as lines of text.
 pub fn print(width: &Bandwidth, unit: &str) {
     let peak = &width.peak;
     line(format!(
@@ -39,7 +39,7 @@ pub fn print(width: &Bandwidth, unit: &str) {
     }
 }
 
-/// What a place is.
+/// Describes a limit of a band.
 fn why(limit: BandLimit) -> &'static str {
     match limit {
         BandLimit::Maximum => "maximum",
@@ -52,7 +52,7 @@ fn why(limit: BandLimit) -> &'static str {
 /// A branch with its bandwidth, and both ends of an interval.
 type Row<'w> = (String, &'w Bandwidth, IntervalEdge, IntervalEdge);
 
-/// One row for each interval of each branch, and of all together.
+/// Returns a table with one row for each interval of each branch, and of all branches combined.
 pub fn table(key: &NumericKey, widths: &Bandwidths) -> Result<Table, Failure> {
     let own = widths
         .branches
@@ -88,35 +88,43 @@ pub fn table(key: &NumericKey, widths: &Bandwidths) -> Result<Table, Failure> {
     Ok(Table::new(vec![
         text(
             "branch",
-            "number of the branch, from 0; `all` for all together",
+            "number of the branch, from 0; `all` for all branches combined",
             &|row| row.0.clone(),
         ),
         number(
             "peak_parameter",
             &unit,
-            "where a stable orbit has the largest power",
+            "parameter of the stable orbit with the largest power",
             &|row| row.1.peak.parameter,
         ),
-        number("peak_mean_power_w", "W", "mean power there", &|row| {
+        number("peak_mean_power_w", "W", "largest mean power", &|row| {
             row.1.peak.mean_power_w
         }),
         number(
             "from",
             &unit,
-            "lower end of a range with at least half of it",
+            "lower end of a range with at least half of the largest power",
             &|row| row.2.parameter,
         ),
-        number("from_error", &unit, "its estimated error", &|row| {
-            row.2.parameter_error
-        }),
-        text("from_at", "what ends the range", &|row| {
+        number(
+            "from_error",
+            &unit,
+            "estimated error of the lower end",
+            &|row| row.2.parameter_error,
+        ),
+        text("from_at", "limit at the lower end", &|row| {
             why(row.2.at).to_owned()
         }),
-        number("to", &unit, "upper end", &|row| row.3.parameter),
-        number("to_error", &unit, "its estimated error", &|row| {
-            row.3.parameter_error
+        number("to", &unit, "upper end of the range", &|row| {
+            row.3.parameter
         }),
-        text("to_at", "what ends the range", &|row| {
+        number(
+            "to_error",
+            &unit,
+            "estimated error of the upper end",
+            &|row| row.3.parameter_error,
+        ),
+        text("to_at", "limit at the upper end", &|row| {
             why(row.3.at).to_owned()
         }),
     ])?)

@@ -24,15 +24,15 @@ use jounce::run::{ExceededLimit, Limits};
 use jounce::spec::{NumericKey, Spec};
 use std::path::Path;
 
-/// Harmonics with which harmonic balance begins.
+/// Number of harmonics at the start of harmonic balance.
 const HARMONICS: usize = 64;
 
-/// How orbits are computed.
+/// Method of computing orbits.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum OrbitMethod {
-    /// On the exact flow: every law, every period.
+    /// Shooting with the exact flow: every contact law, every period.
     Shooting,
-    /// Harmonics at the ports of the stops: laws with a finite force.
+    /// Harmonics of the contact forces: contact laws with a finite force.
     HarmonicBalance,
 }
 
@@ -44,16 +44,18 @@ pub struct Branch {
     /// The key and its range: KEY=FROM:TO, as in drive.shaker.frequency=4Hz:20Hz.
     #[arg(long, value_name = "KEY=FROM:TO")]
     over: String,
-    /// How orbits are computed.
+    /// Method of computing orbits.
     #[arg(long, value_enum, default_value = "shooting")]
     method: OrbitMethod,
-    /// Harmonics of the drive with which --method harmonic-balance begins, 64 if left out; it takes as many more as the tolerance needs.
+    /// Harmonics of the drive at the start of --method harmonic-balance; 64 if left out. More are
+    /// added until the tolerance is met.
     #[arg(long)]
     harmonics: Option<usize>,
-    /// Relative tolerance of the marches that the orbits are made of.
+    /// Relative tolerance of the integration that computes the orbits.
     #[arg(long, default_value_t = 5e-10)]
     tolerance: f64,
-    /// Values between the ends of the range at which orbits are sought by marching, for branches that stand alone.
+    /// Number of values inside the range at which orbits are sought by integration; they find
+    /// isolated branches.
     #[arg(long, default_value_t = 12)]
     seeds: usize,
     /// Longest period of a branch, in drive cycles; longer ones are left out.
@@ -64,7 +66,8 @@ pub struct Branch {
     /// Largest step along a branch, in relative changes of the state or twentieths of the range.
     #[arg(long, default_value_t = BranchOptions::default().largest_step)]
     largest_step: f64,
-    /// Work that following branches may cost: drive cycles of all their orbits. What is left then is counted, not followed.
+    /// Limit on the work of continuation, in drive cycles of all orbits. Branches beyond it are
+    /// counted, but not continued.
     #[arg(long, default_value_t = BranchOptions::default().budget)]
     budget: usize,
     #[command(flatten)]
@@ -74,7 +77,7 @@ pub struct Branch {
 }
 
 impl Branch {
-    /// Follows the branches and reports.
+    /// Continues the branches and reports.
     pub fn run(&self) -> Result<(), Failure> {
         check_tolerance(self.tolerance)?;
         let method = self.method()?;
@@ -108,7 +111,7 @@ impl Branch {
                 .map(|branch| branch.exceeded(&parameter, &limits, self.tolerance))
                 .collect();
             let passed = match passed {
-                // What was followed so far is worth more than its warnings.
+                // The branches found so far are returned without their warnings.
                 Err(_) if base.kernel.control.is_stopped() => branches
                     .iter()
                     .map(|branch| vec![Vec::new(); branch.points.len()])
@@ -127,7 +130,7 @@ impl Branch {
         }
         if branches.is_empty() {
             let text = format!(
-                "no periodic orbit was found over {}: every march stayed away from the orbits that were looked for; try more --seeds, a longer --longest-period, more damping or another range",
+                "no periodic orbit was found over {}: no integration reached one; try more --seeds, a longer --longest-period, more damping or another range",
                 self.over
             );
             return Err(Failure::NotConverged(text));
@@ -150,7 +153,7 @@ impl Branch {
             return Ok(());
         }
         Err(Failure::Incomplete(
-            "no branch is whole: each ends where it could not be followed".to_owned(),
+            "no branch is complete: continuation stopped early on each".to_owned(),
         ))
     }
 
@@ -183,15 +186,15 @@ impl Branch {
         }
     }
 
-    /// What the search may have missed, and how to look closer.
+    /// Returns a note on branches that the search may miss, and on the options that find more.
     fn note(&self) -> String {
         format!(
-            "branches that no march of {} seeds settles on are not found, and none of a period above {} cycles; more --seeds and a longer --longest-period find more",
+            "the search misses branches that none of {} seeds converges to, and branches of a period above {} cycles; more --seeds and a longer --longest-period find more",
             self.seeds, self.longest_period
         )
     }
 
-    /// Branches that end early, and an error that is large.
+    /// Prints branches that end early, and large error estimates.
     fn tell_doubts(&self, branches: &[Curve], unit: &str) {
         for (branch, ending) in branches
             .iter()
@@ -199,15 +202,19 @@ impl Branch {
         {
             let (what, why, parameter) = match ending {
                 Termination::Failed { why, parameter } => ("ends", why, parameter),
-                Termination::Grazing { why, parameter } => {
-                    ("grazes and turns sharply", why, parameter)
+                Termination::Grazing { why, parameter } => (
+                    "has a sharp kink at a grazing point and ends",
+                    why,
+                    parameter,
+                ),
+                Termination::Sticking { why, parameter } => {
+                    ("begins to stick and ends", why, parameter)
                 }
-                Termination::Sticking { why, parameter } => ("begins to stick", why, parameter),
                 Termination::Points => {
                     let points = branch.points.len();
                     let cycles = branch.period_cycles;
                     eprintln!(
-                        "a branch of period {cycles} is left after {points} points: give a shorter range or a larger --budget"
+                        "a branch of period {cycles} was stopped after {points} points: give a shorter range or a larger --budget"
                     );
                     continue;
                 }
@@ -221,7 +228,7 @@ impl Branch {
         let not_followed: usize = branches.iter().map(|branch| branch.not_followed).sum();
         if not_followed > 0 {
             eprintln!(
-                "warning: the branches of {not_followed} period doublings were not followed: the --budget of {} is spent, or Newton found no first orbit",
+                "warning: the branches of {not_followed} period doublings were not continued: the --budget of {} is used up, or Newton iteration found no first orbit",
                 self.budget
             );
         }
@@ -249,7 +256,7 @@ impl Branch {
                 " or --method shooting"
             };
             eprintln!(
-                "the largest error estimate is {worst:.1e}, at {parameter} {}: a smaller --tolerance{other} brings it down",
+                "the largest error estimate is {worst:.1e}, at {parameter} {}: try a smaller --tolerance{other}",
                 unit
             );
         }
@@ -362,7 +369,7 @@ impl Branch {
             .flat_map(|branch| branch.bifurcations.iter().map(|found| mark(found, shown)));
         let marks: Vec<BranchMark> = marks.collect();
         let (x, y) = (Axis::linear(key.path(), &key.unit()), shown.axis());
-        let title = format!("Branches of periodic answers over {}", key.path());
+        let title = format!("Branches of periodic orbits over {}", key.path());
         output::figure(
             folder,
             "branches",
@@ -371,12 +378,12 @@ impl Branch {
     }
 }
 
-/// What is told of an orbit beside its parameter.
+/// Quantity of an orbit that is printed and drawn over the parameter.
 #[derive(Debug, Clone, Copy)]
 enum OrbitQuantityShown {
     /// Mean power.
     Power,
-    /// How far the point of the first stop swings, where nothing takes power.
+    /// Displacement amplitude at the first stop, for a harvester without a circuit.
     Displacement,
 }
 
@@ -386,7 +393,7 @@ impl OrbitQuantityShown {
             (false, _) => Ok(Self::Power),
             (true, false) => Ok(Self::Displacement),
             (true, true) => Err(Failure::Input(
-                "the harvester has neither a stop nor a circuit: it answers linearly, as `jounce frf` draws it; give it a [stop.NAME] or a [circuit.NAME]"
+                "the harvester has neither a stop nor a circuit, so its response is linear: use `jounce frf`, or add a [stop.NAME] or a [circuit.NAME]"
                     .to_owned(),
             )),
         }

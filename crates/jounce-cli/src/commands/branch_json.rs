@@ -4,7 +4,7 @@ use super::bandwidth;
 use jounce::analysis::{Bandwidth, Bifurcation, Branch as Curve, BranchPoint};
 use jounce::run::ExceededLimit;
 
-/// A branch with its points and what it passes.
+/// Converts a branch with its points and bifurcations.
 pub fn branch_to_json(
     branch: &Curve,
     passed: &[Vec<ExceededLimit>],

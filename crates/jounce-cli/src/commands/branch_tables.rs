@@ -1,11 +1,11 @@
-//! The tables of `jounce branch`.
+//! Tables of `jounce branch`.
 
 use crate::failure::Failure;
 use jounce::analysis::{Bifurcation, Branch as Curve, BranchPoint};
 use jounce::spec::NumericKey;
 use jounce::table::{Column, Table};
 
-/// Every point of every branch.
+/// Returns the table of every point of every branch.
 pub fn points_table(key: &NumericKey, branches: &[Curve]) -> Result<Table, Failure> {
     let all: Vec<(usize, &Curve, &BranchPoint)> = branches
         .iter()
@@ -41,7 +41,7 @@ pub fn points_table(key: &NumericKey, branches: &[Curve]) -> Result<Table, Failu
         number(
             "voltage_rms_v",
             "V",
-            "voltage of the first load, else of what the first rectifier feeds, rms",
+            "rms voltage of the first load, else of the output of the first rectifier",
             |p| p.orbit.voltage_rms_v,
         ),
         Column::new(
@@ -55,7 +55,7 @@ pub fn points_table(key: &NumericKey, branches: &[Curve]) -> Result<Table, Failu
         Column::new(
             "stability_undecided",
             "",
-            "a multiplier has modulus one within its error",
+            "a Floquet multiplier has modulus one within its error",
             all.iter()
                 .map(|(_, _, p)| p.orbit.is_stability_undecided())
                 .collect::<Vec<bool>>(),
@@ -66,11 +66,9 @@ pub fn points_table(key: &NumericKey, branches: &[Curve]) -> Result<Table, Failu
             "largest modulus of a Floquet multiplier",
             |p| p.orbit.floquet_max_abs(),
         ),
-        count(
-            "contacts_per_period",
-            "contacts that begin in a period",
-            |(_, _, p)| p.orbit.contacts,
-        ),
+        count("contacts_per_period", "contacts per period", |(_, _, p)| {
+            p.orbit.contacts
+        }),
         number(
             "max_penetration_m",
             "m",
@@ -80,19 +78,19 @@ pub fn points_table(key: &NumericKey, branches: &[Curve]) -> Result<Table, Failu
         number(
             "displacement_peak_m",
             "m",
-            "half of the range of the displacement at the first stop",
+            "half the peak-to-peak displacement at the first stop",
             |p| p.orbit.displacement_peak_m,
         ),
         number(
             "error_estimate",
             "",
-            "estimated relative error of the state and the mean power, the larger one",
+            "larger of the estimated relative errors of the state and the mean power",
             |p| p.orbit.error_estimate,
         ),
     ])?)
 }
 
-/// Every bifurcation.
+/// Returns the table of every bifurcation.
 pub fn bifurcations_table(key: &NumericKey, branches: &[Curve]) -> Result<Table, Failure> {
     let all: Vec<(u64, &Bifurcation)> = branches
         .iter()
@@ -124,7 +122,7 @@ pub fn bifurcations_table(key: &NumericKey, branches: &[Curve]) -> Result<Table,
         Column::new(
             "kind",
             "",
-            "what happens",
+            "kind of the bifurcation",
             all.iter()
                 .map(|(_, found)| found.kind.name().to_owned())
                 .collect::<Vec<_>>(),
@@ -136,7 +134,7 @@ pub fn bifurcations_table(key: &NumericKey, branches: &[Curve]) -> Result<Table,
         number(
             "displacement_peak_m",
             "m",
-            "half of the range of the displacement at the first stop",
+            "half the peak-to-peak displacement at the first stop",
             |p| p.orbit.displacement_peak_m,
         ),
     ])?)

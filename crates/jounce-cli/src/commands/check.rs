@@ -17,7 +17,7 @@ pub struct Check {
 }
 
 impl Check {
-    /// Reads the spec and builds its plant, so that what can only be seen there is seen too.
+    /// Reads the spec and builds its plant, which finds further faults.
     pub fn run(&self) -> Result<(), Failure> {
         let spec = match self.spec.spec() {
             Err(Failure::Faults(path, faults)) if self.output.json => {
@@ -25,7 +25,7 @@ impl Check {
                     .iter()
                     .for_each(|fault| eprintln!("{}", described(&path, fault)));
                 print(&serde_json::json!({ "valid": false, "faults": faults }));
-                // The faults are told; only the exit code is left to give.
+                // The faults are printed; only the exit code remains.
                 std::process::exit(4);
             }
             other => other?,

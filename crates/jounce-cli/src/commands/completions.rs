@@ -12,7 +12,7 @@ pub struct Completions {
 }
 
 impl Completions {
-    /// Prints the script.
+    /// Prints the completion script.
     pub fn run(&self) -> Result<(), Failure> {
         clap_complete::generate(
             self.shell,

@@ -13,7 +13,7 @@ use jounce_measure::recording::Quantity;
 use jounce_measure::spectral::{Hit, HitSearch, hits};
 use std::path::Path;
 
-/// Pulses in the picture: more cannot be told apart.
+/// Maximum number of pulses in the picture; more would overlap.
 const MAX_SHOWN_PULSES: usize = 6;
 
 /// Arguments of `contact`.
@@ -24,14 +24,15 @@ pub struct Contact {
     /// Channel of the force; by default the first one in newtons.
     #[arg(long, value_name = "CHANNEL")]
     force: Option<String>,
-    /// Mass of the hammer, as in 0.1kg: with it the speed is told, and the stiffness under a free exponent and under each of the linear spring and
-    /// Hertz's law that the pulse allows; by default neither.
+    /// Mass of the hammer, as in 0.1kg. With it the command reports the speed and the stiffness:
+    /// for the fitted exponent, and for the linear spring and Hertz's law where the pulse allows
+    /// them. By default no speed and no stiffness.
     #[arg(long, value_name = "MASS")]
     mass: Option<String>,
 }
 
 impl Contact {
-    /// Finds the hits, fits each and tells.
+    /// Finds the hits, fits each and reports.
     pub fn run(&self) -> Result<(), Failure> {
         let mass_kg = self
             .mass
@@ -123,7 +124,7 @@ impl Contact {
             Column::new(
                 "law_contact_time_s",
                 "s",
-                "time from touch to parting of the law",
+                "contact time of the law",
                 law(&|law| law.contact_time_s),
             ),
             Column::new(
@@ -135,19 +136,19 @@ impl Contact {
             Column::new(
                 "exponent_deviation",
                 "",
-                "its standard deviation",
+                "standard deviation of the exponent",
                 law(&|law| law.exponent_deviation),
             ),
             Column::new(
                 "restitution",
                 "",
-                "speed after over speed before",
+                "ratio of speed after to speed before contact",
                 law(&|law| law.restitution),
             ),
             Column::new(
                 "restitution_deviation",
                 "",
-                "its standard deviation",
+                "standard deviation of the restitution",
                 law(&|law| law.restitution_deviation),
             ),
         ])?;
@@ -159,7 +160,7 @@ impl Contact {
                 about,
                 law(&|law| law.stiffness.unwrap_or(f64::NAN)),
             ))?;
-            let about = "standard deviation of its logarithm";
+            let about = "standard deviation of the logarithm of the stiffness";
             let deviation = law(&|law| law.stiffness_relative_deviation.unwrap_or(f64::NAN));
             table.push(Column::new(
                 "stiffness_relative_deviation",
@@ -171,10 +172,15 @@ impl Contact {
             table.push(Column::new(
                 "stiffness_low",
                 "",
-                "lower end of the interval of 95 % of the stiffness",
+                "lower end of the 95 % interval of the stiffness",
                 low,
             ))?;
-            table.push(Column::new("stiffness_high", "", "its upper end", high))?;
+            table.push(Column::new(
+                "stiffness_high",
+                "",
+                "upper end of the 95 % interval of the stiffness",
+                high,
+            ))?;
             for (name, unit, about, held) in LAWS {
                 let stiffness = law(&|law| {
                     held(law)
@@ -194,13 +200,13 @@ impl Contact {
                 table.push(Column::new(
                     &format!("{name}_stiffness_low"),
                     unit,
-                    "lower end of its interval of 95 %",
+                    "lower end of the 95 % interval of this stiffness",
                     low,
                 ))?;
                 table.push(Column::new(
                     &format!("{name}_stiffness_high"),
                     unit,
-                    "its upper end",
+                    "upper end of the 95 % interval of this stiffness",
                     high,
                 ))?;
             }
@@ -226,7 +232,7 @@ impl Contact {
     }
 }
 
-/// Name, unit of the stiffness, words, and what was fitted of it.
+/// Name, unit of the stiffness, description, and fit of a contact law.
 type Law = (
     &'static str,
     &'static str,
@@ -234,18 +240,18 @@ type Law = (
     fn(&ContactFit) -> Option<FixedExponentLaw>,
 );
 
-/// Laws of given exponents.
+/// Contact laws of given exponents.
 const LAWS: [Law; 2] = [
     ("linear", "N/m", "a linear spring", |law| law.linear),
     ("hertz", "N/m^1.5", "Hertz's law", |law| law.hertz),
 ];
 
-/// An end of an interval, NaN where there is none.
+/// Returns an end of an interval, or NaN where there is no interval.
 fn end_95(interval: Option<(f64, f64)>, end: usize) -> f64 {
     interval.map_or(f64::NAN, |(low, high)| [low, high][end])
 }
 
-/// Warnings of a hit that are told one by one.
+/// Number of warnings that are printed for a hit.
 const MAX_LISTED_WARNINGS: usize = 3;
 
 fn print_hit(hit: &Hit, fitted: &Result<ContactFit, String>, rate_hz: f64) {
@@ -271,7 +277,7 @@ fn print_hit(hit: &Hit, fitted: &Result<ContactFit, String>, rate_hz: f64) {
         Err(why) => line(format!("  no law: {why}")),
         Ok(law) => {
             line(format!(
-                "  law, 95 %: exponent {:.3} +- {:.3}, restitution {:.3} +- {:.3}, contact {:.4e} s from touch to parting",
+                "  law, 95 %: exponent {:.3} +- {:.3}, restitution {:.3} +- {:.3}, contact time {:.4e} s",
                 law.exponent,
                 law.exponent_half_width(),
                 law.restitution,
@@ -298,7 +304,9 @@ fn print_hit(hit: &Hit, fitted: &Result<ContactFit, String>, rate_hz: f64) {
                 AllowedLaws::Neither => "  neither a linear spring nor Hertz's law fits",
                 AllowedLaws::Linear => "  a linear spring fits, Hertz's law does not",
                 AllowedLaws::Hertz => "  Hertz's law fits, a linear spring does not",
-                AllowedLaws::Both => "  the data cannot tell a linear spring from Hertz's law",
+                AllowedLaws::Both => {
+                    "  the data do not distinguish a linear spring from Hertz's law"
+                }
             });
         }
     }

@@ -17,7 +17,8 @@ use jounce::run::{ExceededLimit, RunPlan, Warning};
 use jounce::table::{Column, Table};
 use std::path::Path;
 
-/// Rounds of members after which a width that is not reached is reported as it is.
+/// Maximum number of rounds of members; then the interval is reported even if it is wider than
+/// required.
 const MAX_ROUNDS: usize = 100;
 
 /// Arguments of `ensemble`.
@@ -25,16 +26,18 @@ const MAX_ROUNDS: usize = 100;
 pub struct Ensemble {
     #[command(flatten)]
     spec: SpecArguments,
-    /// Number of realisations; with --relative-width, of each round of them.
+    /// Number of realisations; with --relative-width, number per round.
     #[arg(long, default_value_t = 16)]
     members: usize,
     /// Seed of the realisations.
     #[arg(long, default_value_t = 1)]
     seed: u64,
-    /// Adds rounds of members until half the 95 % interval of the mean power is this share of it.
+    /// Adds rounds of members until the half width of the 95 % interval is at most this share of
+    /// the mean power.
     #[arg(long, value_name = "WIDTH")]
     relative_width: Option<f64>,
-    /// Estimates the power spectral density of every voltage and its bandwidth; takes time and two members at least.
+    /// Estimates the power spectral density of every voltage and its bandwidth; slower, and needs
+    /// at least two members.
     #[arg(long)]
     spectrum: bool,
     #[command(flatten)]
@@ -44,7 +47,7 @@ pub struct Ensemble {
 }
 
 impl Ensemble {
-    /// Marches the members and reports.
+    /// Integrates the members and reports.
     pub fn run(&self) -> Result<(), Failure> {
         if self.members == 0
             || self
@@ -56,7 +59,10 @@ impl Ensemble {
             ));
         }
         if self.spectrum && self.members < 2 {
-            return Err(Failure::usage("--spectrum needs two --members at least: one alone tells no density from its scatter".to_owned()));
+            return Err(Failure::usage(
+                "--spectrum needs at least two --members to estimate the scatter of the density"
+                    .to_owned(),
+            ));
         }
         let base = Model::new(self.spec.spec()?)?;
         let study = Study {
@@ -101,7 +107,7 @@ impl Ensemble {
         }
         self.tell(&answer);
         interruption::end(&base.kernel.control, || {
-            format!("the {} members that were finished", answer.members.len())
+            format!("the {} finished members", answer.members.len())
         })
     }
 
@@ -157,7 +163,7 @@ impl Ensemble {
                 rate.mean, rate.half_width
             ));
             line(format!(
-                "strikes            {:.4e} m/s in the mean, {:.4e} m/s at most, {:.4e} s each",
+                "impacts            {:.4e} m/s in the mean, {:.4e} m/s at most, {:.4e} s each",
                 answer.mean_impact_velocity_m_s,
                 answer.max_impact_velocity_m_s,
                 answer.mean_contact_duration_s
@@ -234,7 +240,7 @@ impl Ensemble {
             table.push(Column::new(
                 &name("voltage.psd_half_width"),
                 "V^2/Hz",
-                "half of its 95 % interval",
+                "half width of its 95 % interval",
                 width,
             ))?;
             let ends = [
@@ -262,7 +268,7 @@ impl Ensemble {
     }
 }
 
-/// A mean with its interval for reading.
+/// Formats a mean with its interval.
 fn with_interval(estimate: &Estimate, unit: &str) -> String {
     match finite(estimate.half_width) {
         Some(half_width) => format!("{:.4e} +- {half_width:.1e} {unit}", estimate.mean),
@@ -280,12 +286,12 @@ fn print_stop(stop: &StopEstimates) {
         with_interval(&stop.contact_rate_hz, "contacts per second")
     ));
     line(format!(
-        "  approach speed   {}, {:.4e} m/s at most",
+        "  impact velocity  {}, {:.4e} m/s at most",
         with_interval(&stop.mean_impact_velocity_m_s, "m/s"),
         stop.max_impact_velocity_m_s
     ));
     line(format!(
-        "  dwell            {}, {:.4e} s at most",
+        "  contact duration {}, {:.4e} s at most",
         with_interval(&stop.mean_contact_duration_s, "s"),
         stop.max_contact_duration_s
     ));
@@ -352,19 +358,19 @@ fn table(members: &[Member]) -> Result<Table, Failure> {
         number(
             "mean_impact_velocity_m_s",
             "m/s",
-            "mean speed at which contacts began",
+            "mean impact velocity",
             |m| m.mean_impact_velocity_m_s,
         ),
         number(
             "max_impact_velocity_m_s",
             "m/s",
-            "largest speed at which one began",
+            "largest impact velocity",
             |m| m.max_impact_velocity_m_s,
         ),
         number(
             "mean_contact_duration_s",
             "s",
-            "mean time that a contact lasts",
+            "mean contact duration",
             |m| m.mean_contact_duration_s,
         ),
         number("max_penetration_m", "m", "largest penetration", |m| {
@@ -373,7 +379,7 @@ fn table(members: &[Member]) -> Result<Table, Failure> {
         number(
             "energy_residual_relative",
             "",
-            "energy residual over the largest energy",
+            "energy residual relative to the largest energy",
             |m| m.energy_residual_relative,
         ),
     ])?)

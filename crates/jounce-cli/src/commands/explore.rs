@@ -14,10 +14,11 @@ use std::net::SocketAddr;
 pub struct Explore {
     #[command(flatten)]
     spec: SpecArguments,
-    /// Listens on this address; by default on a free port that only this machine can reach. Whoever has the printed address can use the page.
+    /// Listens on this address; by default on a free port that only this machine can reach. Anyone
+    /// who has the printed address can use the page.
     #[arg(long, value_name = "ADDRESS:PORT")]
     listen: Option<SocketAddr>,
-    /// Prints the address and leaves the browser closed.
+    /// Prints the address without opening the browser.
     #[arg(long)]
     no_browser: bool,
     /// Prints the address as one JSON object.
@@ -47,10 +48,10 @@ impl Explore {
         match self.json {
             true => print(&serde_json::json!({ "page": page })),
             false => line(format!(
-                "{page}\nKeep the address to yourself: whoever has it can use the page. Ctrl+C ends it."
+                "{page}\nKeep the address private: anyone who has it can use the page. Ctrl+C ends it."
             )),
         }
-        // The file that leads the browser to the page goes with this variable.
+        // The file that leads the browser to the page is deleted with this variable.
         let mut opened = None;
         if !self.no_browser {
             match open_in_browser(&page) {
@@ -62,8 +63,7 @@ impl Explore {
         }
         let stopper = explorer.stopper();
         let handled = ctrlc::set_handler(move || stopper.stop());
-        handled
-            .map_err(|error| Failure::Input(format!("interruptions cannot be handled: {error}")))?;
+        handled.map_err(|error| Failure::Input(format!("Ctrl-C cannot be handled: {error}")))?;
         explorer.run()?;
         drop(opened);
         Ok(())

@@ -12,10 +12,10 @@ use jounce_measure::draw::fitted;
 use jounce_measure::fit::{Features, FitResult, FittedCurve, FittedFeature, FittedKey, fit};
 use std::path::{Path, PathBuf};
 
-/// What a file of features looks like; no line is longer than a terminal is wide.
+/// Format of a file of features; no line is wider than a terminal.
 const FEATURES: &str = r#"FEATURES, a small one:
 
-  hold = ["table"]              # held still in the test; none by default
+  hold = ["table"]              # fixed in the test; empty by default
   frequency_deviation = 0.002   # relative, or "residuals" of the fit
 
   [free]                        # keys, each with its relative deviation
@@ -29,7 +29,7 @@ const FEATURES: &str = r#"FEATURES, a small one:
   damping_deviation = 0.1
 
 Deviations are relative standard deviations, those of keys before the test.
-There are [[response]], [[power]], [[jump]] and [[history]] too: all of their
+Further tables are [[response]], [[power]], [[jump]] and [[history]]. All their
 keys, with an example of each, are in the book, "Recordings of a test rig",
 section "Model and measurement" (book/src/howto/measured.md)."#;
 
@@ -39,7 +39,7 @@ section "Model and measurement" (book/src/howto/measured.md)."#;
 pub struct Fit {
     #[command(flatten)]
     spec: SpecArguments,
-    /// What was measured, and the keys that may move (TOML, described below); there is no default.
+    /// Measured features, and the keys to fit (TOML, described below); required.
     #[arg(long, value_name = "FEATURES")]
     to: PathBuf,
     #[command(flatten)]
@@ -47,15 +47,16 @@ pub struct Fit {
 }
 
 impl Fit {
-    /// Fits and tells.
+    /// Fits and reports.
     pub fn run(&self) -> Result<(), Failure> {
         let features = Features::read(&self.to)?;
         let file = self.spec.file()?;
         let spec = self.spec.read(&file)?;
         let control = Control::default();
-        let (answer, _) = progress::with_count("models tried", &|| control.progress().0, || {
-            fit(&file, &spec, &features, &self.spec.folder(), &control)
-        })?;
+        let (answer, _) =
+            progress::with_count("models computed", &|| control.progress().0, || {
+                fit(&file, &spec, &features, &self.spec.folder(), &control)
+            })?;
         if let Some(folder) = &self.output.out {
             self.write(folder, file, &spec, &answer)?;
         }
@@ -107,13 +108,13 @@ impl Fit {
             Column::new(
                 "low",
                 "",
-                "lower end of its interval of 95 %",
+                "lower end of the 95 % interval",
                 key(&|key| key.low),
             ),
             Column::new(
                 "high",
                 "",
-                "upper end of its interval of 95 %",
+                "upper end of the 95 % interval",
                 key(&|key| key.high),
             ),
         ])?;
@@ -136,7 +137,7 @@ impl Fit {
             Column::new(
                 "measured",
                 "",
-                "as measured",
+                "measured value",
                 feature(&|feature| feature.measured),
             ),
             Column::new(
@@ -148,13 +149,13 @@ impl Fit {
             Column::new(
                 "before",
                 "",
-                "of the model before",
+                "value of the model before",
                 feature(&|feature| feature.before),
             ),
             Column::new(
                 "after",
                 "",
-                "of the model after",
+                "value of the model after",
                 feature(&|feature| feature.after),
             ),
             Column::new(
@@ -166,10 +167,15 @@ impl Fit {
             Column::new(
                 "low",
                 "",
-                "lower end of the interval of 95 % for a further measurement",
+                "lower end of the 95 % prediction interval",
                 feature(&|f| f.low),
             ),
-            Column::new("high", "", "its upper end", feature(&|f| f.high)),
+            Column::new(
+                "high",
+                "",
+                "upper end of the 95 % prediction interval",
+                feature(&|f| f.high),
+            ),
         ])?;
         output::table(folder, "fit-features", &table, &manifest)?;
         for (number, curve) in answer.curves.iter().enumerate() {
@@ -208,15 +214,19 @@ fn curve_table(curve: &FittedCurve) -> Result<Table, Failure> {
     };
     Ok(Table::new(vec![
         Column::new(&curve.over, unit, "place", curve.at.clone()),
-        column("measured", "as measured", &curve.measured),
-        column("before", "of the model before", &curve.before),
-        column("after", "of the model after", &curve.after),
+        column("measured", "measured value", &curve.measured),
+        column("before", "value of the model before", &curve.before),
+        column("after", "value of the model after", &curve.after),
         column(
             "low",
-            "lower end of the interval of 95 % for a further measurement",
+            "lower end of the 95 % prediction interval",
             &curve.low,
         ),
-        column("high", "its upper end", &curve.high),
+        column(
+            "high",
+            "upper end of the 95 % prediction interval",
+            &curve.high,
+        ),
     ])?)
 }
 
@@ -249,7 +259,7 @@ fn print_fit(answer: &FitResult) {
     for curve in &answer.curves {
         let (before, after) = curve.errors();
         line(format!(
-            "{}, {} points: off by {:.3} % before and {:.3} % after, rms",
+            "{}, {} points: rms error {:.3} % before and {:.3} % after",
             curve.name,
             curve.at.len(),
             100.0 * before,

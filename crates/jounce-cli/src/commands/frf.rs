@@ -29,19 +29,19 @@ pub struct Frf {
     /// Highest frequency, as in 1000Hz.
     #[arg(long, default_value = "1000Hz")]
     to: String,
-    /// Number of frequencies, evenly spaced on a logarithmic axis.
+    /// Number of frequencies, logarithmically spaced.
     #[arg(long, default_value_t = 2000)]
     points: usize,
-    /// Accelerates the base instead of pushing a point; displacements are then relative to the base.
+    /// Excites the base instead of a point; displacements are then relative to the base.
     #[arg(long, conflicts_with = "input")]
     base: bool,
-    /// Holds a body still, by its name; can be given several times.
+    /// Fixes a body, by name; can be given several times.
     #[arg(long, value_name = "BODY")]
     hold: Vec<String>,
-    /// Holds every mass still.
+    /// Fixes every mass.
     #[arg(long)]
     fixed_table: bool,
-    /// Leaves every patch without its circuit.
+    /// Omits the circuit of every patch.
     #[arg(long)]
     open_circuit: bool,
     #[command(flatten)]
@@ -67,7 +67,7 @@ impl Frf {
             (Some(point), _) => FrfInput::Force(point.clone()),
             (None, Some(drive)) => FrfInput::Force(drive.at.clone()),
             (None, None) => {
-                let why = "this spec has no force: name the point to push with --input POINT, or accelerate the base with --base";
+                let why = "this spec has no force: name the excitation point with --input POINT, or excite the base with --base";
                 return Err(Failure::usage(why.into()));
             }
         };
@@ -77,7 +77,7 @@ impl Frf {
                 .iter()
                 .find(|(_, modal)| modal.participation_sqrt_kg.is_empty())
         {
-            let why = "is missing: without it jounce cannot know how an acceleration of the base shakes this structure";
+            let why = "is missing: it gives the excitation of this structure by the base";
             return Err(Failure::Input(format!(
                 "modal.{name}.participation_sqrt_kg {why}"
             )));
@@ -223,7 +223,7 @@ fn write(
     output::table(folder, "frf", &table, manifest)
 }
 
-/// Neither a spec nor recordings.
+/// Returns the failure where neither a spec nor recordings are given.
 pub fn neither() -> Failure {
     Failure::usage("give a SPEC, or recordings of a hammer test with --measured FILE...".to_owned())
 }

@@ -20,22 +20,24 @@ use jounce::table::{Column, Table};
 pub struct Jumps {
     #[command(flatten)]
     spec: SpecArguments,
-    /// The first key and its range, along which jumps are found: drive.shaker.frequency=4Hz:20Hz.
+    /// First key and its range, along which bifurcations are found:
+    /// drive.shaker.frequency=4Hz:20Hz.
     #[arg(long, value_name = "KEY=FROM:TO")]
     over: String,
-    /// The second key and its range, against which they are followed: stop.tip.gap=0.5mm:2mm.
+    /// Second key and its range, in which they are continued: stop.tip.gap=0.5mm:2mm.
     #[arg(long, value_name = "KEY=FROM:TO")]
     against: String,
-    /// Relative tolerance of the marches that the orbits are made of.
+    /// Relative tolerance of the integration that computes the orbits.
     #[arg(long, default_value_t = 1e-9)]
     tolerance: f64,
-    /// Values between the ends of a range at which orbits are sought by marching, for branches that stand alone.
+    /// Number of values inside a range at which orbits are sought by integration; they find
+    /// isolated branches.
     #[arg(long, default_value_t = 4)]
     seeds: usize,
     /// Longest period of a branch, in drive cycles; longer ones are left out.
     #[arg(long, default_value_t = 2, value_parser = clap::value_parser!(u32).range(1..))]
     longest_period: u32,
-    /// Leaves out the curves on which mean power is largest along the first key.
+    /// Leaves out the curves of maximum mean power along the first key.
     #[arg(long)]
     no_peaks: bool,
     #[command(flatten)]
@@ -47,7 +49,7 @@ pub struct Jumps {
 }
 
 impl Jumps {
-    /// Follows the jumps and reports.
+    /// Continues the bifurcation curves and reports.
     pub fn run(&self) -> Result<(), Failure> {
         check_tolerance(self.tolerance)?;
         let file = self.spec.file()?;
@@ -89,13 +91,13 @@ impl Jumps {
         }
         self.tell(&base.spec, [&key, &key_2], &curves)?;
         interruption::end(&base.kernel.control, || {
-            format!("the {} curves that were finished", curves.len())
+            format!("the {} finished curves", curves.len())
         })?;
         if curves.is_empty() || curves.iter().any(|curve| curve.failures.is_empty()) {
             return Ok(());
         }
         Err(Failure::Incomplete(
-            "no curve is whole: each ends where it could not be followed".to_owned(),
+            "no curve is complete: continuation stopped early on each".to_owned(),
         ))
     }
 
@@ -117,7 +119,7 @@ impl Jumps {
                 folder,
                 "jumps",
                 &picture::bifurcations(
-                    "Where the answer jumps",
+                    "Bifurcation curves",
                     x,
                     y,
                     &curves.iter().map(curve_line).collect::<Vec<_>>(),
@@ -165,16 +167,16 @@ impl Jumps {
         Ok(())
     }
 
-    /// What the search may have missed, and how to look closer.
+    /// Returns a note on curves that the search may miss, and on the options that find more.
     fn note(&self) -> String {
         format!(
-            "curves that pass neither an edge of the two ranges nor the spec's own value of the second key are not found, nor those of branches that no march of {} seeds settles on or of a period above {} cycles; other ranges, more --seeds and a longer --longest-period find more",
+            "the search misses curves that pass neither an edge of the two ranges nor the second key's value in the spec, and curves of branches that none of {} seeds converges to or of a period above {} cycles; other ranges, more --seeds and a longer --longest-period find more",
             self.seeds, self.longest_period
         )
     }
 }
 
-/// What a curve is of: a level as it was given, else the kind.
+/// Returns the name of a curve: a level as given, else the kind.
 fn name(curve: &BifurcationCurve) -> &str {
     curve.level.as_deref().unwrap_or(curve.kind.name())
 }
@@ -223,7 +225,7 @@ fn table(keys: [&NumericKey; 2], curves: &[BifurcationCurve]) -> Result<Table, F
         Column::new(
             "kind",
             "",
-            "what happens, or the level that is passed",
+            "kind of the bifurcation, or the level",
             all.iter()
                 .map(|(_, curve, _)| name(curve).to_owned())
                 .collect::<Vec<_>>(),

@@ -14,7 +14,7 @@ pub struct Materials {
 }
 
 impl Materials {
-    /// Lists the library with its sources.
+    /// Lists the materials with their sources.
     pub fn run(&self) -> Result<(), Failure> {
         if self.json {
             print(&serde_json::json!({ "materials": LIBRARY }));
@@ -54,7 +54,7 @@ impl Materials {
     }
 }
 
-/// Five digits, without trailing zeros.
+/// Rounds to five digits, without trailing zeros.
 fn decimals(value: f64) -> f64 {
     format!("{value:.4e}").parse().unwrap_or(value)
 }

@@ -17,13 +17,13 @@ use jounce_measure::recording::{Issue, Quantity};
 use jounce_measure::response::MeasuredResponses;
 use std::path::Path;
 
-/// How modes are sought in measured responses.
+/// Settings of the identification of modes.
 #[derive(Debug, Args)]
 pub struct BandArguments {
-    /// Band in which modes are sought, as in 500Hz:4300Hz; by default all lines above 0.
+    /// Frequency band of the modes, as in 500Hz:4300Hz; by default all lines above 0.
     #[arg(long, value_name = "FROM:TO", requires = "measured")]
     between: Option<String>,
-    /// Largest order of the stabilisation diagram, a whole number from 2 to 400.
+    /// Largest order of the stabilisation diagram, an integer from 2 to 400.
     #[arg(long, default_value_t = 40, requires = "measured")]
     order: usize,
 }
@@ -37,20 +37,20 @@ impl BandArguments {
     }
 }
 
-/// What the modes were taken from.
+/// Data that the modes were identified from.
 struct ModeSource {
-    /// Places that shapes are known at.
+    /// Points of the mode shapes.
     outputs: Vec<String>,
-    /// Places of the force where there are several: each takes part in a mode.
+    /// Points of the force, where there are several; each has a participation in a mode.
     references: Vec<String>,
-    /// Responses or decays, one or more for each of them.
+    /// Responses or decays, one or more for each output.
     functions: Vec<String>,
     /// The responses of a hammer or shaker test.
     responses: Option<MeasuredResponses>,
     findings: Vec<Issue>,
 }
 
-/// Prints the modes of a hammer test, of free decays or of outputs alone.
+/// Prints the modes of a hammer test, of free decays or of outputs only.
 pub fn run(
     hammer: &HammerArguments,
     decay: &DecayArguments,
@@ -130,7 +130,7 @@ pub fn run(
     }
     if !taken.references.is_empty() {
         line(format!(
-            "the force acts at {} places, by reciprocity places of the shapes too: {}",
+            "the force acts at {} points, which by reciprocity are also points of the shapes: {}",
             taken.references.len(),
             taken.references.join(", ")
         ));
@@ -144,7 +144,7 @@ pub fn run(
     Ok(())
 }
 
-/// What each mode adds to the motion of each output per motion of the base.
+/// Prints the participation of the base in each mode at each output.
 fn print_participation(responses: &MeasuredResponses, found: &Identification) {
     for (k, mode) in (1..).zip(&found.modes) {
         for (output, of) in responses
@@ -171,14 +171,14 @@ fn print_doubt(found: &Identification) {
         .collect();
     if !doubtful.is_empty() {
         line(format!(
-            "warning: the damping of mode {} cannot be told from none, as that of poles which noise makes; if a smaller --order or a narrower \
-             --between loses it, it was no mode",
+            "warning: the damping of mode {} is statistically indistinguishable from zero, so it may be noise; try a smaller --order or a narrower \
+             --between: if the mode disappears, it is noise",
             doubtful.join(", ")
         ));
     }
 }
 
-/// Peaks that are told one by one.
+/// Maximum number of peaks that are listed.
 const MAX_LISTED_PEAKS: usize = 8;
 
 fn print_unexplained(found: &Identification) {
@@ -205,24 +205,24 @@ fn print_unexplained(found: &Identification) {
 fn print_trust(responses: &MeasuredResponses, found: &Identification) {
     if responses.window_decay_per_s > 0.0 {
         line(format!(
-            "damping of the exponential window, {:.5} 1/s, was taken off",
+            "damping of the exponential window, {:.5} 1/s, was subtracted",
             responses.window_decay_per_s
         ));
     }
     if responses.block_s.is_none() {
         line(
-            "response functions tell no noise; the intervals rest on what the modes leave of each line",
+            "response functions contain no noise estimate; the intervals are computed from the residual of each line",
         );
     }
     if found.misfit > 1.0 && responses.block_s.is_some() {
         line(format!(
-            "the modes miss the responses by {:.1} times what the coherence allows; the intervals are widened by it",
+            "the residual of the modes is {:.1} times that expected from the coherence; the intervals are widened by this factor",
             found.misfit.sqrt()
         ));
     }
 }
 
-/// Modes with their shapes, of size 1 at the largest response.
+/// Converts the modes with their shapes, normalised to 1 at the largest response.
 fn to_json(taken: &ModeSource, found: &Identification) -> serde_json::Value {
     let mode = |mode: &Mode| {
         let (re, im): (Vec<f64>, Vec<f64>) = mode.shape().iter().map(|s| (s.re, s.im)).unzip();
@@ -278,7 +278,7 @@ fn write(
         Column::new(
             "frequency_deviation_hz",
             "Hz",
-            "its standard deviation",
+            "standard deviation of the frequency",
             number(&|mode| mode.frequency_deviation_hz),
         ),
         Column::new(
@@ -290,18 +290,18 @@ fn write(
         Column::new(
             "damping_deviation",
             "",
-            "its standard deviation",
+            "standard deviation of the damping ratio",
             number(&|mode| mode.damping_deviation),
         ),
         Column::new(
             "quantile_95",
             "",
-            "deviations from a value to an end of its interval of 95 %",
+            "half width of the 95 % interval in standard deviations",
             number(&|mode| mode.quantile_95),
         ),
     ])?;
     for (k, name) in taken.outputs.iter().enumerate() {
-        let about = "shape, of size 1 at the largest response";
+        let about = "shape, normalised to 1 at the largest response";
         table.push(Column::new(
             &format!("{name}.shape.re"),
             "",
@@ -316,7 +316,7 @@ fn write(
         ))?;
     }
     for (k, name) in taken.references.iter().enumerate() {
-        let about = "participation of a force, by reciprocity the shape where it acts, of size 1 at the largest";
+        let about = "participation of a force, by reciprocity the shape at its point, normalised to 1 at the largest";
         table.push(Column::new(
             &format!("{name}.participation.re"),
             "",
@@ -374,7 +374,7 @@ fn write(
         Column::new(
             "damping_ratio",
             "",
-            "its damping ratio",
+            "damping ratio of the pole",
             diagram
                 .iter()
                 .map(|p| p.pole.damping_ratio)
@@ -383,7 +383,7 @@ fn write(
         Column::new(
             "stable",
             "",
-            "what stays from the order below",
+            "agreement with the order below",
             diagram
                 .iter()
                 .map(|p| stable(p.stable).to_owned())
@@ -412,7 +412,7 @@ fn write(
         folder,
         "modes-fit",
         &modal_fit(
-            &format!("{title}: measured, and what the modes give"),
+            &format!("{title}: measured and reconstructed from the modes"),
             &taken.functions,
             found,
         ),

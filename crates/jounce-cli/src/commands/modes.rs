@@ -15,8 +15,8 @@ use jounce::structure;
 use jounce::table::{Column, Table};
 use std::f64::consts::TAU;
 
-/// What `--input` is here, where nothing is pushed in a spec.
-const INPUT: &str = "Channel of an input that need not be a force: the acceleration, velocity or displacement of the base, a voltage; by default the \
+/// Help text of `--input` in this command, which applies no force to a spec.
+const INPUT: &str = "Channel of the input, which need not be a force: acceleration, velocity or displacement of the base, or a voltage; by default the \
                      first channel in newtons";
 
 /// Arguments of `modes`.
@@ -32,17 +32,18 @@ pub struct Modes {
     decay: DecayArguments,
     #[command(flatten)]
     band: BandArguments,
-    /// Holds a body of the spec still, by its name, as in table; can be given several times; by default none.
+    /// Fixes a body of the spec, by name, as in table; can be given several times; by default no
+    /// body.
     #[arg(long, value_name = "BODY")]
     hold: Vec<String>,
-    /// Holds every mass of the spec still: the beams as clamped; by default none.
+    /// Fixes every mass of the spec, so that the beams are clamped; by default no mass.
     #[arg(long)]
     fixed_table: bool,
     #[command(flatten)]
     pub output: OutputArguments,
 }
 
-/// Names of the bodies to hold.
+/// Returns the names of the fixed bodies.
 pub fn fixed_bodies(hold: &[String], fixed_table: bool, spec: &Spec) -> Vec<String> {
     let masses = spec.mass.keys().filter(|_| fixed_table);
     hold.iter().chain(masses).cloned().collect()

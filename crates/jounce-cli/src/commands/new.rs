@@ -9,13 +9,13 @@ use std::path::PathBuf;
 /// Arguments of `new`.
 #[derive(Debug, Args)]
 pub struct New {
-    /// The kind of harvester; without it, the kinds are listed.
+    /// Kind of harvester; without it, the kinds are listed.
     #[arg(value_name = "KIND")]
     kind: Option<String>,
-    /// Writes the spec into this file, which must not be there yet; by default it goes to stdout.
+    /// Writes the spec into this file, which must not exist yet; by default it goes to stdout.
     #[arg(long, value_name = "FILE", requires = "kind")]
     out: Option<PathBuf>,
-    /// Replaces the file if it is there.
+    /// Replaces an existing file.
     #[arg(long, requires = "out")]
     force: bool,
     /// Prints one JSON object on stdout.
@@ -35,7 +35,7 @@ impl New {
             Some(path) => {
                 if !self.force && path.symlink_metadata().is_ok() {
                     let told = format!(
-                        "{} is there already; choose another name, or replace it with --force",
+                        "{} already exists; choose another name, or replace it with --force",
                         path.display()
                     );
                     return Err(Failure::Input(told));

@@ -15,13 +15,13 @@ use std::path::Path;
 pub struct Noise {
     #[command(flatten)]
     spec: SpecArguments,
-    /// Lowest frequency of the densities, as in 1Hz; by default that of the noise.
+    /// Lowest frequency of the densities, as in 1Hz; by default the lowest of the noise.
     #[arg(long, value_name = "FREQUENCY")]
     from: Option<String>,
-    /// Highest frequency of the densities; by default that of the noise.
+    /// Highest frequency of the densities; by default the highest of the noise.
     #[arg(long, value_name = "FREQUENCY")]
     to: Option<String>,
-    /// Number of frequencies, evenly spaced; more are added about each resonance.
+    /// Number of frequencies, evenly spaced; further ones are added around each resonance.
     #[arg(long, default_value_t = 1000)]
     points: usize,
     #[command(flatten)]
@@ -142,7 +142,7 @@ fn print_response(answer: &RandomResponse) {
     }
     for name in &answer.left_out {
         line(format!(
-            "LEFT OUT           drive {name}: it is no stationary noise"
+            "LEFT OUT           drive {name}: not a stationary noise"
         ));
     }
     for stop in &answer.stops {
@@ -150,14 +150,14 @@ fn print_response(answer: &RandomResponse) {
         let told = match stop.reached_hz.zip(stop.share_beyond) {
             Some((reached_hz, share)) => {
                 format!(
-                    "without it its gap of {gap_m:.4e} m would be reached {reached_hz:.4e} times per second, passed {:.3} % of the time",
+                    "without contact its gap of {gap_m:.4e} m is reached {reached_hz:.4e} times per second and exceeded {:.3} % of the time",
                     100.0 * share
                 )
             }
             None => {
                 let drive = stop.carried_by.as_deref().unwrap_or_default();
                 format!(
-                    "drive {drive} moves one side of its gap of {gap_m:.4e} m alone, farther and farther, so that there is no rate; march it with `jounce ensemble`"
+                    "drive {drive} moves only one side of its gap of {gap_m:.4e} m with growing variance, so there is no crossing rate; use `jounce ensemble`"
                 )
             }
         };

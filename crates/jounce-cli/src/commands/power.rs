@@ -14,50 +14,52 @@ use jounce_measure::recording::{Issue, Quantity};
 use jounce_measure::spectral::{MeanPower, mean_power, signal};
 use std::path::{Path, PathBuf};
 
-/// Multiples of the drive whose amplitudes are told.
+/// Multiples of the drive frequency whose amplitudes are reported.
 const REPORTED_ORDERS: [f64; 8] = [0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0];
 
 /// Arguments of `power`.
 #[derive(Debug, Args)]
 pub struct Power {
-    /// The recordings, one for each load: CSV or text, Parquet, NPY, NPZ, MAT, HDF5, TDMS, WAV, UFF or LVM; notes beside each in FILE.channels.toml.
+    /// The recordings, one for each load: CSV or text, Parquet, NPY, NPZ, MAT, HDF5, TDMS, WAV, UFF
+    /// or LVM. Channel notes can stand in FILE.channels.toml next to each.
     #[arg(required = true, value_name = "FILE")]
     files: Vec<PathBuf>,
-    /// Resistance of the load, as in 100kohm: one for all recordings, or one for each in their order.
+    /// Resistance of the load, as in 100kohm: one for all recordings, or one for each in the same
+    /// order.
     #[arg(long, required = true)]
     resistance: Vec<String>,
     /// Channel of the voltage over the load; by default the first one in volts.
     #[arg(long, value_name = "CHANNEL")]
     voltage: Option<String>,
-    /// Channel of the acceleration of the base: power is told per its mean square too.
+    /// Channel of the base acceleration: power is also reported per mean square of it.
     #[arg(long, value_name = "CHANNEL")]
     base: Option<String>,
-    /// Frequency of the drive, as in 13Hz: amplitudes at its multiples are told too.
+    /// Frequency of the drive, as in 13Hz: amplitudes at its multiples are also reported.
     #[arg(long)]
     drive: Option<String>,
-    /// Takes the mean of the voltage away first: that of an amplifier is no power.
+    /// Subtracts the mean of the voltage first, where it is an amplifier offset and not power.
     #[arg(long)]
     remove_mean: bool,
     #[command(flatten)]
     pub output: OutputArguments,
 }
 
-/// What one recording tells.
+/// Result of one recording.
 struct PowerResult {
     name: String,
     channel: String,
     resistance_ohm: f64,
     power: MeanPower,
-    /// Of the base's acceleration about its mean, m^2/s^4.
+    /// Mean square of the base acceleration about its mean, m^2/s^4.
     mean_square: Option<f64>,
     orders: Vec<OrderLine>,
-    /// Where it is drawn; it takes several times the memory of the voltage.
+    /// Samples for the picture; they take several times the memory of the voltage.
     spectrum: Option<SpectrumLine>,
     findings: Vec<Issue>,
 }
 
 impl Power {
-    /// Computes and tells.
+    /// Computes and reports.
     pub fn run(&self) -> Result<(), Failure> {
         let read = |text: &String| positive("--resistance", text, Unit::Resistance);
         let mut resistances = self
@@ -71,7 +73,7 @@ impl Power {
         if resistances.len() != self.files.len() {
             let (given, files) = (resistances.len(), self.files.len());
             return Err(Failure::usage(format!(
-                "{given} times --resistance for {files} recordings: give one for all, or one for each"
+                "{given} values of --resistance for {files} recordings: give one for all, or one for each"
             )));
         }
         let drive_hz = self
@@ -177,9 +179,9 @@ impl Power {
             "mean voltage {:.4e} V, {}",
             power.mean_voltage_v,
             if self.remove_mean {
-                "taken away"
+                "subtracted"
             } else {
-                "kept"
+                "retained"
             }
         ));
         if let Some(square) = answer.mean_square {
@@ -196,7 +198,7 @@ impl Power {
         }
         if power.correlated {
             line(
-                "the power remembers too long for this record, or changes on the way (see jounce regimes): its interval is a rough one",
+                "the power is correlated too long for this record, or changes within it (see jounce regimes): the interval is approximate",
             );
         }
     }
@@ -231,7 +233,7 @@ impl Power {
             Column::new(
                 "half_width_w",
                 "W",
-                "half the width of its interval of 95 %",
+                "half width of its 95 % interval",
                 numbers(&|a| a.power.half_width_w),
             ),
             Column::new(

@@ -14,9 +14,9 @@ use jounce_measure::recording::{Issue, Over, Series as _, Sizes};
 use jounce_measure::write::write_surveyed;
 use std::path::{Path, PathBuf};
 
-/// Channels in the picture of a recording.
+/// Maximum number of channels in the picture of a recording.
 const MAX_SHOWN_CHANNELS: usize = 8;
-/// Points of a channel in it at most: many more than it has columns of pixels.
+/// Maximum number of points of a channel in the picture: far above the number of pixel columns.
 const MAX_DRAWN_POINTS: usize = 200_000;
 
 /// Arguments of `read`.
@@ -27,22 +27,26 @@ pub struct Read {
     /// Writes the first recording in SI to this file: .uff (UFF 58 in ASCII), .parquet or .csv.
     #[arg(long, value_name = "FILE")]
     to: Option<PathBuf>,
-    /// Part of it that is written, in its own times or frequencies, as in 10s:60s or 5Hz:200Hz; by default all of it.
+    /// Part of the recording to write, in its own times or frequencies, as in 10s:60s or 5Hz:200Hz;
+    /// by default all of it.
     #[arg(long, value_name = "FROM:TO", requires = "to")]
     span: Option<String>,
-    /// Channel that is written, by name or by number from 1; can be given several times; by default all of them.
+    /// Channel to write, by name or by number from 1; can be given several times; by default all
+    /// channels.
     #[arg(long, value_name = "CHANNEL", requires = "to")]
     channel: Vec<String>,
-    /// Writes it at even times, without missing samples; by default as it is.
+    /// Resamples to even times without missing samples; by default the recording is written
+    /// unchanged.
     #[arg(long, requires = "to")]
     even: bool,
-    /// Samples per second where the file does not tell them, as in 25600Hz; its times are not used. By default the times of the file.
+    /// Sampling rate, as in 25600Hz; the times of the file are not used. By default the times of
+    /// the file.
     #[arg(long, value_name = "RATE")]
     rate: Option<String>,
 }
 
 impl Read {
-    /// Reads and tells.
+    /// Reads and reports.
     pub fn run(&self) -> Result<(), Failure> {
         let mut notes = Notes::beside(&self.file.file)?;
         if let Some(rate) = &self.rate {
@@ -91,11 +95,11 @@ impl Read {
         Ok(())
     }
 
-    /// The first recording to another file; the others are told.
+    /// Writes the first recording to another file; lists the others.
     fn write_first(&self, path: &Path, contents: &FileSummary) -> Result<(), Failure> {
         let Some((first, others)) = contents.recordings.split_first() else {
             return Err(Failure::Input(format!(
-                "--to {}: {} holds no recording to write, only {} mode shapes; it is the recordings that are written",
+                "--to {}: {} contains no recording to write, only {} mode shapes; --to writes recordings",
                 path.display(),
                 self.file.file.display(),
                 contents.shapes.len()
@@ -126,7 +130,7 @@ impl Read {
         Ok(())
     }
 
-    /// What is asked for of a recording; none where all of it is.
+    /// Returns the selected part of a recording; `None` where all of it is selected.
     fn part(&self, recording: &RecordingSummary) -> Result<Option<RecordingSummary>, Failure> {
         if self.span.is_none() && self.channel.is_empty() && !self.even {
             return Ok(None);
@@ -149,7 +153,7 @@ impl Read {
         let lost = |fault| Failure::Input(format!("the scratch file cannot be used: {fault}"));
         let nothing = || {
             Failure::usage(format!(
-                "--span: no sample of {} lies there",
+                "--span: {} has no sample in this range",
                 recording.name
             ))
         };
@@ -165,7 +169,7 @@ impl Read {
         ))
     }
 
-    /// The list of channels, the list of findings, and a picture of each recording.
+    /// Writes the list of channels, the list of findings, and a picture of each recording.
     fn write(&self, folder: &Path, contents: &FileSummary) -> Result<(), Failure> {
         let manifest = self.file.manifest("read")?;
         let channels: Vec<(&RecordingSummary, &ChannelSummary)> = contents
@@ -209,14 +213,14 @@ impl Read {
             Column::new(
                 "rms",
                 "",
-                "rms of the samples that are numbers",
+                "rms of the valid samples",
                 number(&|_, c| c.sizes.rms),
             ),
             Column::new("peak", "", "largest size", number(&|_, c| c.sizes.peak)),
             Column::new(
                 "mean",
                 "",
-                "mean of the samples that are numbers",
+                "mean of the valid samples",
                 number(&|_, c| c.sizes.mean),
             ),
             Column::new(
@@ -247,11 +251,16 @@ impl Read {
             Column::new(
                 "channel",
                 "",
-                "the channel; empty where it concerns all",
+                "the channel; empty for all channels",
                 told(&|f| f.channel.clone().unwrap_or_default()),
             ),
-            Column::new("count", "", "how many samples, stamps or lines", counts),
-            Column::new("about", "", "what it is", told(&ToString::to_string)),
+            Column::new(
+                "count",
+                "",
+                "number of samples, time stamps or lines",
+                counts,
+            ),
+            Column::new("about", "", "description", told(&ToString::to_string)),
         ])?;
         output::table(folder, "read-findings", &table, &manifest)?;
         for (k, recording) in contents.recordings.iter().enumerate() {
@@ -261,7 +270,7 @@ impl Read {
     }
 }
 
-/// The ends of a part of a recording.
+/// Returns the ends of a part of a recording.
 fn span_of(recording: &RecordingSummary, span: &str) -> Result<(f64, f64), Failure> {
     let (quantity, unit) = if recording.over == Over::Time {
         (Unit::Time, "s")
@@ -281,7 +290,7 @@ fn span_of(recording: &RecordingSummary, span: &str) -> Result<(f64, f64), Failu
     let [least, most] = [last(&f64::min)?, last(&f64::max)?];
     let nothing = || {
         Failure::usage(format!(
-            "--span {span}: no sample lies there; {} goes from {least} {unit} to {most} {unit}",
+            "--span {span}: no sample in this range; {} extends from {least} {unit} to {most} {unit}",
             recording.name
         ))
     };
@@ -292,7 +301,7 @@ fn span_of(recording: &RecordingSummary, span: &str) -> Result<(f64, f64), Failu
     }
 }
 
-/// The first channels over time, or their sizes over frequency.
+/// Draws the first channels over time, or their magnitudes over frequency.
 fn figure(recording: &RecordingSummary) -> Result<Figure, Failure> {
     let outline = recording
         .outline(MAX_SHOWN_CHANNELS, MAX_DRAWN_POINTS)

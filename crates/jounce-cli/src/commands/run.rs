@@ -15,9 +15,9 @@ use jounce::signal::{Samples, Window};
 use jounce::table::{Column, Table};
 use std::path::{Path, PathBuf};
 
-/// Samples per second of the tables and pictures of a run.
+/// Sampling rate of the tables and pictures of a run.
 const SAMPLE_RATE_HZ: f64 = 4096.0;
-/// Fewest samples of them, however short the averaging window is.
+/// Minimum number of samples in the averaging window.
 const MIN_SAMPLES: f64 = 1024.0;
 
 /// Arguments of `run`.
@@ -25,13 +25,13 @@ const MIN_SAMPLES: f64 = 1024.0;
 pub struct Run {
     #[command(flatten)]
     spec: SpecArguments,
-    /// Wanted relative error of the response; overrides run.tolerance.
+    /// Required relative error of the response; overrides run.tolerance.
     #[arg(long)]
     tolerance: Option<f64>,
-    /// Starts from the state that another run saved; overrides run.start.
+    /// Starts from a state that another run saved; overrides run.start.
     #[arg(long, value_name = "FILE")]
     start: Option<PathBuf>,
-    /// Saves the last state, for another run to go on from.
+    /// Saves the last state, from which another run can start.
     #[arg(long, value_name = "FILE")]
     save_state: Option<PathBuf>,
     #[command(flatten)]
@@ -39,7 +39,7 @@ pub struct Run {
 }
 
 impl Run {
-    /// Marches and reports.
+    /// Integrates and reports.
     pub fn run(&self) -> Result<(), Failure> {
         let mut file = self.spec.file()?;
         if let Some(tolerance) = self.tolerance {
@@ -93,7 +93,7 @@ impl Run {
         }
     }
 
-    /// Time histories, spectrum and table of the averaging window.
+    /// Writes time histories, spectrum and table of the averaging window.
     fn write(
         &self,
         folder: &Path,
@@ -204,7 +204,7 @@ impl Run {
     }
 }
 
-/// The answer as one JSON object.
+/// Prints the result as one JSON object.
 fn print_json(kernel: &Kernel, answer: &RunResult, plan: &RunPlan, warnings: &[Warning]) {
     let settlement = answer.settlement;
     let peaks = voltage_peaks(kernel, answer, plan);
@@ -260,10 +260,10 @@ fn print_json(kernel: &Kernel, answer: &RunResult, plan: &RunPlan, warnings: &[W
     }));
 }
 
-/// The answer as lines to read.
+/// Prints the result as lines of text.
 fn print_lines(kernel: &Kernel, answer: &RunResult, plan: &RunPlan) {
     let residual = answer.energies.residual_relative();
-    // A sum of nothing may be -0.
+    // An empty sum may be -0.
     line(format!(
         "mean power         {:.6e} W",
         answer.mean_power_w + 0.0
@@ -271,7 +271,7 @@ fn print_lines(kernel: &Kernel, answer: &RunResult, plan: &RunPlan) {
     print_voltages(kernel, answer, &voltage_peaks(kernel, answer, plan));
     let charges = charges(kernel, answer, plan);
     for circuit in &answer.rectified {
-        // Synchronous extraction hands over energy, no charge that diodes pass.
+        // Synchronous extraction transfers energy, without a charge through diodes.
         let current = if circuit.mean_current_a == 0.0 {
             String::new()
         } else {
@@ -281,7 +281,7 @@ fn print_lines(kernel: &Kernel, answer: &RunResult, plan: &RunPlan) {
             "storage            {:.6} V{current}  (circuit {})",
             circuit.voltage_rms_v, circuit.name
         ));
-        // What nothing was lost in is 0 but for roundoff of either sign.
+        // A loss of zero may have roundoff of either sign.
         let [diodes, switch, leakage] = [
             circuit.diode_loss_w,
             circuit.switch_loss_w,
@@ -307,7 +307,7 @@ fn print_lines(kernel: &Kernel, answer: &RunResult, plan: &RunPlan) {
         ));
     }
     if !answer.stops.is_empty() {
-        // Shares of the time of several stops do not add up to one.
+        // Contact times of several stops may overlap, so their shares are not added.
         let share = if answer.stops.len() == 1 {
             format!(", {:.2} % of the time", 100.0 * answer.contact_duty)
         } else {
@@ -327,7 +327,7 @@ fn print_lines(kernel: &Kernel, answer: &RunResult, plan: &RunPlan) {
     }
     match answer.is_trivial() {
         true => line(
-            "energy             nothing happened: no contact began, and no energy flowed or changed by more than roundoff",
+            "energy             zero: no contact began, and no energy changed by more than roundoff",
         ),
         false => line(format!(
             "energy residual    {residual:.1e} of the largest energy"
@@ -335,7 +335,7 @@ fn print_lines(kernel: &Kernel, answer: &RunResult, plan: &RunPlan) {
     }
     match answer.settlement {
         None => line(
-            "no period          the drives do not repeat themselves, so there is nothing to settle to",
+            "no period          the drives have no common period, so there is no periodic steady state",
         ),
         Some(found) if found.settled => {
             line(format!(
@@ -345,20 +345,20 @@ fn print_lines(kernel: &Kernel, answer: &RunResult, plan: &RunPlan) {
         }
         Some(found) => {
             line(format!(
-                "NOT settled        change over a period {:.1e}; a longer run.duration may settle it",
+                "NOT settled        change over a period {:.1e}; increase run.duration",
                 found.change
             ));
         }
     }
     line(format!(
-        "marched in         {:.3} ms, {} flight and {} contact steps",
+        "computed in        {:.3} ms, {} flight and {} contact steps",
         1e3 * answer.wall_time_s,
         answer.work.flight_steps,
         answer.work.contact_steps
     ));
 }
 
-/// Voltages of the loads, and the largest of each patch where no load tells it.
+/// Prints the voltages of the loads, and the largest voltage of each patch without a load.
 fn print_voltages(kernel: &Kernel, answer: &RunResult, peaks: &VoltagePeaks) {
     for (load, peak_v) in answer.loads.iter().zip(&peaks.loads_v) {
         line(format!(
@@ -377,7 +377,7 @@ fn print_voltages(kernel: &Kernel, answer: &RunResult, peaks: &VoltagePeaks) {
     }
 }
 
-/// Where the charge of a circuit went, and whether that is all of it.
+/// Prints the charge balance of a circuit and its residual.
 fn print_charge(charge: &ChargeResult) {
     let ChargeResult {
         passed_c,
@@ -395,7 +395,8 @@ fn print_charge(charge: &ChargeResult) {
     ));
 }
 
-/// Contacts of one stop; `beside` others also what `print_lines` tells of all together.
+/// Prints the contacts of one stop; with `beside` also the values that `print_lines` prints for all
+/// stops.
 fn print_stop(stop: &StopResult, beside: bool) {
     if beside {
         let (contacts, depth, force) = (
@@ -411,11 +412,11 @@ fn print_stop(stop: &StopResult, beside: bool) {
     }
     if stop.contacts > 0 {
         line(format!(
-            "  approach speed   {:.4e} m/s in the mean, {:.4e} m/s at most",
+            "  impact velocity  {:.4e} m/s in the mean, {:.4e} m/s at most",
             stop.mean_impact_velocity_m_s, stop.max_impact_velocity_m_s
         ));
         line(format!(
-            "  dwell            {:.4e} s in the mean, {:.4e} s at most",
+            "  contact duration {:.4e} s in the mean, {:.4e} s at most",
             stop.mean_contact_duration_s, stop.max_contact_duration_s
         ));
     }

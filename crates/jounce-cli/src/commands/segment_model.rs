@@ -1,4 +1,4 @@
-//! The solutions of a model beside the stretches of a record.
+//! Matching of the segments of a record with the solutions of a model.
 
 use crate::failure::Failure;
 use crate::output::line;
@@ -13,17 +13,17 @@ use jounce_measure::segmentation::{
 use jounce_measure::solution::{SolutionSearch, as_recorded, solutions};
 use std::path::PathBuf;
 
-/// The model that a record is compared with.
+/// Model that a record is compared with.
 #[derive(Debug, Args)]
 pub struct ModelArguments {
-    /// Spec of the model: each stretch is joined to the solution of it that it shows. It takes the drive frequency, and the resistance where
-    /// that is given, from the record.
+    /// Spec of the model: each segment is matched with one of its solutions. The drive frequency,
+    /// and the resistance where given, are taken from the record.
     #[arg(long, value_name = "SPEC")]
     model: Option<PathBuf>,
     /// Sets a key of the model, as in --set drive.shaker.amplitude="42 N"; can be given several times.
     #[arg(long = "set", value_name = "KEY=VALUE", requires = "model")]
     set: Vec<String>,
-    /// Random starts from which the model's solutions are sought.
+    /// Number of random starts that find the solutions of the model.
     #[arg(long, default_value_t = 40, requires = "model")]
     starts: usize,
     /// Seed of the starts.
@@ -32,13 +32,14 @@ pub struct ModelArguments {
     /// Circuit of the model whose voltage was recorded; by default the first.
     #[arg(long, value_name = "CIRCUIT", requires = "model")]
     load: Option<String>,
-    /// Largest distance of the waveforms, over that of the record, at which a solution fits.
+    /// Largest distance of the waveforms, relative to the waveform of the record, at which a
+    /// solution matches.
     #[arg(long, default_value_t = 0.2, requires = "model")]
     within: f64,
 }
 
 impl ModelArguments {
-    /// For each stretch the solutions beside it; empty without a model.
+    /// Returns the solutions that match each segment; empty without a model.
     pub fn correspondences(
         &self,
         samples: &Samples<'_>,
@@ -51,7 +52,7 @@ impl ModelArguments {
         };
         if !(self.within > 0.0 && self.within <= 1.0) || self.starts == 0 {
             return Err(Failure::usage(
-                "--within must lie above 0 and up to 1, --starts above 0".to_owned(),
+                "--within must be above 0 and at most 1, --starts above 0".to_owned(),
             ));
         }
         let mut spec = SpecArguments {
@@ -74,15 +75,15 @@ impl ModelArguments {
     }
 }
 
-/// Tells what a stretch shows.
+/// Prints the match of a segment.
 pub fn print_match(shown: &SegmentMatches) {
     let Some(first) = shown.candidates.first() else {
         return;
     };
     let words = match shown.fits {
         SegmentMatch::One => format!("solution {}", first.id),
-        SegmentMatch::Several => "several solutions fit equally well".to_owned(),
-        SegmentMatch::None => "no solution of the model fits".to_owned(),
+        SegmentMatch::Several => "several solutions match equally well".to_owned(),
+        SegmentMatch::None => "no solution of the model matches".to_owned(),
     };
     line(format!("{:>29}{words}", ""));
     for candidate in &shown.candidates {
@@ -90,7 +91,7 @@ pub fn print_match(shown: &SegmentMatches) {
             value.map_or_else(|| "-".to_owned(), |value| format!("{value:.3}"))
         };
         line(format!(
-            "{:>31}{:<8} waveform {:>6}, spectrum {:>6} away, power of the record {:>6} times, {:.5e} W in the model{}",
+            "{:>31}{:<8} waveform distance {:>6}, spectrum distance {:>6}, power ratio {:>6}, {:.5e} W in the model{}",
             "",
             candidate.id,
             number(candidate.waveform_distance),
@@ -106,7 +107,7 @@ pub fn print_match(shown: &SegmentMatches) {
     }
 }
 
-/// Adds what each stretch shows to the table of stretches; nothing without a model.
+/// Adds the match of each segment to the table of segments; nothing without a model.
 pub fn columns(table: &mut Table, shown: &[SegmentMatches]) -> Result<(), Failure> {
     if shown.is_empty() {
         return Ok(());
@@ -125,25 +126,25 @@ pub fn columns(table: &mut Table, shown: &[SegmentMatches]) -> Result<(), Failur
     table.push(Column::new(
         "solution",
         "",
-        "solution of the model that fits",
+        "matching solution of the model",
         ids.collect::<Vec<_>>(),
     ))?;
     table.push(Column::new(
         "waveform_distance",
         "",
-        "distance of the nearest one's waveform",
+        "waveform distance of the nearest solution",
         first(&|c| c.waveform_distance),
     ))?;
     table.push(Column::new(
         "spectrum_distance",
         "",
-        "distance of its spectrum",
+        "spectrum distance of the nearest solution",
         first(&|c| c.spectrum_distance),
     ))?;
     table.push(Column::new(
         "model_power_w",
         "W",
-        "its mean power",
+        "mean power of the nearest solution",
         first(&|c| Some(c.mean_power_w)),
     ))?;
     Ok(())

@@ -24,10 +24,11 @@ pub struct Segments {
     /// Frequency of the drive, as in 13Hz. Periods of up to 12 of its cycles are found.
     #[arg(long)]
     drive: String,
-    /// Channel to cut; by default the first one in volts.
+    /// Channel to segment; by default the first one in volts.
     #[arg(long, value_name = "CHANNEL")]
     channel: Option<String>,
-    /// Resistance of the load, where the channel is its voltage: power is told for each stretch.
+    /// Resistance of the load, where the channel is its voltage: the power of each segment is
+    /// reported.
     #[arg(long)]
     resistance: Option<String>,
     #[command(flatten)]
@@ -35,7 +36,7 @@ pub struct Segments {
 }
 
 impl Segments {
-    /// Cuts and tells.
+    /// Segments and reports.
     pub fn run(&self) -> Result<(), Failure> {
         let drive_hz = positive("--drive", &self.drive, Unit::Frequency)?;
         let resistance = self
@@ -45,7 +46,7 @@ impl Segments {
             .transpose()?;
         let mut survey = self.file.survey()?;
         let number = match &self.channel {
-            // Any quantity can be cut; only a voltage has a power.
+            // Any quantity can be segmented; only a voltage has a power.
             Some(name) if resistance.is_none() => any_channel(&survey, name)?,
             wanted => channel(
                 &mut survey,
@@ -102,7 +103,7 @@ impl Segments {
         Ok(())
     }
 
-    /// The power of each stretch; empty without a resistance.
+    /// Formats the power of each segment; empty without a resistance.
     fn powers_in_words(&self, powers: &[Option<MeanPower>]) -> Vec<String> {
         let words = |power: &Option<MeanPower>| match power {
             _ if self.resistance.is_none() => String::new(),
@@ -110,7 +111,7 @@ impl Segments {
                 ", {}",
                 with_uncertainty(power.mean_power_w, power.half_width_w, "W")
             ),
-            None => ", too short for a power with an interval".to_owned(),
+            None => ", too short for a power with a confidence interval".to_owned(),
         };
         powers.iter().map(words).collect()
     }
@@ -136,10 +137,10 @@ impl Segments {
             Column::new(
                 "start_s",
                 "s",
-                "begin of the stretch",
+                "begin of the segment",
                 numbers(&|s| s.start_s),
             ),
-            Column::new("end_s", "s", "end of the stretch", numbers(&|s| s.end_s)),
+            Column::new("end_s", "s", "end of the segment", numbers(&|s| s.end_s)),
             Column::new(
                 "rms",
                 &channel.unit,
@@ -149,13 +150,13 @@ impl Segments {
             Column::new(
                 "period_cycles",
                 "",
-                "drive cycles of the period; 0 where it is longer than 12, or none",
+                "period in drive cycles; 0 where it is longer than 12 or absent",
                 cycles,
             ),
             Column::new(
                 "mismatch",
                 "",
-                "what the repetition misses, over the rms",
+                "deviation from periodicity, relative to the rms",
                 numbers(&|s| s.period.mismatch),
             ),
         ])?;
@@ -169,13 +170,13 @@ impl Segments {
             table.push(Column::new(
                 "mean_power_w",
                 "W",
-                "mean power; NaN where the stretch is too short for an interval",
+                "mean power; NaN where the segment is too short for an interval",
                 mean,
             ))?;
             table.push(Column::new(
                 "half_width_w",
                 "W",
-                "half the width of its interval of 95 %",
+                "half width of its 95 % interval",
                 half,
             ))?;
         }
@@ -187,7 +188,7 @@ impl Segments {
             &self.file.manifest("regimes")?.with("drive_hz", drive_hz),
         )?;
         let figure = segments(
-            "Stretches of one solution each",
+            "Segments of one solution each",
             &channel.name,
             &channel.unit,
             samples,
@@ -195,7 +196,7 @@ impl Segments {
         );
         output::figure(folder, "regimes-time", &figure)?;
         let figure = stretch_section(
-            "One value for each drive cycle",
+            "One value per drive cycle",
             &channel.name,
             &channel.unit,
             samples,
@@ -203,7 +204,7 @@ impl Segments {
             drive_hz,
         );
         output::figure(folder, "regimes-section", &figure)?;
-        let title = "Spectrum of each stretch, Hann window";
+        let title = "Spectrum of each segment, Hann window";
         let figure = stretch_spectra(
             title,
             &channel.name,
@@ -216,28 +217,25 @@ impl Segments {
     }
 }
 
-/// Stretches, and the changes that are none of solution, a line each.
+/// Prints the segments and the changes that are not changes of solution, one line each.
 fn print_segments(found: &Segmentation, unit: &str, powers: &[String], shown: &[SegmentMatches]) {
     let count = found.stretches.len();
-    let stretches = if count == 1 { "stretch" } else { "stretches" };
+    let stretches = if count == 1 { "segment" } else { "segments" };
     line(format!(
-        "{count} {stretches}; a change lies within {:.3} s of its place",
+        "{count} {stretches}; uncertainty of a change {:.3} s",
         found.uncertainty_s
     ));
     for joint in &found.joints {
         let told = match joint.reason {
-            MergeReason::NoiseChanged => "the noise changes",
-            MergeReason::Drifts => "the amplitude drifts",
-            MergeReason::Glitch => "a short disturbance",
+            MergeReason::NoiseChanged => "change of the noise",
+            MergeReason::Drifts => "drift of the amplitude",
+            MergeReason::Glitch => "short disturbance",
         };
-        line(format!(
-            "{:>10.3} s: {told}, the solution stays",
-            joint.at_s
-        ));
+        line(format!("{:>10.3} s: {told}, same solution", joint.at_s));
     }
     for (k, (stretch, power)) in found.stretches.iter().zip(powers).enumerate() {
         let period = stretch.period.cycles.map_or_else(
-            || format!("period longer than {MAX_PERIOD_CYCLES} cycles, or none"),
+            || format!("period longer than {MAX_PERIOD_CYCLES} cycles, or not periodic"),
             |cycles| format!("period {cycles} cycles"),
         );
         let (start, end, rms) = (stretch.start_s, stretch.end_s, stretch.rms);

@@ -11,7 +11,8 @@ use std::path::{Path, PathBuf};
 pub struct Show {
     #[command(flatten)]
     spec: SpecArguments,
-    /// Where the drawing goes: a name that ends in .svg or .png. By default the name of the spec with .svg, in the current folder.
+    /// File of the drawing: a name that ends in .svg or .png. By default the name of the spec with
+    /// .svg, in the current folder.
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
     /// Prints one JSON object on stdout.
@@ -20,7 +21,7 @@ pub struct Show {
 }
 
 impl Show {
-    /// Draws the harvester and says where.
+    /// Draws the harvester and prints the name of the file.
     pub fn run(&self) -> Result<(), Failure> {
         let spec = self.spec.spec()?;
         let stem = self.spec.spec.file_stem().unwrap_or_default();
@@ -36,7 +37,8 @@ impl Show {
         Ok(())
     }
 
-    /// The name of the spec, after that of its folder where the path says it.
+    /// Returns the name of the spec, preceded by the name of its folder where the path contains
+    /// one.
     fn title(&self) -> String {
         let path = &self.spec.spec;
         let folder = path.parent().and_then(Path::file_name);

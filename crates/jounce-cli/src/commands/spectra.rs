@@ -14,17 +14,19 @@ use jounce_measure::spectral::{
 };
 use std::path::Path;
 
-/// Peaks that are told, the highest first.
+/// Number of reported peaks, the highest first.
 const REPORTED_PEAKS: usize = 5;
 
-/// How segments are weighed.
+/// Weights of a segment.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum WindowName {
-    /// Finest frequencies: a line is four wide, a sinusoid between two lines shows up to 15 % less.
+    /// Finest frequency resolution: a line is four bins wide; a sinusoid between two bins shows up
+    /// to 15 % less.
     Hann,
-    /// Right amplitudes: a line is ten wide, a sinusoid between two lines shows at most 0.1 % less.
+    /// Accurate amplitudes: a line is ten bins wide; a sinusoid between two bins shows at most 0.1
+    /// % less.
     FlatTop,
-    /// No weights: for whole periods only.
+    /// No weights, for complete periods only.
     Rectangular,
 }
 
@@ -33,16 +35,17 @@ enum WindowName {
 pub struct Spectra {
     #[command(flatten)]
     pub file: MeasuredFile,
-    /// Channel to transform; by default the first one in volts that moves, else the first that moves.
+    /// Channel to transform; by default the first varying one in volts, else the first varying one.
     #[arg(long, value_name = "CHANNEL")]
     channel: Option<String>,
-    /// Frequency of the drive, as in 13Hz: amplitudes at its multiples are told and marked.
+    /// Frequency of the drive, as in 13Hz: amplitudes at its multiples are reported and marked.
     #[arg(long)]
     drive: Option<String>,
-    /// Length of a segment, as in 2s; by default 24 cycles of the drive, or without one a thirty-second of the record.
+    /// Length of a segment, as in 2s; by default 24 cycles of the drive, or without a drive a
+    /// thirty-second of the record.
     #[arg(long, value_name = "TIME")]
     segment: Option<String>,
-    /// Share of a segment that the next one overlaps.
+    /// Overlap of adjacent segments, as a share of a segment.
     #[arg(long, default_value_t = 0.5)]
     overlap: f64,
     /// Weights of a segment.
@@ -50,7 +53,7 @@ pub struct Spectra {
     window: WindowName,
 }
 
-/// What the record tells.
+/// Result of the transform of a record.
 struct SpectraResult<'a> {
     channel: &'a Channel,
     samples: Samples<'a>,
@@ -58,14 +61,14 @@ struct SpectraResult<'a> {
 }
 
 impl SpectraResult<'_> {
-    /// A number of samples, s.
+    /// Converts a number of samples to s.
     fn seconds(&self, samples: usize) -> f64 {
         samples as f64 / self.samples.rate_hz()
     }
 }
 
 impl Spectra {
-    /// Transforms and tells.
+    /// Transforms and reports.
     pub fn run(&self) -> Result<(), Failure> {
         let drive_hz = self
             .drive
@@ -116,7 +119,7 @@ impl Spectra {
         Ok(())
     }
 
-    /// Window, overlap and amplitude in words.
+    /// Describes window, overlap and amplitude.
     fn convention(&self, answer: &SpectraResult<'_>) -> String {
         let Found {
             density, segments, ..
@@ -142,7 +145,7 @@ impl Spectra {
             self.convention(answer)
         ));
         line(format!(
-            "mean {:.5e} {unit}, taken away from the density",
+            "mean {:.5e} {unit}, subtracted before the density",
             answer.found.density.mean
         ));
         for peak in answer.found.peaks(REPORTED_PEAKS) {

@@ -18,26 +18,26 @@ pub struct Study {
     action: Action,
 }
 
-/// What to do with a study.
+/// Action on a study.
 #[derive(Debug, Subcommand)]
 enum Action {
-    /// Computes what is not finished yet, and merges the table when nothing is left.
+    /// Computes the unfinished parts, and merges the table when all are finished.
     Run(Run),
-    /// Joins all parts to one table, study.parquet.
+    /// Joins all parts into one table, study.parquet.
     Merge(Existing),
-    /// Tells how far a study is.
+    /// Reports the progress of a study.
     Status(Existing),
 }
 
 /// Arguments of `study run`.
 #[derive(Debug, Args)]
 struct Run {
-    /// The study: a spec, the keys to vary, the quantity to compute.
+    /// Study file (TOML): a spec, the keys to vary, the quantity to compute.
     study: PathBuf,
-    /// Folder of its parts and its table.
+    /// Folder of the parts and the table.
     #[arg(long, value_name = "FOLDER")]
     out: PathBuf,
-    /// One of several processes that share the study: I/N, I from 1 to N.
+    /// Share of one of several processes: I/N, I from 1 to N.
     #[arg(long, value_name = "I/N", default_value_t = Shard::WHOLE)]
     shard: Shard,
     #[command(flatten)]
@@ -58,7 +58,7 @@ struct Existing {
 }
 
 impl Study {
-    /// True when the answer is wanted as JSON.
+    /// True where the result is printed as JSON.
     pub fn wants_json(&self) -> bool {
         match &self.action {
             Action::Run(run) => run.json,
@@ -66,7 +66,7 @@ impl Study {
         }
     }
 
-    /// Does it.
+    /// Runs the action.
     pub fn run(&self) -> Result<(), Failure> {
         match &self.action {
             Action::Run(run) => run.run(),
@@ -106,7 +106,8 @@ impl Run {
         bar.finish_and_clear();
         if control.is_stopped() {
             return Err(Failure::Interrupted(
-                "stopped; finished parts are kept, the same command goes on from there".to_owned(),
+                "stopped; finished parts are stored; the same command continues from there"
+                    .to_owned(),
             ));
         }
         let status = folder.status();
@@ -128,7 +129,7 @@ fn print_status(status: &Status, json: bool) {
         status.finished, status.parts
     ));
     line(format!(
-        "points     {}, {} of the finished without an answer",
+        "points     {}, {} of the finished without a result",
         status.points, status.failed_points
     ));
     status

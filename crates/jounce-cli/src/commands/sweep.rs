@@ -16,14 +16,14 @@ use jounce::run::ExceededLimit;
 use jounce::spec::{KeyRange, Spec};
 use jounce::table::{Column, Table};
 
-/// Order of visit.
+/// Order of the points.
 #[derive(Debug, Clone, Copy, ValueEnum)]
 enum Order {
-    /// From the first value to the last, the state carried over.
+    /// From the first value to the last, each starting from the state of the one before.
     Up,
-    /// From the last value to the first, the state carried over.
+    /// From the last value to the first, each starting from the state of the one before.
     Down,
-    /// Up, then down from where it arrived.
+    /// Up, then down from the last state.
     Both,
     /// Each point from the start of the spec, in parallel.
     Independent,
@@ -37,14 +37,15 @@ pub struct Sweep {
     /// The key and its values: KEY=FROM:TO:STEP, KEY=FROM:TO:Nx, KEY=FROM:TO:Nlog or KEY=A,B,C.
     #[arg(long, value_name = "KEY=RANGE")]
     over: String,
-    /// Order in which the points are visited.
+    /// Order of the points.
     #[arg(long, value_enum, default_value = "up")]
     direction: Order,
-    /// Every point runs for run.duration and averages over run.average_over, instead of until it has settled; so does every point under a
-    /// drive that never repeats itself, which begins anew at each.
+    /// Runs every point for run.duration and averages over run.average_over, instead of until
+    /// steady state. This also holds for drives without a common period, which restart at each
+    /// point.
     #[arg(long)]
     fixed_duration: bool,
-    /// Wanted relative error of the response; overrides run.tolerance.
+    /// Required relative error of the response; overrides run.tolerance.
     #[arg(long)]
     tolerance: Option<f64>,
     #[command(flatten)]
@@ -81,7 +82,7 @@ impl Sweep {
         let bar = progress::bar(study.len());
         bar.set_position(journal.found().len() as u64);
         if !journal.found().is_empty() {
-            eprintln!("going on after {} finished points", journal.found().len());
+            eprintln!("continuing after {} finished points", journal.found().len());
         }
         let control = Control::default();
         interruption::install(&control);
@@ -91,7 +92,7 @@ impl Sweep {
         bar.finish_and_clear();
         if points.len() < study.len() {
             let text = format!(
-                "stopped after {} of {} points; the same command goes on from there",
+                "stopped after {} of {} points; the same command continues from there",
                 points.len(),
                 study.len()
             );
@@ -113,7 +114,7 @@ impl Sweep {
             .count();
         if unsettled > 0 {
             eprintln!(
-                "{unsettled} of {} points had not settled when they were averaged; they are marked settled = false",
+                "{unsettled} of {} points had not settled when averaged; they are marked settled = false",
                 points.len()
             );
         }
@@ -178,7 +179,7 @@ impl Sweep {
             Column::new(
                 "direction",
                 "",
-                "how the point was reached",
+                "direction of the sweep",
                 points
                     .iter()
                     .map(|p| p.direction.name().to_owned())
@@ -190,7 +191,7 @@ impl Sweep {
             column(
                 "voltage_rms_v",
                 "V",
-                "voltage of the first load, else of what the first rectifier feeds, rms",
+                "rms voltage of the first load, else of the output of the first rectifier",
                 |p| p.voltage_rms_v,
             ),
             column(
@@ -205,7 +206,7 @@ impl Sweep {
             Column::new(
                 "settled",
                 "",
-                "settled when it was averaged",
+                "settled when averaged",
                 points.iter().map(|p| p.settled).collect::<Vec<_>>(),
             ),
             Column::new(
@@ -220,7 +221,7 @@ impl Sweep {
             column(
                 "energy_residual_relative",
                 "",
-                "energy residual of the march",
+                "energy residual of the run",
                 |p| p.energy_residual_relative,
             ),
         ])?;

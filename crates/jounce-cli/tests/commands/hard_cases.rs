@@ -154,7 +154,7 @@ fn keys_without_orbits_are_refused_with_their_reason() {
     );
 }
 
-/// A branch that ends where it cannot be followed is told with its points, and where no branch is whole the command has not succeeded.
+/// A branch that ends where it cannot be followed is told with its points, and where no branch is complete the command has not succeeded.
 #[test]
 fn a_command_without_a_whole_branch_ends_with_3() {
     let over = "drive.shaker.frequency=13.2Hz:13.5Hz";
@@ -174,7 +174,9 @@ fn a_command_without_a_whole_branch_ends_with_3() {
     let (code, json, told) = jounce(&rock);
     let branch = &json["branches"][0];
     assert!(
-        code == 3 && told.contains("no branch is whole") && told.contains("give a shorter range"),
+        code == 3
+            && told.contains("no branch is complete")
+            && told.contains("give a shorter range"),
         "{code} {told}"
     );
     assert!(

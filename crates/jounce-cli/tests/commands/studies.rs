@@ -174,8 +174,8 @@ fn what_is_interrupted_tells_what_is_finished_and_ends_with_130() {
     .concat();
     let basins = vec!["basins", PLANT, "--starts", "1000000", "--json"];
     for (arguments, list, words) in [
-        (ensemble, "members", "members that were finished"),
-        (basins, "attractors", "starts that were finished"),
+        (ensemble, "members", "finished members"),
+        (basins, "attractors", "of 1000000 starts"),
     ] {
         let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_jounce"));
         let piped = || std::process::Stdio::piped();

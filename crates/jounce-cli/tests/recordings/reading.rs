@@ -83,7 +83,7 @@ fn a_part_of_a_recording_is_written_for_other_commands() {
         assert!((power_w / 5e-3 - 1.0).abs() < 1e-3, "{name}: {power_w}");
     }
     for (span, why) in [
-        ("30s:40s", "goes from 0 s to 19.998"),
+        ("30s:40s", "extends from 0 s to 19.998"),
         ("8s:2s", "the smaller one first"),
         ("1Hz:2Hz", "Hz"),
     ] {

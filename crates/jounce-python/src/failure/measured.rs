@@ -1,4 +1,4 @@
-//! Errors of what takes recordings to answers.
+//! Errors of computations on recordings.
 
 use super::Failure;
 use jounce::signal::SignalError;
@@ -16,7 +16,7 @@ use jounce_measure::spectral::SpectralError;
 use jounce_measure::write::WriteError;
 use serde_json::{Value, json};
 
-/// Recordings that give no answer.
+/// Errors of recordings that allow no result.
 macro_rules! of_recordings {
     ($($error:ty),+) => {
         $(impl From<$error> for Failure {

@@ -1,4 +1,4 @@
-//! Errors of the library as exceptions of `jounce.errors`, with their numbers.
+//! Conversion of errors of the library to exceptions of `jounce.errors`, with their numbers.
 
 mod measured;
 
@@ -19,21 +19,21 @@ use jounce_explorer::ExploreError;
 use pyo3::prelude::*;
 use serde_json::{Value, json};
 
-/// What POSIX and Windows call a file that is not there, `ENOENT`.
+/// Error number of a missing file on POSIX and Windows, `ENOENT`.
 const NO_SUCH_FILE: i32 = 2;
 
-/// Why a call did not succeed; free of Python, so that it can be made on any thread.
+/// Reason why a call did not succeed; independent of Python, so that any thread can create it.
 #[derive(Debug)]
 pub struct Failure {
     /// Name of the exception in `jounce.errors`.
     class: &'static str,
     message: String,
-    /// Its numbers and names.
+    /// Numbers and names of the message.
     details: Value,
 }
 
 impl Failure {
-    /// A failure without numbers.
+    /// Returns a failure without numbers.
     pub fn new(class: &'static str, message: impl ToString) -> Self {
         Self {
             class,
@@ -42,13 +42,13 @@ impl Failure {
         }
     }
 
-    /// The same with the numbers and names of its message.
+    /// Adds the numbers and names of the message.
     #[must_use]
     pub fn with(self, details: Value) -> Self {
         Self { details, ..self }
     }
 
-    /// A file that cannot be used; `errno` where the system says so.
+    /// Returns the failure of a file that cannot be used; `errno` where the system gives one.
     fn of_file(
         error: impl ToString,
         path: &std::path::Path,
@@ -58,7 +58,7 @@ impl Failure {
         Self::new("FileError", error).with(json!({ "path": path, "errno": errno }))
     }
 
-    /// A failure whose error type names its numbers.
+    /// Returns a failure whose error type names its numbers.
     pub fn of(class: &'static str, error: &(impl std::fmt::Display + serde::Serialize)) -> Self {
         Self {
             class,
@@ -67,7 +67,7 @@ impl Failure {
         }
     }
 
-    /// What was computed, if it is whole.
+    /// Returns a result if it is complete.
     pub fn unless_stopped<T>(control: &Control, found: T) -> Result<T, Self> {
         if control.is_stopped() {
             Err(Self::stopped())
@@ -76,12 +76,12 @@ impl Failure {
         }
     }
 
-    /// Of what has been stopped: no answer.
+    /// Returns the failure of a stopped call without a result.
     pub fn stopped() -> Self {
         Self::new("JounceError", "stopped")
     }
 
-    /// Faults of a spec.
+    /// Returns a failure by faults of a spec.
     pub fn faults(faults: &[Fault]) -> Self {
         let line = |fault: &Fault| match fault.line {
             0 => fault.message.clone(),
@@ -95,7 +95,7 @@ impl Failure {
         }
     }
 
-    /// The exception.
+    /// Returns the exception.
     pub fn raised(self, py: Python<'_>) -> PyErr {
         let make = || -> PyResult<PyErr> {
             let details = py
@@ -209,7 +209,7 @@ impl From<AnalysisError> for Failure {
                 Self::new("ArgumentError", &error).with(json!({ "key": key }))
             }
             AnalysisError::NoNoise => {
-                let why = "an ensemble needs noise: give a drive `signal = \"noise\"`; Spec.run marches what is not random";
+                let why = "an ensemble needs noise: give a drive `signal = \"noise\"`; for other drives use Spec.run";
                 Self::new("ArgumentError", why)
             }
         }

@@ -1,4 +1,4 @@
-//! Force pulses of a hammer and the laws of contact fitted to them.
+//! Force pulses of a hammer and the contact laws fitted to them.
 
 use super::recording::{GivenRecording, findings};
 use crate::arrays::PythonDict;
@@ -13,7 +13,7 @@ use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// Every hit of a record with the law fitted to it, or why there is none.
+/// Returns every hit of a record with its fitted law, or the reason why no law could be fitted.
 #[pyfunction]
 pub fn measured_contact<'py>(
     py: Python<'py>,

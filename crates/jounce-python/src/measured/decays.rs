@@ -1,4 +1,4 @@
-//! Modes of structures without a measured force: free decays, and outputs alone.
+//! Modes of structures without a measured force: free decays and output-only tests.
 
 use super::modes::{check_order, identified};
 use super::recording::{GivenRecording, findings};
@@ -9,12 +9,12 @@ use jounce_measure::response::{AmbientSettings, Decays};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// How recordings without a measured force are taken.
+/// Options for recordings without a measured force.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub struct Unforced {
     responses: Vec<String>,
-    /// Are the recordings free decays? Else one of outputs under noise.
+    /// True where the recordings are free decays; else there is one of outputs under noise.
     free: bool,
     span_s: Option<(f64, f64)>,
     references: Vec<String>,
@@ -34,7 +34,7 @@ impl Unforced {
             return Err(Failure::new(
                 "ArgumentError",
                 format!(
-                    "outputs alone are those of one recording, and {} are given",
+                    "output_only takes one recording, but {} are given",
                     given.len()
                 ),
             ));
@@ -58,7 +58,8 @@ impl Unforced {
     }
 }
 
-/// The modes of free decays or of outputs alone, between two frequencies; of the whole band without them.
+/// Identifies the modes of free decays or of outputs only, between two frequencies; by default over
+/// all lines.
 #[pyfunction]
 pub fn measured_decays<'py>(
     py: Python<'py>,

@@ -15,7 +15,7 @@ use numpy::{Complex64, PyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// How a hammer test is taken to responses.
+/// Options of the estimation from a hammer test.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub struct Hammer {
@@ -46,7 +46,7 @@ impl Hammer {
             .filter(|ratio| !(*ratio > 0.0 && *ratio < 1.0))
         {
             return wrong(format!(
-                "end_ratio is {ratio}; it must lie between 0 and 1; 0.01 is usual"
+                "end_ratio is {ratio}; it must be between 0 and 1; try 0.01"
             ));
         }
         let estimator = match self.estimator.as_str() {
@@ -77,7 +77,7 @@ impl Hammer {
         })
     }
 
-    /// Recordings with their columns paired and their lines bridged, as asked for.
+    /// Returns recordings with their columns paired and their lines interpolated as requested.
     fn prepared(&self, recordings: Vec<Recording>) -> Result<Vec<Recording>, Failure> {
         let found = match self.functions.as_deref() {
             None => recordings,
@@ -94,7 +94,7 @@ impl Hammer {
         Ok(if self.bridge { bridged(found) } else { found })
     }
 
-    /// The responses of recordings over time; those over frequency as they stand there.
+    /// Returns the responses of recordings over time; those over frequency are returned unchanged.
     fn responses(
         &self,
         py: Python<'_>,
@@ -121,7 +121,7 @@ impl Hammer {
             (Some(_), Some(_)) => {
                 return Err(Failure::new(
                     "ArgumentError",
-                    "force is an input in newtons and input one of any kind; give one of them",
+                    "force and input are both given; give one of them",
                 ));
             }
             (Some(channel), None) => Excitation::Channel(channel.clone()),
@@ -136,7 +136,7 @@ impl Hammer {
     }
 }
 
-/// The frequency responses of a hammer test.
+/// Estimates the frequency responses of a hammer test.
 #[pyfunction]
 pub fn measured_frf<'py>(
     py: Python<'py>,
@@ -147,7 +147,7 @@ pub fn measured_frf<'py>(
     Ok(into_python(py, &found)?.dict())
 }
 
-/// The modes of a hammer test between two frequencies; the whole band without them.
+/// Identifies the modes of a hammer test between two frequencies; by default over all lines.
 #[pyfunction]
 pub fn measured_modes<'py>(
     py: Python<'py>,
@@ -195,7 +195,7 @@ pub fn measured_modes<'py>(
         .dict())
 }
 
-/// Participation of each output in a mode under the motion of the base; empty under another input.
+/// Returns the base participation of each output in a mode; empty for another input.
 fn base_participation<'py>(
     py: Python<'py>,
     mode: &Mode,
@@ -211,7 +211,7 @@ fn base_participation<'py>(
     )
 }
 
-/// Responses for Python.
+/// Converts responses for Python.
 fn into_python<'py>(py: Python<'py>, found: &MeasuredResponses) -> PyResult<PythonDict<'py>> {
     let all = PyDict::new(py);
     for ((name, unit), function) in found.names.iter().zip(&found.units).zip(&found.functions) {

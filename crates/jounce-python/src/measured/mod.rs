@@ -1,4 +1,5 @@
-//! What a test rig has recorded: arrays to recordings of `jounce-measure`, and its answers to arrays.
+//! Recordings of tests: conversion of arrays to recordings of `jounce-measure`, and of its results
+//! to arrays.
 
 pub mod contact;
 pub mod decays;

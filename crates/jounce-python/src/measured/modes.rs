@@ -1,4 +1,4 @@
-//! Modes that were identified, for Python.
+//! Conversion of identified modes for Python.
 
 use crate::arrays::PythonDict;
 use crate::branch::json;
@@ -7,7 +7,7 @@ use jounce_measure::modal::{Identification, Mode, mac_matrix};
 use numpy::{Complex64, PyArray1};
 use pyo3::prelude::*;
 
-/// A largest order that is none.
+/// Checks the largest order.
 pub fn check_order(order: usize) -> Result<(), Failure> {
     match (2..=400).contains(&order) {
         true => Ok(()),
@@ -22,8 +22,8 @@ pub fn check_order(order: usize) -> Result<(), Failure> {
     }
 }
 
-/// Modes at outputs, sought in functions: those are the responses of a hammer test, or decays, one or more for each output. References are named
-/// where there are several.
+/// Converts modes at outputs with the functions they were identified from: responses of a hammer
+/// test, or decays, one or more for each output. References are named where there are several.
 pub fn identified<'py>(
     py: Python<'py>,
     (outputs, references): (&[String], &[String]),

@@ -12,22 +12,23 @@ use jounce_measure::spectral::{MeanPower, mean_power, signal};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// What one recording tells.
+/// Result of one recording.
 struct PowerData {
     channel: String,
     power: MeanPower,
-    /// Of the base's acceleration about its mean, m^2/s^4; NaN where it is not asked for.
+    /// Mean square of the base acceleration about its mean, m^2/s^4; NaN where not requested.
     mean_square: f64,
     orders: Vec<OrderLine>,
     spectrum: jounce::signal::Spectrum,
     findings: Vec<Issue>,
 }
 
-/// Mean power over a resistance with its interval, amplitudes at the given multiples of a drive, and the spectrum of the voltage.
+/// Computes mean power in a resistance with its interval, amplitudes at multiples of a drive, and
+/// the voltage spectrum.
 #[pyfunction]
 #[expect(
     clippy::too_many_arguments,
-    reason = "one argument per option of the Python function, which calls by name"
+    reason = "one argument per option of the Python function, which passes them by name"
 )]
 pub fn measured_power<'py>(
     py: Python<'py>,

@@ -1,4 +1,4 @@
-//! Recordings from Python and back.
+//! Conversion of recordings from Python and back.
 
 use crate::arrays::PythonDict;
 use crate::branch::json;
@@ -11,28 +11,28 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::path::PathBuf;
 
-/// A row of numbers, read-only or strided as it may be.
+/// Row of numbers, which may be read-only or strided.
 type Row<'py> = PyReadonlyArray1<'py, f64>;
 
-/// A recording as Python hands it over.
+/// Recording as passed from Python.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub struct GivenRecording<'py> {
     name: String,
     over: String,
-    /// The places of the samples, s or Hz.
+    /// Times or frequencies of the samples, s or Hz.
     places: Row<'py>,
-    /// Their distance; none where each sample has a stamp of its own.
+    /// Step between samples; `None` where each sample has its own stamp.
     step: Option<f64>,
     channels: Vec<GivenChannel<'py>>,
 }
 
-/// One channel of it.
+/// Channel of a recording.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 struct GivenChannel<'py> {
     name: String,
-    /// Name of the quantity; none for samples whose unit is still that of an instrument.
+    /// Name of the quantity; `None` for samples in the unit of an instrument.
     quantity: Option<String>,
     unit: String,
     place: String,
@@ -43,7 +43,7 @@ struct GivenChannel<'py> {
 }
 
 impl GivenRecording<'_> {
-    /// As the library knows it, the values in SI.
+    /// Converts to a recording of the library, with values in SI.
     pub fn recording(&self) -> Result<Recording, Failure> {
         let channels = self
             .channels
@@ -59,14 +59,14 @@ impl GivenRecording<'_> {
         })
     }
 
-    /// The same at even times and without missing samples.
+    /// Converts to even times without missing samples.
     pub fn even(&self) -> Result<Recording, Failure> {
         let recording = self.recording()?;
         match recording.over {
             Over::Time => Ok(recording.even()?),
             Over::Frequency => Err(Failure::new(
                 "RecordingError",
-                format!("{} is no recording over time", self.name),
+                format!("{} is not a recording over time", self.name),
             )),
         }
     }
@@ -134,7 +134,7 @@ impl GivenChannel<'_> {
     }
 }
 
-/// Everything in a file.
+/// Reads everything in a file.
 #[pyfunction]
 pub fn recording_read(py: Python<'_>, path: PathBuf) -> PyResult<Bound<'_, PyDict>> {
     let contents = py
@@ -158,7 +158,7 @@ pub fn recording_read(py: Python<'_>, path: PathBuf) -> PyResult<Bound<'_, PyDic
         .dict())
 }
 
-/// Samples with units as instruments write them, to a recording in SI.
+/// Converts samples with units of instruments to a recording in SI.
 #[pyfunction]
 pub fn recording_given<'py>(
     py: Python<'py>,
@@ -175,7 +175,7 @@ pub fn recording_given<'py>(
     into_python(py, recording)
 }
 
-/// A recording at even places, without missing samples.
+/// Converts a recording to even steps without missing samples.
 #[pyfunction]
 pub fn recording_even<'py>(
     py: Python<'py>,
@@ -188,7 +188,7 @@ pub fn recording_even<'py>(
     into_python(py, even)
 }
 
-/// Writes a recording in the format that the ending of the path tells.
+/// Writes a recording in the format of the ending of the path.
 #[pyfunction]
 pub fn recording_write(py: Python<'_>, given: GivenRecording<'_>, path: PathBuf) -> PyResult<()> {
     let recording = given.recording()?;
@@ -196,7 +196,7 @@ pub fn recording_write(py: Python<'_>, given: GivenRecording<'_>, path: PathBuf)
         .map_err(|error| Failure::from(error).raised(py))
 }
 
-/// A recording for Python.
+/// Converts a recording for Python.
 pub fn into_python(py: Python<'_>, recording: Recording) -> PyResult<Bound<'_, PyDict>> {
     let step = match &recording.grid {
         Grid::Even { step, .. } => Some(*step),
@@ -259,7 +259,7 @@ fn shape<'py>(py: Python<'py>, shape: &ModeShape) -> PyResult<Bound<'py, PyDict>
         .dict())
 }
 
-/// Findings as JSON, each with the sentence that tells it.
+/// Formats findings as JSON, each with its message.
 pub fn findings(found: &[Issue]) -> PyResult<String> {
     let one = |finding: &Issue| {
         serde_json::json!({

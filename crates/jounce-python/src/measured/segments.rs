@@ -1,4 +1,4 @@
-//! A long record cut into stretches of one solution each.
+//! Segmentation of a long record into steady-state responses.
 
 use super::recording::{GivenRecording, findings};
 use crate::arrays::PythonDict;
@@ -16,7 +16,7 @@ use jounce_measure::spectral::{MeanPower, mean_power_if_long};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// How the solutions of a model are sought and compared.
+/// Options of the search and comparison of the solutions of a model.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub struct ModelComparison {
@@ -26,17 +26,17 @@ pub struct ModelComparison {
     within: f64,
 }
 
-/// What a record tells.
+/// Result of a segmentation.
 struct SegmentationData {
     channel: Channel,
     found: Segmentation,
-    /// None where a stretch is too short for an interval; empty without a resistance.
+    /// `None` where a segment is too short for an interval; empty without a resistance.
     powers: Vec<Option<MeanPower>>,
     shown: Vec<SegmentMatches>,
 }
 
-/// The stretches of a channel under a drive; the mean power of each where the channel is the voltage over a resistance, and the solutions
-/// of a model beside each where there is one.
+/// Segments a channel under a drive. Returns the mean power of each segment where the channel is
+/// the voltage of a resistance, and the matching solutions where a model is given.
 #[pyfunction]
 pub fn measured_regimes<'py>(
     py: Python<'py>,
@@ -50,7 +50,7 @@ pub fn measured_regimes<'py>(
     let record = given.even()?;
     let found = cancellable(py, None, |control| {
         let channel = match &channel {
-            // Any quantity can be cut; only a voltage has a power.
+            // Any quantity can be segmented; only a voltage has a power.
             Some(name) if resistance_ohm.is_none() => record.channel(name)?,
             wanted => record.choose(wanted.as_deref(), Quantity::Voltage)?,
         };
@@ -93,7 +93,7 @@ pub fn measured_regimes<'py>(
 }
 
 impl ModelComparison {
-    /// The solutions of a model at the drive and the load of a record.
+    /// Returns the solutions of a model at the drive and the load of a record.
     fn solutions(
         &self,
         model: &Spec,
@@ -103,7 +103,7 @@ impl ModelComparison {
     ) -> Result<Vec<Solution>, Failure> {
         if !(self.within > 0.0 && self.within <= 1.0) || self.starts == 0 {
             let why = format!(
-                "within is {} and starts {}; within must lie above 0 and up to 1, starts above 0",
+                "within is {} and starts {}; within must be above 0 and at most 1, starts above 0",
                 self.within, self.starts
             );
             let details = serde_json::json!({ "within": self.within, "starts": self.starts });
@@ -118,7 +118,7 @@ impl ModelComparison {
             ..SolutionSearch::default()
         };
         let found = solutions(&spec, &search, control)?;
-        // A search that was stopped has not found them all.
+        // A stopped search is incomplete.
         Failure::unless_stopped(control, found)
     }
 }

@@ -13,10 +13,10 @@ use jounce_measure::spectral::{
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// Peaks of a density that are told, the highest first.
+/// Number of reported peaks of a density, the highest first.
 const PEAKS: usize = 5;
 
-/// How a record is cut into segments.
+/// Options of the segments of a record.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub struct SegmentOptions {
@@ -48,7 +48,8 @@ impl SegmentOptions {
     }
 }
 
-/// Power spectral density, spectrogram and order lines of a channel; by default of the first one in volts that moves, else of the first that does.
+/// Computes power spectral density, spectrogram and order lines of a channel; by default of the
+/// first varying one in volts, else of the first varying one.
 #[pyfunction]
 pub fn measured_spectra<'py>(
     py: Python<'py>,

@@ -1,4 +1,4 @@
-//! `--grid SIDE=FROM:TO:Nx`: the sides of a plane or box of starts, and their axes in the picture.
+//! `--grid SIDE=FROM:TO:Nx`: sides of a plane or box of starts, and their axes in the picture.
 
 use crate::failure::Failure;
 use jounce::analysis::{Grid, GridAxis, GridError, SectionPoint};
@@ -20,7 +20,7 @@ pub fn read(texts: &[String], stops: usize) -> Result<Option<Grid>, Failure> {
         })
 }
 
-/// The axis in the picture.
+/// Returns the axis in the picture.
 pub fn axis(axis: GridAxis) -> Axis {
     match axis {
         GridAxis::Displacement => Axis::linear("Displacement towards the stop", "m"),
@@ -29,7 +29,7 @@ pub fn axis(axis: GridAxis) -> Axis {
     }
 }
 
-/// Where a start lies on it.
+/// Returns the coordinate of a start on an axis.
 pub fn value(axis: GridAxis, point: &SectionPoint) -> f64 {
     match axis {
         GridAxis::Displacement => point.displacement_m,

@@ -30,20 +30,21 @@ pub struct Basins {
     /// Seed of the cloud.
     #[arg(long, default_value_t = 1)]
     seed: u64,
-    /// Size of the cloud at the stop, in gaps (or steady amplitudes, where those are larger).
+    /// Size of the cloud at the stop, in gaps (or in steady amplitudes, if larger).
     #[arg(long, default_value_t = 10.0)]
     spread: f64,
-    /// A side of a plane or box of starts instead of the cloud, with its number of values, once for each side:
-    /// displacement=-5mm:5mm:21x, velocity=-1m/s:1m/s:21x or voltage=-10V:10V:5x.
+    /// Side of a plane or box of starts instead of the cloud, with its number of values; once for
+    /// each side: displacement=-5mm:5mm:21x, velocity=-1m/s:1m/s:21x or voltage=-10V:10V:5x.
     #[arg(long, value_name = "SIDE=FROM:TO:Nx", allow_hyphen_values = true, conflicts_with_all = ["starts", "seed", "spread"])]
     grid: Vec<String>,
     /// Relative tolerance of the integration.
     #[arg(long, default_value_t = 1e-8)]
     tolerance: f64,
-    /// Longest period of an attractor, drive cycles.
+    /// Longest period of an attractor, in drive cycles.
     #[arg(long, default_value_t = 64, value_parser = clap::value_parser!(u32).range(1..))]
     longest_period: u32,
-    /// Drive cycles after which a start without a proved attractor counts as chaos or undecided.
+    /// Number of drive cycles after which a start without a proven attractor counts as chaos or
+    /// undecided.
     #[arg(long, default_value_t = 20_000, value_parser = clap::value_parser!(u32).range(1..))]
     max_cycles: u32,
     #[command(flatten)]
@@ -53,7 +54,7 @@ pub struct Basins {
 }
 
 impl Basins {
-    /// Marches the cloud and reports.
+    /// Integrates the cloud and reports.
     pub fn run(&self) -> Result<(), Failure> {
         check_tolerance(self.tolerance)?;
         if self.starts == 0 || !(self.spread > 0.0 && self.spread.is_finite()) {
@@ -119,19 +120,19 @@ impl Basins {
         }
         if answer.lost.len() == finished {
             return Err(Failure::NotConverged(format!(
-                "every march failed; the first: {}",
+                "every run failed; the first: {}",
                 answer.lost[0].1
             )));
         }
         if let Some((index, why)) = answer.lost.first() {
             eprintln!(
-                "{} of {finished} marches failed; start {index}: {why}",
+                "{} of {finished} runs failed; start {index}: {why}",
                 answer.lost.len()
             );
         }
         self.tell(&base, &study.starts, &answer)?;
         interruption::end(&base.kernel.control, || {
-            format!("the {finished} of {of} starts that were finished")
+            format!("{finished} of {of} starts")
         })
     }
 
@@ -237,13 +238,13 @@ fn table(answer: &BasinsResult) -> Result<Table, Failure> {
         Column::new(
             "id",
             "",
-            "period in drive cycles and a letter by falling power",
+            "period in drive cycles and a letter by decreasing power",
             all.iter().map(|a| a.id.clone()).collect::<Vec<_>>(),
         ),
         Column::new(
             "period_cycles",
             "",
-            "period in drive cycles, 0 for none",
+            "period in drive cycles, 0 without a period",
             all.iter()
                 .map(|a| u64::from(a.period_cycles))
                 .collect::<Vec<_>>(),
@@ -251,23 +252,29 @@ fn table(answer: &BasinsResult) -> Result<Table, Failure> {
         Column::new(
             "chaotic",
             "",
-            "neighbouring motions part",
+            "neighbouring motions diverge",
             all.iter().map(|a| a.is_chaotic()).collect::<Vec<bool>>(),
         ),
         number("mean_power_w", "W", "mean power of all loads", |a| {
             a.mean_power_w
         }),
         number("fraction", "", "share of the starts", |a| a.share.fraction),
-        number("fraction_low", "", "lower end of its 95 % interval", |a| {
-            a.share.low
-        }),
-        number("fraction_high", "", "upper end of its 95 % interval", |a| {
-            a.share.high
-        }),
+        number(
+            "fraction_low",
+            "",
+            "lower end of the 95 % interval of the share",
+            |a| a.share.low,
+        ),
+        number(
+            "fraction_high",
+            "",
+            "upper end of the 95 % interval of the share",
+            |a| a.share.high,
+        ),
     ])?)
 }
 
-/// One row for each start, in order.
+/// Returns a table with one row for each start, in order.
 fn starts_table(
     plant: &Plant,
     starts: &InitialStates,
@@ -280,7 +287,7 @@ fn starts_table(
     let home = |index: usize| match answer.attractors.iter().find(|a| a.starts.contains(&index)) {
         Some(attractor) => attractor.id.clone(),
         None if is_lost(index) => "lost".to_owned(),
-        None => "not marched".to_owned(),
+        None => "not computed".to_owned(),
     };
     let number = |name: &str, unit: &str, about: &str, value: fn(&SectionPoint) -> f64| {
         Column::new(
@@ -303,9 +310,12 @@ fn starts_table(
             "displacement towards the stop",
             |point| point.displacement_m,
         ),
-        number("velocity_m_per_s", "m/s", "its velocity", |point| {
-            point.velocity_m_per_s
-        }),
+        number(
+            "velocity_m_per_s",
+            "m/s",
+            "velocity towards the stop",
+            |point| point.velocity_m_per_s,
+        ),
         number("voltage_v", "V", "voltage of the first patch", |point| {
             point.voltage_v
         }),
@@ -318,7 +328,8 @@ fn starts_table(
     ])?)
 }
 
-/// The starts by displacement and velocity towards the stop, or by the sides of their grid, coloured by where they end.
+/// Draws the starts by displacement and velocity towards the stop, or by the sides of their grid,
+/// coloured by attractor.
 fn figure(plant: &Plant, starts: &InitialStates, answer: &BasinsResult) -> Figure {
     let sides: Vec<GridAxis> = match starts {
         InitialStates::Grid(grid) => grid.sides.iter().map(|side| side.axis).collect(),
@@ -349,5 +360,5 @@ fn figure(plant: &Plant, starts: &InitialStates, answer: &BasinsResult) -> Figur
                 .label(&attractor.id),
         );
     }
-    Figure::new("Where starts end").with(panel)
+    Figure::new("Basins of attraction").with(panel)
 }

@@ -1,4 +1,5 @@
-//! The picture of `jounce diagram`: displacement at the start of each drive cycle, and power, over the branches.
+//! Picture of `jounce diagram`: displacement at the start of each drive cycle, and power, over the
+//! branches.
 
 use super::DiagramResult;
 use crate::failure::Failure;
@@ -8,7 +9,7 @@ use jounce::analysis::{
 use jounce::picture::{self, Axis, BranchLine, DiagramDots, DiagramView, Figure};
 use jounce::spec::NumericKey;
 
-/// Both panels.
+/// Draws both panels.
 pub fn figure(
     (base, parameter): (&Model, &Parameter),
     key: &NumericKey,
@@ -30,7 +31,7 @@ pub fn figure(
     });
     let views = [
         DiagramView {
-            value: Axis::linear("Displacement once a cycle", "m"),
+            value: Axis::linear("Displacement once per cycle", "m"),
             lines: displacements,
             dots: dots(answer, |visit| {
                 visit
@@ -47,13 +48,13 @@ pub fn figure(
         },
     ];
     Ok(picture::diagram(
-        &format!("Answers over {}", key.path()),
+        &format!("Bifurcation diagram over {}", key.path()),
         &Axis::linear(key.path(), &key.unit()),
         &views,
     ))
 }
 
-/// A line for each drive cycle of a branch.
+/// Returns a line for each drive cycle of a branch.
 fn sections(
     (base, parameter): (&Model, &Parameter),
     branch: &Branch,
@@ -92,7 +93,7 @@ fn line(branch: &Branch, value: Vec<f64>) -> BranchLine {
     }
 }
 
-/// Points by direction, or by attractor where that is known.
+/// Returns the points by direction, or by attractor where it is known.
 fn dots(answer: &DiagramResult, values: impl Fn(&DiagramPoint) -> Vec<f64>) -> Vec<DiagramDots> {
     let own = |label: &str, belongs: &dyn Fn(usize, &DiagramPoint) -> bool| {
         let mut dots = DiagramDots {

@@ -18,25 +18,25 @@ use jounce::analysis::{
 };
 use jounce::spec::{KeyRange, Spec};
 
-/// The cloud of starts that is meant if nothing else is said: their number at each value, ...
+/// Default number of starts of the cloud at each value.
 const DEFAULT_STARTS: usize = 20;
 
-/// ... its seed ...
+/// Default seed of the cloud.
 const DEFAULT_SEED: u64 = 1;
 
-/// ... and its size.
+/// Default size of the cloud.
 const DEFAULT_SPREAD: f64 = 10.0;
 
-/// Order of visit.
+/// Order of the values.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Direction {
-    /// From the first value to the last, the state carried over.
+    /// From the first value to the last, each starting from the state of the one before.
     Up,
-    /// From the last value to the first, the state carried over.
+    /// From the last value to the first, each starting from the state of the one before.
     Down,
-    /// Up, then down from where it arrived.
+    /// Up, then down from the last state.
     Both,
-    /// At each value from every start of a cloud; attractors are matched from value to value.
+    /// At each value from every start of a cloud; attractors are matched between values.
     Starts,
 }
 
@@ -48,22 +48,22 @@ pub struct Diagram {
     /// The key and its values: KEY=FROM:TO:STEP, KEY=FROM:TO:Nx, KEY=FROM:TO:Nlog or KEY=A,B,C.
     #[arg(long, value_name = "KEY=RANGE")]
     over: String,
-    /// Order in which the values are visited.
+    /// Order of the values.
     #[arg(long, value_enum, default_value = "both")]
     direction: Direction,
-    /// Starts at each value, with --direction starts; 20 if left out.
+    /// Number of starts at each value, with --direction starts; 20 if left out.
     #[arg(long, value_parser = clap::value_parser!(u32).range(1..))]
     starts: Option<u32>,
     /// Seed of their cloud; 1 if left out.
     #[arg(long)]
     seed: Option<u64>,
-    /// Size of the cloud at the stop, in gaps (or steady amplitudes, where those are larger); 10 if left out.
+    /// Size of the cloud at the stop, in gaps (or in steady amplitudes, if larger); 10 if left out.
     #[arg(long)]
     spread: Option<f64>,
-    /// Drive cycles shown of a motion without a period.
+    /// Number of drive cycles shown of a motion without a period.
     #[arg(long, default_value_t = 64, value_parser = clap::value_parser!(u32).range(1..=100_000))]
     cycles: u32,
-    /// Relative tolerance of the marches.
+    /// Relative tolerance of the integration.
     #[arg(long, default_value_t = 1e-8)]
     tolerance: f64,
     /// Leaves out the continued branches.
@@ -78,7 +78,7 @@ pub struct Diagram {
     pub output: OutputArguments,
 }
 
-/// What a diagram has to tell.
+/// Result of a diagram.
 struct DiagramResult {
     visits: Vec<DiagramPoint>,
     history: Option<AttractorTracks>,
@@ -86,7 +86,7 @@ struct DiagramResult {
 }
 
 impl Diagram {
-    /// Marches the diagram and reports.
+    /// Computes the diagram and reports.
     pub fn run(&self) -> Result<(), Failure> {
         check_tolerance(self.tolerance)?;
         let order = self.order()?;
@@ -96,7 +96,7 @@ impl Diagram {
         let values = range.values();
         if values.windows(2).any(|pair| pair[0] >= pair[1]) {
             return Err(Failure::usage(format!(
-                "{}: the values of a diagram must rise",
+                "{}: the values of a diagram must increase",
                 self.over
             )));
         }
@@ -151,7 +151,7 @@ impl Diagram {
             },
         )?;
         interruption::end(&base.kernel.control, || {
-            "all marches, with the histories and branches that were finished".to_owned()
+            "all runs, and the attractor histories and branches that were finished".to_owned()
         })
     }
 
@@ -174,7 +174,7 @@ impl Diagram {
             .find(|(_, is_given)| *is_given && self.direction != Direction::Starts)
         {
             return Err(Failure::usage(format!(
-                "{option} belongs to a cloud of starts: add --direction starts or leave {option} out"
+                "{option} needs a cloud of starts: add --direction starts or leave {option} out"
             )));
         }
         Ok(match self.direction {
@@ -189,7 +189,7 @@ impl Diagram {
         })
     }
 
-    /// The marches, going on where an interrupted call of the same command stopped.
+    /// Computes the runs, and continues an interrupted call of the same command.
     fn marched(&self, study: &Study, spec: &Spec) -> Result<Vec<DiagramPoint>, Failure> {
         let options = format!(
             "diagram {} {:?} {} {}",
@@ -199,10 +199,10 @@ impl Diagram {
             &cache::folder(),
             &cache::key(&spec.hash_hex(), &options),
         )?;
-        let bar = progress::counted(study.len(), "marches");
+        let bar = progress::counted(study.len(), "runs");
         bar.set_position(journal.found().len() as u64);
         if !journal.found().is_empty() {
-            eprintln!("going on after {} finished marches", journal.found().len());
+            eprintln!("continuing after {} finished runs", journal.found().len());
         }
         interruption::install(&study.base.kernel.control);
         let visits = self
@@ -211,7 +211,7 @@ impl Diagram {
         bar.finish_and_clear();
         if visits.len() < study.len() {
             let text = format!(
-                "stopped after {} of {} marches; the same command goes on from there",
+                "stopped after {} of {} runs; the same command continues from there",
                 visits.len(),
                 study.len()
             );
@@ -224,12 +224,12 @@ impl Diagram {
             .count();
         if lost == visits.len() {
             return Err(Failure::NotConverged(
-                "every march failed; a larger --tolerance or another range may help".to_owned(),
+                "every run failed; try a larger --tolerance or another range".to_owned(),
             ));
         }
         if lost > 0 {
             eprintln!(
-                "{lost} of {} marches failed; their motion is `lost`",
+                "{lost} of {} runs failed; their motion is `lost`",
                 visits.len()
             );
         }

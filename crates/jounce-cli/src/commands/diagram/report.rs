@@ -1,4 +1,4 @@
-//! The answer of `jounce diagram` as JSON, as text and as tables.
+//! Result of `jounce diagram` as JSON, as text and as tables.
 
 use super::DiagramResult;
 use crate::failure::Failure;
@@ -9,7 +9,7 @@ use jounce::analysis::{
 use jounce::spec::NumericKey;
 use jounce::table::{Column, Table};
 
-/// The attractor of each visit by its id; empty without a history, or for a march that failed.
+/// Returns the attractor id of each point; empty without a history, or for a failed run.
 fn ids(answer: &DiagramResult) -> Vec<&str> {
     let of = |k: usize| {
         let history = answer.history.as_ref()?;
@@ -20,7 +20,7 @@ fn ids(answer: &DiagramResult) -> Vec<&str> {
         .collect()
 }
 
-/// As one JSON object on stdout.
+/// Prints the result as one JSON object on stdout.
 pub fn json(key: &NumericKey, answer: &DiagramResult) {
     let ids = ids(answer);
     let points: Vec<_> = (answer.visits.iter().zip(&ids))
@@ -44,7 +44,7 @@ pub fn json(key: &NumericKey, answer: &DiagramResult) {
     );
 }
 
-/// As lines of text.
+/// Prints the result as lines of text.
 pub fn text(key: &NumericKey, answer: &DiagramResult) {
     if let Some(history) = &answer.history {
         history
@@ -70,7 +70,7 @@ pub fn text(key: &NumericKey, answer: &DiagramResult) {
     }
 }
 
-/// One attractor: where it is, how it came about and how it ended.
+/// Formats one attractor: its range, its origin and its end.
 fn life(key: &NumericKey, attractor: &AttractorTrack) {
     let (Some(first), Some(last)) = (attractor.seen.first(), attractor.seen.last()) else {
         return;
@@ -99,7 +99,7 @@ fn life(key: &NumericKey, attractor: &AttractorTrack) {
     ));
 }
 
-/// One row for each point of the section.
+/// Returns a table with one row for each point of the section.
 pub fn points(key: &NumericKey, answer: &DiagramResult) -> Result<Table, Failure> {
     let ids = ids(answer);
     let all: Vec<(&DiagramPoint, &str, &SectionPoint)> = (answer.visits.iter().zip(&ids))
@@ -140,7 +140,7 @@ pub fn points(key: &NumericKey, answer: &DiagramResult) -> Result<Table, Failure
         number("parameter", &key.unit(), key.path(), |visit, _| {
             visit.parameter
         }),
-        text("direction", "how the value was reached", &|visit, _| {
+        text("direction", "direction of the sweep", &|visit, _| {
             visit.direction.name().to_owned()
         }),
         count("start", "number of the start in its cloud", |visit| {
@@ -148,7 +148,7 @@ pub fn points(key: &NumericKey, answer: &DiagramResult) -> Result<Table, Failure
         }),
         text(
             "attractor",
-            "id of the attractor, from starts only",
+            "id of the attractor, with --direction starts only",
             &|_, id| id.to_owned(),
         ),
         text("motion", "orbit, chaos, torus or undecided", &|visit, _| {
@@ -156,12 +156,12 @@ pub fn points(key: &NumericKey, answer: &DiagramResult) -> Result<Table, Failure
         }),
         count(
             "period_cycles",
-            "period in drive cycles, 0 for none",
+            "period in drive cycles, 0 without a period",
             |visit| u64::from(visit.period_cycles),
         ),
         count(
             "contacts_per_period",
-            "contacts per period, 0 for none",
+            "contacts per period, 0 without a period",
             |visit| visit.contacts_per_period,
         ),
         number(
@@ -176,9 +176,12 @@ pub fn points(key: &NumericKey, answer: &DiagramResult) -> Result<Table, Failure
             "displacement towards the stop at the start of a drive cycle",
             |_, point| point.displacement_m,
         ),
-        number("velocity_m_per_s", "m/s", "its velocity", |_, point| {
-            point.velocity_m_per_s
-        }),
+        number(
+            "velocity_m_per_s",
+            "m/s",
+            "velocity towards the stop",
+            |_, point| point.velocity_m_per_s,
+        ),
         number(
             "voltage_v",
             "V",
@@ -188,7 +191,7 @@ pub fn points(key: &NumericKey, answer: &DiagramResult) -> Result<Table, Failure
     ])?)
 }
 
-/// One row for each attractor at each value.
+/// Returns a table with one row for each attractor at each value.
 pub fn attractors(key: &NumericKey, history: &AttractorTracks) -> Result<Table, Failure> {
     let all: Vec<(&AttractorTrack, &TrackPoint)> = history
         .attractors
@@ -222,13 +225,13 @@ pub fn attractors(key: &NumericKey, history: &AttractorTracks) -> Result<Table, 
         number(
             "fraction_low",
             "",
-            "lower end of its 95 % interval",
+            "lower end of the 95 % interval of the share",
             |seen| seen.fraction_low,
         ),
         number(
             "fraction_high",
             "",
-            "upper end of its 95 % interval",
+            "upper end of the 95 % interval of the share",
             |seen| seen.fraction_high,
         ),
     ])?)

@@ -1,4 +1,4 @@
-//! A hammer test of the rig.
+//! Simulated hammer test.
 
 use super::SensingArguments;
 use crate::failure::Failure;
@@ -11,33 +11,34 @@ use jounce::structure;
 use jounce_measure::recording::Recording;
 use jounce_measure::rig::{HammerTest, hammer_test};
 
-/// How a hammer strikes.
+/// Options of the simulated hammer.
 #[derive(Debug, Args)]
 pub struct HammerTestArguments {
-    /// Strikes this point with a hammer, stops and drives taken away, instead of marching the run.
+    /// Hits this point with a hammer, with stops and drives removed, instead of the run of the
+    /// spec.
     #[arg(long, value_name = "POINT")]
     hammer: Option<String>,
     /// Number of hits.
     #[arg(long, default_value_t = 5, requires = "hammer")]
     hits: usize,
-    /// Time from hit to hit.
+    /// Time between two hits.
     #[arg(long, default_value = "4s", value_name = "TIME", requires = "hammer")]
     block: String,
     /// Largest force; each hit differs from it by up to 20 %.
     #[arg(long, default_value = "20N", value_name = "FORCE", requires = "hammer")]
     peak: String,
-    /// Time in contact; each hit differs from it by up to 10 %.
+    /// Contact time; each hit differs from it by up to 10 %.
     #[arg(long, default_value = "3ms", value_name = "TIME", requires = "hammer")]
     contact: String,
 }
 
 impl HammerTestArguments {
-    /// The point that is struck.
+    /// Returns the excitation point.
     pub fn point(&self) -> Option<&str> {
         self.hammer.as_deref()
     }
 
-    /// The recording of the test.
+    /// Returns the recording of the test.
     pub fn struck(
         &self,
         mut spec: Spec,

@@ -35,48 +35,50 @@ pub struct Rig {
     pub json: bool,
 }
 
-/// What every test has.
+/// Options of every simulated test.
 #[derive(Debug, Args)]
 pub struct SensingArguments {
-    /// Samples per second.
+    /// Sampling rate.
     #[arg(long, default_value = "2048Hz")]
     rate: String,
-    /// White noise of every sensor, rms over that of its signal.
+    /// White noise of every sensor: its rms divided by the rms of the signal.
     #[arg(long, default_value_t = 0.0)]
     noise: f64,
-    /// Bits of the converters; without, nothing is rounded.
+    /// Bits of the converters; without it nothing is rounded.
     #[arg(long)]
     bits: Option<u32>,
-    /// Seed of hits, wander and noise.
+    /// Seed of hits, fluctuation and noise.
     #[arg(long, default_value_t = 1)]
     seed: u64,
-    /// Point with an accelerometer; can be given several times; by default every point and patch records in a hammer test, no point else.
+    /// Point with an accelerometer; can be given several times; by default every point and patch is
+    /// recorded in a hammer test, and no point in other tests.
     #[arg(long, value_name = "POINT")]
     at: Vec<String>,
-    /// Mass of each accelerometer of --at, as in 2g: it loads the structure.
+    /// Mass of each accelerometer of --at, as in 2g, which loads the structure.
     #[arg(long, value_name = "MASS", requires = "at")]
     sensor_mass: Option<String>,
-    /// Capacitance of the cable of each patch with its amplifier, as in 1nF: it lowers the voltage.
+    /// Capacitance of the cable of each patch with its amplifier, as in 1nF, which lowers the
+    /// voltage.
     #[arg(long, value_name = "CAPACITANCE")]
     cable: Option<String>,
     /// Resistance of the cable of each patch with its amplifier, as in 10Mohm.
     #[arg(long, value_name = "RESISTANCE")]
     cable_leakage: Option<String>,
-    /// Holds a body still; can be given several times.
+    /// Fixes a body; can be given several times.
     #[arg(long, value_name = "BODY")]
     hold: Vec<String>,
-    /// Holds every mass still.
+    /// Fixes every mass.
     #[arg(long)]
     fixed_table: bool,
 }
 
 impl SensingArguments {
-    /// Samples per second.
+    /// Returns the sampling rate.
     pub fn rate_hz(&self) -> Result<f64, Failure> {
         frequency_hz("rate", &self.rate)
     }
 
-    /// The sensors.
+    /// Returns the sensors.
     pub fn sensor(&self) -> Sensor {
         Sensor {
             noise_ratio: self.noise,
@@ -84,12 +86,12 @@ impl SensingArguments {
         }
     }
 
-    /// Names of the bodies to hold.
+    /// Returns the names of the fixed bodies.
     pub fn held(&self, spec: &Spec) -> Vec<String> {
         fixed_bodies(&self.hold, self.fixed_table, spec)
     }
 
-    /// Cables and accelerometers are part of what is measured.
+    /// Adds cables and accelerometers to the spec.
     fn fit(&self, spec: &mut Spec) -> Result<(), Failure> {
         if self.cable.is_some() || self.cable_leakage.is_some() {
             let capacitance_f = self
@@ -115,10 +117,10 @@ impl SensingArguments {
 }
 
 impl Rig {
-    /// Simulates the test and writes what its sensors record.
+    /// Simulates the test and writes the recording of its sensors.
     pub fn run(&self) -> Result<(), Failure> {
         let mut spec = self.spec.spec()?;
-        // Masses of the model are held, those of the instruments move.
+        // Masses of the model are fixed, masses of the instruments are free.
         let held = self.sensing.held(&spec);
         self.sensing.fit(&mut spec)?;
         let recording = match self.hammer.point() {

@@ -1,4 +1,4 @@
-//! A shaker test of the rig.
+//! Simulated shaker test.
 
 use super::SensingArguments;
 use crate::failure::Failure;
@@ -13,20 +13,21 @@ use jounce_measure::rig::{Disturbance, ShakerTest, on_recorded_base, shaker_test
 use jounce_measure::solution::{SolutionSearch, solutions, start_of};
 use std::path::{Path, PathBuf};
 
-/// What the shaker does.
+/// Options of the simulated shaker.
 #[derive(Debug, Args)]
 pub struct ShakerArguments {
-    /// Starts on a solution of the model, by its id in `basins`, as in 1a, and goes on from another one at a time of the record, as in 3a@42s;
-    /// can be given several times. By default the run of the spec.
+    /// Starts on a solution of the model, by its id in `basins`, as in 1a, and changes to another
+    /// one at a time of the record, as in 3a@42s; can be given several times. By default the run of
+    /// the spec.
     #[arg(long, value_name = "ID[@TIME]", conflicts_with_all = ["hammer", "hold", "fixed_table", "base"])]
     solution: Vec<String>,
-    /// Random starts from which those solutions are sought, as `basins --starts`.
+    /// Number of random starts that find those solutions, as `basins --starts`.
     #[arg(long, default_value_t = 40, requires = "solution")]
     starts: usize,
-    /// Their seed, as `basins --seed`.
+    /// Seed of those starts, as `basins --seed`.
     #[arg(long, default_value_t = 1, requires = "solution")]
     starts_seed: u64,
-    /// Standard deviation of the drive's amplitude over itself.
+    /// Relative standard deviation of the drive amplitude.
     #[arg(
         long,
         value_name = "RATIO",
@@ -34,7 +35,7 @@ pub struct ShakerArguments {
         conflicts_with = "hammer"
     )]
     amplitude_wander: f64,
-    /// Standard deviation of the drive's frequency over itself.
+    /// Relative standard deviation of the drive frequency.
     #[arg(
         long,
         value_name = "RATIO",
@@ -42,10 +43,10 @@ pub struct ShakerArguments {
         conflicts_with = "hammer"
     )]
     frequency_wander: f64,
-    /// Time in which both wander.
+    /// Correlation time of both fluctuations.
     #[arg(long, value_name = "TIME", default_value = "5s")]
     wander_time: String,
-    /// Change of the drive's amplitude from begin to end, over itself.
+    /// Relative change of the drive amplitude from begin to end.
     #[arg(
         long,
         value_name = "RATIO",
@@ -54,7 +55,7 @@ pub struct ShakerArguments {
         conflicts_with = "hammer"
     )]
     amplitude_drift: f64,
-    /// Change of the drive's frequency from begin to end, over itself.
+    /// Relative change of the drive frequency from begin to end.
     #[arg(
         long,
         value_name = "RATIO",
@@ -63,19 +64,19 @@ pub struct ShakerArguments {
         conflicts_with = "hammer"
     )]
     frequency_drift: f64,
-    /// Moves the base as this recording says, for as long as it lasts, instead of the drives of the spec.
+    /// Moves the base as in this recording, for its duration, instead of the drives of the spec.
     #[arg(long, value_name = "FILE", conflicts_with = "hammer")]
     base: Option<PathBuf>,
     /// Channel of that recording; by default the first acceleration.
     #[arg(long, value_name = "CHANNEL", requires = "base")]
     base_channel: Option<String>,
-    /// Keeps the mean of that channel: by default it is taken away, being gravity and offset.
+    /// Retains the mean of that channel; by default it is subtracted as gravity and offset.
     #[arg(long, requires = "base")]
     keep_mean: bool,
 }
 
 impl ShakerArguments {
-    /// The recording of the test.
+    /// Returns the recording of the test.
     pub fn shaken(
         &self,
         mut spec: Spec,
@@ -134,7 +135,11 @@ impl ShakerArguments {
         let recording = loaded(survey, &[number])?;
         let name = &recording.channels[0].name;
         let mean = on_recorded_base(spec, &recording, name, self.keep_mean)?;
-        let words = if self.keep_mean { "kept" } else { "taken away" };
+        let words = if self.keep_mean {
+            "retained"
+        } else {
+            "subtracted"
+        };
         eprintln!(
             "the base moves as {name} of {}; its mean of {mean:.5} m/s^2 is {words}",
             recording.name
@@ -142,7 +147,7 @@ impl ShakerArguments {
         Ok(())
     }
 
-    /// Times and states of the solutions that are asked for.
+    /// Returns times and states of the requested solutions.
     fn solutions(&self, spec: &Spec, wanted: &[String]) -> Result<Vec<(f64, StartState)>, Failure> {
         let found = solutions(
             spec,
@@ -162,7 +167,7 @@ impl ShakerArguments {
                 None if number == 0 => 0.0,
                 None => {
                     return Err(Failure::usage(format!(
-                        "--solution {text}: give the time from which on it is shown, as in {id}@42s"
+                        "--solution {text}: add the time at which it begins, as in {id}@42s"
                     )));
                 }
             };
