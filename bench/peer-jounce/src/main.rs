@@ -15,16 +15,16 @@
 //! all that the command `run` asks of the library once a spec is prepared: the kernel of the run, `simulate`, peak voltages, charges and
 //! warnings.
 
-use jounce::analysis::{Model, Parameter, settled_orbit};
-use jounce::continuation::{
+use jounce_core::analysis::{Model, Parameter, settled_orbit};
+use jounce_core::continuation::{
     Continuation, Corrector, Direction, Metric, Position, StepControl, correct_at, tangent,
 };
-use jounce::integrate::{Control, Kernel};
-use jounce::orbit::{HarmonicBalance, OrbitMethod, ParametricModel, Shooting};
-use jounce::plant::{Plant, System};
-use jounce::run::{RunPlan, RunResult, StartState, Warning, charges, simulate, voltage_peaks};
-use jounce::spec::{NumericKey, Spec, SpecFile};
-use jounce::structure;
+use jounce_core::integrate::{Control, Kernel};
+use jounce_core::orbit::{HarmonicBalance, OrbitMethod, ParametricModel, Shooting};
+use jounce_core::plant::{Plant, System};
+use jounce_core::run::{RunPlan, RunResult, StartState, Warning, charges, simulate, voltage_peaks};
+use jounce_core::spec::{NumericKey, Spec, SpecFile};
+use jounce_core::structure;
 use rustix::time::{ClockId, clock_gettime};
 use std::error::Error;
 use std::hint::black_box;

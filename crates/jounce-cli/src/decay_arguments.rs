@@ -3,8 +3,8 @@
 use crate::failure::Failure;
 use crate::measured_file::{ends, manifest, positive, print_issues, record};
 use clap::Args;
-use jounce::spec::Quantity as Unit;
-use jounce::table::Manifest;
+use jounce_core::spec::Quantity as Unit;
+use jounce_core::table::Manifest;
 use jounce_measure::read;
 use jounce_measure::recording::Over;
 use jounce_measure::response::{AmbientSettings, Decays};

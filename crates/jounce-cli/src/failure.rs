@@ -1,9 +1,9 @@
 //! Failures of commands and their exit codes.
 
 use crate::output::print;
-use jounce::analysis::AnalysisError;
-use jounce::orbit::OrbitError;
-use jounce::spec::{Fault, ReadError};
+use jounce_core::analysis::AnalysisError;
+use jounce_core::orbit::OrbitError;
+use jounce_core::spec::{Fault, ReadError};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -89,7 +89,7 @@ impl From<ReadError> for Failure {
 impl From<AnalysisError> for Failure {
     fn from(error: AnalysisError) -> Self {
         match &error {
-            AnalysisError::Run(jounce::run::RunError::March(_)) => {
+            AnalysisError::Run(jounce_core::run::RunError::March(_)) => {
                 Failure::NotConverged(error.to_string())
             }
             _ => Failure::Input(error.to_string()),
@@ -124,15 +124,15 @@ macro_rules! input_failure {
 }
 
 input_failure!(
-    jounce::structure::StructureError,
-    jounce::plant::PlantError,
-    jounce::linear::RandomError,
-    jounce::table::TableError,
-    jounce::picture::PictureError,
-    jounce::signal::SignalError,
-    jounce::analysis::JournalError,
-    jounce::reproduce::ReproduceError,
-    jounce::store::StoreError,
+    jounce_core::structure::StructureError,
+    jounce_core::plant::PlantError,
+    jounce_core::linear::RandomError,
+    jounce_core::table::TableError,
+    jounce_core::picture::PictureError,
+    jounce_core::signal::SignalError,
+    jounce_core::analysis::JournalError,
+    jounce_core::reproduce::ReproduceError,
+    jounce_core::store::StoreError,
     jounce_measure::read::ReadError,
     jounce_measure::recording::NoChannel,
     jounce_measure::recording::GridError,

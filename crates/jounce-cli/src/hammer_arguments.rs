@@ -4,8 +4,8 @@ use crate::failure::Failure;
 use crate::measured_file::{manifest, positive, print_issues, record};
 use crate::output::line;
 use clap::{Args, ValueEnum};
-use jounce::spec::Quantity as Unit;
-use jounce::table::Manifest;
+use jounce_core::spec::Quantity as Unit;
+use jounce_core::table::Manifest;
 use jounce_measure::read;
 use jounce_measure::recording::{Over, Recording};
 use jounce_measure::response::{

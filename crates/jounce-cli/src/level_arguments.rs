@@ -2,8 +2,8 @@
 
 use crate::failure::Failure;
 use clap::Args;
-use jounce::analysis::QuantityLevel;
-use jounce::plant::Plant;
+use jounce_core::analysis::QuantityLevel;
+use jounce_core::plant::Plant;
 
 /// Levels that are marked on branches and continued in two keys.
 #[derive(Debug, Args)]

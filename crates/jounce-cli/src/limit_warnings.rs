@@ -1,6 +1,6 @@
 //! Warnings about exceeded limits of patches.
 
-use jounce::run::{ExceededLimit, WorstExcess};
+use jounce_core::run::{ExceededLimit, WorstExcess};
 
 /// Prints one line on stderr for each limit, with the place of the worst of the `answers`.
 pub fn warn(answers: &[&[ExceededLimit]], what: &str, place: impl Fn(usize) -> String) {

@@ -3,8 +3,8 @@
 use crate::failure::Failure;
 use crate::spec_arguments::OutputArguments;
 use clap::Args;
-use jounce::spec::Quantity as Unit;
-use jounce::table::Manifest;
+use jounce_core::spec::Quantity as Unit;
+use jounce_core::table::Manifest;
 use jounce_measure::read::{self, ChannelSummary, RecordingSummary};
 use jounce_measure::recording::{
     ChannelError, Issue, IssueKind, Quantity, Recording, chosen, named,

@@ -1,8 +1,8 @@
 //! Output: JSON on stdout, tables and pictures in a folder.
 
 use crate::failure::Failure;
-use jounce::picture::Figure;
-use jounce::table::{Manifest, Table};
+use jounce_core::picture::Figure;
+use jounce_core::table::{Manifest, Table};
 use std::io::Write;
 use std::path::Path;
 

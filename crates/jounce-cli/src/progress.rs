@@ -2,7 +2,7 @@
 //! ten seconds.
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use jounce::integrate::Control;
+use jounce_core::integrate::Control;
 use std::io::{IsTerminal, Write};
 use std::time::{Duration, Instant};
 

@@ -2,11 +2,11 @@
 
 use crate::failure::Failure;
 use clap::Args;
-use jounce::analysis::AnalysisError;
-use jounce::orbit::OrbitError;
-use jounce::plant::Plant;
-use jounce::spec::{Faults, KeyRange, NumericKey, Quantity, Spec, SpecFile};
-use jounce::table::Manifest;
+use jounce_core::analysis::AnalysisError;
+use jounce_core::orbit::OrbitError;
+use jounce_core::plant::Plant;
+use jounce_core::spec::{Faults, KeyRange, NumericKey, Quantity, Spec, SpecFile};
+use jounce_core::table::Manifest;
 use std::path::{Path, PathBuf};
 
 /// The spec and its overrides.

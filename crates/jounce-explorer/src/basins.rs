@@ -5,10 +5,10 @@ use crate::cancellation::Cancellation;
 use crate::design::{Design, DesignFault};
 use crate::frame::Frame;
 use crate::session::Session;
-use jounce::analysis::{
+use jounce_core::analysis::{
     Basins, Grid, GridAxis, GridSide, InitialStates, Parameter, Recognition, SectionPoint,
 };
-use jounce::orbit::ParametricModel;
+use jounce_core::orbit::ParametricModel;
 use serde_json::json;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;

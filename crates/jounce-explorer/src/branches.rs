@@ -7,12 +7,12 @@ use crate::frame::Frame;
 use crate::request::KeySpan;
 use crate::responses::{Origin, StoredResponse};
 use crate::session::Session;
-use jounce::analysis::{
+use jounce_core::analysis::{
     BandwidthSearch, Bifurcation, Branch, BranchPoint, BranchSearch, BranchUpdate, KnownOrbit,
     OrbitMethodKind, WarmStart,
 };
-use jounce::analysis::{Extrapolation, Model, Parameter, settled_orbit};
-use jounce::continuation::StepControl;
+use jounce_core::analysis::{Extrapolation, Model, Parameter, settled_orbit};
+use jounce_core::continuation::StepControl;
 use serde_json::{Value, json};
 use std::sync::Arc;
 use std::time::{Duration, Instant};

@@ -1,7 +1,7 @@
 //! Controls of the page: every number of the spec, with its unit and range.
 
 use crate::design::Design;
-use jounce::spec::NumericKey;
+use jounce_core::spec::NumericKey;
 use serde_json::{Value, json};
 use toml_edit::{DocumentMut, Item};
 

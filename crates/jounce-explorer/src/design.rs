@@ -1,7 +1,7 @@
 //! Design: the spec file with the overrides of a page.
 
 use crate::source::Source;
-use jounce::spec::{Fault, NumericKey, Spec, SpecFile};
+use jounce_core::spec::{Fault, NumericKey, Spec, SpecFile};
 use serde_json::{Value, json};
 use std::path::Path;
 

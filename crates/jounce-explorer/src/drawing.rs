@@ -1,8 +1,8 @@
 //! Drawing of a design, and the keys that move when its parts are dragged.
 
 use crate::design::Design;
-use jounce::picture::{Drawing, DrawnShape, GripPart, Rect};
-use jounce::show;
+use jounce_core::picture::{Drawing, DrawnShape, GripPart, Rect};
+use jounce_core::show;
 use serde_json::{Value, json};
 
 /// Returns the drawing as SVG, the extents of its side view, circuits and close-ups (left, upper

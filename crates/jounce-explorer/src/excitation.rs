@@ -6,12 +6,12 @@ use crate::frame::Frame;
 use crate::request::ExcitationRequest;
 use crate::session::Session;
 use crate::upload::{Upload, read_upload};
-use jounce::analysis::AnalysisError;
-use jounce::integrate::Kernel;
-use jounce::linear::Random;
-use jounce::run::{RunPlan, RunResult, simulate};
-use jounce::signal::{Samples, Window};
-use jounce::spec::{DriveSignal, Spec, SpecFile};
+use jounce_core::analysis::AnalysisError;
+use jounce_core::integrate::Kernel;
+use jounce_core::linear::Random;
+use jounce_core::run::{RunPlan, RunResult, simulate};
+use jounce_core::signal::{Samples, Window};
+use jounce_core::spec::{DriveSignal, Spec, SpecFile};
 use std::path::Path;
 
 /// Length of a run under noise, s.

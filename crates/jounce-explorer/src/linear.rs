@@ -1,10 +1,10 @@
 //! Response without contact, stored as long as only stops change.
 
 use crate::frame::Frame;
-use jounce::analysis::Parameter;
-use jounce::linear::steady_power_w;
-use jounce::orbit::ParametricModel;
-use jounce::spec::Spec;
+use jounce_core::analysis::Parameter;
+use jounce_core::linear::steady_power_w;
+use jounce_core::orbit::ParametricModel;
+use jounce_core::spec::Spec;
 use rayon::prelude::*;
 use std::sync::{Arc, Mutex, PoisonError};
 

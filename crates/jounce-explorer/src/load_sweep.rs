@@ -6,10 +6,10 @@ use crate::design::{Design, DesignFault};
 use crate::frame::Frame;
 use crate::session::Session;
 use crate::sweep::{self, MAX_POINTS};
-use jounce::analysis::{Parameter, SweepOrder};
-use jounce::linear::steady_power_w;
-use jounce::orbit::ParametricModel;
-use jounce::spec::KeyRange;
+use jounce_core::analysis::{Parameter, SweepOrder};
+use jounce_core::linear::steady_power_w;
+use jounce_core::orbit::ParametricModel;
+use jounce_core::spec::KeyRange;
 
 /// Ratio of the ends of the range to the present load.
 const RATIO: f64 = 100.0;

@@ -4,12 +4,12 @@ use crate::cancellation::Cancellation;
 use crate::design::DesignFault;
 use crate::frame::Frame;
 use crate::session::{Session, Shapes};
-use jounce::analysis::Parameter;
-use jounce::continuation::{Corrector, Metric, Position, correct_at};
-use jounce::integrate::TrajectoryState;
-use jounce::orbit::{OrbitMethod, Shooting, ShootingEvaluation};
-use jounce::plant::Plant;
-use jounce::signal::{Samples, Window};
+use jounce_core::analysis::Parameter;
+use jounce_core::continuation::{Corrector, Metric, Position, correct_at};
+use jounce_core::integrate::TrajectoryState;
+use jounce_core::orbit::{OrbitMethod, Shooting, ShootingEvaluation};
+use jounce_core::plant::Plant;
+use jounce_core::signal::{Samples, Window};
 use serde_json::json;
 
 /// Samples per drive cycle.
@@ -199,7 +199,7 @@ fn put_pictures(frame: &mut Frame, shot: &ShootingEvaluation, shapes: &Shapes) {
 }
 
 /// Adds the positions of the stops.
-fn put_stops(frame: &mut Frame, spec: &jounce::spec::Spec, plant: &Plant) {
+fn put_stops(frame: &mut Frame, spec: &jounce_core::spec::Spec, plant: &Plant) {
     let listed = plant.system.stops.iter().map(|stop| {
         let own = spec.stop.get(&stop.name);
         let place = own.and_then(|own| {
@@ -212,7 +212,7 @@ fn put_stops(frame: &mut Frame, spec: &jounce::spec::Spec, plant: &Plant) {
             };
             Some(json!({ "beam": beam, "place": place_m }))
         });
-        let above = own.is_none_or(|own| own.side == jounce::spec::Side::Positive);
+        let above = own.is_none_or(|own| own.side == jounce_core::spec::Side::Positive);
         json!({ "name": stop.name, "gap": stop.gap_m, "at": place, "above": above, "frame": own.map(|own| own.frame.clone()) })
     });
     frame.put("stops", listed.collect::<Vec<_>>());

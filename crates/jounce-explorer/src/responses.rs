@@ -1,7 +1,7 @@
 //! Responses sent to a page, for the orbits of their points and for the next response.
 
-use jounce::analysis::{Branch, KnownOrbit};
-use jounce::spec::{NumericKey, Spec};
+use jounce_core::analysis::{Branch, KnownOrbit};
+use jounce_core::spec::{NumericKey, Spec};
 use std::collections::VecDeque;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 

@@ -63,7 +63,7 @@ impl Default for ServerLimits {
 pub enum ExploreError {
     /// The spec cannot be read.
     #[error(transparent)]
-    Spec(#[from] jounce::spec::ReadError),
+    Spec(#[from] jounce_core::spec::ReadError),
     /// The server cannot listen on the address.
     #[error(
         "cannot listen on {address}: {why}; give another --listen ADDRESS:PORT, or omit --listen for a free port of this machine"

@@ -1,6 +1,6 @@
 //! Source of the spec of a page.
 
-use jounce::spec::{ReadError, SpecFile};
+use jounce_core::spec::{ReadError, SpecFile};
 use std::path::{Path, PathBuf};
 
 /// Name of a spec without a file: the name under which the page saves it, so that the exported

@@ -5,8 +5,8 @@ use crate::design::{Design, DesignFault};
 use crate::frame::Frame;
 use crate::request::KeySpan;
 use crate::session::Session;
-use jounce::analysis::{Sweep, SweepDirection, SweepOrder, SweepPoint};
-use jounce::spec::KeyRange;
+use jounce_core::analysis::{Sweep, SweepDirection, SweepOrder, SweepPoint};
+use jounce_core::spec::KeyRange;
 use std::path::PathBuf;
 
 /// Largest number of values.

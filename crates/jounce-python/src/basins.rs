@@ -8,11 +8,11 @@ use crate::driven;
 use crate::failure::Failure;
 use crate::run::PythonResult;
 use crate::spec::Spec;
-use jounce::analysis::{
+use jounce_core::analysis::{
     Attractor, Basins, BasinsResult, Grid, InitialStates, Parameter, Recognition, SectionPoint,
 };
-use jounce::plant::Plant;
-use jounce::run::{ExceededLimit, WorstExcess};
+use jounce_core::plant::Plant;
+use jounce_core::run::{ExceededLimit, WorstExcess};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 

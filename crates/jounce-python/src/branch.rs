@@ -5,12 +5,12 @@ use crate::cancellable::{cancellable, on_threads, to_python_result};
 use crate::failure::Failure;
 use crate::run::PythonResult;
 use crate::spec::Spec;
-use jounce::analysis::{
+use jounce_core::analysis::{
     AnalysisError, Bandwidth, BandwidthSearch, Bifurcation, Branch, BranchPoint, Model, Parameter,
 };
-use jounce::analysis::{BranchOptions, BranchSearch, OrbitMethodKind, QuantityLevel};
-use jounce::plant::Plant;
-use jounce::run::{ExceededLimit, Limits, WorstExcess};
+use jounce_core::analysis::{BranchOptions, BranchSearch, OrbitMethodKind, QuantityLevel};
+use jounce_core::plant::Plant;
+use jounce_core::run::{ExceededLimit, Limits, WorstExcess};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 

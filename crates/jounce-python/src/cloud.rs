@@ -1,7 +1,7 @@
 //! Cloud of starts of a call.
 
 use crate::failure::Failure;
-use jounce::analysis::Cloud;
+use jounce_core::analysis::Cloud;
 
 /// Maximum number of starts of a cloud.
 const MAX_STARTS: usize = 100_000_000;

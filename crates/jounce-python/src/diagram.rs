@@ -8,12 +8,12 @@ use crate::driven;
 use crate::failure::Failure;
 use crate::run::PythonResult;
 use crate::spec::Spec;
-use jounce::analysis::{
+use jounce_core::analysis::{
     AttractorTracks, Branch, BranchSearch, Diagram, DiagramOrder, DiagramPoint, OrbitMethodKind,
     Parameter, SectionPoint,
 };
-use jounce::integrate::Control;
-use jounce::spec::KeyRange;
+use jounce_core::integrate::Control;
+use jounce_core::spec::KeyRange;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 

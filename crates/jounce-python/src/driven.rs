@@ -2,10 +2,10 @@
 
 use crate::failure::Failure;
 use crate::spec::Spec;
-use jounce::analysis::AnalysisError;
-use jounce::orbit::OrbitError;
-use jounce::plant::Plant;
-use jounce::spec::NumericKey;
+use jounce_core::analysis::AnalysisError;
+use jounce_core::orbit::OrbitError;
+use jounce_core::plant::Plant;
+use jounce_core::spec::NumericKey;
 
 /// Returns the key of the first drive's frequency, and its value in Hz; `what` is the study that
 /// needs it.

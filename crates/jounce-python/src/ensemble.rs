@@ -5,10 +5,10 @@ use crate::cancellable::{cancellable, on_threads, to_python_result};
 use crate::failure::Failure;
 use crate::run::PythonResult;
 use crate::spec::Spec;
-use jounce::analysis::{
+use jounce_core::analysis::{
     Ensemble, EnsembleResult, Estimate, IntervalOver, Member, StopEstimates, VoltageSpectrum,
 };
-use jounce::run::{ExceededLimit, WorstExcess};
+use jounce_core::run::{ExceededLimit, WorstExcess};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 

@@ -4,7 +4,7 @@ use crate::branch::json;
 use crate::cancellable::cancellable;
 use crate::failure::Failure;
 use crate::spec::Spec;
-use jounce::integrate::Control;
+use jounce_core::integrate::Control;
 use jounce_measure::fit::{Features, FitError, FitResult};
 use pyo3::prelude::*;
 use std::path::PathBuf;

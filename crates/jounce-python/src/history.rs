@@ -1,8 +1,8 @@
 //! Samples of the recorded end of a run.
 
 use crate::arrays::PythonDict;
-use jounce::integrate::Kernel;
-use jounce::run::{RunPlan, RunResult};
+use jounce_core::integrate::Kernel;
+use jounce_core::run::{RunPlan, RunResult};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 

@@ -6,7 +6,9 @@ use crate::cancellable::{cancellable, on_threads, to_python_result};
 use crate::failure::Failure;
 use crate::run::PythonResult;
 use crate::spec::Spec;
-use jounce::analysis::{BifurcationCurve, BifurcationCurvePoint, BifurcationSearch, BranchOptions};
+use jounce_core::analysis::{
+    BifurcationCurve, BifurcationCurvePoint, BifurcationSearch, BranchOptions,
+};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 

@@ -1,7 +1,7 @@
 //! The library of materials.
 
 use crate::failure::Failure;
-use jounce::material::LIBRARY;
+use jounce_core::material::LIBRARY;
 use pyo3::prelude::*;
 
 /// Returns every material as JSON, with SI units in the names.

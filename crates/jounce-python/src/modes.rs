@@ -3,8 +3,8 @@
 use crate::arrays::{PythonDict, matrix};
 use crate::failure::Failure;
 use crate::spec::Spec;
-use jounce::linear::couplings;
-use jounce::structure::{modes_holding, shapes_along_beams};
+use jounce_core::linear::couplings;
+use jounce_core::structure::{modes_holding, shapes_along_beams};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::f64::consts::TAU;

@@ -4,8 +4,8 @@ use crate::arrays::PythonDict;
 use crate::cancellable::{cancellable, on_threads, to_python_result};
 use crate::failure::Failure;
 use crate::run::PythonResult;
-use jounce::integrate::Control;
-use jounce::reproduce::{Claim, Reproduction, Written, folders};
+use jounce_core::integrate::Control;
+use jounce_core::reproduce::{Claim, Reproduction, Written, folders};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::path::{Path, PathBuf};
@@ -28,7 +28,7 @@ pub fn reproduce<'py>(
 
 fn written(out: &Path, control: &Control) -> Result<(Written, Vec<Claim>), Failure> {
     folders(out)?;
-    let simulated = jounce::reproduce::reproduce(control, &|_| ())?;
+    let simulated = jounce_core::reproduce::reproduce(control, &|_| ())?;
     let chapters = jounce_measure::experiment::chapters(&simulated, control)?;
     let reproduction = chapters.into_iter().fold(simulated, Reproduction::with);
     Ok((reproduction.write(out)?, reproduction.claims))

@@ -5,12 +5,12 @@ use crate::failure::Failure;
 use crate::measured::recording::{GivenRecording, into_python};
 use crate::run::PythonResult;
 use crate::spec::Spec;
-use jounce::integrate::Control;
-use jounce::linear::FrfResponse;
-use jounce::plant::{Plant, System};
-use jounce::run::StartState;
-use jounce::spec::{Gravity, driving_channel};
-use jounce::structure::modes_holding;
+use jounce_core::integrate::Control;
+use jounce_core::linear::FrfResponse;
+use jounce_core::plant::{Plant, System};
+use jounce_core::run::StartState;
+use jounce_core::spec::{Gravity, driving_channel};
+use jounce_core::structure::modes_holding;
 use jounce_measure::recording::{Quantity, Recording};
 use jounce_measure::rig::{
     Cable, Disturbance, HammerTest, RigError, Sensor, ShakerTest, carry, hammer_test,
@@ -74,7 +74,7 @@ impl Sensors {
     }
 
     /// Adds cables and accelerometers to the spec.
-    fn fit(&self, spec: &mut jounce::spec::Spec) -> Result<(), Failure> {
+    fn fit(&self, spec: &mut jounce_core::spec::Spec) -> Result<(), Failure> {
         if self.cable_f.is_some() || self.cable_leakage_ohm.is_some() {
             Cable {
                 capacitance_f: self.cable_f.unwrap_or(0.0),
@@ -109,7 +109,7 @@ impl Shaker {
     /// Returns times and states of the requested solutions.
     fn solutions(
         &self,
-        spec: &jounce::spec::Spec,
+        spec: &jounce_core::spec::Spec,
         control: &Control,
     ) -> Result<Vec<(f64, StartState)>, Failure> {
         let found = solutions(

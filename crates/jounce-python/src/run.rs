@@ -5,8 +5,8 @@ use crate::cancellable::{to_python_result, visited};
 use crate::failure::Failure;
 use crate::history::History;
 use crate::spec::Spec;
-use jounce::integrate::{Control, Energies, RectifiedEnergies};
-use jounce::run::{
+use jounce_core::integrate::{Control, Energies, RectifiedEnergies};
+use jounce_core::run::{
     ChargeResult, RectifiedResult, RunPlan, RunResult, StartState, StopResult, VoltagePeaks,
     Warning, charges, simulate, voltage_peaks,
 };

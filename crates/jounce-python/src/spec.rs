@@ -2,10 +2,10 @@
 
 use crate::branch::json;
 use crate::failure::Failure;
-use jounce::analysis::Model;
-use jounce::integrate::Control;
-use jounce::spec::{KeyRange, NumericKey, Quantity, SpecFile};
-use jounce::table::Manifest;
+use jounce_core::analysis::Model;
+use jounce_core::integrate::Control;
+use jounce_core::spec::{KeyRange, NumericKey, Quantity, SpecFile};
+use jounce_core::table::Manifest;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
@@ -18,7 +18,7 @@ pub struct Spec {
     text: String,
     folder: PathBuf,
     /// Contents of the text.
-    pub spec: jounce::spec::Spec,
+    pub spec: jounce_core::spec::Spec,
     prepared: OnceLock<Model>,
     hash_hex: OnceLock<String>,
 }
@@ -111,7 +111,7 @@ impl Spec {
         py: Python<'py>,
         title: &str,
     ) -> PyResult<(String, Bound<'py, PyBytes>)> {
-        let drawing = jounce::show::drawing(title, &self.spec);
+        let drawing = jounce_core::show::drawing(title, &self.spec);
         let png = py
             .detach(|| drawing.to_png(2.0))
             .map_err(|error| Failure::new("ArgumentError", error).raised(py))?;
@@ -120,7 +120,7 @@ impl Spec {
 
     /// Writes the text to a file, completely or not at all.
     fn write(&self, path: PathBuf) -> Result<(), Failure> {
-        jounce::store::write(&path, self.text.as_bytes()).map_err(Failure::from)
+        jounce_core::store::write(&path, self.text.as_bytes()).map_err(Failure::from)
     }
 }
 
@@ -199,13 +199,13 @@ impl Spec {
 /// Returns the JSON Schema of a spec.
 #[pyfunction]
 pub fn schema() -> PyResult<String> {
-    json(&jounce::spec::schema())
+    json(&jounce_core::spec::schema())
 }
 
 /// Returns the reference of all keys of a spec, in Markdown.
 #[pyfunction]
 pub fn keys() -> String {
-    jounce::spec::reference_markdown()
+    jounce_core::spec::reference_markdown()
 }
 
 /// Converts a quantity as text to SI: kind is `time`, `frequency`, `length`, `resistance`,

@@ -1,7 +1,7 @@
 //! Commented templates of specs.
 
 use crate::failure::Failure;
-use jounce::starter::{STARTERS, Starter};
+use jounce_core::starter::{STARTERS, Starter};
 use pyo3::prelude::*;
 
 /// Returns kind and summary of every template.

@@ -5,8 +5,8 @@ use crate::cancellable::{cancellable, on_threads, to_python_result};
 use crate::failure::Failure;
 use crate::run::PythonResult;
 use crate::spec::Spec;
-use jounce::study::{Folder, Shard, StudyError};
-use jounce::table::{Table, Values};
+use jounce_core::study::{Folder, Shard, StudyError};
+use jounce_core::table::{Table, Values};
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
@@ -14,14 +14,14 @@ use std::path::PathBuf;
 
 /// Study that is read and checked.
 #[pyclass(frozen, module = "jounce._core")]
-pub struct Study(jounce::study::Study);
+pub struct Study(jounce_core::study::Study);
 
 #[pymethods]
 impl Study {
     /// Reads a study of a spec from the text of its variation.
     #[new]
     fn new(spec: &Spec, text: &str) -> Result<Self, Failure> {
-        Ok(Self(jounce::study::Study::with_spec(
+        Ok(Self(jounce_core::study::Study::with_spec(
             spec.file(),
             &spec.folder(),
             text,

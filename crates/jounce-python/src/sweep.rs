@@ -5,8 +5,8 @@ use crate::cancellable::{cancellable, on_threads, to_python_result};
 use crate::failure::Failure;
 use crate::run::PythonResult;
 use crate::spec::Spec;
-use jounce::analysis::{Sweep, SweepOrder, SweepPoint};
-use jounce::run::{ExceededLimit, WorstExcess};
+use jounce_core::analysis::{Sweep, SweepOrder, SweepPoint};
+use jounce_core::run::{ExceededLimit, WorstExcess};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 

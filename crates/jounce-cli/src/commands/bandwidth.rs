@@ -2,9 +2,9 @@
 
 use crate::failure::Failure;
 use crate::output::{key_value, line};
-use jounce::analysis::{BandLimit, Bandwidth, Bandwidths, IntervalEdge};
-use jounce::spec::NumericKey;
-use jounce::table::{Column, Table};
+use jounce_core::analysis::{BandLimit, Bandwidth, Bandwidths, IntervalEdge};
+use jounce_core::spec::NumericKey;
+use jounce_core::table::{Column, Table};
 
 /// Converts the width, its error and its intervals; the peak is a separate key.
 pub fn to_json(width: &Bandwidth) -> serde_json::Value {

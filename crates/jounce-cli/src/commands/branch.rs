@@ -12,16 +12,18 @@ use crate::progress;
 use crate::spec_arguments::{OutputArguments, SpecArguments, check_tolerance};
 use crate::threads::ThreadsArgument;
 use clap::{Args, ValueEnum};
-use jounce::analysis::{
+use jounce_core::analysis::{
     AnalysisError, BranchOptions, BranchSearch, Model, NotProved, OrbitMethodKind, Parameter,
     Termination,
 };
-use jounce::analysis::{BandwidthSearch, Bandwidths, Bifurcation, Branch as Curve, BranchPoint};
-use jounce::orbit::OrbitError;
-use jounce::picture::{self, Axis, BranchLine, BranchMark};
-use jounce::plant::{Plant, System};
-use jounce::run::{ExceededLimit, Limits};
-use jounce::spec::{NumericKey, Spec};
+use jounce_core::analysis::{
+    BandwidthSearch, Bandwidths, Bifurcation, Branch as Curve, BranchPoint,
+};
+use jounce_core::orbit::OrbitError;
+use jounce_core::picture::{self, Axis, BranchLine, BranchMark};
+use jounce_core::plant::{Plant, System};
+use jounce_core::run::{ExceededLimit, Limits};
+use jounce_core::spec::{NumericKey, Spec};
 use std::path::Path;
 
 /// Number of harmonics at the start of harmonic balance.

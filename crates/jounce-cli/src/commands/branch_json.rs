@@ -1,8 +1,8 @@
 //! Branches as JSON.
 
 use super::bandwidth;
-use jounce::analysis::{Bandwidth, Bifurcation, Branch as Curve, BranchPoint};
-use jounce::run::ExceededLimit;
+use jounce_core::analysis::{Bandwidth, Bifurcation, Branch as Curve, BranchPoint};
+use jounce_core::run::ExceededLimit;
 
 /// Converts a branch with its points and bifurcations.
 pub fn branch_to_json(

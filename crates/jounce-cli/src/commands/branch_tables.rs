@@ -1,9 +1,9 @@
 //! Tables of `jounce branch`.
 
 use crate::failure::Failure;
-use jounce::analysis::{Bifurcation, Branch as Curve, BranchPoint};
-use jounce::spec::NumericKey;
-use jounce::table::{Column, Table};
+use jounce_core::analysis::{Bifurcation, Branch as Curve, BranchPoint};
+use jounce_core::spec::NumericKey;
+use jounce_core::table::{Column, Table};
 
 /// Returns the table of every point of every branch.
 pub fn points_table(key: &NumericKey, branches: &[Curve]) -> Result<Table, Failure> {

@@ -4,7 +4,7 @@ use crate::failure::{Failure, described};
 use crate::output::{line, print};
 use crate::spec_arguments::{OutputArguments, SpecArguments};
 use clap::Args;
-use jounce::analysis::Model;
+use jounce_core::analysis::Model;
 use jounce_measure::recording::Issue;
 
 /// Arguments of `check`.

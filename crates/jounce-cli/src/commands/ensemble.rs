@@ -8,13 +8,13 @@ use crate::progress;
 use crate::spec_arguments::{OutputArguments, SpecArguments};
 use crate::threads::ThreadsArgument;
 use clap::Args;
-use jounce::analysis::{
+use jounce_core::analysis::{
     Ensemble as Study, EnsembleResult, Estimate, IntervalOver, Member, Model, StopEstimates,
     VoltageSpectrum,
 };
-use jounce::picture::{self, DensityLine};
-use jounce::run::{ExceededLimit, RunPlan, Warning};
-use jounce::table::{Column, Table};
+use jounce_core::picture::{self, DensityLine};
+use jounce_core::run::{ExceededLimit, RunPlan, Warning};
+use jounce_core::table::{Column, Table};
 use std::path::Path;
 
 /// Maximum number of rounds of members; then the interval is reported even if it is wider than

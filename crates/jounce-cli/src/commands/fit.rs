@@ -5,9 +5,9 @@ use crate::output::{self, line, print};
 use crate::progress;
 use crate::spec_arguments::{OutputArguments, SpecArguments};
 use clap::Args;
-use jounce::integrate::Control;
-use jounce::spec::{Spec, SpecFile};
-use jounce::table::{Column, Table};
+use jounce_core::integrate::Control;
+use jounce_core::spec::{Spec, SpecFile};
+use jounce_core::table::{Column, Table};
 use jounce_measure::draw::fitted;
 use jounce_measure::fit::{Features, FitResult, FittedCurve, FittedFeature, FittedKey, fit};
 use std::path::{Path, PathBuf};
@@ -200,7 +200,7 @@ impl Fit {
             file.set(&key.key, value.trim())
                 .map_err(|fault| Failure::faults(&self.spec.spec, vec![fault]))?;
         }
-        Ok(jounce::store::write(
+        Ok(jounce_core::store::write(
             &folder.join("fitted.toml"),
             file.text().as_bytes(),
         )?)

@@ -7,12 +7,12 @@ use crate::hammer_arguments::HammerArguments;
 use crate::output::{self, line, print};
 use crate::spec_arguments::{OutputArguments, SpecArguments, frequency_hz};
 use clap::Args;
-use jounce::linear::{self, FrfInput, FrfResponse};
-use jounce::picture::{self, Scale};
-use jounce::plant::{Plant, System};
-use jounce::spec::{DriveKind, Gravity};
-use jounce::structure;
-use jounce::table::{Column, Manifest, Table};
+use jounce_core::linear::{self, FrfInput, FrfResponse};
+use jounce_core::picture::{self, Scale};
+use jounce_core::plant::{Plant, System};
+use jounce_core::spec::{DriveKind, Gravity};
+use jounce_core::structure;
+use jounce_core::table::{Column, Manifest, Table};
 use std::path::Path;
 
 /// Arguments of `frf`.

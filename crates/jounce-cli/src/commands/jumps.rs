@@ -8,12 +8,12 @@ use crate::progress;
 use crate::spec_arguments::{OutputArguments, SpecArguments, check_tolerance};
 use crate::threads::ThreadsArgument;
 use clap::Args;
-use jounce::analysis::{
+use jounce_core::analysis::{
     BifurcationCurve, BifurcationCurvePoint, BifurcationSearch, BranchOptions, Model,
 };
-use jounce::picture::{self, Axis, BifurcationLine};
-use jounce::spec::{NumericKey, Spec};
-use jounce::table::{Column, Table};
+use jounce_core::picture::{self, Axis, BifurcationLine};
+use jounce_core::spec::{NumericKey, Spec};
+use jounce_core::table::{Column, Table};
 
 /// Arguments of `jumps`.
 #[derive(Debug, Args)]

@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use crate::output::{line, print};
 use clap::Args;
-use jounce::material::LIBRARY;
+use jounce_core::material::LIBRARY;
 
 /// Arguments of `materials`.
 #[derive(Debug, Args)]

@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use crate::hammer_arguments::{HammerArguments, print_hits};
 use crate::output::{self, line, print};
 use crate::spec_arguments::OutputArguments;
-use jounce::table::{Column, Table};
+use jounce_core::table::{Column, Table};
 use jounce_measure::draw::measured_responses;
 use jounce_measure::response::MeasuredResponses;
 use jounce_measure::spectral::FrequencyResponse;

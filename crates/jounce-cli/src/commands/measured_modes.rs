@@ -7,8 +7,8 @@ use crate::measured_file::ends;
 use crate::output::{self, line, print, with_uncertainty};
 use crate::spec_arguments::OutputArguments;
 use clap::Args;
-use jounce::spec::Quantity as Unit;
-use jounce::table::{Column, Table};
+use jounce_core::spec::Quantity as Unit;
+use jounce_core::table::{Column, Table};
 use jounce_measure::draw::{modal_fit, stabilisation};
 use jounce_measure::modal::{
     Band, Identification, ModalSettings, Mode, Stability, identify, identify_decays, mac_matrix,

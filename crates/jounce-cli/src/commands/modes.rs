@@ -8,11 +8,11 @@ use crate::hammer_arguments::HammerArguments;
 use crate::output::{self, line, print};
 use crate::spec_arguments::{OutputArguments, SpecArguments};
 use clap::Args;
-use jounce::linear::couplings;
-use jounce::picture::{ModeShape, ShapePatch, mode_shapes};
-use jounce::spec::Spec;
-use jounce::structure;
-use jounce::table::{Column, Table};
+use jounce_core::linear::couplings;
+use jounce_core::picture::{ModeShape, ShapePatch, mode_shapes};
+use jounce_core::spec::Spec;
+use jounce_core::structure;
+use jounce_core::table::{Column, Table};
 use std::f64::consts::TAU;
 
 /// Help text of `--input` in this command, which applies no force to a spec.

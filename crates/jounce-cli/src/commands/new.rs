@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use crate::output::{line, print, text};
 use clap::Args;
-use jounce::starter::{STARTERS, Starter};
+use jounce_core::starter::{STARTERS, Starter};
 use std::path::PathBuf;
 
 /// Arguments of `new`.

@@ -4,10 +4,10 @@ use crate::failure::Failure;
 use crate::output::{self, line, print};
 use crate::spec_arguments::{OutputArguments, SpecArguments, frequency_hz};
 use clap::Args;
-use jounce::linear::{Density, Random, RandomResponse};
-use jounce::picture::{self, DensityLine};
-use jounce::spec::Spec;
-use jounce::table::{Column, Table};
+use jounce_core::linear::{Density, Random, RandomResponse};
+use jounce_core::picture::{self, DensityLine};
+use jounce_core::spec::Spec;
+use jounce_core::table::{Column, Table};
 use std::path::Path;
 
 /// Arguments of `noise`.

@@ -4,9 +4,9 @@ use crate::failure::Failure;
 use crate::measured_file::{MeasuredFile, any_channel, ends, positive};
 use crate::output::{self, line, print};
 use clap::Args;
-use jounce::picture::{Axis, Figure, Line, Panel, Series, Trace, time_histories};
-use jounce::spec::Quantity as Unit;
-use jounce::table::{Column, Table};
+use jounce_core::picture::{Axis, Figure, Line, Panel, Series, Trace, time_histories};
+use jounce_core::spec::Quantity as Unit;
+use jounce_core::table::{Column, Table};
 use jounce_measure::read::{
     ChannelSummary, FileSummary, ModeShape, Notes, RecordingSummary, survey_noted,
 };

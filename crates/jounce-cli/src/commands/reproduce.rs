@@ -3,8 +3,8 @@
 use crate::failure::Failure;
 use crate::output::{line, print};
 use clap::Args;
-use jounce::integrate::Control;
-use jounce::reproduce::{Reproduction, folders};
+use jounce_core::integrate::Control;
+use jounce_core::reproduce::{Reproduction, folders};
 use std::path::PathBuf;
 
 /// Arguments of `reproduce`.
@@ -23,7 +23,7 @@ impl Reproduce {
     pub fn run(&self) -> Result<(), Failure> {
         let control = Control::default();
         folders(&self.out)?;
-        let simulated = jounce::reproduce::reproduce(&control, &|stage| eprintln!("{stage}"))?;
+        let simulated = jounce_core::reproduce::reproduce(&control, &|stage| eprintln!("{stage}"))?;
         eprintln!(
             "Table 2 measured and figures 10 to 13, from the virtual rig; the model updated to Table 2"
         );

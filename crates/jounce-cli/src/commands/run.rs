@@ -4,15 +4,15 @@ use crate::failure::Failure;
 use crate::output::{self, line, print};
 use crate::spec_arguments::{OutputArguments, SpecArguments};
 use clap::Args;
-use jounce::analysis::Model;
-use jounce::integrate::Kernel;
-use jounce::picture::{Scale, SpectrumLine, Trace, spectra, time_histories};
-use jounce::run::{
+use jounce_core::analysis::Model;
+use jounce_core::integrate::Kernel;
+use jounce_core::picture::{Scale, SpectrumLine, Trace, spectra, time_histories};
+use jounce_core::run::{
     ChargeResult, RunPlan, RunResult, StopResult, VoltagePeaks, Warning, charges, simulate,
     voltage_peaks,
 };
-use jounce::signal::{Samples, Window};
-use jounce::table::{Column, Table};
+use jounce_core::signal::{Samples, Window};
+use jounce_core::table::{Column, Table};
 use std::path::{Path, PathBuf};
 
 /// Sampling rate of the tables and pictures of a run.
@@ -49,7 +49,7 @@ impl Run {
         let mut spec = self.spec.read(&file)?;
         let mut folder = self.spec.folder();
         if let Some(start) = &self.start {
-            spec.run.start = jounce::spec::Start::State(start.display().to_string());
+            spec.run.start = jounce_core::spec::Start::State(start.display().to_string());
             folder = PathBuf::new();
         }
         let prepared = Model::new(spec)?;
@@ -68,11 +68,11 @@ impl Run {
             .watching(&prepared.spec, &kernel.plant)
             .balancing(&kernel.plant);
         let answer =
-            simulate(&kernel, &start, &plan).map_err(jounce::analysis::AnalysisError::from)?;
+            simulate(&kernel, &start, &plan).map_err(jounce_core::analysis::AnalysisError::from)?;
         if let Some(path) = &self.save_state {
             let text = serde_json::to_string_pretty(&answer.end)
                 .map_err(|error| Failure::Input(error.to_string()))?;
-            jounce::store::write(path, text.as_bytes())?;
+            jounce_core::store::write(path, text.as_bytes())?;
         }
         if let Some(folder) = &self.output.out {
             self.write(folder, &prepared, &kernel, &answer, &plan)?;

@@ -4,9 +4,9 @@ use crate::failure::Failure;
 use crate::output::line;
 use crate::spec_arguments::SpecArguments;
 use clap::Args;
-use jounce::integrate::Control;
-use jounce::signal::Samples;
-use jounce::table::{Column, Table};
+use jounce_core::integrate::Control;
+use jounce_core::signal::Samples;
+use jounce_core::table::{Column, Table};
 use jounce_measure::segmentation::{
     Candidate, RecordSegment, SegmentMatch, SegmentMatches, match_segments,
 };

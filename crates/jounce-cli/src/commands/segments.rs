@@ -5,9 +5,9 @@ use crate::failure::Failure;
 use crate::measured_file::{MeasuredFile, any_channel, channel, loaded, positive};
 use crate::output::{self, line, print, with_uncertainty};
 use clap::Args;
-use jounce::signal::Samples;
-use jounce::spec::Quantity as Unit;
-use jounce::table::{Column, Table};
+use jounce_core::signal::Samples;
+use jounce_core::spec::Quantity as Unit;
+use jounce_core::table::{Column, Table};
 use jounce_measure::draw::{segments, stretch_section, stretch_spectra};
 use jounce_measure::recording::{Channel, Quantity};
 use jounce_measure::segmentation::{

@@ -29,7 +29,7 @@ impl Show {
             .out
             .clone()
             .unwrap_or_else(|| Path::new(stem).with_extension("svg"));
-        jounce::show::drawing(&self.title(), &spec).write(&path)?;
+        jounce_core::show::drawing(&self.title(), &spec).write(&path)?;
         match self.json {
             true => print(&serde_json::json!({ "drawing": path })),
             false => line(path.display()),

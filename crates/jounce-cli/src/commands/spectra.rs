@@ -4,9 +4,9 @@ use crate::failure::Failure;
 use crate::measured_file::{MeasuredFile, any_channel, first_live, loaded, positive};
 use crate::output::{self, line, print};
 use clap::{Args, ValueEnum};
-use jounce::signal::{OrderLine, Samples, Window};
-use jounce::spec::Quantity as Unit;
-use jounce::table::{Column, Table};
+use jounce_core::signal::{OrderLine, Samples, Window};
+use jounce_core::spec::Quantity as Unit;
+use jounce_core::table::{Column, Table};
 use jounce_measure::draw::{densities_of, spectrogram_of};
 use jounce_measure::recording::{Channel, Quantity};
 use jounce_measure::spectral::{

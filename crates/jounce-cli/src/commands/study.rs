@@ -7,8 +7,8 @@ use crate::progress;
 use crate::spec_arguments::print_recording_issues;
 use crate::threads::ThreadsArgument;
 use clap::{Args, Subcommand};
-use jounce::integrate::Control;
-use jounce::study::{Folder, Shard, Status, Study as Survey, StudyError};
+use jounce_core::integrate::Control;
+use jounce_core::study::{Folder, Shard, Status, Study as Survey, StudyError};
 use std::path::PathBuf;
 
 /// Arguments of `study`.

@@ -9,12 +9,12 @@ use crate::progress;
 use crate::spec_arguments::{OutputArguments, SpecArguments};
 use crate::threads::ThreadsArgument;
 use clap::{Args, ValueEnum};
-use jounce::analysis::{Journal, Sweep as Study, SweepDirection, SweepOrder, SweepPoint};
-use jounce::integrate::Control;
-use jounce::picture::{self, Axis, SweepLine, SweepLook};
-use jounce::run::ExceededLimit;
-use jounce::spec::{KeyRange, Spec};
-use jounce::table::{Column, Table};
+use jounce_core::analysis::{Journal, Sweep as Study, SweepDirection, SweepOrder, SweepPoint};
+use jounce_core::integrate::Control;
+use jounce_core::picture::{self, Axis, SweepLine, SweepLook};
+use jounce_core::run::ExceededLimit;
+use jounce_core::spec::{KeyRange, Spec};
+use jounce_core::table::{Column, Table};
 
 /// Order of the points.
 #[derive(Debug, Clone, Copy, ValueEnum)]

@@ -123,7 +123,7 @@ fn every_spec_is_valid() {
 fn every_study_is_valid() {
     let beside = root().join("examples/impact-harvester-2019");
     let refused = |block: Block| {
-        let error = jounce::study::Study::parse(&block.text, &beside).err()?;
+        let error = jounce_core::study::Study::parse(&block.text, &beside).err()?;
         Some(format!("{}: this study is refused\n{error}", block.place()))
     };
     let found = all_blocks(|block| block.info == "toml study");
@@ -133,7 +133,7 @@ fn every_study_is_valid() {
 
 #[test]
 fn every_document_with_rust_is_a_doctest() {
-    let library = std::fs::read_to_string(root().join("crates/jounce/src/lib.rs"))
+    let library = std::fs::read_to_string(root().join("crates/jounce-core/src/lib.rs"))
         .expect("the library is there");
     let included =
         |document: &str| library.contains(&format!("include_str!(\"../../../{document}\")"));

@@ -1,7 +1,7 @@
 //! `jounce modes --measured` without a measured force.
 
 use super::{csv, has, jounce, written};
-use jounce::drive::RandomStream;
+use jounce_core::drive::RandomStream;
 use std::f64::consts::TAU;
 use std::path::Path;
 

@@ -113,7 +113,8 @@ fn a_recording_by_one_line_gives_the_powers_of_the_rig() {
         folder.path(),
         &["study", "run", "gaps.toml", "--out", "gaps"],
     );
-    let (table, _) = jounce::table::Table::read(&folder.path().join("gaps/study.parquet")).unwrap();
+    let (table, _) =
+        jounce_core::table::Table::read(&folder.path().join("gaps/study.parquet")).unwrap();
     for (power_w, due) in table.floats("mean_power_w").unwrap().iter().zip(&due) {
         assert!((power_w / due - 1.0).abs() < 1e-3, "{power_w} {due}");
     }

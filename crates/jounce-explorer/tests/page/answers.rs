@@ -1,8 +1,8 @@
 //! What is answered, and that it is what the library says.
 
 use crate::client::{Served, paper};
-use jounce::analysis::{BranchSearch, Model, OrbitMethodKind, Parameter};
-use jounce::spec::SpecFile;
+use jounce_core::analysis::{BranchSearch, Model, OrbitMethodKind, Parameter};
+use jounce_core::spec::SpecFile;
 use jounce_explorer::{ServerLimits, Source};
 use serde_json::json;
 use std::path::PathBuf;

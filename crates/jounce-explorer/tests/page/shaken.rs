@@ -3,9 +3,9 @@
 use crate::client::{Served, paper};
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
-use jounce::analysis::Model;
-use jounce::run::{RunPlan, StartState, simulate};
-use jounce::spec::SpecFile;
+use jounce_core::analysis::Model;
+use jounce_core::run::{RunPlan, StartState, simulate};
+use jounce_core::spec::SpecFile;
 use jounce_explorer::ServerLimits;
 use serde_json::json;
 

@@ -1,6 +1,6 @@
 //! Fit of a contact law to a pulse.
 
-use jounce::signal::Samples;
+use jounce_core::signal::Samples;
 use levenberg_marquardt::LevenbergMarquardt;
 use nalgebra::DVector;
 use serde::Serialize;
@@ -227,7 +227,7 @@ fn rate(time_s: &[f64]) -> f64 {
 mod tests {
     use super::*;
     use crate::spectral::{HitSearch, hits};
-    use jounce::drive::RandomStream;
+    use jounce_core::drive::RandomStream;
 
     const RATE: f64 = 200_000.0;
 

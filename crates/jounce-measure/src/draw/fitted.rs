@@ -1,6 +1,6 @@
 //! Features before and after a fit.
 
-use jounce::picture::{Along, Axis, Colour, Figure, Line, Marker, Panel, Series};
+use jounce_core::picture::{Along, Axis, Colour, Figure, Line, Marker, Panel, Series};
 
 use crate::fit::{FitResult, FittedCurve, FittedFeature};
 

@@ -1,6 +1,6 @@
 //! Mean power over the load, with its intervals.
 
-use jounce::picture::{Axis, Colour, Figure, Line, Marker, Panel, Series};
+use jounce_core::picture::{Axis, Colour, Figure, Line, Marker, Panel, Series};
 
 /// Mean power of one record.
 #[derive(Debug, Clone, Copy, PartialEq)]

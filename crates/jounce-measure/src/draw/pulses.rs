@@ -1,7 +1,7 @@
 //! Force pulses of contacts and the laws fitted to them.
 
-use jounce::picture::{Axis, Colour, Figure, Marker, Panel, Series};
-use jounce::signal::Samples;
+use jounce_core::picture::{Axis, Colour, Figure, Marker, Panel, Series};
+use jounce_core::signal::Samples;
 
 use crate::contact::ContactFit;
 use crate::spectral::Hit;

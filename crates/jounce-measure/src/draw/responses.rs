@@ -1,7 +1,7 @@
 //! Figures of frequency responses with coherence, stabilisation diagrams, and the modal fit to the
 //! responses.
 
-use jounce::picture::{
+use jounce_core::picture::{
     Along, Axis, Colour, Figure, Line, Marker, Panel, ResponseLine, Scale, Series,
     frequency_responses,
 };

@@ -1,9 +1,9 @@
 //! Figures of a long record with its segments, and of their spectra.
 
-use jounce::picture::{
+use jounce_core::picture::{
     Along, Axis, Colour, Figure, Line, Marker, Panel, Scale, Series, SpectrumLine, spectra,
 };
-use jounce::signal::{Samples, Window};
+use jounce_core::signal::{Samples, Window};
 
 use crate::segmentation::{RecordSegment, Segmentation, SegmentationError, section};
 

@@ -1,6 +1,6 @@
 //! Figures of spectra: over time, and averaged.
 
-use jounce::picture::{DensityLine, Figure, TimeSpectrum, densities, spectrogram};
+use jounce_core::picture::{DensityLine, Figure, TimeSpectrum, densities, spectrogram};
 
 use crate::spectral::{Density, Spectrogram, density_unit};
 

@@ -1,10 +1,10 @@
 //! Errors of the experimental half; all inputs are built in, so each would be a defect of jounce.
 
-use jounce::plant::PlantError;
-use jounce::reproduce::ReproduceError;
-use jounce::signal::SignalError;
-use jounce::structure::StructureError;
-use jounce::table::TableError;
+use jounce_core::plant::PlantError;
+use jounce_core::reproduce::ReproduceError;
+use jounce_core::signal::SignalError;
+use jounce_core::structure::StructureError;
+use jounce_core::table::TableError;
 
 use crate::fit::FitError;
 use crate::modal::ModalError;

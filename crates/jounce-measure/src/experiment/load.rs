@@ -1,14 +1,14 @@
 //! Figures 10 and 11: mean power over the load from records, normalised by the mean square of the
 //! base acceleration.
 
-use jounce::integrate::Control;
-use jounce::picture::{LineDirection, SweepLine, power_against_resistance};
-use jounce::plant::{Plant, System};
-use jounce::reproduce::{NamedFigure, NamedTable, paper_spec};
-use jounce::run::StartState;
-use jounce::signal::Samples;
-use jounce::structure;
-use jounce::table::{Column, Table};
+use jounce_core::integrate::Control;
+use jounce_core::picture::{LineDirection, SweepLine, power_against_resistance};
+use jounce_core::plant::{Plant, System};
+use jounce_core::reproduce::{NamedFigure, NamedTable, paper_spec};
+use jounce_core::run::StartState;
+use jounce_core::signal::Samples;
+use jounce_core::structure;
+use jounce_core::table::{Column, Table};
 use rayon::prelude::*;
 
 use super::{ExperimentError, NOISE, RATE_HZ, RECORD_S};
@@ -253,7 +253,7 @@ fn recorded(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use jounce::linear::{FrfInput, FrfResponse, frf, steady_power_w};
+    use jounce_core::linear::{FrfInput, FrfResponse, frf, steady_power_w};
 
     /// Without contact the power of a record and the mean square of its base match the closed
     /// forms; noise of 1 % adds 1e-4 to both.

@@ -13,8 +13,8 @@ mod modal_test;
 mod record;
 mod updated;
 
-use jounce::integrate::Control;
-use jounce::reproduce::{Chapter, NamedFigure, NamedTable, Reproduction};
+use jounce_core::integrate::Control;
+use jounce_core::reproduce::{Chapter, NamedFigure, NamedTable, Reproduction};
 use rayon::prelude::*;
 
 pub use error::ExperimentError;

@@ -1,11 +1,11 @@
 //! Table 2 measured: a hammer test of the virtual rig, identified.
 
-use jounce::linear::FrfResponse;
-use jounce::picture::Figure;
-use jounce::plant::{Plant, System};
-use jounce::reproduce::{NamedFigure, NamedTable, paper_spec};
-use jounce::structure::modes_holding;
-use jounce::table::{Column, Table};
+use jounce_core::linear::FrfResponse;
+use jounce_core::picture::Figure;
+use jounce_core::plant::{Plant, System};
+use jounce_core::reproduce::{NamedFigure, NamedTable, paper_spec};
+use jounce_core::structure::modes_holding;
+use jounce_core::table::{Column, Table};
 use std::f64::consts::TAU;
 
 use super::ExperimentError;

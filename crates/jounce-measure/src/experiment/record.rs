@@ -1,10 +1,10 @@
 //! Figures 12 and 13: a record that changes between two solutions, segmented.
 
-use jounce::integrate::Control;
-use jounce::reproduce::{NamedFigure, NamedTable, paper_spec};
-use jounce::signal::{Samples, Window};
-use jounce::structure;
-use jounce::table::{Column, Table};
+use jounce_core::integrate::Control;
+use jounce_core::reproduce::{NamedFigure, NamedTable, paper_spec};
+use jounce_core::signal::{Samples, Window};
+use jounce_core::structure;
+use jounce_core::table::{Column, Table};
 
 use super::{ExperimentError, NOISE, RATE_HZ, RECORD_S};
 use crate::draw::{segments, spectrogram_of, stretch_section, stretch_spectra};

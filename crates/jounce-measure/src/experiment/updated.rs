@@ -1,9 +1,9 @@
 //! The laminate model fitted to the measured column of Table 2.
 
-use jounce::integrate::Control;
-use jounce::picture::Figure;
-use jounce::reproduce::{NamedFigure, NamedTable, paper_file};
-use jounce::table::{Column, Table};
+use jounce_core::integrate::Control;
+use jounce_core::picture::Figure;
+use jounce_core::reproduce::{NamedFigure, NamedTable, paper_file};
+use jounce_core::table::{Column, Table};
 use std::path::Path;
 
 use super::ExperimentError;
@@ -26,7 +26,7 @@ impl Updated {
         let file = paper_file(&[("patch.mfc.section", "laminate")])?;
         let spec = file
             .spec()
-            .map_err(jounce::reproduce::ReproduceError::from)?;
+            .map_err(jounce_core::reproduce::ReproduceError::from)?;
         let (answer, _) = fit(&file, &spec, &features, Path::new(""), control)?;
         Ok(Self { answer })
     }

@@ -6,7 +6,7 @@
 //!
 //! to first order in the keys `p_k`, whose logarithms have the covariance of the fit.
 
-use jounce::spec::{Fault, Spec};
+use jounce_core::spec::{Fault, Spec};
 
 use super::FitResult;
 

@@ -3,7 +3,7 @@
 
 use std::f64::consts::TAU;
 
-use jounce::structure::modes_holding;
+use jounce_core::structure::modes_holding;
 
 use super::Deviation;
 use super::observations::MeasuredNumber;

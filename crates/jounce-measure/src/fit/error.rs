@@ -2,8 +2,8 @@
 
 use std::path::PathBuf;
 
-use jounce::spec::{Fault, Faults};
-use jounce::structure::StructureError;
+use jounce_core::spec::{Fault, Faults};
+use jounce_core::structure::StructureError;
 
 /// Error of a fit.
 #[derive(Debug, thiserror::Error)]
@@ -138,10 +138,10 @@ pub enum FitError {
     Orbit(String),
     /// Error of the plant.
     #[error(transparent)]
-    Plant(#[from] jounce::plant::PlantError),
+    Plant(#[from] jounce_core::plant::PlantError),
     /// Error of a run or an analysis.
     #[error(transparent)]
-    Study(#[from] jounce::analysis::AnalysisError),
+    Study(#[from] jounce_core::analysis::AnalysisError),
     /// The spec refuses a value.
     #[error(transparent)]
     Value(#[from] Fault),

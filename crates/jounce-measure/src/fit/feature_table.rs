@@ -1,6 +1,6 @@
 //! Parses tables of a features file and collects all faults.
 
-use jounce::spec::Quantity;
+use jounce_core::spec::Quantity;
 use toml_edit::{Array, Item, TableLike, Value};
 
 use super::Deviation;

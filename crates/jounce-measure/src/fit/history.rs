@@ -2,10 +2,10 @@
 
 use std::path::{Path, PathBuf};
 
-use jounce::analysis::{AnalysisError, Model};
-use jounce::linear::FrfResponse;
-use jounce::run::{RunPlan, simulate};
-use jounce::spec::Quantity;
+use jounce_core::analysis::{AnalysisError, Model};
+use jounce_core::linear::FrfResponse;
+use jounce_core::run::{RunPlan, simulate};
+use jounce_core::spec::Quantity;
 
 use super::feature_table::FeatureTable;
 use super::model::Conditions;

@@ -1,7 +1,7 @@
 //! Jumps as features: the value of a key at a fold of a branch of periodic responses.
 
-use jounce::analysis::{BranchKind, BranchSearch, OrbitMethodKind, Parameter};
-use jounce::spec::NumericKey;
+use jounce_core::analysis::{BranchKind, BranchSearch, OrbitMethodKind, Parameter};
+use jounce_core::spec::NumericKey;
 
 use super::feature_table::FeatureTable;
 use super::model::Conditions;

@@ -2,9 +2,9 @@
 
 use std::f64::consts::TAU;
 
-use jounce::plant::{BlockPair, Plant, PlantError, System};
-use jounce::spec::{Gravity, Quantity, Spec};
-use jounce::structure::{self, Modes};
+use jounce_core::plant::{BlockPair, Plant, PlantError, System};
+use jounce_core::spec::{Gravity, Quantity, Spec};
+use jounce_core::structure::{self, Modes};
 use toml_edit::Item;
 
 use super::feature_table::{FeatureTable, positive};

@@ -3,9 +3,9 @@
 use std::cell::OnceCell;
 use std::path::Path;
 
-use jounce::analysis::Model;
-use jounce::integrate::Control;
-use jounce::spec::{NumericKey, Spec, SpecFile};
+use jounce_core::analysis::Model;
+use jounce_core::integrate::Control;
+use jounce_core::spec::{NumericKey, Spec, SpecFile};
 
 use super::FitError;
 

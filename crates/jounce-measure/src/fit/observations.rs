@@ -1,6 +1,6 @@
 //! Measured numbers, and the model evaluations that correspond to them.
 
-use jounce::spec::NumericKey;
+use jounce_core::spec::NumericKey;
 
 use super::deviation::DeviationGroup;
 use super::history::{HistoryQuestion, HistorySamples};

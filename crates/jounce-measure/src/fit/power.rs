@@ -1,7 +1,7 @@
 //! Mean powers over a key, such as the load, as features.
 
-use jounce::analysis::AnalysisError;
-use jounce::run::{RunPlan, simulate};
+use jounce_core::analysis::AnalysisError;
+use jounce_core::run::{RunPlan, simulate};
 
 use super::feature_table::FeatureTable;
 use super::model::Conditions;

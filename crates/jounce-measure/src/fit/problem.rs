@@ -3,8 +3,8 @@
 use std::cell::{Cell, OnceCell, RefCell};
 use std::path::Path;
 
-use jounce::integrate::Control;
-use jounce::spec::{NumericKey, Spec};
+use jounce_core::integrate::Control;
+use jounce_core::spec::{NumericKey, Spec};
 use levenberg_marquardt::LeastSquaresProblem;
 use nalgebra::storage::Owned;
 use nalgebra::{DMatrix, DVector, Dyn};

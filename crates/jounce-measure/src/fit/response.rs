@@ -3,10 +3,10 @@
 use std::path::{Path, PathBuf};
 
 use faer::c64;
-use jounce::linear::{FrfInput, FrfResponse, frf};
-use jounce::plant::{Plant, System};
-use jounce::spec::{Gravity, Quantity};
-use jounce::structure;
+use jounce_core::linear::{FrfInput, FrfResponse, frf};
+use jounce_core::plant::{Plant, System};
+use jounce_core::spec::{Gravity, Quantity};
+use jounce_core::structure;
 
 use super::feature_table::FeatureTable;
 use super::model::Conditions;

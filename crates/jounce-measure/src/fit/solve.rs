@@ -3,8 +3,8 @@
 use std::cell::{Cell, RefCell};
 use std::path::Path;
 
-use jounce::integrate::Control;
-use jounce::spec::{NumericKey, Spec, SpecFile};
+use jounce_core::integrate::Control;
+use jounce_core::spec::{NumericKey, Spec, SpecFile};
 use levenberg_marquardt::{LevenbergMarquardt, TerminationReason};
 use nalgebra::{DMatrix, DVector};
 

@@ -207,7 +207,7 @@ mod tests {
     use super::super::plscf::tests::{POLES, shape};
     use super::*;
     use crate::response::AmbientSettings;
-    use jounce::drive::RandomStream;
+    use jounce_core::drive::RandomStream;
     use jounce_data::recording::{Channel, Grid, Over, Quantity, Recording};
 
     const RATE: f64 = 250.0;

@@ -356,7 +356,7 @@ mod tests {
     use super::super::plscf::tests::{POLES, exact, shape};
     use super::super::{ResponseQuantity, mac};
     use super::*;
-    use jounce::drive::RandomStream;
+    use jounce_core::drive::RandomStream;
 
     fn lines() -> Vec<f64> {
         (1..1200).map(|k| f64::from(k) * 0.1).collect()

@@ -134,7 +134,7 @@ mod tests {
     use super::*;
     use crate::spectral::{Estimator, SpectrumAverages, WindowBias};
     use faer::c64;
-    use jounce::drive::RandomStream;
+    use jounce_core::drive::RandomStream;
 
     /// Five blocks of a response with a sharp peak, noise of the response and of the force: the
     /// shared variance matches theory within 25 % (rms), where the lines' own are 50 % off.

@@ -239,7 +239,7 @@ mod tests {
     use super::*;
     use crate::spectral::WindowBias;
     use faer::c64;
-    use jounce::drive::RandomStream;
+    use jounce_core::drive::RandomStream;
 
     /// A response of three modes, two of them close, in noise and under uneven weights, and the
     /// terms of a fit at slightly wrong poles.

@@ -1,6 +1,6 @@
 //! Excitation channel of a structure, and units of responses to it.
 
-use jounce::signal::Samples;
+use jounce_core::signal::Samples;
 
 use super::{ChannelChoice, ResponseError};
 use crate::spectral::{ImpactSettings, SpectralError, goes_on};

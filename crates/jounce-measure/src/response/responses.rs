@@ -1,6 +1,6 @@
 //! Responses of a structure to the force of a hammer or of a shaker.
 
-use jounce::signal::{Samples, SignalError};
+use jounce_core::signal::{Samples, SignalError};
 
 use super::ResponseError;
 use super::excitation::{self, Excitation, input};

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use jounce::spec::{self, Drive, DriveKind, DriveSignal, Spec};
+use jounce_core::spec::{self, Drive, DriveKind, DriveSignal, Spec};
 
 use super::RigError;
 use jounce_data::recording::Recording;
@@ -50,7 +50,7 @@ pub fn on_recorded_base(
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
-    use jounce::reproduce::paper_spec;
+    use jounce_core::reproduce::paper_spec;
     use jounce_data::recording::{Channel, Grid, Over, Quantity};
 
     fn of_base(values: Vec<f64>, keep_mean: bool) -> Result<f64, RigError> {

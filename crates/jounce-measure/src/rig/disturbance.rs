@@ -15,8 +15,8 @@
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
-use jounce::drive::RandomStream;
-use jounce::spec::{Drive, DriveKind, DriveSignal, Recording, Spec};
+use jounce_core::drive::RandomStream;
+use jounce_core::spec::{Drive, DriveKind, DriveSignal, Recording, Spec};
 
 use super::RigError;
 
@@ -219,7 +219,7 @@ pub(super) fn courses(
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
-    use jounce::signal::Samples;
+    use jounce_core::signal::Samples;
 
     /// Without disturbance the samples are the sinusoid divided by the factor of linear
     /// interpolation; measured 4e-10, the rounding of the summed angle.

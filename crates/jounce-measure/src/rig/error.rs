@@ -1,8 +1,8 @@
 //! Errors of a virtual test.
 
-use jounce::plant::PlantError;
-use jounce::run::RunError;
-use jounce::spec::RecordingError;
+use jounce_core::plant::PlantError;
+use jounce_core::run::RunError;
+use jounce_core::spec::RecordingError;
 
 use jounce_data::recording::GridError;
 

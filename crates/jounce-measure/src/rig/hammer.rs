@@ -2,9 +2,9 @@
 
 use std::f64::consts::PI;
 
-use jounce::drive::RandomStream;
-use jounce::linear::{FrfInput, FrfResponse, frf};
-use jounce::plant::Plant;
+use jounce_core::drive::RandomStream;
+use jounce_core::linear::{FrfInput, FrfResponse, frf};
+use jounce_core::plant::Plant;
 use realfft::RealFftPlanner;
 
 use super::{RigError, Sensor};

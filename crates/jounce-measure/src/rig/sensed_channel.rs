@@ -1,7 +1,7 @@
 //! Recorded channels of a shaker test.
 
-use jounce::spec::{DriveKind, Spec};
-use jounce::structure::Modes;
+use jounce_core::spec::{DriveKind, Spec};
+use jounce_core::structure::Modes;
 
 use super::RigError;
 use crate::solution::SensorOutput;

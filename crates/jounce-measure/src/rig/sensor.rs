@@ -1,6 +1,6 @@
 //! Sensor with its amplifier and converter.
 
-use jounce::drive::RandomStream;
+use jounce_core::drive::RandomStream;
 
 use super::RigError;
 

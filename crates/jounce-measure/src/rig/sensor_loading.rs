@@ -9,7 +9,7 @@
 //!
 //! Both act back on the motion, as in a laboratory. An accelerometer is a mass fixed to its point.
 
-use jounce::spec::{Mass, Spec};
+use jounce_core::spec::{Mass, Spec};
 
 use super::RigError;
 
@@ -95,10 +95,10 @@ pub fn carry(spec: &mut Spec, points: &[String], mass_kg: f64) -> Result<(), Rig
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
-    use jounce::linear::{FrfInput, FrfResponse, frf};
-    use jounce::plant::{Plant, System};
-    use jounce::spec::SpecFile;
-    use jounce::structure;
+    use jounce_core::linear::{FrfInput, FrfResponse, frf};
+    use jounce_core::plant::{Plant, System};
+    use jounce_core::spec::SpecFile;
+    use jounce_core::structure;
     use std::f64::consts::TAU;
 
     const BEAM: &str = "[beam.beam]\nlength = \"300 mm\"\nwidth = \"20 mm\"\nthickness = \"2 mm\"\nyoungs_modulus = \"70 GPa\"\n\

@@ -1,11 +1,11 @@
 //! Shaker test of a model as recorded by its sensors.
 
-use jounce::drive::RandomStream;
-use jounce::integrate::{Control, Kernel, Trajectory};
-use jounce::plant::{Plant, System};
-use jounce::run::{RunPlan, StartState, simulate};
-use jounce::spec::Spec;
-use jounce::structure::Modes;
+use jounce_core::drive::RandomStream;
+use jounce_core::integrate::{Control, Kernel, Trajectory};
+use jounce_core::plant::{Plant, System};
+use jounce_core::run::{RunPlan, StartState, simulate};
+use jounce_core::spec::Spec;
+use jounce_core::structure::Modes;
 
 use super::disturbance::{courses, disturbed};
 use super::sensed_channel::{SensedChannel, sensors};
@@ -220,10 +220,10 @@ fn marched(
 mod tests {
     use super::*;
     use crate::rig::on_recorded_base;
-    use jounce::linear::{FrfInput, FrfResponse, frf};
-    use jounce::reproduce::paper_spec;
-    use jounce::signal::Samples;
-    use jounce::structure::{modes, modes_holding};
+    use jounce_core::linear::{FrfInput, FrfResponse, frf};
+    use jounce_core::reproduce::paper_spec;
+    use jounce_core::signal::Samples;
+    use jounce_core::structure::{modes, modes_holding};
     use jounce_data::recording::Quantity;
 
     /// 6 Hz, 20 N, linear steady state, 100 kohm.

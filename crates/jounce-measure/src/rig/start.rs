@@ -2,11 +2,11 @@
 
 use std::path::Path;
 
-use jounce::analysis::{AnalysisError, Model};
-use jounce::plant::{Plant, System};
-use jounce::run::StartState;
-use jounce::spec::{Spec, Start};
-use jounce::structure::Modes;
+use jounce_core::analysis::{AnalysisError, Model};
+use jounce_core::plant::{Plant, System};
+use jounce_core::run::StartState;
+use jounce_core::spec::{Spec, Start};
+use jounce_core::structure::Modes;
 
 /// Returns the start that `run.start` of a spec names, for modes with held bodies; a state file is
 /// relative to `folder`.

@@ -1,7 +1,7 @@
 //! Features of a block of the record.
 
 use faer::c64;
-use jounce::signal::Samples;
+use jounce_core::signal::Samples;
 use std::f64::consts::TAU;
 
 /// Drive cycles of a block: complete periods of solutions of one, two, three and six cycles.

@@ -15,7 +15,7 @@
 //! `|X_j|` and `|C_j|`, without phases.
 
 use faer::c64;
-use jounce::signal::Samples;
+use jounce_core::signal::Samples;
 use serde::Serialize;
 
 use super::RecordSegment;
@@ -202,7 +202,7 @@ fn least_common(a: u32, b: u32) -> u32 {
 mod tests {
     use super::super::regimes;
     use super::*;
-    use jounce::drive::RandomStream;
+    use jounce_core::drive::RandomStream;
     use std::f64::consts::TAU;
 
     const HZ: f64 = 13.5;

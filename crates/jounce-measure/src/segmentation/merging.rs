@@ -7,7 +7,7 @@
 //! drift.
 
 use faer::c64;
-use jounce::signal::Samples;
+use jounce_core::signal::Samples;
 use serde::Serialize;
 
 use super::features::lines_of_block;
@@ -244,7 +244,7 @@ fn reason(lines: &[Vec<c64>], before: (f64, f64), after: (f64, f64)) -> Option<M
 mod tests {
     use super::super::{Segmentation, regimes};
     use super::*;
-    use jounce::drive::RandomStream;
+    use jounce_core::drive::RandomStream;
     use std::f64::consts::TAU;
 
     /// 85 s at 1536 Hz under 13 Hz, made by `value(time, noise)`.

@@ -4,7 +4,7 @@
 //! The deviation of a piece is at least that between neighbouring blocks of the complete record. A
 //! quieter part is therefore not a separate piece, and an irregular part remains one piece.
 
-use jounce::integrate::Control;
+use jounce_core::integrate::Control;
 
 /// Returns the starts of the pieces, in blocks. A single block between two pieces is the mixture at
 /// a change, which is placed in its middle. `None` if cancelled.

@@ -18,8 +18,8 @@
 //! first criterion finds no period, the result is the smallest `n` after whose removal the best
 //! number leaves no less than its neighbours.
 
-use jounce::integrate::Control;
-use jounce::signal::Samples;
+use jounce_core::integrate::Control;
+use jounce_core::signal::Samples;
 use serde::Serialize;
 
 /// Repetition of a segment.
@@ -294,7 +294,7 @@ pub(super) fn cubic(y: &[f64], t: f64) -> f64 {
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
-    use jounce::drive::RandomStream;
+    use jounce_core::drive::RandomStream;
     use std::f64::consts::TAU;
 
     #[test]

@@ -1,6 +1,6 @@
 //! Poincare section of a record: one value per drive cycle.
 
-use jounce::signal::Samples;
+use jounce_core::signal::Samples;
 
 use super::period::cubic;
 

@@ -1,7 +1,7 @@
 //! Segments of a record.
 
-use jounce::integrate::Control;
-use jounce::signal::{Samples, SignalError};
+use jounce_core::integrate::Control;
+use jounce_core::signal::{Samples, SignalError};
 use serde::Serialize;
 
 use super::RepetitionPeriod;
@@ -216,7 +216,7 @@ fn stretch(
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
-    use jounce::drive::RandomStream;
+    use jounce_core::drive::RandomStream;
     use std::f64::consts::TAU;
 
     /// 85 s at 1536 Hz under 13 Hz: a small response, from 31.7 s a large one of two cycles, from

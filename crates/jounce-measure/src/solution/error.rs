@@ -1,10 +1,10 @@
 //! Errors of finding the solutions of a model.
 
-use jounce::analysis::AnalysisError;
-use jounce::orbit::OrbitError;
-use jounce::plant::PlantError;
-use jounce::run::RunError;
-use jounce::spec::Fault;
+use jounce_core::analysis::AnalysisError;
+use jounce_core::orbit::OrbitError;
+use jounce_core::plant::PlantError;
+use jounce_core::run::RunError;
+use jounce_core::spec::Fault;
 
 /// Error of a model without usable solutions.
 #[derive(Debug, thiserror::Error)]

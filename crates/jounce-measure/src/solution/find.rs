@@ -1,11 +1,11 @@
 //! Attractors of a model, with the states needed to continue from them.
 
-use jounce::analysis::{Basins, Cloud, InitialStates, Model, Parameter, Recognition};
-use jounce::integrate::Control;
-use jounce::orbit::{Orbit, Shooting};
-use jounce::plant::Plant;
-use jounce::run::StartState;
-use jounce::spec::{NumericKey, Spec};
+use jounce_core::analysis::{Basins, Cloud, InitialStates, Model, Parameter, Recognition};
+use jounce_core::integrate::Control;
+use jounce_core::orbit::{Orbit, Shooting};
+use jounce_core::plant::Plant;
+use jounce_core::run::StartState;
+use jounce_core::spec::{NumericKey, Spec};
 
 use super::{SolutionError, Waveform};
 
@@ -40,7 +40,7 @@ impl Default for SolutionSearch {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Solution {
     /// Id: drive cycles of the period and a letter in order of decreasing power, as in
-    /// [`jounce::analysis::Attractor`]: `1a`, `3a`; `chaos`; `torus`.
+    /// [`jounce_core::analysis::Attractor`]: `1a`, `3a`; `chaos`; `torus`.
     pub id: String,
     /// Drive cycles of its period; `None` without an orbit.
     pub period_cycles: Option<u32>,
@@ -100,38 +100,40 @@ pub fn solutions(
             first: first.clone(),
         });
     }
-    let solution = |attractor: jounce::analysis::Attractor| -> Result<Solution, SolutionError> {
-        let of = |orbit: &Orbit| -> Result<(StartState, Waveform), SolutionError> {
-            let physical = Shooting::new(
-                &parameter,
-                &base.kernel,
-                orbit.period_cycles,
-                search.tolerance,
-            )
-            .physical(orbit.start());
-            let plant = &base.kernel.plant;
-            let start = StartState::from_blocks(plant, &plant.from_physical(&physical, 0.0), 0.0);
-            let waveform = Waveform::of(
-                &base.kernel,
-                &start,
-                orbit.period_cycles,
-                drive_hz,
-                load,
-                search.tolerance,
-            )?;
-            Ok((start, waveform))
+    let solution =
+        |attractor: jounce_core::analysis::Attractor| -> Result<Solution, SolutionError> {
+            let of = |orbit: &Orbit| -> Result<(StartState, Waveform), SolutionError> {
+                let physical = Shooting::new(
+                    &parameter,
+                    &base.kernel,
+                    orbit.period_cycles,
+                    search.tolerance,
+                )
+                .physical(orbit.start());
+                let plant = &base.kernel.plant;
+                let start =
+                    StartState::from_blocks(plant, &plant.from_physical(&physical, 0.0), 0.0);
+                let waveform = Waveform::of(
+                    &base.kernel,
+                    &start,
+                    orbit.period_cycles,
+                    drive_hz,
+                    load,
+                    search.tolerance,
+                )?;
+                Ok((start, waveform))
+            };
+            let (start, waveform) = attractor.orbit.as_ref().map(of).transpose()?.unzip();
+            Ok(Solution {
+                id: attractor.id,
+                period_cycles: attractor.orbit.as_ref().map(|orbit| orbit.period_cycles),
+                mean_power_w: attractor.mean_power_w,
+                contacts: attractor.contacts_per_period,
+                share: attractor.share.fraction,
+                start,
+                waveform,
+            })
         };
-        let (start, waveform) = attractor.orbit.as_ref().map(of).transpose()?.unzip();
-        Ok(Solution {
-            id: attractor.id,
-            period_cycles: attractor.orbit.as_ref().map(|orbit| orbit.period_cycles),
-            mean_power_w: attractor.mean_power_w,
-            contacts: attractor.contacts_per_period,
-            share: attractor.share.fraction,
-            start,
-            waveform,
-        })
-    };
     answer.attractors.into_iter().map(solution).collect()
 }
 

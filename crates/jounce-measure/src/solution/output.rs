@@ -11,9 +11,9 @@
 //! acceleration is added.
 
 use faer::c64;
-use jounce::integrate::{Kernel, Trajectory, TrajectoryState};
-use jounce::plant::Plant;
-use jounce::spec::Spec;
+use jounce_core::integrate::{Kernel, Trajectory, TrajectoryState};
+use jounce_core::plant::Plant;
+use jounce_core::spec::Spec;
 use std::f64::consts::TAU;
 
 /// Sensor output.
@@ -102,7 +102,7 @@ fn reader(plant: &Plant, output: &SensorOutput) -> OutputReader {
                 plant.velocity_row(plant.system.modes.shape.get(point).unwrap_or(&still));
             let along =
                 |column: &[f64]| velocity.iter().zip(column).map(|(c, b)| c * b).sum::<f64>();
-            let speeded = |(y, tone): (c64, &jounce::plant::Tone)| {
+            let speeded = |(y, tone): (c64, &jounce_core::plant::Tone)| {
                 y * c64::new(0.0, tone.angular_frequency_rad_s)
             };
             OutputReader::Rate {
@@ -152,7 +152,7 @@ fn read(reader: &OutputReader, instant: &TrajectoryState, turns: &[c64], sizes: 
     }
 }
 
-fn size(wave: &jounce::drive::Wave, time_s: f64) -> f64 {
+fn size(wave: &jounce_core::drive::Wave, time_s: f64) -> f64 {
     wave.piece(wave.index_at(time_s)).size_at(time_s)
 }
 

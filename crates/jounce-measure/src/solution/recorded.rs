@@ -1,7 +1,7 @@
 //! Adapts a model to a record: its drive and load, and one of its solutions as the start.
 
-use jounce::run::StartState;
-use jounce::spec::{DriveSignal, Spec};
+use jounce_core::run::StartState;
+use jounce_core::spec::{DriveSignal, Spec};
 
 use super::{Solution, SolutionError};
 

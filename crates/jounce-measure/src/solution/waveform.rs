@@ -1,9 +1,9 @@
 //! Voltage of an orbit as a Fourier series.
 
 use faer::c64;
-use jounce::integrate::Kernel;
-use jounce::run::{RunError, RunPlan, StartState, simulate};
-use jounce::spec::Spec;
+use jounce_core::integrate::Kernel;
+use jounce_core::run::{RunError, RunPlan, StartState, simulate};
+use jounce_core::spec::Spec;
 use std::f64::consts::TAU;
 
 use super::{SensorOutput, outputs};

@@ -1,7 +1,7 @@
 //! Power spectral density by Welch's method.
 
-use jounce::integrate::Control;
-use jounce::signal::{Samples, Window};
+use jounce_core::integrate::Control;
+use jounce_core::signal::{Samples, Window};
 
 use super::{Segments, SpectralError};
 
@@ -105,7 +105,7 @@ impl Segments {
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
-    use jounce::drive::RandomStream;
+    use jounce_core::drive::RandomStream;
     use realfft::num_complex::Complex;
     use std::f64::consts::TAU;
 

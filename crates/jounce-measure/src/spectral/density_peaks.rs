@@ -111,8 +111,8 @@ fn leakage(weights: &[f64]) -> Vec<f64> {
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::super::{SpectraSettings, spectra};
-    use jounce::drive::RandomStream;
-    use jounce::signal::{Samples, Window};
+    use jounce_core::drive::RandomStream;
+    use jounce_core::signal::{Samples, Window};
     use std::f64::consts::TAU;
 
     fn found(value: impl Fn(f64, f64) -> f64, window: Window) -> Vec<f64> {

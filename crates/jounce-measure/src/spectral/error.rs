@@ -1,6 +1,6 @@
 //! Errors of spectral analysis.
 
-use jounce::signal::SignalError;
+use jounce_core::signal::SignalError;
 
 /// Error of a spectral analysis.
 #[derive(Debug, Clone, PartialEq, thiserror::Error, serde::Serialize)]

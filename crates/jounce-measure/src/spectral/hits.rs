@@ -1,6 +1,6 @@
 //! Hits of an impact hammer in a force record.
 
-use jounce::signal::Samples;
+use jounce_core::signal::Samples;
 use serde::Serialize;
 
 use super::SpectralError;
@@ -329,7 +329,7 @@ mod tests {
     fn a_noisy_slow_pulse_is_found() {
         let time = 5e-3 * (1.0 - 2.0 * 0.1_f64.asin() / PI);
         for seed in 0..40 {
-            let mut stream = jounce::drive::RandomStream::new(seed, 0);
+            let mut stream = jounce_core::drive::RandomStream::new(seed, 0);
             let mut values: Vec<f64> = (0..20_000).map(|_| 3.0 * stream.normal_pair()[0]).collect();
             (0..500).for_each(|k| values[5_000 + k] += 150.0 * (PI * k as f64 / 500.0).sin());
             let found = hits(&Samples::new(&values, RATE).unwrap(), HitSearch::default()).unwrap();

@@ -1,7 +1,7 @@
 //! Frequency responses of a hammer test, one block per hit, or of a shaker test if the force is
 //! continuous.
 
-use jounce::signal::{Samples, Window};
+use jounce_core::signal::{Samples, Window};
 use realfft::num_complex::Complex;
 use serde::Serialize;
 
@@ -292,7 +292,7 @@ mod tests {
     /// noise alone is not reported.
     #[test]
     fn a_structure_that_still_rings_is_told() {
-        let mut stream = jounce::drive::RandomStream::new(5, 0);
+        let mut stream = jounce_core::drive::RandomStream::new(5, 0);
         let noise: Vec<f64> = (0..8000).map(|_| stream.normal_pair()[0]).collect();
         for (damping_ratio, level, ringing) in [
             (0.002, 0.0, true),

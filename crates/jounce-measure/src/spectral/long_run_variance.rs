@@ -104,7 +104,7 @@ fn density_at_zero(row: &[f64], variance: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use jounce::drive::RandomStream;
+    use jounce_core::drive::RandomStream;
 
     /// `x_k = 0.8 x_k-1 + e_k`: `n = M (1 - 0.8) / (1 + 0.8)`. Average of 200 series of 900 values,
     /// equivalent to 100: measured 99.

@@ -24,7 +24,7 @@
 //!
 //! A coupling capacitor blocks the mean of the voltage, so the mean may be retained or subtracted.
 
-use jounce::signal::Samples;
+use jounce_core::signal::Samples;
 use serde::Serialize;
 
 use super::SpectralError;
@@ -181,7 +181,7 @@ pub fn mean_power_if_long(
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
-    use jounce::drive::RandomStream;
+    use jounce_core::drive::RandomStream;
     use rayon::prelude::*;
     use std::f64::consts::TAU;
 

@@ -1,6 +1,6 @@
 //! Checks that a structure is at rest before a hit.
 
-use jounce::signal::Samples;
+use jounce_core::signal::Samples;
 
 use super::HitWarning;
 

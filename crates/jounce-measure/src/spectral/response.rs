@@ -242,8 +242,8 @@ impl FrequencyResponse {
 pub(super) mod tests {
     use super::super::Segments;
     use super::*;
-    use jounce::drive::RandomStream;
-    use jounce::signal::{Samples, Window};
+    use jounce_core::drive::RandomStream;
+    use jounce_core::signal::{Samples, Window};
     use std::f64::consts::TAU;
 
     /// The bilinear recursion of an oscillator is linear and time-invariant: its response is known

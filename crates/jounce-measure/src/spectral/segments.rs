@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use jounce::signal::{Samples, Window};
+use jounce_core::signal::{Samples, Window};
 use realfft::num_complex::Complex;
 use realfft::{RealFftPlanner, RealToComplex};
 

@@ -12,7 +12,7 @@
 //!
 //! Source: P. Welch, IEEE Trans. Audio Electroacoust. 15 (1967) 70.
 
-use jounce::signal::{Samples, Window};
+use jounce_core::signal::{Samples, Window};
 
 use super::{
     ImpactRecord, ImpactResponses, ImpactSettings, Segments, SpectralError, SpectrumAverages,
@@ -173,7 +173,7 @@ mod tests {
     use super::super::impact;
     use super::super::response::tests::Oscillator;
     use super::*;
-    use jounce::drive::RandomStream;
+    use jounce_core::drive::RandomStream;
 
     const RATE: f64 = 1000.0;
 

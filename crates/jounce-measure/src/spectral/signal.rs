@@ -1,6 +1,6 @@
 //! Channel as a signal.
 
-use jounce::signal::Samples;
+use jounce_core::signal::Samples;
 
 use super::SpectralError;
 use jounce_data::recording::{Channel, Quantity, Recording};

@@ -1,7 +1,7 @@
 //! Spectra of a channel: its density, and the lines of its drive.
 
-use jounce::integrate::Control;
-use jounce::signal::{OrderLine, Samples, Window};
+use jounce_core::integrate::Control;
+use jounce_core::signal::{OrderLine, Samples, Window};
 
 use super::{Density, Segments, SpectralError};
 

@@ -9,8 +9,8 @@
 //! flat top up to 0.1 %. A segment resolves `r / L` times the width of the window (4 lines for
 //! Hann, 10 for a flat top), and no event shorter than itself.
 
-use jounce::integrate::Control;
-use jounce::signal::Samples;
+use jounce_core::integrate::Control;
+use jounce_core::signal::Samples;
 
 use super::{Segments, SpectralError};
 
@@ -80,7 +80,7 @@ pub fn spectrogram_watched(
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
-    use jounce::signal::Window;
+    use jounce_core::signal::Window;
     use std::f64::consts::TAU;
 
     /// A chirp of 2 V from 10 to 60 Hz within 100 s, segments of 1 s: the highest line is at the

@@ -1,6 +1,6 @@
 //! Converts a recording to consecutive tables of some rows each.
 
-use jounce::table::{Column, Manifest, Table};
+use jounce_core::table::{Column, Manifest, Table};
 
 use super::WriteError;
 use jounce_data::read::{

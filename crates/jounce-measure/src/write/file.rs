@@ -3,8 +3,8 @@
 use std::io::{self, BufWriter};
 use std::path::{Path, PathBuf};
 
-use jounce::store::{self, StoreError};
-use jounce::table::{Table, TableError};
+use jounce_core::store::{self, StoreError};
+use jounce_core::table::{Table, TableError};
 
 use super::{columns, uff58};
 use jounce_data::read::RecordingSummary;

@@ -1,8 +1,8 @@
 //! Clamp and sensor of a steel cantilever, from its three lowest frequencies.
 
 use super::{free, noisy, recovered, spec};
-use jounce::integrate::Control;
-use jounce::structure;
+use jounce_core::integrate::Control;
+use jounce_core::structure;
 use jounce_measure::fit::{Deviation, Features, FitResult, ModeFeature, fit};
 use jounce_measure::modal::{ModalSettings, identify_decays};
 use jounce_measure::read;

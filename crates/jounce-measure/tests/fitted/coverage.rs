@@ -1,9 +1,9 @@
 //! Coverage of stated confidence intervals.
 
 use super::{free, given, spec};
-use jounce::drive::RandomStream;
-use jounce::integrate::Control;
-use jounce::structure;
+use jounce_core::drive::RandomStream;
+use jounce_core::integrate::Control;
+use jounce_core::structure;
 use jounce_measure::fit::{Features, ModeFeature, fit};
 use std::f64::consts::TAU;
 use std::path::Path;

@@ -1,8 +1,8 @@
 //! Damping ratios of a list, all of them and one.
 
 use super::{free, given, noisy, recovered, spec};
-use jounce::integrate::Control;
-use jounce::structure;
+use jounce_core::integrate::Control;
+use jounce_core::structure;
 use jounce_measure::fit::{Features, ModeFeature, fit};
 use std::f64::consts::TAU;
 use std::path::Path;

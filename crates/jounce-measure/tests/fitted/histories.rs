@@ -1,10 +1,10 @@
 //! A voltage history of a run with impacts.
 
 use super::{HARVESTER, free, given, recovered, spec};
-use jounce::analysis::Model;
-use jounce::integrate::Control;
-use jounce::linear::FrfResponse;
-use jounce::run::{RunPlan, simulate};
+use jounce_core::analysis::Model;
+use jounce_core::integrate::Control;
+use jounce_core::linear::FrfResponse;
+use jounce_core::run::{RunPlan, simulate};
 use jounce_measure::fit::{Features, HistoryFeature, fit};
 use jounce_measure::recording::{Grid, Recording};
 use jounce_measure::rig::{Disturbance, Sensor, ShakerTest, shaker_test};

@@ -1,8 +1,8 @@
 //! Jump frequencies.
 
 use super::{HARVESTER, free, given, recovered, spec};
-use jounce::analysis::{BranchKind, BranchSearch, Model, OrbitMethodKind, Parameter};
-use jounce::spec::NumericKey;
+use jounce_core::analysis::{BranchKind, BranchSearch, Model, OrbitMethodKind, Parameter};
+use jounce_core::spec::NumericKey;
 use jounce_measure::fit::{Features, JumpFeature};
 
 const RUN: &str = "

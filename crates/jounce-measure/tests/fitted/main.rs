@@ -8,9 +8,9 @@ mod jumps;
 mod powers;
 mod responses;
 
-use jounce::drive::RandomStream;
-use jounce::integrate::Control;
-use jounce::spec::{Spec, SpecFile};
+use jounce_core::drive::RandomStream;
+use jounce_core::integrate::Control;
+use jounce_core::spec::{Spec, SpecFile};
 use jounce_measure::fit::{Deviation, Features, FitResult, fit};
 use std::path::Path;
 

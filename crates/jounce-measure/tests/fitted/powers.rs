@@ -1,8 +1,8 @@
 //! Mean powers over the load.
 
 use super::{HARVESTER, free, given, noisy, recovered, spec};
-use jounce::analysis::Model;
-use jounce::run::{RunPlan, simulate};
+use jounce_core::analysis::Model;
+use jounce_core::run::{RunPlan, simulate};
 use jounce_measure::fit::{Features, PowerFeature};
 use std::path::Path;
 

@@ -2,11 +2,11 @@
 
 use super::{HARVESTER, free, given, noisy, recovered, spec};
 use faer::c64;
-use jounce::drive::RandomStream;
-use jounce::integrate::Control;
-use jounce::linear::{FrfInput, FrfResponse, frf};
-use jounce::plant::{Plant, System};
-use jounce::structure;
+use jounce_core::drive::RandomStream;
+use jounce_core::integrate::Control;
+use jounce_core::linear::{FrfInput, FrfResponse, frf};
+use jounce_core::plant::{Plant, System};
+use jounce_core::structure;
 use jounce_measure::fit::{Deviation, Features, MeasuredLines, ResponseFeature, fit};
 use std::path::Path;
 

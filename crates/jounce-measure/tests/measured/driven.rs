@@ -7,13 +7,13 @@
 //! rate.
 
 use super::samples::real;
-use jounce::integrate::Control;
-use jounce::linear::{FrfInput, FrfResponse, frf};
-use jounce::plant::{Plant, System};
-use jounce::reproduce::paper_spec;
-use jounce::run::StartState;
-use jounce::signal::Samples;
-use jounce::structure::modes_holding;
+use jounce_core::integrate::Control;
+use jounce_core::linear::{FrfInput, FrfResponse, frf};
+use jounce_core::plant::{Plant, System};
+use jounce_core::reproduce::paper_spec;
+use jounce_core::run::StartState;
+use jounce_core::signal::Samples;
+use jounce_core::structure::modes_holding;
 use jounce_measure::read;
 use jounce_measure::recording::{Grid, IssueKind, Recording};
 use jounce_measure::rig::{Disturbance, Sensor, ShakerTest, on_recorded_base, shaker_test};

@@ -2,7 +2,7 @@
 //! the data.
 
 use super::samples::real;
-use jounce::signal::{Samples, Window};
+use jounce_core::signal::{Samples, Window};
 use jounce_measure::contact;
 use jounce_measure::modal::{Band, ModalSettings, ResponseQuantity, identify};
 use jounce_measure::read;

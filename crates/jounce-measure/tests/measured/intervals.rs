@@ -1,10 +1,10 @@
 //! Coverage of the stated intervals of identified modes, for the virtual rig.
 
-use jounce::drive::RandomStream;
-use jounce::linear::{FrfInput, FrfResponse, frf};
-use jounce::plant::{Plant, System};
-use jounce::spec::SpecFile;
-use jounce::structure;
+use jounce_core::drive::RandomStream;
+use jounce_core::linear::{FrfInput, FrfResponse, frf};
+use jounce_core::plant::{Plant, System};
+use jounce_core::spec::SpecFile;
+use jounce_core::structure;
 use jounce_measure::modal::{Band, ModalSettings, identify};
 use jounce_measure::recording::{Channel, Grid, Over, Quantity, Recording};
 use jounce_measure::response::{ChannelChoice, MeasuredResponses};

@@ -1,7 +1,7 @@
 //! Modes from responses to forces at several points.
 
 use faer::c64;
-use jounce::drive::RandomStream;
+use jounce_core::drive::RandomStream;
 use jounce_measure::modal::{Band, Identification, ModalSettings, identify, mac};
 use jounce_measure::read;
 use jounce_measure::recording::{Channel, Grid, Over, Quantity, Recording};

@@ -1,7 +1,7 @@
 //! Seven modes from eight noisy frequency responses, and modes from responses of several kinds.
 
 use faer::c64;
-use jounce::drive::RandomStream;
+use jounce_core::drive::RandomStream;
 use jounce_measure::modal::{Band, ModalSettings, ResponseQuantity, identify};
 use jounce_measure::recording::Quantity;
 use jounce_measure::response::MeasuredResponses;

@@ -4,13 +4,13 @@
 //! damping, coupling, capacitance; the flanks of the responses, where damping counts for little, its participation. From the fitted spec follow the
 //! optimal load, and the power over a fifth load under the base as it was recorded there.
 
-use jounce::analysis::AnalysisError;
-use jounce::drive::RandomStream;
-use jounce::integrate::Control;
-use jounce::linear::{FrfInput, FrfResponse, frf, optimal_resistance};
-use jounce::plant::{Plant, System};
-use jounce::spec::{Spec, SpecFile};
-use jounce::structure;
+use jounce_core::analysis::AnalysisError;
+use jounce_core::drive::RandomStream;
+use jounce_core::integrate::Control;
+use jounce_core::linear::{FrfInput, FrfResponse, frf, optimal_resistance};
+use jounce_core::plant::{Plant, System};
+use jounce_core::spec::{Spec, SpecFile};
+use jounce_core::structure;
 use jounce_measure::fit::{Deviation, Features, MeasuredLines, ModeFeature, ResponseFeature, fit};
 use jounce_measure::modal::{Band, ModalSettings, Mode, identify};
 use jounce_measure::recording::{Channel, Grid, Over, Quantity, Recording};
@@ -246,7 +246,7 @@ fn optimum(spec: &Spec) -> Result<f64, AnalysisError> {
 }
 
 fn coupling_squared(spec: &Spec) -> Result<f64, AnalysisError> {
-    Ok(jounce::linear::couplings(&structure::modes(spec).expect("modes"))[0].coupling_squared)
+    Ok(jounce_core::linear::couplings(&structure::modes(spec).expect("modes"))[0].coupling_squared)
 }
 
 /// Mean power over the fifth load under a base as it was recorded, all its lines that the first mode answers.
@@ -371,7 +371,8 @@ fn trial(truth: &Spec, responses: &[Vec<Complex<f64>>], seed: u64) -> Inside {
     holds("coupling", &coupling_squared);
     holds("optimal load", &optimum);
     let fifth = record(&responses[LOADS_OHM.len()], &mut stream);
-    let volts = jounce::signal::Samples::new(&fifth.channels[1].values, RATE_HZ).expect("samples");
+    let volts =
+        jounce_core::signal::Samples::new(&fifth.channels[1].values, RATE_HZ).expect("samples");
     let measured = mean_power(&volts, FIFTH_OHM, false)
         .expect("a power")
         .mean_power_w;

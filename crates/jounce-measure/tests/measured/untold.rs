@@ -1,7 +1,7 @@
 //! Coverage of the stated intervals of modes where response functions have no noise information.
 
 use faer::c64;
-use jounce::drive::RandomStream;
+use jounce_core::drive::RandomStream;
 use jounce_measure::modal::{Band, Identification, ModalSettings, ResponseQuantity, identify};
 use rayon::prelude::*;
 use std::f64::consts::TAU;

@@ -1,7 +1,7 @@
 //! Errors of computations on recordings.
 
 use super::Failure;
-use jounce::signal::SignalError;
+use jounce_core::signal::SignalError;
 use jounce_measure::contact::ContactError;
 use jounce_measure::experiment::ExperimentError;
 use jounce_measure::fit::FitError;

@@ -2,19 +2,19 @@
 
 mod measured;
 
-use jounce::analysis::AnalysisError;
-use jounce::integrate::{Control, SensitivityError};
-use jounce::linear::RandomError;
-use jounce::orbit::OrbitError;
-use jounce::plant::PlantError;
-use jounce::reproduce::ReproduceError;
-use jounce::run::RunError;
-use jounce::spec::{Fault, Faults, ReadError};
-use jounce::starter::UnknownKind;
-use jounce::store::StoreError;
-use jounce::structure::StructureError;
-use jounce::study::StudyError;
-use jounce::table::TableError;
+use jounce_core::analysis::AnalysisError;
+use jounce_core::integrate::{Control, SensitivityError};
+use jounce_core::linear::RandomError;
+use jounce_core::orbit::OrbitError;
+use jounce_core::plant::PlantError;
+use jounce_core::reproduce::ReproduceError;
+use jounce_core::run::RunError;
+use jounce_core::spec::{Fault, Faults, ReadError};
+use jounce_core::starter::UnknownKind;
+use jounce_core::store::StoreError;
+use jounce_core::structure::StructureError;
+use jounce_core::study::StudyError;
+use jounce_core::table::TableError;
 use jounce_explorer::ExploreError;
 use pyo3::prelude::*;
 use serde_json::{Value, json};

@@ -4,7 +4,7 @@ use super::recording::{GivenRecording, findings};
 use crate::arrays::PythonDict;
 use crate::branch::json;
 use crate::failure::Failure;
-use jounce::signal::Samples;
+use jounce_core::signal::Samples;
 use jounce_measure::contact::fit;
 use jounce_measure::draw::PulseFigure;
 use jounce_measure::recording::Quantity;

@@ -6,7 +6,7 @@ use crate::branch::json;
 use crate::cancellable::{left_alone, to_python_result};
 use crate::failure::Failure;
 use crate::run::PythonResult;
-use jounce::signal::{OrderLine, Window};
+use jounce_core::signal::{OrderLine, Window};
 use jounce_measure::recording::{Issue, Quantity};
 use jounce_measure::spectral::{MeanPower, mean_power, signal};
 use pyo3::prelude::*;
@@ -19,7 +19,7 @@ struct PowerData {
     /// Mean square of the base acceleration about its mean, m^2/s^4; NaN where not requested.
     mean_square: f64,
     orders: Vec<OrderLine>,
-    spectrum: jounce::signal::Spectrum,
+    spectrum: jounce_core::signal::Spectrum,
     findings: Vec<Issue>,
 }
 

@@ -5,7 +5,7 @@ use crate::arrays::PythonDict;
 use crate::cancellable::{left_alone, to_python_result};
 use crate::failure::Failure;
 use crate::run::PythonResult;
-use jounce::signal::Window;
+use jounce_core::signal::Window;
 use jounce_measure::recording::{Channel, Issue, Quantity};
 use jounce_measure::spectral::{
     Spectra, SpectraSettings, Spectrogram, first_live, signal, spectra_watched, spectrogram_watched,

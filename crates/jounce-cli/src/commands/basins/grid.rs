@@ -1,8 +1,8 @@
 //! `--grid SIDE=FROM:TO:Nx`: sides of a plane or box of starts, and their axes in the picture.
 
 use crate::failure::Failure;
-use jounce::analysis::{Grid, GridAxis, GridError, SectionPoint};
-use jounce::picture::Axis;
+use jounce_core::analysis::{Grid, GridAxis, GridError, SectionPoint};
+use jounce_core::picture::Axis;
 
 /// Reads the sides; `None` without any.
 pub fn read(texts: &[String], stops: usize) -> Result<Option<Grid>, Failure> {

@@ -10,14 +10,14 @@ use crate::progress;
 use crate::spec_arguments::{OutputArguments, SpecArguments, check_drive, check_tolerance};
 use crate::threads::ThreadsArgument;
 use clap::Args;
-use jounce::analysis::{
+use jounce_core::analysis::{
     Attractor, Basins as Study, BasinsResult, Cloud, GridAxis, InitialStates, Model, Parameter,
     Recognition, SectionPoint,
 };
-use jounce::picture::{Colour, Figure, Marker, Panel, Series};
-use jounce::plant::Plant;
-use jounce::run::ExceededLimit;
-use jounce::table::{Column, Table};
+use jounce_core::picture::{Colour, Figure, Marker, Panel, Series};
+use jounce_core::plant::Plant;
+use jounce_core::run::ExceededLimit;
+use jounce_core::table::{Column, Table};
 
 /// Arguments of `basins`.
 #[derive(Debug, Args)]
@@ -71,7 +71,7 @@ impl Basins {
             ));
         };
         let Some(value) = drive.frequency_hz() else {
-            return Err(jounce::analysis::AnalysisError::Aperiodic {
+            return Err(jounce_core::analysis::AnalysisError::Aperiodic {
                 drive: name.clone(),
             }
             .into());

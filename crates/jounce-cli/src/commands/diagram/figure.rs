@@ -3,11 +3,11 @@
 
 use super::DiagramResult;
 use crate::failure::Failure;
-use jounce::analysis::{
+use jounce_core::analysis::{
     AnalysisError, Branch, DiagramPoint, Model, Parameter, SectionPoint, SweepDirection,
 };
-use jounce::picture::{self, Axis, BranchLine, DiagramDots, DiagramView, Figure};
-use jounce::spec::NumericKey;
+use jounce_core::picture::{self, Axis, BranchLine, DiagramDots, DiagramView, Figure};
+use jounce_core::spec::NumericKey;
 
 /// Draws both panels.
 pub fn figure(
@@ -59,7 +59,7 @@ fn sections(
     (base, parameter): (&Model, &Parameter),
     branch: &Branch,
 ) -> Result<Vec<BranchLine>, AnalysisError> {
-    let along = |point: &jounce::analysis::BranchPoint| {
+    let along = |point: &jounce_core::analysis::BranchPoint| {
         SectionPoint::of_orbit(base, parameter, point.parameter, &point.orbit)
     };
     let all = branch

@@ -11,12 +11,12 @@ use crate::progress;
 use crate::spec_arguments::{OutputArguments, SpecArguments, check_drive, check_tolerance};
 use crate::threads::ThreadsArgument;
 use clap::{Args, ValueEnum};
-use jounce::analysis::DiagramPoint;
-use jounce::analysis::{
+use jounce_core::analysis::DiagramPoint;
+use jounce_core::analysis::{
     AttractorKind, AttractorTracks, Branch, BranchSearch, Cloud, Diagram as Study, DiagramOrder,
     Journal, Model, OrbitMethodKind, Parameter,
 };
-use jounce::spec::{KeyRange, Spec};
+use jounce_core::spec::{KeyRange, Spec};
 
 /// Default number of starts of the cloud at each value.
 const DEFAULT_STARTS: usize = 20;

@@ -3,11 +3,11 @@
 use super::DiagramResult;
 use crate::failure::Failure;
 use crate::output::{line, print};
-use jounce::analysis::{
+use jounce_core::analysis::{
     AttractorTrack, AttractorTracks, DiagramPoint, SectionPoint, TrackPoint, Transition,
 };
-use jounce::spec::NumericKey;
-use jounce::table::{Column, Table};
+use jounce_core::spec::NumericKey;
+use jounce_core::table::{Column, Table};
 
 /// Returns the attractor id of each point; empty without a history, or for a failed run.
 fn ids(answer: &DiagramResult) -> Vec<&str> {

@@ -4,10 +4,10 @@ use super::SensingArguments;
 use crate::failure::Failure;
 use crate::measured_file::positive;
 use clap::Args;
-use jounce::linear::FrfResponse;
-use jounce::plant::{Plant, System};
-use jounce::spec::{Gravity, Quantity as Unit, Spec};
-use jounce::structure;
+use jounce_core::linear::FrfResponse;
+use jounce_core::plant::{Plant, System};
+use jounce_core::spec::{Gravity, Quantity as Unit, Spec};
+use jounce_core::structure;
 use jounce_measure::recording::Recording;
 use jounce_measure::rig::{HammerTest, hammer_test};
 

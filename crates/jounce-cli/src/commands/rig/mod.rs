@@ -10,7 +10,7 @@ use crate::output::{line, print};
 use crate::spec_arguments::{SpecArguments, frequency_hz};
 use clap::Args;
 use hammer::HammerTestArguments;
-use jounce::spec::{Quantity as Unit, Spec};
+use jounce_core::spec::{Quantity as Unit, Spec};
 use jounce_measure::rig::{Cable, Sensor, carry};
 use jounce_measure::write::write;
 use shaker::ShakerArguments;

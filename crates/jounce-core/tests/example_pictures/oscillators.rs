@@ -1,0 +1,76 @@
+//! `bouncing-and-impact-oscillators`: the resonance curve of Duffing's oscillator with its folds.
+
+use crate::kept::check;
+use crate::rows::folder;
+use jounce_core::analysis::{Bifurcation, Branch, BranchSearch, Model, OrbitMethodKind, Parameter};
+use jounce_core::picture::{Axis, BranchLine, BranchMark, branches};
+use jounce_core::spec::SpecFile;
+
+const EXAMPLE: &str = "bouncing-and-impact-oscillators";
+
+fn line(branch: &Branch) -> BranchLine {
+    BranchLine {
+        label: format!("period {}", branch.period_cycles),
+        parameter: branch.points.iter().map(|point| point.parameter).collect(),
+        // The cubic spring is relaxed at 0, so its penetration is the displacement.
+        value: branch
+            .points
+            .iter()
+            .map(|point| point.orbit.max_penetration_m)
+            .collect(),
+        stable: branch
+            .points
+            .iter()
+            .map(|point| point.orbit.is_stable())
+            .collect(),
+    }
+}
+
+fn mark(found: &Bifurcation) -> BranchMark {
+    BranchMark {
+        kind: found.kind.name().to_owned(),
+        parameter: found.at.parameter,
+        value: found.at.orbit.max_penetration_m,
+    }
+}
+
+#[test]
+fn resonance_curve_with_both_folds() {
+    let file = SpecFile::read(folder(EXAMPLE).join("duffing.toml")).unwrap();
+    let base = Model::new(file.spec().unwrap()).unwrap();
+    let key = file.numeric_key("drive.shaker.frequency").unwrap();
+    let range = (0.95, 1.4);
+    let parameter = Parameter::new(&base, &key, range.1 - range.0);
+    let method = OrbitMethodKind::Shooting;
+    let found = BranchSearch {
+        base: &base,
+        parameter: &parameter,
+        range,
+        method,
+        tolerance: 1e-10,
+        seeds: 0,
+        longest_period: 1,
+    }
+    .run();
+    let found = found.unwrap();
+    let lines: Vec<BranchLine> = found.iter().map(line).collect();
+    let marks: Vec<BranchMark> = found
+        .iter()
+        .flat_map(|branch| branch.bifurcations.iter().map(mark))
+        .collect();
+    let axes = (
+        Axis::linear("Drive frequency", "Hz"),
+        Axis::linear("Largest displacement", "m"),
+    );
+    check(
+        EXAMPLE,
+        "resonance",
+        &branches(
+            "Duffing's oscillator at 1 N",
+            axes.0,
+            axes.1,
+            &lines,
+            &marks,
+        ),
+    );
+}
