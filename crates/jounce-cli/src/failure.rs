@@ -1,6 +1,7 @@
 //! Failures of commands and their exit codes.
 
 use crate::output::print;
+use jounce::{Error, ErrorKind};
 use jounce_core::analysis::AnalysisError;
 use jounce_core::orbit::OrbitError;
 use jounce_core::spec::{Fault, ReadError};
@@ -109,6 +110,27 @@ impl From<OrbitError<AnalysisError>> for Failure {
             OrbitError::March(_) | OrbitError::Multipliers { .. } => {
                 Failure::NotConverged(error.to_string())
             }
+        }
+    }
+}
+
+impl From<Error> for Failure {
+    fn from(error: Error) -> Self {
+        match (error.kind(), error) {
+            (
+                _,
+                Error::Option {
+                    option,
+                    value,
+                    expected,
+                },
+            ) => Failure::Usage(format!(
+                "--{} is {value}; {expected}",
+                option.replace('_', "-")
+            )),
+            (ErrorKind::NotConverged, error) => Failure::NotConverged(error.to_string()),
+            (ErrorKind::Stopped, error) => Failure::Interrupted(error.to_string()),
+            (ErrorKind::Input, error) => Failure::Input(error.to_string()),
         }
     }
 }

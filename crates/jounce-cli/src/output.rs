@@ -3,12 +3,18 @@
 use crate::failure::Failure;
 use jounce_core::picture::Figure;
 use jounce_core::table::{Manifest, Table};
+use serde::Serialize;
 use std::io::Write;
 use std::path::Path;
 
 /// Prints one JSON value on stdout. A closed stdout is not an error.
 pub fn print(value: &serde_json::Value) {
     let _ = writeln!(std::io::stdout().lock(), "{value}");
+}
+
+/// Returns a result as JSON.
+pub fn to_json(result: &impl Serialize) -> Result<serde_json::Value, Failure> {
+    serde_json::to_value(result).map_err(|error| Failure::Input(error.to_string()))
 }
 
 /// Prints a line on stdout.

@@ -2,6 +2,7 @@
 
 use crate::failure::Failure;
 use clap::Args;
+use jounce::{Error, Harvester};
 use jounce_core::analysis::AnalysisError;
 use jounce_core::orbit::OrbitError;
 use jounce_core::plant::Plant;
@@ -65,6 +66,22 @@ impl SpecArguments {
         let spec = self.checked(file.spec())?;
         print_recording_issues(&spec);
         Ok(spec)
+    }
+
+    /// Returns the harvester; prints the issues of the recordings of its drives on stderr.
+    pub fn harvester(&self) -> Result<Harvester, Failure> {
+        let harvester = Harvester::of(self.file()?, self.folder());
+        let harvester = harvester.map_err(|error| self.failure(error))?;
+        print_recording_issues(harvester.spec());
+        Ok(harvester)
+    }
+
+    /// Returns the failure of a computation; faults of the spec get the name of the file.
+    pub fn failure(&self, error: Error) -> Failure {
+        match error {
+            Error::Spec(faults) => Failure::faults(&self.spec, faults.as_slice().to_vec()),
+            error => error.into(),
+        }
     }
 
     /// Adds the name of the file to faults.

@@ -34,8 +34,3 @@ pub mod store;
 pub mod structure;
 pub mod study;
 pub mod table;
-
-/// Rust code of the README, compiled with the documentation tests.
-#[cfg(doctest)]
-#[doc = include_str!("../../../README.md")]
-mod readme {}

@@ -5,7 +5,7 @@ use super::ModelAtStart;
 use crate::drive::RandomStream;
 use crate::integrate::{Control, Kernel};
 use crate::plant::{Plant, PlantError, System};
-use crate::run::{RunError, StartState};
+use crate::run::{RunError, StartFileError, StartState};
 use crate::spec::{DriveSignal, Spec, Start};
 use crate::structure::{self, Modes, StructureError};
 use std::path::Path;
@@ -50,16 +50,9 @@ pub enum AnalysisError {
     /// Error of the journal of finished points.
     #[error(transparent)]
     Journal(#[from] super::JournalError),
-    /// The start state cannot be read.
-    #[error(
-        "the start state {path} cannot be read: {reason}; write one with `jounce run SPEC --save-state FILE`"
-    )]
-    StartFile {
-        /// Path of the file.
-        path: String,
-        /// Reason of the failure.
-        reason: String,
-    },
+    /// A state file cannot be used.
+    #[error(transparent)]
+    StartFile(#[from] StartFileError),
 }
 
 /// A spec with its kernel.
@@ -192,16 +185,7 @@ impl Model {
             Start::Linear => {
                 Ok(StartState::linear(&self.kernel.plant).with_velocities(&self.spec, &self.modes))
             }
-            Start::State(path) => {
-                let path = folder.join(path);
-                let fault = |reason: String| AnalysisError::StartFile {
-                    path: path.display().to_string(),
-                    reason,
-                };
-                let text =
-                    std::fs::read_to_string(&path).map_err(|error| fault(error.to_string()))?;
-                serde_json::from_str(&text).map_err(|error| fault(error.to_string()))
-            }
+            Start::State(path) => Ok(StartState::read(&folder.join(path))?),
         }
     }
 

@@ -16,6 +16,6 @@ pub use result::{LeakResult, LoadResult, RectifiedResult, RunResult, StopResult}
 pub use settle::Settlement;
 pub(crate) use simulate::check_outside;
 pub use simulate::{RunError, RunPlan, simulate};
-pub use start::StartState;
+pub use start::{StartFileError, StartState};
 pub use voltage_peak::{VoltagePeaks, voltage_peaks};
 pub use warning::Warning;

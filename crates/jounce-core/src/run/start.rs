@@ -2,8 +2,23 @@
 
 use crate::plant::Plant;
 use crate::spec::Spec;
+use crate::store::StoreError;
 use crate::structure::Modes;
 use serde::{Deserialize, Serialize};
+use std::path::{Path, PathBuf};
+
+/// A state file that cannot be used.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error, Serialize)]
+#[error(
+    "the start state {} cannot be read: {reason}; write one with `jounce run SPEC --save-state FILE`",
+    .path.display()
+)]
+pub struct StartFileError {
+    /// The file.
+    pub path: PathBuf,
+    /// The reason.
+    pub reason: String,
+}
 
 /// State of a harvester at one time, in coordinates that do not depend on load, stop or drive.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -22,6 +37,28 @@ pub struct StartState {
 }
 
 impl StartState {
+    /// Reads a state that a run has saved.
+    ///
+    /// # Errors
+    /// A file that cannot be read or holds no state.
+    pub fn read(path: &Path) -> Result<Self, StartFileError> {
+        let fault = |reason: String| StartFileError {
+            path: path.to_path_buf(),
+            reason,
+        };
+        let text = std::fs::read_to_string(path).map_err(|error| fault(error.to_string()))?;
+        serde_json::from_str(&text).map_err(|error| fault(error.to_string()))
+    }
+
+    /// Writes the state to a file, completely or not at all.
+    ///
+    /// # Errors
+    /// A file that cannot be written.
+    pub fn write(&self, path: &Path) -> Result<(), StoreError> {
+        let text = serde_json::to_string_pretty(self).unwrap_or_default();
+        crate::store::write(path, text.as_bytes())
+    }
+
     /// Returns the state at rest, with each drive at its initial angle.
     pub fn rest(plant: &Plant) -> Self {
         let n = plant.system.modes.len();

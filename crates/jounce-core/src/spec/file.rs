@@ -25,6 +25,7 @@ use std::sync::Arc;
 /// assert_eq!(file.spec()?.mass["table"].damping_ratio, Some(0.05));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
+#[derive(Debug, Clone)]
 pub struct SpecFile {
     text: String,
     source: Source,

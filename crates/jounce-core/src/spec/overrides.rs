@@ -15,6 +15,7 @@ use super::{Spec, read::join};
 const MAX_COMPARED_PATHS: usize = 5000;
 
 /// An override of one key.
+#[derive(Debug, Clone)]
 pub(super) struct Override {
     path: Vec<String>,
     value: String,

@@ -198,8 +198,8 @@ impl From<AnalysisError> for Failure {
             AnalysisError::Plant(error) => error.into(),
             AnalysisError::Run(error) => error.into(),
             AnalysisError::Value(fault) => fault.into(),
-            AnalysisError::StartFile { ref path, .. } => {
-                Self::new("StartError", &error).with(json!({ "path": path }))
+            AnalysisError::StartFile(ref file) => {
+                Self::new("StartError", &error).with(json!({ "path": file.path }))
             }
             AnalysisError::Journal(error) => Self::of("FileError", &error),
             AnalysisError::Aperiodic { ref drive } => {

@@ -18,6 +18,7 @@ const MAX_SYNTAX_ERRORS: usize = 20;
 const MAX_REREAD_BYTES: usize = 4 << 20;
 
 /// A spec as text and as a tree.
+#[derive(Debug, Clone)]
 pub(in crate::spec) struct Source {
     /// The complete file as a table.
     pub(in crate::spec) root: Node,
@@ -28,6 +29,7 @@ pub(in crate::spec) struct Source {
 }
 
 /// A syntax error.
+#[derive(Debug, Clone)]
 pub(in crate::spec) struct SyntaxError {
     pub(in crate::spec) offset: usize,
     pub(in crate::spec) key: String,

@@ -1,0 +1,185 @@
+//! The harvester of a spec.
+
+use crate::{Control, Error};
+use jounce_core::analysis::Model;
+use jounce_core::spec::{NumericKey, Spec, SpecFile};
+use jounce_data::recording::Issue;
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, OnceLock};
+
+/// A harvester: a valid spec, and the computations on it.
+///
+/// ```
+/// use jounce::{Harvester, RunOptions};
+/// # std::env::set_current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).unwrap();
+/// let mut harvester = Harvester::read("examples/impact-harvester-2019/harvester.toml")?;
+/// harvester.set("stop.tip.gap", "0.5 mm")?;
+/// let result = harvester.run(&RunOptions::default())?;
+/// println!("{:.3e} W, settled: {:?}", result.mean_power_w, result.settled);
+/// # Ok::<(), jounce::Error>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct Harvester {
+    file: SpecFile,
+    folder: PathBuf,
+    spec: Spec,
+    control: Control,
+    /// The model, created by the first computation.
+    model: OnceLock<Arc<Model>>,
+}
+
+/// Value of a key with a number.
+#[derive(Debug, Clone, PartialEq)]
+pub struct KeyValue {
+    /// Value in SI units.
+    pub value_si: f64,
+    /// SI unit, as text.
+    pub unit: String,
+}
+
+impl Harvester {
+    /// Reads a spec file (TOML). Paths in the spec are relative to its folder.
+    ///
+    /// # Errors
+    /// [`Error::Read`] for a file that cannot be read, [`Error::Spec`] with all faults of the spec.
+    pub fn read(path: impl AsRef<Path>) -> Result<Self, Error> {
+        let path = path.as_ref();
+        let folder = path.parent().map_or_else(PathBuf::new, Path::to_path_buf);
+        Self::of(SpecFile::read(path)?, folder)
+    }
+
+    /// Takes the text of a spec. Paths in the spec are relative to `folder`.
+    ///
+    /// # Errors
+    /// [`Error::Spec`] with all faults.
+    ///
+    /// ```
+    /// let text = "[mass.table]\nmass = \"12 kg\"\nfrequency = \"1 Hz\"\ndamping_ratio = 0.3";
+    /// let harvester = jounce::Harvester::from_text(text, ".")?;
+    /// assert_eq!(harvester.get("mass.table.frequency")?.value_si, 1.0);
+    /// # Ok::<(), jounce::Error>(())
+    /// ```
+    pub fn from_text(text: &str, folder: impl AsRef<Path>) -> Result<Self, Error> {
+        let folder = folder.as_ref().to_path_buf();
+        Self::of(SpecFile::from_text(text).in_folder(&folder), folder)
+    }
+
+    /// Checks a spec file with its overrides.
+    ///
+    /// # Errors
+    /// [`Error::Spec`] with all faults.
+    pub fn of(file: SpecFile, folder: PathBuf) -> Result<Self, Error> {
+        let spec = file.spec()?;
+        Ok(Self {
+            file,
+            folder,
+            spec,
+            control: Control::default(),
+            model: OnceLock::new(),
+        })
+    }
+
+    /// Sets a key, for example `set("stop.tip.gap", "0.5 mm")`. An error changes nothing.
+    ///
+    /// # Errors
+    /// [`Error::Spec`] for an unknown key or an invalid value.
+    pub fn set(&mut self, key: &str, value: &str) -> Result<(), Error> {
+        *self = self.changed([(key, value)])?;
+        Ok(())
+    }
+
+    /// Returns a copy with keys set together.
+    ///
+    /// # Errors
+    /// [`Error::Spec`] with the faults of all keys.
+    pub fn changed<'a>(
+        &self,
+        values: impl IntoIterator<Item = (&'a str, &'a str)>,
+    ) -> Result<Self, Error> {
+        let mut file = self.file.clone();
+        let set = |(key, value)| file.set(key, value).err();
+        let faults: Vec<_> = values.into_iter().filter_map(set).collect();
+        if !faults.is_empty() {
+            return Err(Error::Spec(faults.into()));
+        }
+        let changed = Self::of(file, self.folder.clone())?;
+        Ok(Self {
+            control: self.control.clone(),
+            ..changed
+        })
+    }
+
+    /// Returns the value of a key with a number.
+    ///
+    /// # Errors
+    /// [`Error::Spec`] for an unknown key or a key without a number.
+    pub fn get(&self, key: &str) -> Result<KeyValue, Error> {
+        let key = NumericKey::find(&self.spec, key)?;
+        Ok(KeyValue {
+            value_si: key.get(&self.spec)?,
+            unit: key.unit(),
+        })
+    }
+
+    /// Returns the data-quality issues of the recordings that the drives use, with the drive.
+    pub fn issues(&self) -> impl Iterator<Item = (&str, &Issue)> {
+        self.spec.findings()
+    }
+
+    /// Returns the text of the spec with the set keys written into it.
+    pub fn text(&self) -> String {
+        self.file.text()
+    }
+
+    /// Returns the spec file with its overrides.
+    pub fn file(&self) -> &SpecFile {
+        &self.file
+    }
+
+    /// Returns the validated spec.
+    pub fn spec(&self) -> &Spec {
+        &self.spec
+    }
+
+    /// Returns the folder to which paths in the spec are relative.
+    pub fn folder(&self) -> &Path {
+        &self.folder
+    }
+
+    /// Returns a copy whose computations poll a control: it reports progress and stops them.
+    ///
+    /// # Errors
+    /// [`Error::Analysis`].
+    pub fn with_control(&self, control: &Control) -> Result<Self, Error> {
+        let model = OnceLock::new();
+        if let Some(known) = self.model.get() {
+            let _ = model.set(Arc::new(known.with_control(control)?));
+        }
+        Ok(Self {
+            control: control.clone(),
+            model,
+            ..self.clone()
+        })
+    }
+
+    /// Returns the control of the computations.
+    pub fn control(&self) -> &Control {
+        &self.control
+    }
+
+    /// Returns the model, created by the first call.
+    ///
+    /// # Errors
+    /// [`Error::Analysis`] for a structure or circuit without a solution.
+    pub fn model(&self) -> Result<Arc<Model>, Error> {
+        if let Some(known) = self.model.get() {
+            return Ok(Arc::clone(known));
+        }
+        let made = Arc::new(Model::watched(self.spec.clone(), &self.control)?);
+        // A model created under a stopped control lacks its noise.
+        if !self.control.is_stopped() {
+            let _ = self.model.set(Arc::clone(&made));
+        }
+        Ok(made)
+    }
+}

@@ -1,0 +1,34 @@
+//! jounce simulates, analyses and designs vibro-impact piezoelectric energy harvesters.
+//!
+//! A [`Harvester`] is read from a spec file. Each question is one method with its options and its
+//! result:
+//!
+//! | question | method | options | result |
+//! |---|---|---|---|
+//! | response from a start in time | [`Harvester::run`] | [`RunOptions`] | [`RunResult`] |
+//!
+//! Options have defaults: write the fields that differ, then `..Default::default()`. Results are
+//! plain data; serialised, they are the JSON of the command line. Every name ends in its unit.
+//!
+//! All errors are one type, [`Error`]; [`Error::kind`] separates invalid input, missing convergence
+//! and a stop by the user. A [`Control`] reports the progress of a long computation and stops it.
+//!
+//! The computations are in `jounce_core`, recordings in `jounce_data` and `jounce_measure`; their
+//! interfaces may change.
+
+mod error;
+mod harvester;
+mod options;
+mod run;
+
+pub use error::{Error, ErrorKind};
+pub use harvester::{Harvester, KeyValue};
+pub use jounce_core::integrate::Control;
+pub use jounce_core::run::StartState;
+pub use options::{OptionDefinition, definitions};
+pub use run::{History, HistorySamples, LoadResult, PatchResult, RunOptions, RunResult};
+
+/// Rust code of the README, compiled with the documentation tests.
+#[cfg(doctest)]
+#[doc = include_str!("../../../README.md")]
+mod readme {}

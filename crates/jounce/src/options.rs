@@ -1,0 +1,79 @@
+//! Options: each is one field, with its default and its line of help. The command line reads the
+//! fields as arguments, Python as keyword arguments.
+
+use clap::{ArgMatches, Args, Command, FromArgMatches};
+use jounce_core::spec::Quantity;
+
+/// Definition of an option.
+#[derive(Debug, Clone, PartialEq, Eq, serde::Serialize)]
+pub struct OptionDefinition {
+    /// Name of the field, which is the keyword in Python.
+    pub name: String,
+    /// Name on the command line, without `--`.
+    pub argument: String,
+    /// Default as written on the command line; empty without one.
+    pub default: String,
+    /// Allowed words of a choice; empty for other options.
+    pub choices: Vec<String>,
+    /// One line of help.
+    pub help: String,
+}
+
+/// Returns the definitions of all options of a computation.
+///
+/// ```
+/// let options = jounce::definitions::<jounce::RunOptions>();
+/// assert!(options.iter().any(|option| option.name == "tolerance"));
+/// ```
+pub fn definitions<O: Args>() -> Vec<OptionDefinition> {
+    let command = O::augment_args(Command::new("options"));
+    let definition = |argument: &clap::Arg| OptionDefinition {
+        name: argument.get_id().to_string(),
+        argument: argument.get_long().unwrap_or_default().to_owned(),
+        default: join(
+            argument
+                .get_default_values()
+                .iter()
+                .map(|value| value.to_string_lossy()),
+        ),
+        choices: argument
+            .get_possible_values()
+            .iter()
+            .map(|choice| choice.get_name().to_owned())
+            .collect(),
+        help: argument
+            .get_help()
+            .map(ToString::to_string)
+            .unwrap_or_default(),
+    };
+    command.get_arguments().map(definition).collect()
+}
+
+fn join<'a>(values: impl Iterator<Item = std::borrow::Cow<'a, str>>) -> String {
+    values.collect::<Vec<_>>().join(" ")
+}
+
+/// Returns the options with their defaults.
+///
+/// # Panics
+/// Where a default is not a valid value; a test of each options type excludes it.
+pub(crate) fn defaults<O: Args + FromArgMatches>() -> O {
+    let command = O::augment_args(Command::new("options").no_binary_name(true));
+    let matches: Result<ArgMatches, clap::Error> = command.try_get_matches_from([""; 0]);
+    match matches.and_then(|matches| O::from_arg_matches(&matches)) {
+        Ok(options) => options,
+        Err(error) => panic!("a default is not valid: {error}"),
+    }
+}
+
+/// Reads a time with its unit, s.
+pub(crate) fn time_s(text: &str) -> Result<f64, String> {
+    Quantity::Time.read(text).map_err(|error| error.to_string())
+}
+
+/// Reads a frequency with its unit, Hz.
+pub(crate) fn frequency_hz(text: &str) -> Result<f64, String> {
+    Quantity::Frequency
+        .read(text)
+        .map_err(|error| error.to_string())
+}

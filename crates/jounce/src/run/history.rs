@@ -1,0 +1,113 @@
+//! Samples of the stored end of a run.
+
+use super::RunOptions;
+use jounce_core::integrate::Kernel;
+use jounce_core::run::{RunPlan, RunResult};
+use std::f64::consts::TAU;
+
+/// Samples of the exact trajectory: evenly spaced, and once per drive cycle, up to the end of the
+/// run.
+#[derive(Debug, Clone, PartialEq)]
+pub struct History {
+    /// Names of the points.
+    pub point: Vec<String>,
+    /// Names of the patches.
+    pub patch: Vec<String>,
+    /// Names of the stops.
+    pub stop: Vec<String>,
+    /// Sampling rate, Hz.
+    pub sample_rate_hz: f64,
+    /// Frequency of the first drive, Hz.
+    pub drive_frequency_hz: Option<f64>,
+    /// Evenly spaced samples.
+    pub even: HistorySamples,
+    /// One sample per drive cycle.
+    pub poincare: HistorySamples,
+}
+
+/// Motion at given times; rows are points, patches or stops, columns are times.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HistorySamples {
+    /// Time since the start of the run, s.
+    pub time_s: Vec<f64>,
+    /// Displacement of each point, m.
+    pub displacement_m: Vec<Vec<f64>>,
+    /// Velocity of each point, m/s.
+    pub velocity_m_s: Vec<Vec<f64>>,
+    /// Displacement towards each stop, m; contact begins at the gap.
+    pub relative_displacement_m: Vec<Vec<f64>>,
+    /// Voltage of each patch, V.
+    pub voltage_v: Vec<Vec<f64>>,
+    /// Contact force of each stop, N.
+    pub force_n: Vec<Vec<f64>>,
+}
+
+impl History {
+    pub(super) fn new(
+        kernel: &Kernel,
+        result: &RunResult,
+        plan: &RunPlan,
+        options: &RunOptions,
+    ) -> Self {
+        let (system, sample_rate_hz) = (&kernel.plant.system, options.sample_rate_hz);
+        let begin_s = plan.duration_s - options.record_s;
+        let count = (options.record_s * sample_rate_hz * (1.0 + 1e-12)) as usize + 1;
+        let even = (0..count).map(|k| begin_s + k as f64 / sample_rate_hz);
+        let cycle_s = kernel
+            .plant
+            .tones
+            .first()
+            .map(|tone| TAU / tone.angular_frequency_rad_s);
+        let cycles = cycle_s.map_or(0, |cycle_s| (options.record_s / cycle_s) as usize + 1);
+        let instant_s = |k: usize| plan.duration_s - k as f64 * cycle_s.unwrap_or_default();
+        Self {
+            even: HistorySamples::new(kernel, result, even.collect()),
+            poincare: HistorySamples::new(
+                kernel,
+                result,
+                (0..cycles).rev().map(instant_s).collect(),
+            ),
+            sample_rate_hz,
+            drive_frequency_hz: system.drives.first().map(|drive| drive.frequency_hz),
+            point: system.modes.shape.keys().cloned().collect(),
+            patch: system.modes.patch.keys().cloned().collect(),
+            stop: system.stops.iter().map(|stop| stop.name.clone()).collect(),
+        }
+    }
+}
+
+impl HistorySamples {
+    fn new(kernel: &Kernel, result: &RunResult, time_s: Vec<f64>) -> Self {
+        let plant = &kernel.plant;
+        let (modes, n) = (&plant.system.modes, plant.system.modes.len());
+        let instants = result.trajectory.at(kernel, &time_s);
+        let states: Vec<Vec<f64>> = instants
+            .iter()
+            .map(|at| plant.to_physical(&at.state, at.time_s))
+            .collect();
+        let voltages: Vec<Vec<f64>> = states.iter().map(|x| plant.patch_voltages_v(x)).collect();
+        let along = |shape: &[f64], first: usize| -> Vec<f64> {
+            let dot = |x: &Vec<f64>| {
+                shape
+                    .iter()
+                    .zip(&x[first..first + n])
+                    .map(|(s, q)| s * q)
+                    .sum()
+            };
+            states.iter().map(dot).collect()
+        };
+        let stops = &plant.system.stops;
+        Self {
+            displacement_m: modes.shape.values().map(|shape| along(shape, 0)).collect(),
+            velocity_m_s: modes.shape.values().map(|shape| along(shape, n)).collect(),
+            relative_displacement_m: stops.iter().map(|stop| along(&stop.shape, 0)).collect(),
+            voltage_v: (0..modes.patch.len())
+                .map(|patch| voltages.iter().map(|v| v[patch]).collect())
+                .collect(),
+            force_n: (0..stops.len())
+                .map(|stop| instants.iter().map(|at| at.forces_n[stop]).collect())
+                .collect(),
+            time_s,
+        }
+    }
+}

@@ -1,0 +1,67 @@
+//! Options of a run.
+
+use crate::Error;
+use crate::options::{defaults, frequency_hz, time_s};
+use jounce_core::run::StartState;
+use serde::{Deserialize, Serialize};
+
+/// Largest number of samples of a record.
+const MAX_SAMPLES: f64 = 1e8;
+
+/// Options of [`crate::Harvester::run`].
+#[derive(Debug, Clone, PartialEq, clap::Args, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct RunOptions {
+    /// Required relative error of the response; overrides run.tolerance.
+    #[arg(long)]
+    pub tolerance: Option<f64>,
+    /// State at the end of another run; overrides run.start.
+    #[arg(skip)]
+    pub start: Option<StartState>,
+    /// Length of the stored end of the run, for example "1 s".
+    #[arg(long = "record", value_name = "TIME", value_parser = time_s, default_value = "0 s")]
+    pub record_s: f64,
+    /// Sampling rate of the stored end of the run.
+    #[arg(long = "sample-rate", value_name = "FREQUENCY", value_parser = frequency_hz, default_value = "4096 Hz")]
+    pub sample_rate_hz: f64,
+}
+
+impl Default for RunOptions {
+    fn default() -> Self {
+        defaults()
+    }
+}
+
+impl RunOptions {
+    /// Checks the record against the duration of the run, s.
+    pub(super) fn check(&self, duration_s: f64) -> Result<(), Error> {
+        let refuse = |option, value: f64, expected: String| {
+            let value = format!("{value}");
+            Err(Error::Option {
+                option,
+                value,
+                expected,
+            })
+        };
+        let (record_s, rate_hz) = (self.record_s, self.sample_rate_hz);
+        if !(0.0..=duration_s).contains(&record_s) {
+            let expected = format!("it must be from 0 s to run.duration = {duration_s} s");
+            return refuse("record", record_s, expected);
+        }
+        if !(rate_hz > 0.0 && rate_hz.is_finite()) {
+            return refuse(
+                "sample_rate",
+                rate_hz,
+                "it must be greater than 0 Hz".to_owned(),
+            );
+        }
+        if record_s * rate_hz > MAX_SAMPLES {
+            let expected = format!(
+                "with record = {record_s} s that is {:e} samples; at most {MAX_SAMPLES:e} are stored",
+                record_s * rate_hz
+            );
+            return refuse("sample_rate", rate_hz, expected);
+        }
+        Ok(())
+    }
+}
