@@ -63,14 +63,14 @@ pub fn basins<'py>(
         (InitialStates::Cloud(cloud), told)
     } else {
         cloud.refuse("leave the grid")?;
-        let read = Grid::read(&grid, spec.spec.stop.len());
+        let read = Grid::read(&grid, spec.spec().stop.len());
         let read = read.map_err(|error| {
             Failure::new("ArgumentError", error).with(serde_json::json!({ "grid": grid }))
         })?;
         (InitialStates::Grid(read), vec![("grid", grid.join(" "))])
     };
     let found = cancellable(py, progress.as_ref(), |control| {
-        let base = spec.prepared(control)?;
+        let base = spec.model(control)?;
         driven::check(&base.kernel.plant, "a basin")?;
         let parameter = Parameter::new(&base, &key, value);
         let study = Basins {

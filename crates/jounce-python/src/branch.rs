@@ -127,7 +127,7 @@ pub fn branch<'py>(
     let over = format!("{key}={}:{}", range.0, range.1);
     let (found_key, range) = spec.ends(key, range)?;
     let found = cancellable(py, progress.as_ref(), |control| {
-        let base = spec.prepared(control)?;
+        let base = spec.model(control)?;
         let parameter = Parameter::new(&base, &found_key, range.1 - range.0);
         let search = BranchSearch {
             base: &base,

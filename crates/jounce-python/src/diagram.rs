@@ -144,7 +144,7 @@ fn marched(
     options: &DiagramOptions,
     control: &Control,
 ) -> Result<DiagramResult, Failure> {
-    let base = spec.prepared(control)?;
+    let base = spec.model(control)?;
     driven::check(&base.kernel.plant, "a diagram")?;
     let values = range.values();
     let (low, high) = (values[0], values[values.len() - 1]);

@@ -16,7 +16,7 @@ pub fn frequency(spec: &Spec, what: &str) -> Result<(NumericKey, f64), Failure> 
             format!("{what} needs a drive: add [drive.NAME] to the spec"),
         )
     };
-    let (name, drive) = spec.spec.drive.iter().next().ok_or_else(none)?;
+    let (name, drive) = spec.spec().drive.iter().next().ok_or_else(none)?;
     let value = drive
         .frequency_hz()
         .ok_or_else(|| AnalysisError::Aperiodic {

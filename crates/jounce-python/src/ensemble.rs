@@ -55,7 +55,7 @@ pub fn ensemble<'py>(
     let own = spec.with_tolerance(tolerance)?;
     let spec = own.as_ref().unwrap_or(spec);
     let found = cancellable(py, progress.as_ref(), |control| {
-        let base = spec.prepared(control)?;
+        let base = spec.model(control)?;
         let start = base.start(&spec.folder())?;
         let most_rounds = if relative_width.is_some() {
             MAX_ROUNDS

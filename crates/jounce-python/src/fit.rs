@@ -42,5 +42,12 @@ fn fitted(
         None => Features::from_toml(text.unwrap_or_default())
             .map_err(|faults| FitError::Features { faults })?,
     };
-    Ok(jounce_measure::fit::fit(&spec.file(), &spec.spec, &features, &spec.folder(), control)?.0)
+    Ok(jounce_measure::fit::fit(
+        &spec.file(),
+        spec.spec(),
+        &features,
+        &spec.folder(),
+        control,
+    )?
+    .0)
 }

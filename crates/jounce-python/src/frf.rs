@@ -95,7 +95,7 @@ fn input_of(spec: &Spec, named: Option<String>, base: bool) -> Result<FrfInput, 
             return wrong("input and base are both given; give one of them".to_owned());
         }
         return match spec
-            .spec
+            .spec()
             .modal
             .iter()
             .find(|(_, modal)| modal.participation_sqrt_kg.is_empty())
@@ -107,7 +107,7 @@ fn input_of(spec: &Spec, named: Option<String>, base: bool) -> Result<FrfInput, 
         };
     }
     let forced = spec
-        .spec
+        .spec()
         .drive
         .values()
         .find(|drive| drive.kind == DriveKind::Force);
@@ -127,7 +127,7 @@ fn responses(
     open_circuit: bool,
     control: &Control,
 ) -> Result<Vec<Frf>, Failure> {
-    let mut spec = spec.spec.clone();
+    let mut spec = spec.spec().clone();
     if open_circuit {
         spec.open_circuits();
     }

@@ -50,7 +50,7 @@ pub fn jumps<'py>(
     let ((key, range), (key_2, range_2)) =
         (spec.ends(&keys.0, over)?, spec.ends(&keys.1, against)?);
     let found = cancellable(py, progress.as_ref(), |control| {
-        let base = spec.prepared(control)?;
+        let base = spec.model(control)?;
         let search = BifurcationSearch {
             base: &base,
             keys: [&key, &key_2],

@@ -13,6 +13,7 @@ mod examples;
 mod explore;
 mod failure;
 mod fit;
+mod flat;
 mod frf;
 mod history;
 mod jumps;

@@ -17,8 +17,8 @@ const PLACES: usize = 201;
 pub fn modes<'py>(py: Python<'py>, spec: &Spec, hold: Vec<String>) -> PyResult<Bound<'py, PyDict>> {
     let solve = || {
         Ok::<_, Failure>((
-            modes_holding(&spec.spec, &hold)?,
-            shapes_along_beams(&spec.spec, &hold, PLACES)?,
+            modes_holding(spec.spec(), &hold)?,
+            shapes_along_beams(spec.spec(), &hold, PLACES)?,
         ))
     };
     let (modes, beams) = py.detach(solve).map_err(|failure| failure.raised(py))?;

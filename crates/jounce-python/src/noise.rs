@@ -51,7 +51,7 @@ fn answered(
     points: usize,
     control: &Control,
 ) -> Result<NoiseResult, Failure> {
-    let random = Random::new(&spec.spec)?;
+    let random = Random::new(spec.spec())?;
     let [low, high] = random.usual_band_hz();
     let (low, high) = (low_hz.unwrap_or(low), high_hz.unwrap_or(high));
     if !(low > 0.0 && low < high && high.is_finite() && POINTS.contains(&points)) {

@@ -152,7 +152,7 @@ fn shaken(
     base: Option<&Recording>,
     control: &Control,
 ) -> Result<Recording, Failure> {
-    let mut spec = own.spec.clone();
+    let mut spec = own.spec().clone();
     sensors.fit(&mut spec)?;
     if let Some(base) = base {
         let wanted = shaker.base_channel.as_deref();
@@ -207,7 +207,7 @@ pub fn rig_struck<'py>(
 }
 
 fn struck(spec: &Spec, sensors: &Sensors, hits: Hits) -> Result<Recording, Failure> {
-    let mut spec = spec.spec.clone();
+    let mut spec = spec.spec().clone();
     sensors.fit(&mut spec)?;
     spec.take_drives_away();
     spec.stop.clear();

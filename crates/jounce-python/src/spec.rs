@@ -2,6 +2,7 @@
 
 use crate::branch::json;
 use crate::failure::Failure;
+use jounce::Harvester;
 use jounce_core::analysis::Model;
 use jounce_core::integrate::Control;
 use jounce_core::spec::{KeyRange, NumericKey, Quantity, SpecFile};
@@ -15,11 +16,9 @@ use std::sync::OnceLock;
 /// Spec that is read and checked. It is immutable; a change returns a new one.
 #[pyclass(frozen, module = "jounce._core")]
 pub struct Spec {
+    /// The harvester of the text.
+    pub harvester: Harvester,
     text: String,
-    folder: PathBuf,
-    /// Contents of the text.
-    pub spec: jounce_core::spec::Spec,
-    prepared: OnceLock<Model>,
     hash_hex: OnceLock<String>,
 }
 
@@ -28,43 +27,21 @@ impl Spec {
     /// Reads a text; paths of state files and recordings are relative to `folder`.
     #[new]
     fn new(text: String, folder: PathBuf) -> Result<Self, Failure> {
-        let spec = SpecFile::from_text(text.as_str())
-            .in_folder(&folder)
-            .spec()?;
-        Ok(Self {
-            text,
-            folder,
-            spec,
-            prepared: OnceLock::new(),
-            hash_hex: OnceLock::new(),
-        })
+        Ok(Self::of(Harvester::from_text(&text, folder)?))
     }
 
     /// Reads a file.
     #[staticmethod]
     fn read(path: PathBuf) -> Result<Self, Failure> {
-        let text = SpecFile::read(&path)?.text();
-        Self::new(text, path.parent().map(PathBuf::from).unwrap_or_default())
+        Ok(Self::of(Harvester::read(path)?))
     }
 
     /// Returns a copy with keys set, all at once.
     fn with_keys(&self, keys: Vec<(String, String)>) -> Result<Self, Failure> {
-        let mut file = self.file();
-        let faults: Vec<_> = keys
+        let values = keys
             .iter()
-            .filter_map(|(key, value)| file.set(key, value).err())
-            .collect();
-        if !faults.is_empty() {
-            return Err(Failure::faults(&faults));
-        }
-        let spec = file.spec()?;
-        Ok(Self {
-            text: file.text(),
-            folder: self.folder.clone(),
-            spec,
-            prepared: OnceLock::new(),
-            hash_hex: OnceLock::new(),
-        })
+            .map(|(key, value)| (key.as_str(), value.as_str()));
+        Ok(Self::of(self.harvester.changed(values)?))
     }
 
     /// Returns the text, with comments and layout.
@@ -76,18 +53,18 @@ impl Spec {
     /// Returns the folder of state files and recordings.
     #[getter]
     pub fn folder(&self) -> PathBuf {
-        self.folder.clone()
+        self.harvester.folder().to_path_buf()
     }
 
     /// Returns the text in canonical form: every key that applies, with its default.
     fn to_toml(&self) -> String {
-        self.spec.to_toml()
+        self.spec().to_toml()
     }
 
     /// Returns the issues of the recordings of its drives, as JSON.
     fn findings(&self) -> PyResult<String> {
         let findings: Vec<_> = self
-            .spec
+            .spec()
             .findings()
             .map(|(_, finding)| finding.clone())
             .collect();
@@ -96,13 +73,13 @@ impl Spec {
 
     /// Returns the SHA-256 of the canonical form.
     fn hash_hex(&self) -> &str {
-        self.hash_hex.get_or_init(|| self.spec.hash_hex())
+        self.hash_hex.get_or_init(|| self.spec().hash_hex())
     }
 
     /// Returns the value of a key with a number, SI, and its unit.
     fn number(&self, key: &str) -> Result<(f64, String), Failure> {
-        let found = NumericKey::find(&self.spec, key)?;
-        Ok((found.get(&self.spec)?, found.unit()))
+        let found = NumericKey::find(self.spec(), key)?;
+        Ok((found.get(self.spec())?, found.unit()))
     }
 
     /// Draws the harvester to scale: as SVG, and as PNG at twice its size.
@@ -111,7 +88,7 @@ impl Spec {
         py: Python<'py>,
         title: &str,
     ) -> PyResult<(String, Bound<'py, PyBytes>)> {
-        let drawing = jounce_core::show::drawing(title, &self.spec);
+        let drawing = jounce_core::show::drawing(title, self.spec());
         let png = py
             .detach(|| drawing.to_png(2.0))
             .map_err(|error| Failure::new("ArgumentError", error).raised(py))?;
@@ -125,26 +102,28 @@ impl Spec {
 }
 
 impl Spec {
-    /// Returns the model, built once and shared by all calls, under the control of one call.
-    pub fn prepared(&self, control: &Control) -> Result<Model, Failure> {
-        let known = match self.prepared.get() {
-            Some(known) => known,
-            None => {
-                let made = Model::watched(self.spec.clone(), control)?;
-                // A model built for a call that ended early lacks its noise.
-                if control.is_stopped() {
-                    return Ok(made);
-                }
-                let unwatched = made.with_control(&Control::default())?;
-                self.prepared.get_or_init(|| unwatched)
-            }
-        };
-        Ok(known.with_control(control)?)
+    fn of(harvester: Harvester) -> Self {
+        let text = harvester.text();
+        Self {
+            harvester,
+            text,
+            hash_hex: OnceLock::new(),
+        }
+    }
+
+    /// Returns the contents of the spec.
+    pub fn spec(&self) -> &jounce_core::spec::Spec {
+        self.harvester.spec()
+    }
+
+    /// Returns the model under the control of one call.
+    pub fn model(&self, control: &Control) -> Result<Model, Failure> {
+        Ok(self.harvester.with_control(control).model()?)
     }
 
     /// Returns a modifiable copy of the text.
     pub fn file(&self) -> SpecFile {
-        SpecFile::from_text(self.text.as_str()).in_folder(&self.folder)
+        self.harvester.file().clone()
     }
 
     /// Returns a key with a number.

@@ -43,7 +43,7 @@ pub fn sweep<'py>(
         }
     };
     let study = Sweep {
-        spec: &spec.spec,
+        spec: spec.spec(),
         range: &range,
         direction: order,
         fixed_duration,

@@ -24,8 +24,8 @@ pub struct Harvester {
     folder: PathBuf,
     spec: Spec,
     control: Control,
-    /// The model, created by the first computation.
-    model: OnceLock<Arc<Model>>,
+    /// The model, created by the first computation and shared by all copies of this harvester.
+    model: Arc<OnceLock<Model>>,
 }
 
 /// Value of a key with a number.
@@ -75,7 +75,7 @@ impl Harvester {
             folder,
             spec,
             control: Control::default(),
-            model: OnceLock::new(),
+            model: Arc::default(),
         })
     }
 
@@ -147,19 +147,12 @@ impl Harvester {
     }
 
     /// Returns a copy whose computations poll a control: it reports progress and stops them.
-    ///
-    /// # Errors
-    /// [`Error::Analysis`].
-    pub fn with_control(&self, control: &Control) -> Result<Self, Error> {
-        let model = OnceLock::new();
-        if let Some(known) = self.model.get() {
-            let _ = model.set(Arc::new(known.with_control(control)?));
-        }
-        Ok(Self {
+    #[must_use]
+    pub fn with_control(&self, control: &Control) -> Self {
+        Self {
             control: control.clone(),
-            model,
             ..self.clone()
-        })
+        }
     }
 
     /// Returns the control of the computations.
@@ -167,19 +160,23 @@ impl Harvester {
         &self.control
     }
 
-    /// Returns the model, created by the first call.
+    /// Returns the model under the control of this harvester.
     ///
     /// # Errors
     /// [`Error::Analysis`] for a structure or circuit without a solution.
-    pub fn model(&self) -> Result<Arc<Model>, Error> {
-        if let Some(known) = self.model.get() {
-            return Ok(Arc::clone(known));
-        }
-        let made = Arc::new(Model::watched(self.spec.clone(), &self.control)?);
-        // A model created under a stopped control lacks its noise.
-        if !self.control.is_stopped() {
-            let _ = self.model.set(Arc::clone(&made));
-        }
-        Ok(made)
+    pub fn model(&self) -> Result<Model, Error> {
+        let known = match self.model.get() {
+            Some(known) => known,
+            None => {
+                let made = Model::watched(self.spec.clone(), &self.control)?;
+                // A model created under a stopped control lacks its noise.
+                if self.control.is_stopped() {
+                    return Ok(made);
+                }
+                let unwatched = made.with_control(&Control::default())?;
+                self.model.get_or_init(|| unwatched)
+            }
+        };
+        Ok(known.with_control(&self.control)?)
     }
 }

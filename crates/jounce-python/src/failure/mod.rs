@@ -114,6 +114,28 @@ impl From<Failure> for PyErr {
     }
 }
 
+impl From<jounce::Error> for Failure {
+    fn from(error: jounce::Error) -> Self {
+        use jounce::Error;
+        match error {
+            Error::Read(error) => error.into(),
+            Error::Spec(faults) => faults.into(),
+            Error::Analysis(error) => error.into(),
+            Error::Orbit(error) => error.into(),
+            Error::Journal(error) => Self::of("FileError", &error),
+            Error::Table(error) => error.into(),
+            Error::Option {
+                option, ref value, ..
+            } => {
+                Self::new("ArgumentError", &error).with(json!({ "option": option, "value": value }))
+            }
+            Error::Signal(_) | Error::Threads(_) | Error::Stopped => {
+                Self::new("JounceError", &error)
+            }
+        }
+    }
+}
+
 impl From<Faults> for Failure {
     fn from(faults: Faults) -> Self {
         Self::faults(faults.as_slice())

@@ -109,7 +109,7 @@ impl ModelComparison {
             let details = serde_json::json!({ "within": self.within, "starts": self.starts });
             return Err(Failure::new("ArgumentError", why).with(details));
         }
-        let mut spec = model.spec.clone();
+        let mut spec = model.spec().clone();
         as_recorded(&mut spec, drive_hz, resistance_ohm, self.load.as_deref());
         let search = SolutionSearch {
             starts: self.starts,
