@@ -39,7 +39,7 @@ section "Model and measurement" (book/src/howto/measured.md)."#;
 pub struct Fit {
     #[command(flatten)]
     spec: SpecArguments,
-    /// Measured features, and the keys to fit (TOML, described below); required.
+    /// Measured features, and the keys to fit (TOML, described below); no default.
     #[arg(long, value_name = "FEATURES")]
     to: PathBuf,
     #[command(flatten)]

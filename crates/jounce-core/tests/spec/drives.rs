@@ -40,7 +40,7 @@ fn each_fault_of_a_drive_is_told_once() {
         ),
         (
             "[drive.d]\nat = \"m\"\nsignal = \"velocity-step\"\nvelocity = \"1 m/s\"",
-            "a velocity step is one of the base",
+            "a velocity step moves a base",
         ),
         (
             "[drive.d]\nat = \"m\"\nsignal = \"noise\"\npsd = \"-1 N^2/Hz\"\nhigh = \"7 Hz\"",

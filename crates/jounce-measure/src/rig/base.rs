@@ -89,7 +89,7 @@ mod tests {
             of_base([vec![f64::NAN], vec![1.0; 99]].concat(), false)
                 .unwrap_err()
                 .to_string()
-                .contains("no number")
+                .contains("finite")
         );
     }
 }
