@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -14,6 +15,17 @@ from .result import Floats
 
 #: Largest value of a count or a seed.
 MOST_WHOLE = 2**32 - 1
+
+
+def options(**given: Any) -> str:
+    """Returns options for the library, as JSON; those of ``None`` have their default."""
+    for name, value in given.items():
+        if isinstance(value, float) and not np.isfinite(value):
+            raise ArgumentError(f"{name} is {value}; it must be a finite number", {"option": name, "value": str(value)})
+    try:
+        return json.dumps({name: value for name, value in given.items() if value is not None})
+    except TypeError as error:
+        raise ArgumentError(f"an option has the wrong type: {error}") from error
 
 
 def of_tables(tables: Mapping[str, Any]) -> _core.Spec:

@@ -48,10 +48,10 @@ class EnsembleResult(Result):
     stop_contact_rate_hz: Annotated[Floats, Along("stop", "1/s", "contacts per second")]
     stop_contact_rate_half_width_hz: Annotated[Floats, Along("stop", "1/s", "half width of its 95 % interval")]
     stop_mean_impact_velocity_m_s: Annotated[Floats, Along("stop", "m/s", "mean impact velocity")]
-    stop_mean_strike_half_width_m_s: Annotated[Floats, Along("stop", "m/s", "half width of its 95 % interval")]
+    stop_mean_impact_velocity_half_width_m_s: Annotated[Floats, Along("stop", "m/s", "half width of its 95 % interval")]
     stop_max_impact_velocity_m_s: Annotated[Floats, Along("stop", "m/s", "largest impact velocity")]
     stop_mean_contact_duration_s: Annotated[Floats, Along("stop", "s", "mean contact duration")]
-    stop_mean_dwell_half_width_s: Annotated[Floats, Along("stop", "s", "half width of its 95 % interval")]
+    stop_mean_contact_duration_half_width_s: Annotated[Floats, Along("stop", "s", "half width of its 95 % interval")]
     stop_max_contact_duration_s: Annotated[Floats, Along("stop", "s", "longest contact duration")]
     stop_contact_duty: Annotated[Floats, Along("stop", "1", "share of the time in contact")]
     stop_contact_duty_half_width: Annotated[Floats, Along("stop", "1", "half width of its 95 % interval")]
@@ -82,7 +82,8 @@ class EnsembleResult(Result):
             ("contacts", f"{self.contact_rate_hz:.4f} per second +- {self.contact_rate_half_width_hz:.2f}"),
             (
                 "impacts",
-                f"{self.mean_impact_velocity_m_s:.4e} m/s in the mean, {self.max_impact_velocity_m_s:.4e} m/s at most, {self.mean_contact_duration_s:.4e} s each",
+                f"{self.mean_impact_velocity_m_s:.4e} m/s in the mean, {self.max_impact_velocity_m_s:.4e} m/s at most, "
+                f"{self.mean_contact_duration_s:.4e} s each",
             ),
             *((f"stop {name}", self._of_stop(k)) for k, name in enumerate(self.stop)),
             *(
@@ -94,7 +95,7 @@ class EnsembleResult(Result):
 
     def _of_stop(self, k: int) -> str:
         rate = f"{self.stop_contact_rate_hz[k]:.4g} contacts per second +- {self.stop_contact_rate_half_width_hz[k]:.1e}"
-        strike = f"{self.stop_mean_impact_velocity_m_s[k]:.4e} m/s +- {self.stop_mean_strike_half_width_m_s[k]:.1e} m/s"
+        strike = f"{self.stop_mean_impact_velocity_m_s[k]:.4e} m/s +- {self.stop_mean_impact_velocity_half_width_m_s[k]:.1e} m/s"
         return f"{rate}, at {strike}, {100 * self.stop_contact_duty[k]:.3g} % of the time"
 
     def to_xarray(self) -> Any:

@@ -24,7 +24,7 @@ class NoiseResult(Result):
     #: Names of the circuits; arrays of shape ``(load,)``.
     load: list[str]
     #: Mean power by the Lyapunov equation and by the integral over frequency, W, and their difference relative to the first.
-    load_power_w: Annotated[Floats, Along("load", "W", "mean power, by the Lyapunov equation")]
+    load_mean_power_w: Annotated[Floats, Along("load", "W", "mean power, by the Lyapunov equation")]
     load_spectral_power_w: Annotated[Floats, Along("load", "W", "mean power, by the integral over frequency")]
     load_power_difference_relative: Annotated[Floats, Along("load", "1", "difference of the two relative to the first")]
     #: Voltage, rms, V.

@@ -7,7 +7,7 @@ import html
 import json
 import math
 from collections.abc import Mapping, Sequence
-from typing import Any, NamedTuple, Self, TypeVar, get_args, get_type_hints
+from typing import Any, NamedTuple, Self, TypeVar, get_args, get_origin, get_type_hints
 
 import numpy as np
 from numpy.typing import NDArray
@@ -85,6 +85,20 @@ class Result(Data):
     def _made(cls, answer: dict[str, Any]) -> Self:
         """Returns the result of a dict of the library."""
         return cls(**{**answer, "manifest": json.loads(answer["manifest"])})
+
+    @classmethod
+    def _filled(cls, answer: dict[str, Any]) -> dict[str, Any]:
+        """Returns a dict of the library with NaN for missing numbers, and empty lists and arrays for parts that a harvester lacks."""
+        hints = get_type_hints(cls, include_extras=False)
+        made = dict(answer)
+        for name, hint in hints.items():
+            if hint is float and made.get(name, 0.0) is None:
+                made[name] = np.nan
+            elif name not in made and get_origin(hint) is list:
+                made[name] = []
+            elif name not in made and get_origin(hint) is np.ndarray:
+                made[name] = np.array([], dtype=get_args(get_args(hint)[1])[0])
+        return made
 
     @classmethod
     def _handed(cls, handed: Handed) -> Self:

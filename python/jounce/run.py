@@ -48,11 +48,15 @@ class RunResult(Result):
 
     #: Mean power of all loads and rectified circuits together, W.
     mean_power_w: Annotated[float, Along("", "W", "mean power of all loads and rectified circuits")]
+    #: Rms voltage of the first load, or of the storage of the first rectified circuit without a load, V; ``None`` without either.
+    voltage_rms_v: float | None
+    #: Largest voltage of the first load, or of the first patch without a load, V; ``None`` without either or without a record.
+    voltage_peak_v: float | None
     #: Names of the loads. Of each the mean power, W, the rms voltage, V, and the largest magnitude of the voltage, V: within a period of
     #: the orbit where the run has settled, else within the last eight drive cycles. For drives without a common period within the record,
     #: NaN where no record was stored.
     load: list[str]
-    load_power_w: Annotated[Floats, Along("load", "W", "mean power")]
+    load_mean_power_w: Annotated[Floats, Along("load", "W", "mean power")]
     load_voltage_rms_v: Annotated[Floats, Along("load", "V", "voltage, rms")]
     load_voltage_peak_v: Annotated[Floats, Along("load", "V", "voltage, peak")]
     #: Names of the patches, and the largest magnitude of the voltage of each, V, within the same time.
@@ -61,23 +65,24 @@ class RunResult(Result):
     #: Names of the rectified circuits. Of each the mean power of its load or battery, W, the rms voltage of its storage, V, the mean
     #: current of its diodes, A, the mean power that fills the storage, W, and the losses in diodes, in the switch and by leakage, W.
     rectified: list[str]
-    rectified_power_w: Annotated[Floats, Along("rectified", "W", "mean power")]
+    rectified_mean_power_w: Annotated[Floats, Along("rectified", "W", "mean power")]
     rectified_voltage_rms_v: Annotated[Floats, Along("rectified", "V", "voltage of the storage, rms")]
-    rectified_current_a: Annotated[Floats, Along("rectified", "A", "mean current of the diodes")]
+    rectified_mean_current_a: Annotated[Floats, Along("rectified", "A", "mean current of the diodes")]
     rectified_storage_w: Annotated[Floats, Along("rectified", "W", "mean power that fills the storage")]
     rectified_diode_loss_w: Annotated[Floats, Along("rectified", "W", "mean power lost in diodes")]
     rectified_switch_loss_w: Annotated[Floats, Along("rectified", "W", "mean power lost in the switch")]
     rectified_leakage_w: Annotated[Floats, Along("rectified", "W", "mean power lost by leakage")]
-    #: Balance of the charge through the diodes in the averaging window, C: ``passed = load + leakage + storage``, and its residual as a
-    #: share of the largest term; NaN where no diodes feed a capacitor.
-    rectified_charge_passed_c: Annotated[Floats, Along("rectified", "C", "charge through the diodes")]
-    rectified_charge_load_c: Annotated[Floats, Along("rectified", "C", "charge through the load")]
-    rectified_charge_leakage_c: Annotated[Floats, Along("rectified", "C", "charge through the leakage of the storage")]
-    rectified_charge_storage_c: Annotated[Floats, Along("rectified", "C", "charge added to the storage")]
-    rectified_charge_residual_relative: Annotated[Floats, Along("rectified", "1", "residual of the charge balance, relative to the largest term")]
+    #: Names of the circuits whose diodes feed a capacitor. Of each the charge balance in the averaging window, C:
+    #: ``passed = load + leakage + storage``, and its residual as a share of the largest term.
+    charge: list[str]
+    charge_passed_c: Annotated[Floats, Along("charge", "C", "charge through the diodes")]
+    charge_load_c: Annotated[Floats, Along("charge", "C", "charge through the load")]
+    charge_leakage_c: Annotated[Floats, Along("charge", "C", "charge through the leakage of the storage")]
+    charge_storage_c: Annotated[Floats, Along("charge", "C", "charge added to the storage")]
+    charge_residual_relative: Annotated[Floats, Along("charge", "1", "residual of the charge balance, relative to the largest term")]
     #: Names of the patches with leakage, and mean power of each leakage, W.
     leak: list[str]
-    leak_power_w: Annotated[Floats, Along("leak", "W", "mean power lost by leakage of a patch")]
+    leak_mean_power_w: Annotated[Floats, Along("leak", "W", "mean power lost by leakage of a patch")]
     #: Names of the stops. Of each the contacts that began and their rate, the mean and the largest impact velocity, m/s, the mean and the
     #: longest contact duration, s (all 0 without a contact), the share of the time in contact, the largest penetration, m, the largest
     #: contact force, N, and its time integral, N s.
@@ -128,23 +133,11 @@ class RunResult(Result):
 
     @classmethod
     def _made(cls, answer: dict[str, Any]) -> Self:
-        history = answer["history"]
+        answer, history = dict(answer), answer["history"]
         if history is not None:
-            history = History._made({**history, "manifest": answer["manifest"], "sample_rate_hz": answer["sample_rate_hz"]})
-        made = {key: value for key, value in answer.items() if key != "sample_rate_hz"}
-        return super()._made({**made, "history": history, "end": State(answer["end"]), "work": json.loads(answer["work"])})
-
-    @property
-    def voltage_rms_v(self) -> float | None:
-        """Rms voltage of the first load, or of the storage of the first rectified circuit without a load, V."""
-        volts = [*self.load_voltage_rms_v, *self.rectified_voltage_rms_v]
-        return float(volts[0]) if volts else None
-
-    @property
-    def voltage_peak_v(self) -> float | None:
-        """Largest voltage of the first load, or of the first patch without a load, V."""
-        peaks = [*self.load_voltage_peak_v, *self.patch_voltage_peak_v]
-        return float(peaks[0]) if peaks else None
+            history = History._made({**history, "manifest": answer["manifest"]})
+        energies = _sums(answer.pop("energies"))
+        return super()._made({**cls._filled(answer), "energies_j": energies, "history": history, "end": State(answer["end"])})
 
     def _peaks(self) -> list[tuple[str, float]]:
         """Returns the largest voltage of each load, and of each patch without a load."""
@@ -160,7 +153,7 @@ class RunResult(Result):
             *((f"voltage, rms ({name})", f"{volts:.6g} V") for name, volts in zip(self.load, self.load_voltage_rms_v)),
             *((f"voltage, peak ({name})", f"{volts:.6g} V") for name, volts in self._peaks() if not np.isnan(volts)),
             *((f"storage, rms ({name})", f"{volts:.6g} V") for name, volts in zip(self.rectified, self.rectified_voltage_rms_v)),
-            *((f"leakage ({name})", f"{power:.6e} W") for name, power in zip(self.leak, self.leak_power_w)),
+            *((f"leakage ({name})", f"{power:.6e} W") for name, power in zip(self.leak, self.leak_mean_power_w)),
             ("contacts", f"{self.contacts} in {self.average_over_s:g} s, {100 * self.contact_duty:.2f} % of the time"),
             ("penetration, peak", f"{self.max_penetration_m:.4e} m, force {self.max_contact_force_n:.4e} N"),
             ("energy residual", f"{self.energy_residual_relative:.1e} of the largest energy"),
@@ -174,12 +167,14 @@ class RunResult(Result):
         return {field.name: getattr(self, field.name) for field in dataclasses.fields(self) if field.name not in left}
 
     def to_xarray(self) -> Any:
-        """Returns an ``xarray.Dataset`` of the means over ``load``, ``patch``, ``rectified``, ``leak``, ``stop``, without the record."""
+        """Returns an ``xarray.Dataset`` of the means over loads, patches, circuits and stops, without the record."""
         told = {
             "settled": Variable((), bool(self.settled), "1", "settled when averaged"),
             "period_cycles": Variable((), self.period_cycles or 0, "1", "period in drive cycles, 0 without a period"),
         }
-        coords = {name: Variable((name,), getattr(self, name), "", name) for name in ("load", "patch", "rectified", "leak", "stop")}
+        coords = {
+            name: Variable((name,), getattr(self, name), "", name) for name in ("load", "patch", "rectified", "charge", "leak", "stop")
+        }
         return self._dataset({**self._variables(), **told}, coords)
 
     def to_pandas(self) -> Any:
@@ -210,3 +205,22 @@ class RunResult(Result):
         from .plot.energy import plot_energy
 
         return plot_energy(self, ax)
+
+
+def _sums(energies: dict[str, Any]) -> dict[str, float]:
+    """Returns the energies with those of all loads, circuits and patches added."""
+    rectified = energies["rectified"]
+
+    def over(*names: str) -> float:
+        return float(sum(own[name] for own in rectified for name in names))
+
+    return {
+        "input_j": energies["input_j"],
+        "loads_j": float(sum(energies["loads_j"])),
+        "rectified_j": over("load_j", "battery_j"),
+        "rectified_loss_j": over("diodes_j", "switch_j", "leakage_j"),
+        "leaks_j": float(sum(energies["leaks_j"])),
+        "damping_j": energies["damping_j"],
+        "contact_loss_j": energies["contact_loss_j"],
+        "stored_j": energies["stored_j"],
+    }

@@ -5,10 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any, Literal
 
-import numpy as np
-
 from . import _core
-from .arguments import check_wholes, frequencies, names
+from .arguments import check_wholes, frequencies, names, options
 from .arguments import si as in_si
 from .basins import BasinsResult
 from .branch import BranchResult
@@ -89,18 +87,15 @@ class Spec(SpecOnRig):
         ``tolerance`` overrides ``run.tolerance``; ``start`` is the ``end`` of another run; ``record`` is the length of the stored end of
         the run, ``"1 s"``. The parts reported to ``progress`` are thousandths of the duration.
         """
-        record_s = 0.0 if record is None else in_si("time", record, "record")
-        rate_hz = in_si("frequency", sample_rate, "sample_rate")
-        if record_s < 0.0 or not 0.0 < rate_hz < np.inf:
-            given = {"record_s": record_s, "sample_rate_hz": rate_hz, "least_record_s": 0, "least_sample_rate_hz": 0}
-            raise ArgumentError(
-                f"record is {record_s} s, sample_rate {rate_hz} Hz; give a record of at least 0 s and a rate above 0 Hz", given
-            )
+        given = options(
+            tolerance=tolerance,
+            record_s=0.0 if record is None else in_si("time", record, "record"),
+            sample_rate_hz=in_si("frequency", sample_rate, "sample_rate"),
+        )
         if start is not None and not isinstance(start, State):
             raise ArgumentError(f"start is of type {type(start).__name__}; give the `end` of another run, or jounce.State.read(PATH)")
         with told(progress) as tell:
-            answer, ended = _core.run(self._spec, tolerance, start.json if start else None, record_s, rate_hz, tell)
-        return RunResult._handed((answer and {**answer, "sample_rate_hz": rate_hz}, ended))
+            return RunResult._handed(_core.run(self._spec, given, start.json if start else None, tell))
 
     def sweep(
         self,

@@ -28,7 +28,7 @@ def test_spectra_and_stops_of_an_ensemble_are_those_of_the_command_line(command_
     told = command_line("ensemble", "--members=8", "--seed=3", "--spectrum", keys=keys, spec=SHAKER)
     found = jounce.read(SHAKER).changed(keys).ensemble(members=8, seed=3, spectrum=True)
     assert found.interval_over == "members" and found.stop == [one["name"] for one in told["stops"]]
-    for name, unit in (("contact_rate", "_hz"), ("mean_strike", "_m_s"), ("mean_dwell", "_s"), ("contact_duty", "")):
+    for name, unit in (("contact_rate", "_hz"), ("mean_impact_velocity", "_m_s"), ("mean_contact_duration", "_s"), ("contact_duty", "")):
         same(getattr(found, f"stop_{name}{unit}"), [one[name + unit]["mean"] for one in told["stops"]])
         same(getattr(found, f"stop_{name}_half_width{unit}"), [one[name + unit]["half_width"] or np.inf for one in told["stops"]])
     for name in ("max_impact_velocity_m_s", "max_contact_duration_s", "max_contact_force_n", "max_penetration_m"):
@@ -53,7 +53,7 @@ def test_the_answer_to_noise_is_that_of_the_command_line(command_line, tmp_path)
     for thing, many in listed.items():
         assert getattr(found, thing) == [one["name"] for one in told[many]]
     fields = {
-        "load_power_w": ("loads", "mean_power_w"),
+        "load_mean_power_w": ("loads", "mean_power_w"),
         "load_spectral_power_w": ("loads", "spectral_power_w"),
         "load_power_difference_relative": ("loads", "difference_relative"),
         "load_voltage_rms_v": ("loads", "voltage_rms_v"),

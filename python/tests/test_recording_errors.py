@@ -33,7 +33,7 @@ SERIES = {"data": VOLTS, "name": "u", "unit_str": "V", "fs": 1000.0}
         (lambda: jounce.Recording.of(VOLTS, time_s=-np.arange(4000.0)), jounce.RecordingError, "before"),
         (lambda: jounce.Recording.of(VOLTS, 1e3, time_s=np.arange(4000.0)), jounce.ArgumentError, "both given"),
         (lambda: jounce.Recording.of({}, 1e3), jounce.ArgumentError, "at least one"),
-        (lambda: jounce.Recording.of(VOLTS, 1e3)["w"], jounce.ArgumentError, "there are signal"),
+        (lambda: jounce.Recording.of(VOLTS, 1e3)["w"], jounce.ArgumentError, "no such channel; use one of signal"),
         (lambda: jounce.spectra(SERIES, window="kaiser"), jounce.ArgumentError, '"hann", "flat-top" or "rectangular"'),
         (lambda: jounce.spectra(SERIES, overlap=1.0), jounce.RecordingError, "from 0 to 0.95"),
         (lambda: jounce.spectra(SERIES, segment="1 h"), jounce.RecordingError, "cannot be cut from 4000"),

@@ -141,12 +141,12 @@ fn stops<'py>(answer: PythonDict<'py>, stops: &[StopEstimates]) -> PyResult<Pyth
         ),
         (
             "stop_mean_impact_velocity_m_s",
-            "stop_mean_strike_half_width_m_s",
+            "stop_mean_impact_velocity_half_width_m_s",
             |stop| &stop.mean_impact_velocity_m_s,
         ),
         (
             "stop_mean_contact_duration_s",
-            "stop_mean_dwell_half_width_s",
+            "stop_mean_contact_duration_half_width_s",
             |stop| &stop.mean_contact_duration_s,
         ),
         (

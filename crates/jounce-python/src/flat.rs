@@ -33,17 +33,37 @@ fn records<'py>(dict: PythonDict<'py>, list: &str, items: &[Value]) -> PyResult<
     let one = singular(list);
     let items: Vec<&Map<String, Value>> = items.iter().filter_map(Value::as_object).collect();
     let mut dict = dict;
-    for field in items.iter().flat_map(|item| item.keys()).take(items.first().map_or(0, |item| item.len())) {
-        let values = || items.iter().map(|item| item.get(field).unwrap_or(&Value::Null));
-        let name = if field == "name" { one.clone() } else { format!("{one}_{field}") };
+    for field in items
+        .iter()
+        .flat_map(|item| item.keys())
+        .take(items.first().map_or(0, |item| item.len()))
+    {
+        let values = || {
+            items
+                .iter()
+                .map(|item| item.get(field).unwrap_or(&Value::Null))
+        };
+        let name = if field == "name" {
+            one.clone()
+        } else {
+            format!("{one}_{field}")
+        };
         dict = if values().all(Value::is_string) {
-            dict.with(&name, values().filter_map(Value::as_str).collect::<Vec<_>>())?
+            dict.with(
+                &name,
+                values().filter_map(Value::as_str).collect::<Vec<_>>(),
+            )?
         } else if values().all(|value| value.is_i64() || value.is_u64()) {
             dict.array(&name, values().filter_map(Value::as_i64).collect())?
         } else if values().all(Value::is_boolean) {
             dict.array(&name, values().filter_map(Value::as_bool).collect())?
         } else {
-            dict.array(&name, values().map(|value| value.as_f64().unwrap_or(f64::NAN)).collect())?
+            dict.array(
+                &name,
+                values()
+                    .map(|value| value.as_f64().unwrap_or(f64::NAN))
+                    .collect(),
+            )?
         };
     }
     Ok(dict)
@@ -51,7 +71,9 @@ fn records<'py>(dict: PythonDict<'py>, list: &str, items: &[Value]) -> PyResult<
 
 fn singular(list: &str) -> String {
     let ends = [("patches", "patch"), ("s", "")];
-    let found = ends.iter().find_map(|(end, by)| list.strip_suffix(end).map(|begin| format!("{begin}{by}")));
+    let found = ends
+        .iter()
+        .find_map(|(end, by)| list.strip_suffix(end).map(|begin| format!("{begin}{by}")));
     found.unwrap_or_else(|| list.to_owned())
 }
 
@@ -66,7 +88,10 @@ fn object<'py>(py: Python<'py>, value: &Value) -> PyResult<Bound<'py, PyAny>> {
             (None, value) => value.unwrap_or(f64::NAN).into_pyobject(py)?.into_any(),
         },
         Value::Array(items) => {
-            let items: Vec<_> = items.iter().map(|item| object(py, item)).collect::<PyResult<_>>()?;
+            let items: Vec<_> = items
+                .iter()
+                .map(|item| object(py, item))
+                .collect::<PyResult<_>>()?;
             items.into_pyobject(py)?.into_any()
         }
         Value::Object(fields) => {

@@ -115,7 +115,7 @@ fn into_python<'py>(
                 .map(|load| load.name.as_str())
                 .collect::<Vec<_>>(),
         )?
-        .each("load_power_w", loads, |load| load.mean_power_w)?
+        .each("load_mean_power_w", loads, |load| load.mean_power_w)?
         .each("load_spectral_power_w", loads, |load| load.spectral_power_w)?
         .each("load_power_difference_relative", loads, |load| {
             load.difference_relative

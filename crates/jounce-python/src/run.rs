@@ -4,22 +4,29 @@ use crate::cancellable::{to_python_result, visited};
 use crate::failure::Failure;
 use crate::spec::Spec;
 use crate::{flat, history};
-use jounce::{RunOptions, RunResult};
+use jounce::{RunOptions, RunResult, StartState};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 /// Result of a long call, if there is one, and the error that ended it early.
 pub type PythonResult<'py> = PyResult<(Option<Bound<'py, PyDict>>, Option<PyErr>)>;
 
-/// Integrates one run; `options` are the fields of the options of the library, as JSON.
+/// Integrates one run; `options` are the fields of the options of the library, `start` is a state,
+/// both as JSON.
 #[pyfunction]
 pub fn run<'py>(
     py: Python<'py>,
     spec: &Spec,
     options: &str,
+    start: Option<&str>,
     progress: Option<Bound<'py, PyAny>>,
 ) -> PythonResult<'py> {
-    let options: RunOptions = flat::options(options)?;
+    let start = start.map(serde_json::from_str::<StartState>).transpose();
+    let start = start.map_err(|error| Failure::new("StartError", format!("the start state is not one that a run has saved: {error}; give the `end` of another run")))?;
+    let options = RunOptions {
+        start,
+        ..flat::options(options)?
+    };
     let found = visited(py, progress.as_ref(), |control| {
         Ok(spec.harvester.with_control(control).run(&options)?)
     });
@@ -33,12 +40,22 @@ fn into_python(
     manifest: String,
 ) -> PyResult<Bound<'_, PyDict>> {
     let history = result.history.take();
-    let end = serde_json::to_string(&result.end).map_err(|error| Failure::new("JounceError", error))?;
-    let warnings: Vec<String> = result.warnings.drain(..).map(|one| one.to_string()).collect();
+    let end =
+        serde_json::to_string(&result.end).map_err(|error| Failure::new("JounceError", error))?;
+    let warnings: Vec<String> = result
+        .warnings
+        .drain(..)
+        .map(|one| one.to_string())
+        .collect();
     let dict = flat::dict(py, &result)?
         .with("warnings", warnings)?
         .with("end", end)?
-        .with("history", history.map(|history| history::dict(py, history)).transpose()?)?
+        .with(
+            "history",
+            history
+                .map(|history| history::dict(py, history))
+                .transpose()?,
+        )?
         .with("manifest", manifest)?;
     Ok(dict.dict())
 }

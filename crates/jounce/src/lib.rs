@@ -32,3 +32,8 @@ pub use run::{History, HistorySamples, LoadResult, PatchResult, RunOptions, RunR
 #[cfg(doctest)]
 #[doc = include_str!("../../../README.md")]
 mod readme {}
+
+/// Rust code of the book, compiled with the documentation tests.
+#[cfg(doctest)]
+#[doc = include_str!("../../../book/src/introduction.md")]
+mod introduction {}

@@ -77,3 +77,41 @@ pub(crate) fn frequency_hz(text: &str) -> Result<f64, String> {
         .read(text)
         .map_err(|error| error.to_string())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::RunOptions;
+
+    /// Each option has a line of help, and its default is valid.
+    fn check<O: Args + FromArgMatches>() {
+        let _: O = defaults();
+        for option in definitions::<O>() {
+            assert!(option.help.len() > 10, "{}: no help", option.name);
+            assert_eq!(
+                option.argument,
+                option.argument.to_lowercase(),
+                "{}",
+                option.name
+            );
+        }
+    }
+
+    #[test]
+    fn options_have_help_and_valid_defaults() {
+        check::<RunOptions>();
+    }
+
+    #[test]
+    fn options_are_read_by_name_with_defaults_for_the_others() {
+        let options: RunOptions = serde_json::from_str(r#"{"record_s": 0.5}"#).expect("options");
+        assert_eq!(
+            options,
+            RunOptions {
+                record_s: 0.5,
+                ..Default::default()
+            }
+        );
+        assert!(serde_json::from_str::<RunOptions>(r#"{"recrod_s": 0.5}"#).is_err());
+    }
+}

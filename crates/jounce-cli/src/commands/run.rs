@@ -118,7 +118,7 @@ fn print_lines(result: &RunResult) {
     for leak in &result.leaks {
         line(format!(
             "leakage            {:.6e} W  (patch {})",
-            leak.mean_power_w, leak.patch
+            leak.mean_power_w, leak.name
         ));
     }
     if !result.stops.is_empty() {

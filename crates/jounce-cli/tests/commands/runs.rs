@@ -32,6 +32,34 @@ fn run_answers_with_every_key() {
     );
 }
 
+/// The five lines of the README, in Rust and on the command line.
+#[test]
+fn the_library_and_the_command_line_give_the_same_bits() {
+    let mut harvester = jounce::Harvester::read(SPEC).unwrap();
+    harvester.set("stop.tip.gap", "0.5 mm").unwrap();
+    let tolerance = Some(1e-8);
+    let options = jounce::RunOptions {
+        tolerance,
+        ..Default::default()
+    };
+    let result = harvester.run(&options).unwrap();
+    let (code, json, _) = jounce(&[
+        "run",
+        SPEC,
+        "--json",
+        "--set",
+        "stop.tip.gap=0.5 mm",
+        "--tolerance",
+        "1e-8",
+    ]);
+    assert_eq!(code, 0);
+    let mut library = serde_json::to_value(&result).unwrap();
+    for own in ["wall_time_s"] {
+        library[own] = json[own].clone();
+    }
+    assert_eq!(library, json);
+}
+
 #[test]
 fn a_run_in_two_parts_is_the_run_in_one() {
     let folder = tempfile::tempdir().unwrap();

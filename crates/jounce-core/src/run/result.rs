@@ -41,7 +41,7 @@ pub struct RectifiedResult {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct LeakResult {
     /// Name of the patch.
-    pub patch: String,
+    pub name: String,
     /// Mean power lost in the leakage, W.
     pub mean_power_w: f64,
 }

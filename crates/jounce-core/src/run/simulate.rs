@@ -280,7 +280,7 @@ fn leaks(plant: &Plant, [start, end]: [&Energies; 2], average_over_s: f64) -> Ve
         .zip(&end.leaks_j)
         .map(|(start, end)| (end - start) / average_over_s);
     let answer = |(leak, mean_power_w): (&Leak, f64)| LeakResult {
-        patch: names[leak.patch].clone(),
+        name: names[leak.patch].clone(),
         mean_power_w,
     };
     plant

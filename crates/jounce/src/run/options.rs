@@ -17,6 +17,7 @@ pub struct RunOptions {
     pub tolerance: Option<f64>,
     /// State at the end of another run; overrides run.start.
     #[arg(skip)]
+    #[serde(skip)]
     pub start: Option<StartState>,
     /// Length of the stored end of the run, for example "1 s".
     #[arg(long = "record", value_name = "TIME", value_parser = time_s, default_value = "0 s")]
