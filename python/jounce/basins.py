@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import Annotated, Any
+from typing import Annotated, Any, Self
 
 import numpy as np
 
@@ -35,23 +35,32 @@ class BasinsResult(Result):
     expected_power_w: Annotated[float, Along("", "W", "expected power")]
     expected_power_low_w: Annotated[float, Along("", "W", "lower end of the 95 % interval of the expected power")]
     expected_power_high_w: Annotated[float, Along("", "W", "upper end of the 95 % interval of the expected power")]
-    #: Starts whose run failed, with the reason.
-    lost: list[tuple[int, str]]
+    #: Number of starts, number of finished starts, and the seed of the cloud.
+    starts: int
+    finished: int
+    seed: int
+    #: Starts whose run failed, and the reason of each.
+    failed_start: Annotated[Integers, Along("failed", "1", "number of the start")]
+    failed_reason: list[str]
     #: Warnings about exceeded limits of patches on attractors.
     warnings: list[str]
     #: Number of the attractor of each start; -1 where the run failed or was not finished.
-    ends_in: Annotated[Integers, Along("start", "1", "number of the attractor, -1 without one")]
+    attractor_index: Annotated[Integers, Along("start", "1", "number of the attractor, -1 without one")]
     #: Displacement, m, and velocity, m/s, of each start towards the first stop, and voltage of the first patch, V.
     start_displacement_m: Annotated[Floats, Along("start", "m", "displacement towards the stop")]
     start_velocity_m_s: Annotated[Floats, Along("start", "m/s", "velocity towards the stop")]
     start_voltage_v: Annotated[Floats, Along("start", "V", "voltage of the first patch")]
 
+    @classmethod
+    def _made(cls, answer: dict[str, Any]) -> Self:
+        return super()._made(cls._filled(answer))
+
     def __len__(self) -> int:
         return len(self.attractor)
 
     def _summary(self) -> list[tuple[str, str]]:
-        finished = int((self.ends_in >= 0).sum())
-        lines = [("starts", f"{len(self.ends_in)}, {finished} of them classified")]
+        finished = int((self.attractor_index >= 0).sum())
+        lines = [("starts", f"{len(self.attractor_index)}, {finished} of them classified")]
         for k, name in enumerate(self.attractor):
             share = f"share {self.fraction[k]:.3f} ({self.fraction_low[k]:.3f} to {self.fraction_high[k]:.3f})"
             lines.append((name, f"{self.mean_power_w[k]:.6e} W, {share}"))
@@ -75,7 +84,7 @@ class BasinsResult(Result):
         """An ``xarray.Dataset`` over ``attractor`` and ``start``."""
         coords = {
             "attractor": Variable(("attractor",), self.attractor, "", "attractor"),
-            "start": Variable(("start",), np.arange(len(self.ends_in)), "1", "number of the start"),
+            "start": Variable(("start",), np.arange(len(self.attractor_index)), "1", "number of the start"),
         }
         return self._dataset(self._variables(), coords)
 

@@ -183,28 +183,36 @@ class Spec(SpecOnRig):
     def basins(
         self,
         *,
-        starts: int | None = None,
-        seed: int | None = None,
-        spread: float | None = None,
+        starts: int = 200,
+        seed: int = 1,
+        spread: float = 10.0,
         grid: Mapping[str, Any] | None = None,
         tolerance: float = 1e-8,
-        longest_period: int | None = None,
-        max_cycles: int | None = None,
+        longest_period: int = 64,
+        max_cycles: int = 20000,
         threads: int | None = None,
         progress: bool | Progress | None = None,
     ) -> BasinsResult:
         """Finds the attractors, the share of the starts that reach each, and the expected power.
 
-        The starts are a cloud of ``starts`` (200) starts with the ``seed`` 1, ``spread`` (10) gaps wide, or every combination of the
-        sides of a ``grid``: ``{"displacement": "-5 mm:5 mm:21x", "velocity": ("-1 m/s", "1 m/s", 21)}``, and ``"voltage"``.
+        The starts are a cloud of ``starts`` starts with a ``seed``, ``spread`` gaps wide, or every combination of the sides of a ``grid``: ``{"displacement": "-5 mm:5 mm:21x", "velocity": ("-1 m/s", "1 m/s", 21)}``, and ``"voltage"``.
 
-        A start belongs to the orbit that its motion is proven to reach, of a period of up to ``longest_period`` (64) drive cycles. A start
-        without a proven attractor after ``max_cycles`` (20000) is chaos or undecided.
+        A start belongs to the orbit that its motion is proven to reach, of a period of up to ``longest_period`` drive cycles. A start
+        without a proven attractor after ``max_cycles`` drive cycles is chaos or undecided.
         """
         check_wholes(starts=starts, seed=seed, longest_period=longest_period, max_cycles=max_cycles, threads=threads)
+        given = options(
+            starts=starts,
+            seed=seed,
+            spread=spread,
+            grid=sides(grid),
+            tolerance=tolerance,
+            longest_period=longest_period,
+            max_cycles=max_cycles,
+            threads=threads,
+        )
         with told(progress) as tell:
-            cloud = (starts, seed, spread, sides(grid))
-            return BasinsResult._handed(_core.basins(self._spec, *cloud, tolerance, longest_period, max_cycles, threads, tell))
+            return BasinsResult._handed(_core.basins(self._spec, given, tell))
 
     def diagram(
         self,

@@ -95,7 +95,7 @@ def test_basins_are_those_of_the_command_line(harvester, command_line):
     assert found.attractor == [one["id"] for one in told["attractors"]]
     same(found.mean_power_w, [one["mean_power_w"] for one in told["attractors"]])
     same(found.fraction, [one["fraction"] for one in told["attractors"]])
-    assert found.expected_power_w == told["expected_power_w"] and found.ends_in.shape == (4,)
+    assert found.expected_power_w == told["expected_power_w"] and found.attractor_index.shape == (4,)
 
 
 def test_basins_of_a_grid_are_those_of_the_command_line(harvester, command_line):

@@ -90,7 +90,7 @@ CALLS = {
         2.0,
         "0",
     ),
-    "basins": ("basins(starts=100000, threads=2)", 3.0, "(stopped.result.ends_in >= 0).sum()"),
+    "basins": ("basins(starts=100000, threads=2)", 3.0, "(stopped.result.attractor_index >= 0).sum()"),
     "rig on a solution": ('rig(solution="1a", starts=100000)', 1.0, "0"),
     "fit": (f'changed({{"run.duration": "100000 s"}}).fit({POWERS})', 0.5, "0"),
     "reproduce": ('jounce.reproduce("out", threads=2)', 2.0, "0"),

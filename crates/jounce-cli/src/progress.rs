@@ -28,6 +28,18 @@ pub fn counted(things: usize, name: &'static str) -> ProgressBar {
     bar
 }
 
+/// Shows the finished parts that a control counts, of one name, while `work` runs.
+pub fn with_parts<T>(name: &'static str, control: &Control, work: impl FnOnce() -> T) -> T {
+    let bar = counted(0, name);
+    polled(bar, &|bar| set_parts(bar, control), work)
+}
+
+fn set_parts(bar: &ProgressBar, control: &Control) {
+    let (done, expected) = control.progress();
+    bar.set_length(expected);
+    bar.set_position(done);
+}
+
 /// Shows the orbits that a control counts while `work` runs. The length of curves is not known in
 /// advance, so no time left is shown.
 pub fn with_progress<T>(control: &Control, work: impl FnOnce() -> T) -> T {
@@ -46,13 +58,22 @@ pub fn with_count<T>(
     ));
     let bar = bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_spinner()));
     lines_without_terminal(&bar, name);
+    polled(bar, &|bar| bar.set_position(count()), work)
+}
+
+/// Updates a bar while `work` runs.
+fn polled<T>(
+    bar: ProgressBar,
+    update: &(dyn Fn(&ProgressBar) + Sync),
+    work: impl FnOnce() -> T,
+) -> T {
     let (end, ended) = std::sync::mpsc::channel::<()>();
     std::thread::scope(|scope| {
         scope.spawn(move || {
             while ended.recv_timeout(POLL_INTERVAL)
                 == Err(std::sync::mpsc::RecvTimeoutError::Timeout)
             {
-                bar.set_position(count());
+                update(&bar);
             }
             bar.finish_and_clear();
         });

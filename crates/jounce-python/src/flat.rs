@@ -10,6 +10,9 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde_json::{Map, Value};
 
+/// Texts that may be missing in all records.
+const TEXTS: [&str; 1] = ["mirror_of"];
+
 /// Reads options from JSON.
 pub fn options<O: serde::de::DeserializeOwned>(json: &str) -> Result<O, Failure> {
     serde_json::from_str(json).map_err(|error| Failure::new("ArgumentError", error))
@@ -17,11 +20,28 @@ pub fn options<O: serde::de::DeserializeOwned>(json: &str) -> Result<O, Failure>
 
 /// Returns a result as a dictionary of numbers, texts and arrays.
 pub fn dict<'py>(py: Python<'py>, result: &impl serde::Serialize) -> PyResult<PythonDict<'py>> {
+    dict_of(py, result, "")
+}
+
+/// Returns a result as a dictionary; the arrays of its `main` list are named after the fields alone.
+pub fn dict_of<'py>(
+    py: Python<'py>,
+    result: &impl serde::Serialize,
+    main: &str,
+) -> PyResult<PythonDict<'py>> {
     let value = serde_json::to_value(result).map_err(|error| Failure::new("JounceError", error))?;
     let mut dict = PythonDict::new(py);
-    for (name, value) in value.as_object().into_iter().flatten() {
+    // Warnings are messages in Python.
+    for (name, value) in value
+        .as_object()
+        .into_iter()
+        .flatten()
+        .filter(|own| own.0 != "warnings")
+    {
         dict = match value.as_array() {
-            Some(items) if items.iter().all(Value::is_object) => records(dict, name, items)?,
+            Some(items) if items.iter().all(Value::is_object) => {
+                records(dict, name, items, name == main)?
+            }
             _ => dict.with(name, object(py, value)?)?,
         };
     }
@@ -29,44 +49,59 @@ pub fn dict<'py>(py: Python<'py>, result: &impl serde::Serialize) -> PyResult<Py
 }
 
 /// Adds an array for each field of records.
-fn records<'py>(dict: PythonDict<'py>, list: &str, items: &[Value]) -> PyResult<PythonDict<'py>> {
+fn records<'py>(
+    dict: PythonDict<'py>,
+    list: &str,
+    items: &[Value],
+    is_main: bool,
+) -> PyResult<PythonDict<'py>> {
     let one = singular(list);
-    let items: Vec<&Map<String, Value>> = items.iter().filter_map(Value::as_object).collect();
+    let fields = items
+        .first()
+        .and_then(Value::as_object)
+        .into_iter()
+        .flat_map(Map::keys);
     let mut dict = dict;
-    for field in items
-        .iter()
-        .flat_map(|item| item.keys())
-        .take(items.first().map_or(0, |item| item.len()))
-    {
-        let values = || {
-            items
-                .iter()
-                .map(|item| item.get(field).unwrap_or(&Value::Null))
+    for field in fields.filter(|field| *field != "warnings") {
+        let name = match field.as_str() {
+            "name" | "id" => one.clone(),
+            _ if is_main => field.clone(),
+            _ => format!("{one}_{field}"),
         };
-        let name = if field == "name" {
-            one.clone()
-        } else {
-            format!("{one}_{field}")
-        };
-        dict = if values().all(Value::is_string) {
-            dict.with(
-                &name,
-                values().filter_map(Value::as_str).collect::<Vec<_>>(),
-            )?
-        } else if values().all(|value| value.is_i64() || value.is_u64()) {
-            dict.array(&name, values().filter_map(Value::as_i64).collect())?
-        } else if values().all(Value::is_boolean) {
-            dict.array(&name, values().filter_map(Value::as_bool).collect())?
-        } else {
-            dict.array(
-                &name,
-                values()
-                    .map(|value| value.as_f64().unwrap_or(f64::NAN))
-                    .collect(),
-            )?
-        };
+        let values: Vec<&Value> = items.iter().map(|item| &item[field]).collect();
+        dict = column(dict, &name, &values)?;
     }
     Ok(dict)
+}
+
+/// Adds an array of integers, truth values or numbers, or a list of texts.
+fn column<'py>(dict: PythonDict<'py>, name: &str, values: &[&Value]) -> PyResult<PythonDict<'py>> {
+    let is_text = |value: &&Value| value.is_string() || value.is_null();
+    if values.iter().all(|value| value.is_i64() || value.is_u64()) {
+        return dict.array(
+            name,
+            values.iter().filter_map(|value| value.as_i64()).collect(),
+        );
+    }
+    if values.iter().all(|value| value.is_boolean()) {
+        return dict.array(
+            name,
+            values.iter().filter_map(|value| value.as_bool()).collect(),
+        );
+    }
+    if TEXTS.contains(&name)
+        || values.iter().any(|value| value.is_string()) && values.iter().all(is_text)
+    {
+        return dict.with(
+            name,
+            values
+                .iter()
+                .map(|value| value.as_str())
+                .collect::<Vec<_>>(),
+        );
+    }
+    let number = |value: &&Value| value.as_f64().unwrap_or(f64::NAN);
+    dict.array(name, values.iter().map(number).collect())
 }
 
 fn singular(list: &str) -> String {

@@ -1,6 +1,6 @@
 //! Errors of the computations.
 
-use jounce_core::analysis::{AnalysisError, JournalError};
+use jounce_core::analysis::{AnalysisError, GridError, JournalError};
 use jounce_core::integrate::IntegrationError;
 use jounce_core::orbit::OrbitError;
 use jounce_core::plant::PlantError;
@@ -28,6 +28,23 @@ pub enum Error {
         value: String,
         /// The allowed values and what to try.
         expected: String,
+    },
+    /// The grid of starts cannot be read.
+    #[error("grid: {0}")]
+    Grid(#[from] GridError),
+    /// The spec has no drive.
+    #[error("{what} needs a drive: add [drive.NAME] to the spec")]
+    NoDrive {
+        /// What needs it.
+        what: &'static str,
+    },
+    /// The amplitude of every drive is 0.
+    #[error(
+        "drive.amplitude is 0, but {what} needs a drive that moves: give it an amplitude greater than 0"
+    )]
+    DriveAtRest {
+        /// What needs it.
+        what: &'static str,
     },
     /// The model has no solution, or a run failed.
     #[error(transparent)]
@@ -64,6 +81,19 @@ pub enum ErrorKind {
 }
 
 impl Error {
+    /// Returns the error of an option.
+    pub(crate) fn option(
+        option: &'static str,
+        value: impl ToString,
+        expected: impl Into<String>,
+    ) -> Self {
+        Self::Option {
+            option,
+            value: value.to_string(),
+            expected: expected.into(),
+        }
+    }
+
     /// Returns the kind.
     ///
     /// ```

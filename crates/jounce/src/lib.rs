@@ -6,6 +6,7 @@
 //! | question | method | options | result |
 //! |---|---|---|---|
 //! | response from a start in time | [`Harvester::run`] | [`RunOptions`] | [`RunResult`] |
+//! | attractors and how likely each is | [`Harvester::basins`] | [`BasinsOptions`] | [`BasinsResult`] |
 //!
 //! Options have defaults: write the fields that differ, then `..Default::default()`. Results are
 //! plain data; serialised, they are the JSON of the command line. Every name ends in its unit.
@@ -16,11 +17,14 @@
 //! The computations are in `jounce_core`, recordings in `jounce_data` and `jounce_measure`; their
 //! interfaces may change.
 
+mod basins;
 mod error;
 mod harvester;
 mod options;
+mod periodic;
 mod run;
 
+pub use basins::{AttractorResult, BasinsOptions, BasinsResult, FailedStart, StartPoint};
 pub use error::{Error, ErrorKind};
 pub use harvester::{Harvester, KeyValue};
 pub use jounce_core::integrate::Control;

@@ -1,6 +1,7 @@
 //! Options: each is one field, with its default and its line of help. The command line reads the
 //! fields as arguments, Python as keyword arguments.
 
+use crate::Error;
 use clap::{ArgMatches, Args, Command, FromArgMatches};
 use jounce_core::spec::Quantity;
 
@@ -78,10 +79,32 @@ pub(crate) fn frequency_hz(text: &str) -> Result<f64, String> {
         .map_err(|error| error.to_string())
 }
 
+/// Refuses a tolerance that double precision does not allow.
+pub(crate) fn check_tolerance(tolerance: f64) -> Result<(), Error> {
+    if (1e-14..1e-2).contains(&tolerance) {
+        return Ok(());
+    }
+    let value = format!("{tolerance:e}");
+    Err(Error::option(
+        "tolerance",
+        value,
+        "give a number from 1e-14 to 0.01",
+    ))
+}
+
+/// Runs work on a pool of its own with so many threads; a shared pool does not survive a `fork`.
+pub(crate) fn on_threads<T: Send>(
+    threads: Option<u16>,
+    work: impl FnOnce() -> Result<T, Error> + Send,
+) -> Result<T, Error> {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.map_or(0, usize::from));
+    pool.build()?.install(work)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::RunOptions;
+    use crate::{BasinsOptions, RunOptions};
 
     /// Each option has a line of help, and its default is valid.
     fn check<O: Args + FromArgMatches>() {
@@ -100,6 +123,7 @@ mod tests {
     #[test]
     fn options_have_help_and_valid_defaults() {
         check::<RunOptions>();
+        check::<BasinsOptions>();
     }
 
     #[test]

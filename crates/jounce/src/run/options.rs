@@ -36,32 +36,24 @@ impl Default for RunOptions {
 impl RunOptions {
     /// Checks the record against the duration of the run, s.
     pub(super) fn check(&self, duration_s: f64) -> Result<(), Error> {
-        let refuse = |option, value: f64, expected: String| {
-            let value = format!("{value}");
-            Err(Error::Option {
-                option,
-                value,
-                expected,
-            })
-        };
         let (record_s, rate_hz) = (self.record_s, self.sample_rate_hz);
         if !(0.0..=duration_s).contains(&record_s) {
             let expected = format!("it must be from 0 s to run.duration = {duration_s} s");
-            return refuse("record", record_s, expected);
+            return Err(Error::option("record", record_s, expected));
         }
         if !(rate_hz > 0.0 && rate_hz.is_finite()) {
-            return refuse(
+            return Err(Error::option(
                 "sample_rate",
                 rate_hz,
-                "it must be greater than 0 Hz".to_owned(),
-            );
+                "it must be greater than 0 Hz",
+            ));
         }
         if record_s * rate_hz > MAX_SAMPLES {
             let expected = format!(
                 "with record = {record_s} s that is {:e} samples; at most {MAX_SAMPLES:e} are stored",
                 record_s * rate_hz
             );
-            return refuse("sample_rate", rate_hz, expected);
+            return Err(Error::option("sample_rate", rate_hz, expected));
         }
         Ok(())
     }

@@ -1,0 +1,94 @@
+//! `jounce basins SPEC --starts N --seed S`
+
+use crate::failure::Failure;
+use crate::interruption;
+use crate::output::{self, line, print};
+use crate::progress;
+use crate::spec_arguments::{OutputArguments, SpecArguments};
+use clap::Args;
+use jounce::{BasinsOptions, BasinsResult, Control, Harvester};
+use std::path::Path;
+
+/// Arguments of `basins`.
+#[derive(Debug, Args)]
+pub struct Basins {
+    #[command(flatten)]
+    spec: SpecArguments,
+    #[command(flatten)]
+    options: BasinsOptions,
+    #[command(flatten)]
+    pub output: OutputArguments,
+}
+
+impl Basins {
+    /// Integrates the starts and reports.
+    pub fn run(&self) -> Result<(), Failure> {
+        let control = Control::default();
+        let harvester = self.spec.harvester()?.with_control(&control);
+        interruption::install(&control);
+        let work = || harvester.basins(&self.options);
+        let result = progress::with_parts("starts", &control, work);
+        let result = result.map_err(|error| self.spec.failure(error))?;
+        if let Some(first) = result.failed.first() {
+            let (failed, finished) = (result.failed.len(), result.finished);
+            if failed == finished {
+                let text = format!("every run failed; the first: {}", first.reason);
+                return Err(Failure::NotConverged(text));
+            }
+            let (start, reason) = (first.start, &first.reason);
+            eprintln!("{failed} of {finished} runs failed; start {start}: {reason}");
+        }
+        result
+            .warnings()
+            .iter()
+            .for_each(|text| eprintln!("warning: {text}"));
+        if let Some(folder) = &self.output.out {
+            self.write(folder, &harvester, &result)?;
+        }
+        match self.output.json {
+            true => print(&output::to_json(&result)?),
+            false => print_lines(&result),
+        }
+        interruption::end(&control, || {
+            format!("{} of {} starts", result.finished, result.starts)
+        })
+    }
+
+    fn write(
+        &self,
+        folder: &Path,
+        harvester: &Harvester,
+        result: &BasinsResult,
+    ) -> Result<(), Failure> {
+        let manifest = self.spec.manifest(harvester.spec(), "basins");
+        let manifest = manifest
+            .with("seed", self.options.seed)
+            .with("spread", self.options.spread);
+        output::table(folder, "attractors", &result.table()?, &manifest)?;
+        output::table(folder, "starts", &result.starts_table()?, &manifest)?;
+        output::figure(folder, "basins", &result.figure())
+    }
+}
+
+/// Prints the result as lines of text.
+fn print_lines(result: &BasinsResult) {
+    line("attractor      period  contacts    mean_power_w  share (95 %)");
+    for own in &result.attractors {
+        let mirror = own.mirror_of.as_ref();
+        let mirror = mirror.map_or_else(String::new, |id| format!("  mirror image of {id}"));
+        line(format!(
+            "{:<13} {:>7} {:>9}    {:.6e}  {:.3} ({:.3} to {:.3}){mirror}",
+            own.id,
+            own.period_cycles,
+            own.contacts_per_period,
+            own.mean_power_w,
+            own.fraction,
+            own.fraction_low,
+            own.fraction_high
+        ));
+    }
+    line(format!(
+        "expected power {:.6e} W ({:.3e} to {:.3e})",
+        result.expected_power_w, result.expected_power_low_w, result.expected_power_high_w
+    ));
+}

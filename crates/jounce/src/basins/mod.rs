@@ -1,0 +1,114 @@
+//! Basins of attraction: the attractors of many starts, and how likely each is.
+
+mod options;
+mod report;
+mod result;
+
+pub use options::BasinsOptions;
+pub use result::{AttractorResult, BasinsResult, FailedStart, StartPoint};
+
+use crate::options::on_threads;
+use crate::{Error, Harvester, periodic};
+use jounce_core::analysis::{Basins, InitialStates, Parameter, SectionPoint};
+use jounce_core::plant::Plant;
+use jounce_core::run::WorstExcess;
+
+impl Harvester {
+    /// Finds the attractors that a cloud or a grid of starts reaches, the share of the starts that
+    /// reach each, and the expected power. A start belongs to the orbit that its motion is proven
+    /// to reach. After a stop by the control the finished starts are counted.
+    ///
+    /// # Errors
+    /// [`Error::Option`], [`Error::Grid`], [`Error::NoDrive`], [`Error::DriveAtRest`], and
+    /// [`Error::Stopped`] where no start was finished.
+    ///
+    /// ```no_run
+    /// use jounce::{BasinsOptions, Harvester};
+    /// let harvester = Harvester::read("harvester.toml")?;
+    /// let result = harvester.basins(&BasinsOptions { starts: 400, ..Default::default() })?;
+    /// println!("{} attractors, {} W expected", result.attractors.len(), result.expected_power_w);
+    /// # Ok::<(), jounce::Error>(())
+    /// ```
+    pub fn basins(&self, options: &BasinsOptions) -> Result<BasinsResult, Error> {
+        let recognition = options.recognition()?;
+        let starts = options.initial_states(self.spec().stop.len())?;
+        let (key, value) = periodic::frequency(self, "a basin")?;
+        let base = self.model()?;
+        periodic::check(&base.kernel.plant, "a basin")?;
+        let parameter = Parameter::new(&base, &key, value);
+        let study = Basins {
+            base: &base,
+            parameter: &parameter,
+            value,
+            starts,
+            recognition,
+        };
+        // Before the integration, so that a stopped call has nothing left to compute.
+        let points = points(&base.kernel.plant, &study.starts);
+        let found = on_threads(options.threads, || Ok(study.run(&|| ())?))?;
+        let result = BasinsResult::new(&found, &study.starts, points, options.seed);
+        if result.finished == 0 {
+            Err(Error::Stopped)
+        } else {
+            Ok(result)
+        }
+    }
+}
+
+/// Returns the place of each start.
+fn points(plant: &Plant, starts: &InitialStates) -> Vec<SectionPoint> {
+    let point = |index| SectionPoint::of(&plant.system, &starts.start(plant, index));
+    (0..starts.len()).map(point).collect()
+}
+
+impl BasinsResult {
+    fn new(
+        found: &jounce_core::analysis::BasinsResult,
+        starts: &InitialStates,
+        points: Vec<SectionPoint>,
+        seed: u64,
+    ) -> Self {
+        let mut attractor = vec![None; points.len()];
+        for (number, own) in found.attractors.iter().enumerate() {
+            own.starts
+                .iter()
+                .for_each(|start| attractor[*start] = Some(number));
+        }
+        let point = |(point, attractor): (SectionPoint, Option<usize>)| StartPoint {
+            displacement_m: point.displacement_m,
+            velocity_m_s: point.velocity_m_per_s,
+            voltage_v: point.voltage_v,
+            attractor,
+        };
+        let failed = |(start, reason): &(usize, String)| FailedStart {
+            start: *start,
+            reason: reason.clone(),
+        };
+        Self {
+            attractors: found.attractors.iter().map(AttractorResult::of).collect(),
+            expected_power_w: found.expected_power_w,
+            expected_power_low_w: found.expected_power_low_w,
+            expected_power_high_w: found.expected_power_high_w,
+            starts: points.len(),
+            finished: found.lost.len() + attractor.iter().flatten().count(),
+            failed: found.lost.iter().map(failed).collect(),
+            seed,
+            points: points.into_iter().zip(attractor).map(point).collect(),
+            sides: match starts {
+                InitialStates::Grid(grid) => grid.sides.iter().map(|side| side.axis).collect(),
+                InitialStates::Cloud(_) => Vec::new(),
+            },
+        }
+    }
+
+    /// Returns the messages about exceeded limits of patches on attractors.
+    pub fn warnings(&self) -> Vec<String> {
+        let exceeded: Vec<_> = self
+            .attractors
+            .iter()
+            .map(|own| own.warnings.as_slice())
+            .collect();
+        let place = |number: usize| format!("attractor {}", self.attractors[number].id);
+        WorstExcess::messages(&exceeded, "attractors", place)
+    }
+}

@@ -1,0 +1,118 @@
+//! Options of basins of attraction.
+
+use crate::Error;
+use crate::options::{check_tolerance, defaults};
+use jounce_core::analysis::{Cloud, Grid, InitialStates, Recognition};
+use serde::{Deserialize, Serialize};
+
+/// Largest number of starts of a cloud.
+const MAX_STARTS: usize = 100_000_000;
+
+/// Options of [`crate::Harvester::basins`].
+#[derive(Debug, Clone, PartialEq, clap::Args, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct BasinsOptions {
+    /// Number of starts.
+    #[arg(long, default_value_t = 200)]
+    pub starts: usize,
+    /// Seed of the cloud.
+    #[arg(long, default_value_t = 1)]
+    pub seed: u64,
+    /// Size of the cloud at the stop, in gaps (or in steady amplitudes, if larger).
+    #[arg(long, default_value_t = 10.0)]
+    pub spread: f64,
+    /// Side of a plane or box of starts instead of the cloud, with its number of values; once for
+    /// each side: displacement=-5mm:5mm:21x, velocity=-1m/s:1m/s:21x or voltage=-10V:10V:5x.
+    #[arg(long, value_name = "SIDE=FROM:TO:Nx", allow_hyphen_values = true)]
+    pub grid: Vec<String>,
+    /// Relative tolerance of the integration.
+    #[arg(long, default_value_t = 1e-8)]
+    pub tolerance: f64,
+    /// Longest period of an attractor, in drive cycles.
+    #[arg(long, default_value_t = 64, value_parser = clap::value_parser!(u32).range(1..))]
+    pub longest_period: u32,
+    /// Number of drive cycles after which a start without a proven attractor counts as chaos or
+    /// undecided.
+    #[arg(long, default_value_t = 20_000, value_parser = clap::value_parser!(u32).range(1..))]
+    pub max_cycles: u32,
+    /// Number of threads; by default one per core. The result does not depend on it.
+    #[arg(long, value_parser = clap::value_parser!(u16).range(1..))]
+    pub threads: Option<u16>,
+}
+
+impl Default for BasinsOptions {
+    fn default() -> Self {
+        defaults()
+    }
+}
+
+impl BasinsOptions {
+    /// Returns the initial states for a harvester with so many stops.
+    pub(super) fn initial_states(&self, stops: usize) -> Result<InitialStates, Error> {
+        if !self.grid.is_empty() {
+            self.refuse_cloud()?;
+            return Ok(InitialStates::Grid(Grid::read(&self.grid, stops)?));
+        }
+        let &Self {
+            starts,
+            seed,
+            spread,
+            ..
+        } = self;
+        if !(1..=MAX_STARTS).contains(&starts) {
+            let expected = format!("it must be from 1 to {MAX_STARTS}");
+            return Err(Error::option("starts", starts, expected));
+        }
+        if !(spread > 0.0 && spread.is_finite()) {
+            return Err(Error::option("spread", spread, "it must be greater than 0"));
+        }
+        Ok(InitialStates::Cloud(Cloud {
+            starts,
+            seed,
+            spread,
+        }))
+    }
+
+    /// Refuses options of the cloud beside a grid.
+    fn refuse_cloud(&self) -> Result<(), Error> {
+        let default = Self::default();
+        let given = [
+            (
+                "starts",
+                self.starts.to_string(),
+                self.starts == default.starts,
+            ),
+            ("seed", self.seed.to_string(), self.seed == default.seed),
+            (
+                "spread",
+                self.spread.to_string(),
+                self.spread == default.spread,
+            ),
+        ];
+        match given.into_iter().find(|(.., is_default)| !is_default) {
+            None => Ok(()),
+            Some((option, value, _)) => {
+                let expected = "it applies to a cloud of starts; omit it, or omit grid";
+                Err(Error::option(option, value, expected))
+            }
+        }
+    }
+
+    /// Returns the options of the recognition of attractors.
+    pub(super) fn recognition(&self) -> Result<Recognition, Error> {
+        check_tolerance(self.tolerance)?;
+        for (option, value) in [
+            ("longest_period", self.longest_period),
+            ("max_cycles", self.max_cycles),
+        ] {
+            if value == 0 {
+                return Err(Error::option(option, value, "it must be at least 1"));
+            }
+        }
+        Ok(Recognition {
+            longest_period: self.longest_period,
+            max_cycles: self.max_cycles,
+            ..Recognition::at(self.tolerance)
+        })
+    }
+}

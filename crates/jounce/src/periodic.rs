@@ -1,0 +1,47 @@
+//! Conditions of periodic orbits: a drive that moves, and a common period of all drives.
+
+use crate::{Error, Harvester};
+use jounce_core::analysis::AnalysisError;
+use jounce_core::orbit::OrbitError;
+use jounce_core::plant::Plant;
+use jounce_core::spec::NumericKey;
+
+/// Returns the key of the frequency of the first drive, and its value, Hz; `what` needs the drive.
+pub fn frequency(harvester: &Harvester, what: &'static str) -> Result<(NumericKey, f64), Error> {
+    let drive = harvester.spec().drive.iter().next();
+    let (name, drive) = drive.ok_or(Error::NoDrive { what })?;
+    let aperiodic = || AnalysisError::Aperiodic {
+        drive: name.clone(),
+    };
+    let value = drive.frequency_hz().ok_or_else(aperiodic)?;
+    Ok((
+        harvester
+            .file()
+            .numeric_key(&format!("drive.{name}.frequency"))?,
+        value,
+    ))
+}
+
+/// Refuses a harvester whose only orbit is rest, or whose drives have no common period.
+pub fn check(plant: &Plant, what: &'static str) -> Result<(), Error> {
+    if let Some(drive) = plant.system.aperiodic() {
+        return Err(AnalysisError::Aperiodic {
+            drive: drive.to_owned(),
+        }
+        .into());
+    }
+    if plant.period_s().is_none() {
+        let frequencies = plant.tones.len();
+        return Err(OrbitError::<AnalysisError>::Frequencies { frequencies }.into());
+    }
+    let moves = plant
+        .system
+        .drives
+        .iter()
+        .any(|drive| drive.amplitude_n != 0.0);
+    if moves {
+        Ok(())
+    } else {
+        Err(Error::DriveAtRest { what })
+    }
+}
