@@ -195,7 +195,8 @@ class Spec(SpecOnRig):
     ) -> BasinsResult:
         """Finds the attractors, the share of the starts that reach each, and the expected power.
 
-        The starts are a cloud of ``starts`` starts with a ``seed``, ``spread`` gaps wide, or every combination of the sides of a ``grid``: ``{"displacement": "-5 mm:5 mm:21x", "velocity": ("-1 m/s", "1 m/s", 21)}``, and ``"voltage"``.
+        The starts are a cloud of ``starts`` starts with a ``seed``, ``spread`` gaps wide, or every combination of the sides of a
+        ``grid``: ``{"displacement": "-5 mm:5 mm:21x", "velocity": ("-1 m/s", "1 m/s", 21)}``, and ``"voltage"``.
 
         A start belongs to the orbit that its motion is proven to reach, of a period of up to ``longest_period`` drive cycles. A start
         without a proven attractor after ``max_cycles`` drive cycles is chaos or undecided.
