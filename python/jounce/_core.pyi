@@ -97,18 +97,7 @@ class Study:
     def missing(self, folder: str | PathLike[str]) -> list[int]: ...
     def keep(self, folder: str | PathLike[str], part: int, bytes: bytes) -> None: ...
 
-def basins(
-    spec: Spec,
-    starts: int | None,
-    seed: int | None,
-    spread: float | None,
-    grid: list[str],
-    tolerance: float,
-    longest_period: int | None,
-    max_cycles: int | None,
-    threads: int | None,
-    progress: _Progress,
-) -> _Handed: ...
+def basins(spec: Spec, options: str, progress: _Progress) -> _Handed: ...
 def branch(
     spec: Spec,
     key: str,

@@ -14,8 +14,27 @@ use serde_json::{Map, Value};
 const TEXTS: [&str; 1] = ["mirror_of"];
 
 /// Reads options from JSON.
-pub fn options<O: serde::de::DeserializeOwned>(json: &str) -> Result<O, Failure> {
-    serde_json::from_str(json).map_err(|error| Failure::new("ArgumentError", error))
+///
+/// # Errors
+/// `TypeError` for an option of a wrong type, `ArgumentError` for an unknown one or a wrong value.
+pub fn options<O: serde::de::DeserializeOwned>(json: &str) -> PyResult<O> {
+    let error = match serde_json::from_str(json) {
+        Ok(options) => return Ok(options),
+        Err(error) => error,
+    };
+    let given: Map<String, Value> = serde_json::from_str(json).unwrap_or_default();
+    let message = |(name, value): (String, Value)| {
+        let alone = serde_json::from_value::<O>(serde_json::json!({ &name: value }));
+        alone.err().map(|error| format!("{name}: {error}"))
+    };
+    let message = given
+        .into_iter()
+        .find_map(message)
+        .unwrap_or_else(|| error.to_string());
+    Err(match message.contains("invalid type") {
+        true => pyo3::exceptions::PyTypeError::new_err(message),
+        false => Failure::new("ArgumentError", message).into(),
+    })
 }
 
 /// Returns a result as a dictionary of numbers, texts and arrays.
