@@ -132,7 +132,7 @@ impl<'t> Parser<'t> {
         if name.is_empty() {
             return Err(self.unexpected());
         }
-        let Some(found) = UnitSymbol::find(name) else {
+        let Some(unit) = UnitSymbol::find(name) else {
             return Err(UnitFault::Unknown(name.to_owned()));
         };
         if self.rest.starts_with(|c: char| c.is_ascii_digit()) {
@@ -141,10 +141,10 @@ impl<'t> Parser<'t> {
             )));
         }
         Ok(Unit {
-            power_of_ten: f64::from(found.power_of_ten),
-            up: found.up,
-            down: found.down,
-            dimension: found.dimension,
+            power_of_ten: f64::from(unit.power_of_ten),
+            up: unit.up,
+            down: unit.down,
+            dimension: unit.dimension,
         })
     }
 
@@ -202,9 +202,9 @@ impl<'t> Parser<'t> {
 
     fn take(&mut self, keep: impl Fn(char) -> bool) -> &'t str {
         let end = self.rest.find(|c| !keep(c)).unwrap_or(self.rest.len());
-        let (taken, rest) = self.rest.split_at(end);
+        let (token, rest) = self.rest.split_at(end);
         self.rest = rest;
-        taken
+        token
     }
 
     fn unexpected(&self) -> UnitFault {
