@@ -24,7 +24,7 @@ const PROGRESS_PARTS: u64 = 1000;
 pub struct Control {
     wish: Arc<AtomicU8>,
     /// Wall time of all runs, ns.
-    marched_ns: Arc<AtomicU64>,
+    wall_time_ns: Arc<AtomicU64>,
     counts: Arc<Counts>,
     visitor: Option<Callback>,
 }
@@ -54,7 +54,7 @@ impl Control {
     pub fn apart(&self) -> Self {
         Self {
             wish: Arc::clone(&self.wish),
-            marched_ns: Arc::clone(&self.marched_ns),
+            wall_time_ns: Arc::clone(&self.wall_time_ns),
             ..Self::default()
         }
     }
@@ -154,14 +154,14 @@ impl Control {
 
     /// Adds the wall time of a run.
     pub fn add_wall_time(&self, time: Duration) {
-        self.marched_ns
+        self.wall_time_ns
             .fetch_add(time.as_nanos() as u64, Ordering::Relaxed);
     }
 
     /// Returns the total wall time of the integration in all runs, s, including parts with their
     /// own count.
     pub fn wall_time_s(&self) -> f64 {
-        1e-9 * self.marched_ns.load(Ordering::Relaxed) as f64
+        1e-9 * self.wall_time_ns.load(Ordering::Relaxed) as f64
     }
 
     /// Returns the numbers of finished and expected parts.
@@ -178,11 +178,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_visitor_may_end_the_work_at_any_look() {
-        let looks = Arc::new(AtomicU64::new(0));
-        let seen = Arc::clone(&looks);
+    fn callback_can_cancel_at_any_poll() {
+        let polls = Arc::new(AtomicU64::new(0));
+        let counter = Arc::clone(&polls);
         let control = Control::with_callback(move |control| {
-            if seen.fetch_add(1, Ordering::Relaxed) == 2 {
+            if counter.fetch_add(1, Ordering::Relaxed) == 2 {
                 control.stop();
             }
         });
@@ -196,13 +196,13 @@ mod tests {
             [false, false, true, false]
         );
         assert!(
-            control.apart().is_stopped() && looks.load(Ordering::Relaxed) == 3,
+            control.apart().is_stopped() && polls.load(Ordering::Relaxed) == 3,
             "a part of the work shares the stop request, not the callbacks"
         );
     }
 
     #[test]
-    fn a_run_tells_its_time_once_for_each_question_and_a_wish_to_stop_stands() {
+    fn run_reports_its_time_per_request_and_cancellation_persists() {
         let control = Control::default();
         control.request_progress();
         assert!(control.is_quiet(), "there is no run");

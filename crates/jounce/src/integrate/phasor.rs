@@ -38,7 +38,7 @@ impl PhasorSamples {
     /// Samples a tone over a step of any length.
     pub fn over(angular_frequency_rad_s: f64, basis: &BasisFunctions, length_s: f64) -> Self {
         let sin_cos: [(f64, f64); LANES] = basis
-            .places
+            .positions
             .map(|x| (angular_frequency_rad_s * length_s * x).sin_cos());
         Self {
             cos: F64x8(sin_cos.map(|(_, cos)| cos)),

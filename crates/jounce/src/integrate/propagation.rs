@@ -23,11 +23,11 @@ impl Integrator<'_> {
             dot(w, &rows.displacement, &self.y) - rows.gap_m,
             dot(w, &rows.velocity, &self.y),
         ];
-        let [place, speed] = self.excitation.motion_after(p, 0.0);
-        motion = [motion[0] + place, motion[1] + speed];
+        let [displacement, speed] = self.excitation.motion_after(p, 0.0);
+        motion = [motion[0] + displacement, motion[1] + speed];
         for tone in &self.tones {
-            let [place, speed] = tone.motion(p);
-            motion = [motion[0] + place, motion[1] + speed];
+            let [displacement, speed] = tone.motion(p);
+            motion = [motion[0] + displacement, motion[1] + speed];
         }
         motion
     }
@@ -71,18 +71,18 @@ impl Integrator<'_> {
 
     /// Returns penetration and rate of a port in `next`, `length_s` after the current time.
     #[inline(always)]
-    pub(super) fn motion_ahead<W: Simd>(&self, w: W, p: usize, length_s: f64) -> [f64; 2] {
+    pub(super) fn motion_after<W: Simd>(&self, w: W, p: usize, length_s: f64) -> [f64; 2] {
         let rows = &self.ports[p].rows;
         let mut motion = [
             dot(w, &rows.displacement, &self.next) - rows.gap_m,
             dot(w, &rows.velocity, &self.next),
         ];
-        let [place, speed] = self.excitation.motion_after(p, length_s);
-        motion = [motion[0] + place, motion[1] + speed];
+        let [displacement, speed] = self.excitation.motion_after(p, length_s);
+        motion = [motion[0] + displacement, motion[1] + speed];
         for tone in &self.tones {
-            let [place, speed] =
+            let [displacement, speed] =
                 tone.motion_after(p, c64::cis(tone.angular_frequency_rad_s * length_s));
-            motion = [motion[0] + place, motion[1] + speed];
+            motion = [motion[0] + displacement, motion[1] + speed];
         }
         motion
     }

@@ -173,14 +173,14 @@ impl Reproduction {
                 written.tables.push(path);
             }
         }
-        let drawn = self.figures.iter().flat_map(|figure| {
+        let files = self.figures.iter().flat_map(|figure| {
             ["svg", "png"].map(|ending| (figure, figures.join(format!("{}.{ending}", figure.name))))
         });
-        let drawn: Vec<_> = drawn.collect();
-        drawn
+        let files: Vec<_> = files.collect();
+        files
             .par_iter()
             .try_for_each(|(figure, path)| figure.figure.write(path))?;
-        written.figures = drawn.into_iter().map(|(_, path)| path).collect();
+        written.figures = files.into_iter().map(|(_, path)| path).collect();
         Ok(written)
     }
 }

@@ -247,7 +247,7 @@ fn the_number_of_harmonics_has_two_ends() {
         Some(64)
     );
     assert!(method(1000).finer().is_none() && method(20).coarser().is_none());
-    assert_eq!(method(16).carried(&[1.0; 65]), [1.0; 33]);
+    assert_eq!(method(16).resampled(&[1.0; 65]), [1.0; 33]);
 }
 
 #[test]
@@ -416,7 +416,10 @@ fn a_failure_tells_the_residual_by_harmonic() {
         most: 1,
     };
     let failed = correct_at(&method, &hasty, &Metric::at(&position, 1.0), position).unwrap_err();
-    let ContinuationError::Diverged { left, .. } = &failed else {
+    let ContinuationError::Diverged {
+        residuals: left, ..
+    } = &failed
+    else {
         panic!("{failed}")
     };
     let [mean, first, second, third, ..] = &left.sizes[..] else {

@@ -50,19 +50,23 @@ impl BranchSearch<'_> {
             let (kinds, starts): (Vec<SearchStart>, Vec<Vec<f64>>) = starts.unzip();
             let orbits = settled_orbits(self.parameter, *value, &starts, self.tolerance);
             control.count();
-            let mut found: Vec<(SearchStart, (Orbit, f64))> = Vec::new();
+            let mut with_starts: Vec<(SearchStart, (Orbit, f64))> = Vec::new();
             for (kind, orbit) in kinds.into_iter().zip(orbits) {
                 let fresh =
-                    orbit.filter(|orbit| !found.iter().any(|(_, (known, _))| known == orbit));
-                found.extend(fresh.map(|orbit| (kind, (orbit, *value))));
+                    orbit.filter(|orbit| !with_starts.iter().any(|(_, (known, _))| known == orbit));
+                with_starts.extend(fresh.map(|orbit| (kind, (orbit, *value))));
             }
-            found
+            with_starts
         };
-        let mut found: Vec<(SearchStart, (Orbit, f64))> =
+        let mut with_starts: Vec<(SearchStart, (Orbit, f64))> =
             values.par_iter().flat_map_iter(settled).collect();
         // The ramped starts are last, so they only add to the others.
-        found.sort_by_key(|(kind, (orbit, _))| (orbit.period_cycles, *kind == SearchStart::Eased));
-        found.into_iter().map(|(_, found)| found).collect()
+        with_starts
+            .sort_by_key(|(kind, (orbit, _))| (orbit.period_cycles, *kind == SearchStart::Eased));
+        with_starts
+            .into_iter()
+            .map(|(_, with_starts)| with_starts)
+            .collect()
     }
 
     /// Returns the physical state of a start.

@@ -9,7 +9,7 @@ use crate::integrate::joint_tables::{JointTables, StepLength};
 use crate::integrate::kernel::Kernel;
 use crate::integrate::port_state::ContactState;
 use crate::integrate::small_list::SmallList;
-use crate::integrate::state::pushed;
+use crate::integrate::state::add_force_response;
 use crate::integrate::step_size::LEVELS_PER_OCTAVE;
 use crate::integrate::trajectory::PortForce;
 use crate::simd::{F64x8, Simd};
@@ -26,7 +26,7 @@ impl Integrator<'_> {
         solved: &[SolvedStep],
         tables: Option<&JointTables>,
     ) {
-        w.apart(
+        w.out_of_line(
             #[inline(always)]
             || self.take_all(w, length, steps, solved, tables),
         );
@@ -41,7 +41,10 @@ impl Integrator<'_> {
         solved: &[SolvedStep],
         tables: Option<&JointTables>,
     ) {
-        let forces: SmallList<F64x8> = solved.iter().map(|own| nodal(&own.force)).collect();
+        let forces: SmallList<F64x8> = solved
+            .iter()
+            .map(|solution| nodal(&solution.force))
+            .collect();
         if self.record.is_some() {
             let noted: Vec<PortForce> = steps
                 .iter()
@@ -83,20 +86,20 @@ impl Integrator<'_> {
         steps: &[ContactStep],
         solved: &[SolvedStep],
     ) {
-        let allowed = self.allowed_beside_n_s(steps, solved);
-        for (step, own) in steps.iter().zip(solved) {
+        let allowed = self.allowed_with_others_n_s(steps, solved);
+        for (step, solution) in steps.iter().zip(solved) {
             let p = step.port;
             if let Law::Rigid(_) = self.law(p) {
                 self.update_port(w, p);
-                self.observe_rest(p, step.table.length_s, &own.force);
+                self.observe_rest(p, step.table.length_s, &solution.force);
                 self.put_back(p);
                 self.ports[p].level = (level - LEVELS_PER_OCTAVE).max(Kernel::coarsest());
                 continue;
             }
-            self.arrive(w, self.law(p), step, own);
+            self.arrive(w, self.law(p), step, solution);
             let entering = std::mem::take(&mut self.ports[p].entering);
             self.ports[p].level =
-                self.next_level(self.law(p), level, step, own, (allowed, entering));
+                self.next_level(self.law(p), level, step, solution, (allowed, entering));
         }
     }
 
@@ -104,15 +107,15 @@ impl Integrator<'_> {
     #[inline(always)]
     fn integrate_crossed<W: Simd>(&mut self, w: W, tables: &JointTables, forces: &[F64x8]) {
         for (from, force) in forces.iter().enumerate() {
-            for (to, felt) in forces.iter().enumerate() {
+            for (to, force_there) in forces.iter().enumerate() {
                 if from == to {
                     continue;
                 }
                 let cross = tables.cross(from, to);
                 for (sum, load) in self.integrals.loads_j.iter_mut().zip(&cross.loads) {
-                    *sum += work(w, load, force, felt);
+                    *sum += work(w, load, force, force_there);
                 }
-                self.integrals.damping_j += work(w, &cross.damping, force, felt);
+                self.integrals.damping_j += work(w, &cross.damping, force, force_there);
             }
         }
     }
@@ -120,6 +123,9 @@ impl Integrator<'_> {
 
 /// Returns `felt . (push force)`.
 #[inline(always)]
-fn work<W: Simd>(w: W, push: &[F64x8; NODES], force: &F64x8, felt: &F64x8) -> f64 {
-    w.sum(w.mul(pushed(w, w.zero(), push, force), w.load(felt)))
+fn work<W: Simd>(w: W, push: &[F64x8; NODES], force: &F64x8, force_there: &F64x8) -> f64 {
+    w.sum(w.mul(
+        add_force_response(w, w.zero(), push, force),
+        w.load(force_there),
+    ))
 }

@@ -71,7 +71,7 @@ impl Integrator<'_> {
                         .iter_mut()
                         .filter(|port| !port.clearance.is_unseen)
                     {
-                        [port.penetration_m, port.rate_m_s] = port.ahead;
+                        [port.penetration_m, port.rate_m_s] = port.motion_at_end;
                     }
                     self.work.flight_steps += 1;
                     self.flight_level = (level - grow).max(Kernel::coarsest());
@@ -132,9 +132,9 @@ impl Integrator<'_> {
                 dot(w, &rows.displacement, &self.next) + drive[0] - rows.gap_m,
                 dot(w, &rows.velocity, &self.next) + drive[1],
             ];
-            self.ports[p].ahead = motion;
+            self.ports[p].motion_at_end = motion;
             let step = self.step_of(w, p, level, length_s, motion, drive);
-            outcome = outcome.and(p, self.judge_beside(w, p, &step, motion[0]));
+            outcome = outcome.and(p, self.judge_with_others(w, p, &step, motion[0]));
         }
         outcome
     }
@@ -143,7 +143,7 @@ impl Integrator<'_> {
     /// displacement cannot be resolved: two bodies that touch far from the origin have neither gap
     /// nor relative motion as a scale.
     #[inline(always)]
-    pub(super) fn judge_beside<W: Simd>(
+    pub(super) fn judge_with_others<W: Simd>(
         &self,
         w: W,
         p: usize,
@@ -172,8 +172,8 @@ impl Integrator<'_> {
         let mut drive = self.excitation.motion_after(p, Kernel::length_s(level));
         for tone in &mut self.tones {
             let turn = tone.end(level);
-            let [place, speed] = tone.motion_after(p, turn);
-            drive = [drive[0] + place, drive[1] + speed];
+            let [displacement, speed] = tone.motion_after(p, turn);
+            drive = [drive[0] + displacement, drive[1] + speed];
         }
         drive
     }

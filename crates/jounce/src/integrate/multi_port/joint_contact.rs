@@ -25,15 +25,22 @@ const LANDING_TOLERANCE: f64 = 1e-14;
 impl Integrator<'_> {
     /// Integrates until all ports fly, a rigid stop has an impact, or the end is reached.
     #[inline(always)]
-    pub(super) fn together<W: Simd>(&mut self, w: W, end_s: f64) -> Result<(), IntegrationError> {
+    pub(super) fn integrate_joint_contact<W: Simd>(
+        &mut self,
+        w: W,
+        end_s: f64,
+    ) -> Result<(), IntegrationError> {
         // On steps this short no second contact can follow the first.
         let safe = Kernel::level_within(1.0 / self.kernel.fastest_rad_s) + 3 * LEVELS_PER_OCTAVE;
-        while self.time_s < end_s && self.switching.met.is_none() && !self.hits_rigid_stop() {
-            self.let_go()?;
+        while self.time_s < end_s
+            && self.switching.pending_event.is_none()
+            && !self.hits_rigid_stop()
+        {
+            self.release()?;
             let ports = self.ports_with_bases();
             if let [(p, _)] = ports.as_slice()
                 && !self.is_rigid(*p)
-                && self.stay_alone(w, *p, end_s)?
+                && self.stay_single_port(w, *p, end_s)?
             {
                 continue;
             }
@@ -53,7 +60,7 @@ impl Integrator<'_> {
                 };
                 let outcome = match ports.as_slice() {
                     [(p, shape)] if !self.is_rigid(*p) => {
-                        self.attempt_alone(w, (*p, *shape), length, level >= safe)
+                        self.attempt_single_port(w, (*p, *shape), length, level >= safe)
                     }
                     several => self.joint_attempt(w, several, length, level >= safe),
                 };
@@ -140,12 +147,11 @@ impl Integrator<'_> {
         solved: &[SolvedStep],
         is_short: bool,
     ) -> bool {
-        let allowed_n_s = self.allowed_beside_n_s(steps, solved);
-        steps.iter().zip(solved).all(|(step, own)| {
-            let needs_no_look =
-                self.is_rigid(step.port) || self.law(step.port).acts_on_both_sides();
-            own.error_n_s <= share(step.shape) * allowed_n_s
-                && (needs_no_look || own.is_sound(step.shape, is_short))
+        let allowed_n_s = self.allowed_with_others_n_s(steps, solved);
+        steps.iter().zip(solved).all(|(step, solution)| {
+            let is_decided = self.is_rigid(step.port) || self.law(step.port).acts_on_both_sides();
+            solution.error_n_s <= share(step.shape) * allowed_n_s
+                && (is_decided || solution.is_sound(step.shape, is_short))
         })
     }
 

@@ -58,7 +58,7 @@ impl Linearization<'_> {
         let basis = kernel.basis(port, shape);
         let time_s = w.fma(
             w.splat(segment.length_s),
-            w.load(&F64x8(basis.places)),
+            w.load(&F64x8(basis.positions)),
             w.splat(segment.start_s),
         );
         let (mut displacement, mut velocity, mut acceleration) = (w.zero(), w.zero(), w.zero());
@@ -135,10 +135,10 @@ impl ParameterSensitivity {
         {
             let w = tone.angular_frequency_rad_s;
             let turn = c64::cis(w * time_s);
-            let turned = s * turn;
-            driven.displacement_m += turned.re;
-            driven.velocity_m_s -= w * turned.im;
-            driven.acceleration_m_s2 -= w * w * turned.re;
+            let phasor = s * turn;
+            driven.displacement_m += phasor.re;
+            driven.velocity_m_s -= w * phasor.im;
+            driven.acceleration_m_s2 -= w * w * phasor.re;
             if let Some((ds, dw)) = self.tone_of(k, port) {
                 let change = ds + s * c64::new(0.0, time_s * dw);
                 let hastened = change * c64::new(0.0, w) + s * c64::new(0.0, dw);
