@@ -44,10 +44,10 @@ pub fn locate<F: Problem>(
     let chord = before.position.to(&after.position);
     let length = metric.length(&chord);
     let unit = metric.unit(chord);
-    let side = |step: &CurvePoint<F::Evaluation>, position: f64| BracketEnd {
+    let side = |step: &CurvePoint<F::Evaluation>, distance: f64| BracketEnd {
         position: step.position.clone(),
         tangent: step.tangent.clone(),
-        distance: position,
+        distance,
     };
     let (at_low, at_high) = (value(before), value(after));
     let size = at_low.abs().max(at_high.abs());
@@ -77,16 +77,16 @@ pub fn locate<F: Problem>(
             local: corrected.local,
             error: corrected.error,
         };
-        let (position, value_here) = (
+        let (distance, value_here) = (
             metric.inner(&unit, &before.position.to(&step.position)),
             value(&step),
         );
-        let progress = bracket.put(position, value_here);
+        let progress = bracket.put(distance, value_here);
         *(if (value_here > 0.0) == (at_high > 0.0) {
             &mut high
         } else {
             &mut low
-        }) = side(&step, position);
+        }) = side(&step, distance);
         if value_here.abs() <= resolution * size || progress.min(bracket.length()) <= resolution {
             return Some(step);
         }

@@ -250,11 +250,11 @@ impl TrajectorySegment {
         let weights = weights(
             responses
                 .iter()
-                .map(|responses| responses.first.len())
+                .map(|response| response.first.len())
                 .max()
                 .unwrap_or(0),
         );
-        for ((first, part), responses) in parts(block).zip(responses) {
+        for ((first, part), response) in parts(block).zip(responses) {
             let sum = |series: &[F64x8]| -> f64 {
                 let nodal = |lane: &F64x8| -> f64 {
                     (0..NODES).map(|j| force.nodal_n[j] * lane.0[j]).sum()
@@ -265,7 +265,7 @@ impl TrajectorySegment {
                     .map(|(lane, weight)| weight * nodal(lane))
                     .sum()
             };
-            let (one, two) = (sum(&responses.first), sum(&responses.second));
+            let (one, two) = (sum(&response.first), sum(&response.second));
             for s in 0..part.states() {
                 let unit: [f64; 2] = std::array::from_fn(|i| if i == s { 1.0 } else { 0.0 });
                 let [f, g] = part.forced(&unit, &column[first..first + part.states()], length_s);

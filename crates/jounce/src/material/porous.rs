@@ -147,10 +147,10 @@ mod tests {
         let shear =
             g - 5.0 * f * g * g * sum / (5.0 * g * sum - 6.0 * (1.0 - f) * g * (k + 2.0 * g));
         let permittivity = 10.0 + 3.0 * f * 10.0 * (1.0 - 10.0) / (1.0 + 20.0 - f * (1.0 - 10.0));
-        let close = |computed: f64, exact: f64| {
+        let close = |value: f64, exact: f64| {
             assert!(
-                (computed / exact - 1.0).abs() < 1e-12,
-                "{computed:e} {exact:e}"
+                (value / exact - 1.0).abs() < 1e-12,
+                "{value:e} {exact:e}"
             )
         };
         close((computed.c11_pa + 2.0 * computed.c12_pa) / 3.0, bulk);
@@ -175,10 +175,10 @@ mod tests {
                 .unwrap()
                 .free();
             let mixed = 0.7 * permittivity + 0.3 * VACUUM_PERMITTIVITY_F_M;
-            for (computed, exact) in computed.iter().zip([d31, d33, mixed]) {
+            for (value, exact) in computed.iter().zip([d31, d33, mixed]) {
                 assert!(
-                    (computed / exact - 1.0).abs() < 1e-9,
-                    "{scheme:?}: {computed:e} {exact:e}"
+                    (value / exact - 1.0).abs() < 1e-9,
+                    "{scheme:?}: {value:e} {exact:e}"
                 );
             }
         }
@@ -249,7 +249,7 @@ mod tests {
             } else {
                 5e-3
             };
-            for (computed, expected) in computed.iter().zip(expected) {
+            for (value, expected) in computed.iter().zip(expected) {
                 // The last printed digit of small constants is coarser than this tolerance.
                 let digit = if scheme == Scheme::MoriTanaka {
                     6e-4
@@ -257,8 +257,8 @@ mod tests {
                     6e-3
                 };
                 assert!(
-                    (computed - expected).abs() <= allowed * expected.abs() + digit,
-                    "{scheme:?} {f}: {computed} {expected}"
+                    (value - expected).abs() <= allowed * expected.abs() + digit,
+                    "{scheme:?} {f}: {value} {expected}"
                 );
             }
         }

@@ -81,7 +81,7 @@ impl Electrical {
                 .iter()
                 .filter_map(|(node, factor)| {
                     Some((
-                        nodes.iter().position(|node_factor| node_factor == node)?,
+                        nodes.iter().position(|of_bridge| of_bridge == node)?,
                         *factor,
                     ))
                 })
@@ -92,8 +92,8 @@ impl Electrical {
                 }
             }
         };
-        for (node, node_factor) in self.nodes.iter().enumerate() {
-            if let Some(resistance_ohm) = node_factor.resistance_ohm {
+        for (node, electrical_node) in self.nodes.iter().enumerate() {
+            if let Some(resistance_ohm) = electrical_node.resistance_ohm {
                 across(&[(node, 1.0)], 1.0 / resistance_ohm);
             }
         }

@@ -84,18 +84,18 @@ impl PowerOverFrequency {
                 ]
             })
             .collect();
-        let each = |(amplitude_n, branch_row, branch): &(f64, &str, &SteppedBranch)| {
-            vec![(*amplitude_n, (*branch_row).to_owned()); branch.frequency_hz.len()]
+        let each = |(amplitude_n, direction, branch): &(f64, &str, &SteppedBranch)| {
+            vec![(*amplitude_n, (*direction).to_owned()); branch.frequency_hz.len()]
         };
         let (amplitude_n, direction): (Vec<f64>, Vec<String>) = ways.iter().flat_map(each).unzip();
         let all = |of: fn(&SteppedBranch) -> &Vec<f64>| {
             ways.iter()
-                .flat_map(|branch_row| of(branch_row.2).clone())
+                .flat_map(|row| of(row.2).clone())
                 .collect::<Vec<f64>>()
         };
         let settled: Vec<bool> = ways
             .iter()
-            .flat_map(|branch_row| branch_row.2.settled.clone())
+            .flat_map(|row| row.2.settled.clone())
             .collect();
         let table = Table::new(vec![
             Column::new("amplitude_n", "N", "Force, peak", amplitude_n),

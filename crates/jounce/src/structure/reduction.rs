@@ -106,7 +106,7 @@ impl AssemblyModes {
             .map(|entry| entry / root_mass)
             .collect();
         let mut rigid_shares = vec![0.0; columns];
-        for (column, rigid_shares) in rigid_shares.iter_mut().enumerate().skip(1) {
+        for (column, rigid_share) in rigid_shares.iter_mut().enumerate().skip(1) {
             let share: f64 = factor
                 .col(column)
                 .iter()
@@ -118,7 +118,7 @@ impl AssemblyModes {
                 .iter_mut()
                 .zip(&rigid)
                 .for_each(|(entry, unit)| *entry -= share * unit);
-            *rigid_shares = share / root_mass;
+            *rigid_share = share / root_mass;
         }
         let flexible = if columns > 1 {
             Self::with_fixed_root(factor.get(0..rows, 1..columns))?

@@ -48,7 +48,7 @@ impl<'a> Structures<'a> {
             .iter()
             .map(cut)
             .collect::<Result<BTreeMap<_, _>, StructureError>>()?;
-        let fixed_masses = spec
+        let fixed_count = spec
             .mass
             .keys()
             .filter(|name| fixed_masses.contains(name))
@@ -65,7 +65,7 @@ impl<'a> Structures<'a> {
         };
         // The default number never exceeds the available number.
         let is_default = spec.reduction.modes == Reduction::default().modes;
-        let modes = match spec.reduction.modes.saturating_sub(fixed_masses) {
+        let modes = match spec.reduction.modes.saturating_sub(fixed_count) {
             _ if bodies.is_empty() => 0,
             requested if is_default && segments.is_empty() => requested.min(available),
             requested => requested,
@@ -73,7 +73,7 @@ impl<'a> Structures<'a> {
         if !bodies.is_empty() && modes == 0 {
             return Err(StructureError::NoModes {
                 wanted: spec.reduction.modes,
-                held: fixed_masses,
+                held: fixed_count,
             });
         }
         if modes > available {

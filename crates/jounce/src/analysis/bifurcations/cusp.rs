@@ -66,10 +66,10 @@ pub fn restart_beyond(
     let metric = Metric::at(position, scale_2);
     let across = eigenvector(&metric, local, direction);
     let parameter_index = tracking.parameter_index();
-    let keys = |step: &Direction| {
+    let keys = |direction: &Direction| {
         [
-            step.unknown[parameter_index] / metric.unknown,
-            step.parameter / metric.parameter,
+            direction.unknown[parameter_index] / metric.unknown,
+            direction.parameter / metric.parameter,
         ]
     };
     let speeds =

@@ -212,15 +212,15 @@ impl Branch {
             let distance = (offset - faer::Scale(share) * &chord).norm_l2();
             ((0.0..=1.0).contains(&share) && distance < chord.norm_l2()).then_some(distance)
         };
-        let candidate = self.bifurcations.iter().filter(|candidate| {
+        let candidates = self.bifurcations.iter().filter(|candidate| {
             !matches!(
                 candidate.kind,
                 BranchKind::Grazing | BranchKind::Sticking | BranchKind::Level
             )
         });
-        let candidate =
-            candidate.filter_map(|candidate| Some((distance(&candidate.at)?, &candidate.at)));
-        candidate
+        let candidates =
+            candidates.filter_map(|candidate| Some((distance(&candidate.at)?, &candidate.at)));
+        candidates
             .min_by(|one, two| one.0.total_cmp(&two.0))
             .map(|(_, at)| at)
     }

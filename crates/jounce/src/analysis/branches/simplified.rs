@@ -42,7 +42,7 @@ impl Branch {
             .points
             .iter()
             .zip(selected)
-            .filter(|(_, selected)| *selected)
+            .filter(|(_, is_selected)| *is_selected)
             .map(|(point, _)| point.clone())
             .collect();
         Branch {

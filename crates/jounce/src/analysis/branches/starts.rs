@@ -65,7 +65,7 @@ impl BranchSearch<'_> {
             .sort_by_key(|(kind, (orbit, _))| (orbit.period_cycles, *kind == SearchStart::Eased));
         with_starts
             .into_iter()
-            .map(|(_, with_starts)| with_starts)
+            .map(|(_, orbit)| orbit)
             .collect()
     }
 

@@ -38,8 +38,8 @@ impl CoupledNodes<'_> {
     }
 
     /// Returns the forces at the nodes for harmonics of the displacements, `J phi + J' phi'`.
-    fn displacements(&self, harmonics: &[f64]) -> Vec<f64> {
-        let mut displacements = Vec::with_capacity(self.count());
+    fn node_forces(&self, harmonics: &[f64]) -> Vec<f64> {
+        let mut node_forces = Vec::with_capacity(self.count());
         for (side, block) in self
             .each
             .iter()
@@ -57,11 +57,11 @@ impl CoupledNodes<'_> {
                 (values, none)
             };
             let forces = values.iter().zip(&rates).zip(&side.nodes);
-            displacements.extend(forces.map(|((value, rate), node)| {
+            node_forces.extend(forces.map(|((value, rate), node)| {
                 node.slopes.stiffness_n_m * value + node.slopes.damping_n_s_m * rate
             }));
         }
-        displacements
+        node_forces
     }
 
     /// Returns the nodes of a stop in grid points of a response.
@@ -137,14 +137,14 @@ impl Condensed {
         (row, corner): (&[f64], f64),
     ) -> Option<Self> {
         let (count, stops) = (sides.count(), sides.each.len());
-        let (displacements, pulled) = (sides.displacements(by), sides.apply_adjoint(row));
+        let (node_forces, pulled) = (sides.node_forces(by), sides.apply_adjoint(row));
         let first = Border::new((row, corner));
         let bottom = first.along(by) + corner;
         let largest = |values: &[f64], least: f64| {
             values.iter().fold(least, |max, value| max.max(value.abs()))
         };
         let column_size =
-            largest(&displacements, f64::MIN_POSITIVE).max(if count == 0 { 1.0 } else { 0.0 });
+            largest(&node_forces, f64::MIN_POSITIVE).max(if count == 0 { 1.0 } else { 0.0 });
         let row_size = largest(&pulled, (bottom / column_size).abs());
         let positions: Vec<NodePlaces> = sides
             .each
@@ -175,8 +175,8 @@ impl Condensed {
         let border: &mut [f64] = matrix.col_as_slice_mut(count);
         border
             .iter_mut()
-            .zip(&displacements)
-            .for_each(|(entry, displacements)| *entry = -displacements / column_size);
+            .zip(&node_forces)
+            .for_each(|(entry, node_force)| *entry = -node_force / column_size);
         border[count] = bottom / (column_size * row_size);
         let is_finite = row_size.is_finite() && column_size.is_finite();
         is_finite.then(|| Self {
@@ -210,15 +210,15 @@ impl Condensed {
         last: f64,
     ) -> BorderedSolution {
         let count = sides.count();
-        let displacements = if right.iter().all(|r| *r == 0.0) {
+        let node_forces = if right.iter().all(|r| *r == 0.0) {
             vec![0.0; count]
         } else {
-            sides.displacements(right)
+            sides.node_forces(right)
         };
         let bottom = (last + self.first.along(right)) / self.row_size;
-        let mut solution: Vec<f64> = displacements
+        let mut solution: Vec<f64> = node_forces
             .iter()
-            .map(|displacements| -displacements)
+            .map(|node_force| -node_force)
             .chain([bottom])
             .collect();
         self.factors.solve(&mut solution);
@@ -228,7 +228,7 @@ impl Condensed {
             .iter()
             .zip(by)
             .zip(right)
-            .map(|((solved, by), right)| solved + by * parameter - right)
+            .map(|((value, by), right)| value + by * parameter - right)
             .collect();
         (parameter.is_finite() && unknown.iter().all(|u| u.is_finite()))
             .then_some((unknown, parameter))

@@ -143,10 +143,10 @@ mod tests {
                 .zip(block.flow(*time_s, &column))
                 .for_each(|(sum, y)| *sum += impulse * y);
         }
-        for (i, (computed, exact)) in computed.iter().zip(&exact).enumerate() {
+        for (i, (value, exact)) in computed.iter().zip(&exact).enumerate() {
             assert!(
-                (computed - exact).abs() < 1e-11,
-                "state {i}: {computed} {exact}"
+                (value - exact).abs() < 1e-11,
+                "state {i}: {value} {exact}"
             );
         }
     }

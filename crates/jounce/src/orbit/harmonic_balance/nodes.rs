@@ -102,9 +102,9 @@ impl ContactQuadrature {
     ) -> Vec<Self> {
         let stops = &plant.system.stops;
         let blocks = unknown.chunks_exact(unknown.len() / stops.len().max(1));
-        let side = |(stop, blocks): (&Stop, &[f64])| {
+        let side = |(stop, block): (&Stop, &[f64])| {
             Self::new(
-                &PortMotion::new(blocks, step_rad_s, stop.gap_m, stop.law),
+                &PortMotion::new(block, step_rad_s, stop.gap_m, stop.law),
                 grid,
                 rules,
                 highest,
