@@ -18,7 +18,7 @@ pub fn drawing(title: &str, design: &Design) -> Value {
         Some(told)
     });
     json!({
-        "svg": sheet.svg, "side": window(&sheet.side), "cells": sheet.circuits.iter().chain(&sheet.close_ups).map(window).collect::<Vec<_>>(),
+        "svg": sheet.svg, "side": window(&sheet.side), "cells": sheet.circuits.iter().chain(&sheet.looks).map(window).collect::<Vec<_>>(),
         "grips": grips.collect::<Vec<_>>(),
     })
 }

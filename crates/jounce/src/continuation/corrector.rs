@@ -66,7 +66,7 @@ pub fn correct<F: Problem>(
                 parameter,
                 error,
                 goal: corrector.goal,
-                residuals: local.parts(),
+                left: local.parts(),
             });
         }
         if evaluations == corrector.most {
@@ -79,7 +79,7 @@ pub fn correct<F: Problem>(
         parameter: position.parameter,
         error: last,
         goal: corrector.goal,
-        residuals,
+        left: residuals,
     })
 }
 

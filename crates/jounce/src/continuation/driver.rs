@@ -188,7 +188,9 @@ impl<'f, F: Problem> Continuation<'f, F> {
                     }
                 }
                 Err(ContinuationError::Diverged {
-                    error, residuals, ..
+                    error,
+                    left: residuals,
+                    ..
                 }) => last = (error, residuals),
                 // The problem may have no meaning at a long step although the curve continues; try
                 // a shorter one.
@@ -205,7 +207,7 @@ impl<'f, F: Problem> Continuation<'f, F> {
             parameter: self.position.parameter,
             step: self.length,
             error,
-            residuals,
+            left: residuals,
         })
     }
 

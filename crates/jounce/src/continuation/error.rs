@@ -10,7 +10,7 @@ pub enum ContinuationError<E> {
     Family(E),
     /// Newton did not converge.
     #[error(
-        "Newton did not converge at parameter {parameter}: last correction {error:e}, wanted {goal:e}{residuals}; start nearer to the solution or loosen the tolerance"
+        "Newton did not converge at parameter {parameter}: last correction {error:e}, wanted {goal:e}{left}; start nearer to the solution or loosen the tolerance"
     )]
     Diverged {
         /// Parameter there.
@@ -20,7 +20,7 @@ pub enum ContinuationError<E> {
         /// Required correction.
         goal: f64,
         /// Parts of the residual there.
-        residuals: ResidualReport,
+        left: ResidualReport,
     },
     /// The derivative is singular in more than one direction.
     #[error("the derivative is singular at parameter {parameter}; start at another value")]
@@ -30,7 +30,7 @@ pub enum ContinuationError<E> {
     },
     /// No step is short enough.
     #[error(
-        "the curve cannot be followed beyond parameter {parameter}: even a step of {step:e} fails (last correction {error:e}){residuals}; a tighter tolerance may help"
+        "the curve cannot be followed beyond parameter {parameter}: even a step of {step:e} fails (last correction {error:e}){left}; a tighter tolerance may help"
     )]
     Stuck {
         /// Parameter of the last point.
@@ -40,6 +40,6 @@ pub enum ContinuationError<E> {
         /// Last correction.
         error: f64,
         /// Parts of the residual at the last attempt.
-        residuals: ResidualReport,
+        left: ResidualReport,
     },
 }

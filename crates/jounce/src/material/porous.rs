@@ -148,10 +148,7 @@ mod tests {
             g - 5.0 * f * g * g * sum / (5.0 * g * sum - 6.0 * (1.0 - f) * g * (k + 2.0 * g));
         let permittivity = 10.0 + 3.0 * f * 10.0 * (1.0 - 10.0) / (1.0 + 20.0 - f * (1.0 - 10.0));
         let close = |value: f64, exact: f64| {
-            assert!(
-                (value / exact - 1.0).abs() < 1e-12,
-                "{value:e} {exact:e}"
-            )
+            assert!((value / exact - 1.0).abs() < 1e-12, "{value:e} {exact:e}")
         };
         close((computed.c11_pa + 2.0 * computed.c12_pa) / 3.0, bulk);
         close(computed.c44_pa, shear);

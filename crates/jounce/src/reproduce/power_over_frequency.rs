@@ -93,10 +93,7 @@ impl PowerOverFrequency {
                 .flat_map(|row| of(row.2).clone())
                 .collect::<Vec<f64>>()
         };
-        let settled: Vec<bool> = ways
-            .iter()
-            .flat_map(|row| row.2.settled.clone())
-            .collect();
+        let settled: Vec<bool> = ways.iter().flat_map(|row| row.2.settled.clone()).collect();
         let table = Table::new(vec![
             Column::new("amplitude_n", "N", "Force, peak", amplitude_n),
             Column::new("direction", "", "Stepped", direction),

@@ -146,9 +146,7 @@ pub(super) fn bodies<'a>(
     {
         match mass.on.as_str() {
             NO_SUPPORT => rooted(name.as_str(), PartKind::Mass(mass), Support::Nothing),
-            on if spec.is_base(on)
-                || fixed_masses.iter().any(|mass| mass == on) =>
-            {
+            on if spec.is_base(on) || fixed_masses.iter().any(|mass| mass == on) => {
                 rooted(name.as_str(), PartKind::Mass(mass), Support::Ground)
             }
             _ => {}

@@ -416,10 +416,7 @@ fn a_failure_tells_the_residual_by_harmonic() {
         most: 1,
     };
     let failed = correct_at(&method, &hasty, &Metric::at(&position, 1.0), position).unwrap_err();
-    let ContinuationError::Diverged {
-        residuals: left, ..
-    } = &failed
-    else {
+    let ContinuationError::Diverged { left, .. } = &failed else {
         panic!("{failed}")
     };
     let [mean, first, second, third, ..] = &left.sizes[..] else {

@@ -63,10 +63,7 @@ impl BranchSearch<'_> {
         // The ramped starts are last, so they only add to the others.
         with_starts
             .sort_by_key(|(kind, (orbit, _))| (orbit.period_cycles, *kind == SearchStart::Eased));
-        with_starts
-            .into_iter()
-            .map(|(_, orbit)| orbit)
-            .collect()
+        with_starts.into_iter().map(|(_, orbit)| orbit).collect()
     }
 
     /// Returns the physical state of a start.

@@ -144,10 +144,7 @@ mod tests {
                 .for_each(|(sum, y)| *sum += impulse * y);
         }
         for (i, (value, exact)) in computed.iter().zip(&exact).enumerate() {
-            assert!(
-                (value - exact).abs() < 1e-11,
-                "state {i}: {value} {exact}"
-            );
+            assert!((value - exact).abs() < 1e-11, "state {i}: {value} {exact}");
         }
     }
 }

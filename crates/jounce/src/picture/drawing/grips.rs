@@ -17,7 +17,7 @@ pub struct GripSheet {
     /// Circuits.
     pub circuits: Vec<Rect>,
     /// Close-ups.
-    pub close_ups: Vec<Rect>,
+    pub looks: Vec<Rect>,
     /// Movable parts.
     pub grips: Vec<Grip>,
 }
@@ -220,7 +220,7 @@ mod tests {
         // the stop is drawn.
         for (gap, inside) in [("1 mm", true), ("20 mm", false)] {
             let (sheet, grip) = gripped(&[("stop.tip.gap", gap)], GripPart::Gap { contact: 0 });
-            let close_up = sheet.close_ups.first().is_some_and(|close_up| {
+            let close_up = sheet.looks.first().is_some_and(|close_up| {
                 close_up
                     .grown(0.1)
                     .meets(&Rect::around(grip.at, (0.1, 0.1)))

@@ -56,7 +56,7 @@ pub fn draw_sheet(drawing: &Drawing) -> GripSheet {
         svg: svg.finish(sheet_content.height),
         side: sheet_content.side,
         circuits: circuits.to_vec(),
-        close_ups: close_ups.to_vec(),
+        looks: close_ups.to_vec(),
         grips,
     }
 }
