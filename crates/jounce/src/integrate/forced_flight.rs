@@ -45,7 +45,7 @@ pub struct ForcedFlight {
 }
 
 impl ForcedFlight {
-    /// Computes the effect of the force of a port, in a basis, on the port `seen`.
+    /// Computes the effect of the force of a port, in a basis, on the port `other_port`.
     pub fn new(
         kernel: &Kernel,
         (port, shape): (usize, ForceBasis),

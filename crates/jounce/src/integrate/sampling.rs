@@ -4,7 +4,7 @@ use super::kernel::Kernel;
 use super::trajectory::{Trajectory, TrajectorySegment};
 
 impl Trajectory {
-    /// Calls `look` at the start of every step from segment number `first` on, and inside flights
+    /// Calls `visit` at the start of every step from segment number `first` on, and inside flights
     /// at times at most `gap_s` apart. Its arguments are the kernel of the conduction state, the
     /// time, and the state in block coordinates without the steady part. Contact steps are short
     /// relative to the motion and have no samples inside.

@@ -64,7 +64,7 @@ impl Plot<'_> {
 }
 
 impl<'a> FigureLayout<'a> {
-    /// Lays a figure out, with `aside` pixels at the right for legends.
+    /// Lays a figure out, with `legend_width` pixels at the right for legends.
     pub fn new(figure: &'a Figure, legend_width: f64) -> Result<Self, PictureError> {
         let spans = spans(figure)?;
         let mut plots: Vec<_> = figure

@@ -110,8 +110,8 @@ impl WorstExcess {
         worst
     }
 
-    /// Returns the worst cases as messages. `what` names the results, `place` describes the result
-    /// at an index.
+    /// Returns the worst cases as messages. `noun` names the results, `describe` the result at an
+    /// index.
     pub fn messages(
         results: &[&[ExceededLimit]],
         noun: &str,

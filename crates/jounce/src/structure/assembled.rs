@@ -114,7 +114,7 @@ struct PatchRows<'a> {
 /// one pair of moments for each such segment.
 ///
 /// # Errors
-/// Errors of [`stretches`].
+/// Errors of [`patched_segments`].
 fn patch_rows<'a>(
     spec: &'a Spec,
     assembly: &Assembly,

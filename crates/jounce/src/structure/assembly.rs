@@ -98,7 +98,7 @@ impl<'a> Assembly<'a> {
         }
     }
 
-    /// Returns the displacement of the beam that is part `part` at `place_m` from the root.
+    /// Returns the displacement of the beam that is part `part` at `position_m` from the root.
     pub fn displacement(&self, part: usize, position_m: f64) -> Row {
         let Some(body_part) = self.element_at(part, position_m) else {
             return self.root_displacement(part);
@@ -115,7 +115,7 @@ impl<'a> Assembly<'a> {
         row
     }
 
-    /// Returns the slope of the beam that is part `part` at `place_m` from the root; for a mass,
+    /// Returns the slope of the beam that is part `part` at `position_m` from the root; for a mass,
     /// the slope of its support.
     pub fn slope(&self, part: usize, position_m: f64) -> Row {
         let Some(body_part) = self.element_at(part, position_m) else {
@@ -135,7 +135,7 @@ impl<'a> Assembly<'a> {
         row
     }
 
-    /// Returns the curvature of the beam that is part `part` at `place_m` from the root, 1/m per
+    /// Returns the curvature of the beam that is part `part` at `position_m` from the root, 1/m per
     /// coordinate.
     pub fn curvature(&self, part: usize, position_m: f64) -> Row {
         let mut row = vec![0.0; self.columns];

@@ -118,7 +118,7 @@ impl<'a> Body<'a> {
     }
 }
 
-/// Returns the connected structures of a spec with the masses `held` fixed.
+/// Returns the connected structures of a spec with the masses `fixed_masses` fixed.
 ///
 /// # Errors
 /// `UnknownSupport`, `UnknownBeam`, `SupportCycle`, `CannotHold`, `CannotHoldGiven`, `OutOfRange`.

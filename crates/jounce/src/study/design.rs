@@ -26,12 +26,12 @@ pub struct Design {
 }
 
 impl Design {
-    /// Creates a design of `drawn` points; a grid or a list has the points of its values.
-    pub fn new(varied: Vec<Varied>, sampling: Sampling, samples: usize, seed: u64) -> Self {
+    /// Creates a design of `sample_count` points; a grid or a list has the points of its values.
+    pub fn new(varied: Vec<Varied>, sampling: Sampling, sample_count: usize, seed: u64) -> Self {
         let points = match sampling {
             Sampling::Grid => varied.iter().map(|varied| varied.values.len()).product(),
             Sampling::List => varied.first().map_or(0, |varied| varied.values.len()),
-            Sampling::Random | Sampling::LatinHypercube | Sampling::Sobol => samples,
+            Sampling::Random | Sampling::LatinHypercube | Sampling::Sobol => sample_count,
         };
         let draw = CubePoints::new(sampling, varied.len(), points, seed);
         Self {

@@ -193,7 +193,7 @@ impl<'h, H: ParametricModel> CurvePiece<'h, H> {
         )
     }
 
-    /// Returns the error of the key at a point whose fraction has the error `off`, with the
+    /// Returns the error of the key at a point whose fraction has the error `x_error`, with the
     /// residual error of Newton's method.
     pub fn parameter_error(&self, point: &PiecePoint, x_error: f64) -> Option<f64> {
         let slope = (self.at(point.x + DIFFERENCE_WIDTH)?.parameter()

@@ -143,7 +143,7 @@ impl BifurcationSearch<'_> {
         )
     }
 
-    /// Returns the next point after `here`: one step further, or a restart beyond a corner or a
+    /// Returns the next point after `current`: one step further, or a restart beyond a corner or a
     /// cusp; `None` where the curve ends.
     fn advance<'t, 'p>(
         &self,

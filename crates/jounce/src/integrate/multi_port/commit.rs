@@ -121,7 +121,7 @@ impl Integrator<'_> {
     }
 }
 
-/// Returns `felt . (push force)`.
+/// Returns `force_there . (push force)`.
 #[inline(always)]
 fn work<W: Simd>(w: W, push: &[F64x8; NODES], force: &F64x8, force_there: &F64x8) -> f64 {
     w.sum(w.mul(

@@ -102,7 +102,7 @@ impl Integrator<'_> {
     }
 
     /// Evaluates a step: the state at its end is in `next`, the motion of each port there in
-    /// `ahead`.
+    /// `motion_at_end`.
     #[inline(always)]
     fn attempt_all<W: Simd>(
         &mut self,

@@ -58,8 +58,8 @@ impl Gradient {
 
 impl Condition {
     /// Returns `g` at a shooting evaluation, for a condition on its multipliers or on a level.
-    /// `moved` shoots from a start moved by a vector; `aside` are evaluations at parameters moved
-    /// by `differences`.
+    /// `shifted_shot` shoots from a start moved by a vector; `neighbours` are evaluations at
+    /// parameters moved by `differences`.
     ///
     /// `None` where the condition does not exist: a singular border, no complex pair, or a
     /// condition of another kind.

@@ -204,8 +204,8 @@ fn pierced(label: &Label, room: &Rect) -> bool {
         .is_some_and(|[from, to]| room.crossed(from, to))
 }
 
-/// Returns a fast lower bound of [`alone`] for a label of a size at a distance from its anchor,
-/// roundoff included.
+/// Returns a fast lower bound of [`placement_cost`] for a label of a size at a distance from its
+/// anchor, roundoff included.
 fn least((dx, dy): (f64, f64), (width, height): (f64, f64)) -> f64 {
     let (across, up) = (dx.abs(), dy.abs());
     (1.0 - 1e-9) * ((across - 0.5 * width).max(up - 0.5 * height).max(0.0) + 0.1 * across.max(up))
