@@ -21,7 +21,7 @@ pub fn displaced(signal: &DriveSignal) -> Vec<Wave> {
             duration_s,
         } => {
             let peak_m_s2 = -amplitude * (PI / duration_s).powi(2);
-            brought_to(
+            stop_at_position(
                 0.0,
                 half_sine(peak_m_s2, start_s, duration_s),
                 [start_s, duration_s],
@@ -46,7 +46,7 @@ pub fn displaced(signal: &DriveSignal) -> Vec<Wave> {
                 duration_s,
             };
             let end_m = chirp.size(duration_s) - chirp.size(0.0);
-            brought_to(end_m, chirp.acceleration(), [start_s, duration_s])
+            stop_at_position(end_m, chirp.acceleration(), [start_s, duration_s])
         }
         DriveSignal::Sine { .. }
         | DriveSignal::VelocityStep { .. }
@@ -57,7 +57,7 @@ pub fn displaced(signal: &DriveSignal) -> Vec<Wave> {
 
 /// Adds velocity jumps, m/s, at the start and end of a smooth part, so the base ends at a position,
 /// m, at rest.
-fn brought_to(end_m: f64, smooth: Wave, [start_s, duration_s]: [f64; 2]) -> Vec<Wave> {
+fn stop_at_position(end_m: f64, smooth: Wave, [start_s, duration_s]: [f64; 2]) -> Vec<Wave> {
     let end_s = start_s + duration_s;
     let index = smooth.index_at(end_s);
     let [position_m, speed_m_s] = Travel::of(&smooth).at(index, &smooth.piece(index), end_s);

@@ -119,7 +119,7 @@ impl Integrator<'_> {
                     {
                         break;
                     }
-                    self.take(w, law, &step, &solved);
+                    self.accept_step(w, law, &step, &solved);
                     if landing {
                         self.time_s = end_s;
                     }

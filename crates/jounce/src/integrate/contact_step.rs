@@ -79,13 +79,13 @@ impl<'k> Integrator<'k> {
             let frequency = tone.angular_frequency_rad_s;
             let z = tone.displacement_m[port] * tone.turn;
             if landing {
-                tone.swing[port] = PhasorSamples::over(frequency, basis, table.length_s);
+                tone.samples[port] = PhasorSamples::over(frequency, basis, table.length_s);
             } else {
                 tone.swing_over(kernel, port, shape, level);
             }
-            drive = tone.swing[port].real(w, z, drive);
+            drive = tone.samples[port].real(w, z, drive);
             if law.is_rate_dependent() {
-                drive_rate = tone.swing[port].real(w, z * c64::new(0.0, frequency), drive_rate);
+                drive_rate = tone.samples[port].real(w, z * c64::new(0.0, frequency), drive_rate);
             }
         }
         [drive, drive_rate] = self.excitation.motions(
@@ -199,7 +199,7 @@ impl<'k> Integrator<'k> {
 
     /// Accepts a solved step.
     #[inline(always)]
-    pub(super) fn take<W: Simd, L: ContactLaw>(
+    pub(super) fn accept_step<W: Simd, L: ContactLaw>(
         &mut self,
         w: W,
         law: L,
@@ -220,15 +220,15 @@ impl<'k> Integrator<'k> {
         self.excitation
             .pass(self.kernel, table.length_s, self.time_s, &mut self.y);
         for tone in &mut self.tones {
-            tone.turn *= tone.swing[step.port].end();
+            tone.turn *= tone.samples[step.port].end();
         }
-        self.arrive(w, law, step, solved);
+        self.update_port_in_contact(w, law, step, solved);
         self.work.contact_steps += 1;
     }
 
     /// Sets a port to its state at the end of an accepted step.
     #[inline(always)]
-    pub(super) fn arrive<W: Simd, L: ContactLaw>(
+    pub(super) fn update_port_in_contact<W: Simd, L: ContactLaw>(
         &mut self,
         w: W,
         law: L,
@@ -351,8 +351,8 @@ impl<'k> Integrator<'k> {
             .push(p, &basis.positions, table.length_s, &w.store(weighted));
         for (sum, tone) in self.integrals.tones_n_s[p].iter_mut().zip(&self.tones) {
             let (cos, sin) = (
-                w.mul(weighted, w.load(&tone.swing[p].cos)),
-                w.mul(weighted, w.load(&tone.swing[p].sin)),
+                w.mul(weighted, w.load(&tone.samples[p].cos)),
+                w.mul(weighted, w.load(&tone.samples[p].sin)),
             );
             *sum += tone.turn * c64::new(w.sum(cos), w.sum(sin));
         }

@@ -121,7 +121,7 @@ impl Integrator<'_> {
                 })
                 .sum()
         };
-        let (sums, works_j) = self.excitation.ledger.until(
+        let (sums, works_j) = self.excitation.signal_work.until(
             self.kernel,
             &self.excitation.sizes,
             &self.block_state(),

@@ -22,7 +22,7 @@ use std::sync::Arc;
 /// All signals at the current time of an integration.
 #[derive(Debug, Clone)]
 pub(super) struct Excitation {
-    players: Vec<SignalCursor>,
+    cursors: Vec<SignalCursor>,
     /// Value and slope of each signal at the current time.
     pub sizes: Vec<SignalSample>,
     /// Earliest breakpoint, s.
@@ -37,7 +37,7 @@ pub(super) struct Excitation {
     local_motions: LocalMotions,
     /// Flow over the pieces of an evenly sampled signal, and their length.
     piece: Option<(f64, Flow)>,
-    pub ledger: SignalWork,
+    pub signal_work: SignalWork,
 }
 
 /// Signal with its current position.
@@ -130,8 +130,8 @@ impl Excitation {
             has_local: !cursors.is_empty() && plant.local.contains(&true),
             local_motions: LocalMotions::default(),
             piece,
-            ledger: SignalWork::new(kernel, time_s),
-            players: cursors,
+            signal_work: SignalWork::new(kernel, time_s),
+            cursors,
         };
         forced.find_next();
         forced.aim(time_s);
@@ -141,20 +141,21 @@ impl Excitation {
     /// Starts to count energies: `y` is the state at the start of the integration.
     pub fn open(&mut self, layout: &StateLayout, y: &[F64x8]) {
         if !self.is_silent() {
-            self.ledger.open(&self.sizes, self.full_state(layout, y));
+            self.signal_work
+                .open(&self.sizes, self.full_state(layout, y));
         }
     }
 
     /// True when there is no signal.
     #[inline(always)]
     pub fn is_silent(&self) -> bool {
-        self.players.is_empty()
+        self.cursors.is_empty()
     }
 
     /// Returns the state with its forced part.
     pub fn full_state(&self, layout: &StateLayout, y: &[F64x8]) -> Vec<f64> {
         let mut full_state = y.to_vec();
-        for (cursor, [size, slope]) in self.players.iter().zip(&self.sizes) {
+        for (cursor, [size, slope]) in self.cursors.iter().zip(&self.sizes) {
             for (i, lane) in full_state.iter_mut().enumerate() {
                 *lane = lane
                     .add_scaled(*size, &cursor.rest[i])
@@ -185,7 +186,7 @@ impl Excitation {
     /// has a bitwise equal length everywhere, so that its tables can be cached.
     #[inline(always)]
     pub fn remaining_s(&self, time_s: f64, end_s: f64) -> f64 {
-        match &self.players[..] {
+        match &self.cursors[..] {
             [only] if end_s == self.next_s && time_s == only.piece.from_s => only.piece.length_s,
             _ => end_s - time_s,
         }
@@ -256,8 +257,8 @@ impl Excitation {
     /// N s.
     #[inline(always)]
     pub fn push(&mut self, port: usize, positions: &[f64; LANES], length_s: f64, weighted: &F64x8) {
-        if !self.players.is_empty() {
-            self.ledger
+        if !self.cursors.is_empty() {
+            self.signal_work
                 .push(port, &self.sizes, positions, length_s, weighted);
             let excitation = &self.ports[port];
             if !excitation.approach.is_empty() {
@@ -272,8 +273,8 @@ impl Excitation {
 
     /// Records an impulse of a rigid stop, N s.
     pub fn strike_stop(&mut self, port: usize, impulse_n_s: f64) {
-        if !self.players.is_empty() {
-            self.ledger.strike_stop(port, &self.sizes, impulse_n_s);
+        if !self.cursors.is_empty() {
+            self.signal_work.strike_stop(port, &self.sizes, impulse_n_s);
             self.base_work_j += impulse_n_s * self.ports[port].base_speed_m_s(0.0);
         }
     }
@@ -282,13 +283,13 @@ impl Excitation {
     /// local blocks.
     #[inline(always)]
     pub fn pass(&mut self, kernel: &Kernel, length_s: f64, time_s: f64, y: &mut [F64x8]) {
-        if self.players.is_empty() {
+        if self.cursors.is_empty() {
             return;
         }
         if self.has_local && self.sizes.iter().any(|size| *size != [0.0; 2]) {
             let local_motion = self.local_motions.over(
                 kernel,
-                self.players.iter().map(|cursor| &cursor.local),
+                self.cursors.iter().map(|cursor| &cursor.local),
                 length_s,
             );
             for (by, [size, slope]) in local_motion.iter().zip(&self.sizes) {
@@ -296,10 +297,11 @@ impl Excitation {
                     *y = y.add_scaled(*size, &by[0][i]).add_scaled(*slope, &by[1][i]);
                 }
             }
-            self.ledger.pass_local(kernel, &self.sizes, length_s, y);
+            self.signal_work
+                .pass_local(kernel, &self.sizes, length_s, y);
         }
-        self.ledger.pass();
-        for (size, cursor) in self.sizes.iter_mut().zip(&self.players) {
+        self.signal_work.pass();
+        for (size, cursor) in self.sizes.iter_mut().zip(&self.cursors) {
             size[0] = cursor.piece.size_at(time_s);
         }
         self.aim(time_s);
@@ -310,7 +312,7 @@ impl Excitation {
     pub fn cross(&mut self, kernel: &Kernel, time_s: f64, y: &mut [F64x8]) -> bool {
         let mut has_impulse = false;
         let mut full_state = self.full_state(&kernel.layout, y);
-        self.ledger.close(
+        self.signal_work.close(
             kernel,
             &self.sizes,
             &full_state,
@@ -318,8 +320,8 @@ impl Excitation {
             self.piece_s(time_s),
         );
         while self.next_s <= time_s {
-            for k in 0..self.players.len() {
-                if self.players[k].piece.until_s <= time_s {
+            for k in 0..self.cursors.len() {
+                if self.cursors[k].piece.until_s <= time_s {
                     has_impulse |= self.cross_one(kernel, k, time_s, y);
                 }
             }
@@ -328,16 +330,17 @@ impl Excitation {
         if has_impulse {
             full_state = self.full_state(&kernel.layout, y);
         }
-        self.ledger.open(&self.sizes, full_state);
+        self.signal_work.open(&self.sizes, full_state);
         self.aim(time_s);
         has_impulse
     }
 
     /// Returns the length of a complete piece of a single signal that ends now, s.
     fn piece_s(&self, time_s: f64) -> Option<f64> {
-        match &self.players[..] {
+        match &self.cursors[..] {
             [only]
-                if self.ledger.since_s() == only.piece.from_s && time_s == only.piece.until_s =>
+                if self.signal_work.since_s() == only.piece.from_s
+                    && time_s == only.piece.until_s =>
             {
                 Some(only.piece.length_s)
             }
@@ -346,7 +349,7 @@ impl Excitation {
     }
 
     fn cross_one(&mut self, kernel: &Kernel, k: usize, time_s: f64, y: &mut [F64x8]) -> bool {
-        let cursor = &mut self.players[k];
+        let cursor = &mut self.cursors[k];
         cursor.index += 1;
         let piece = kernel.plant.system.signals[k].wave.piece(cursor.index);
         cursor.piece = piece;
@@ -368,7 +371,7 @@ impl Excitation {
                 .map(|(a, b)| 0.5 * (a + b))
                 .collect();
             let forced = kernel.plant.forced(&self.sizes, 0.0);
-            self.ledger.strike(
+            self.signal_work.strike(
                 k,
                 piece.impulse_s,
                 middle.iter().zip(&forced).map(|(y, p)| y + p),
@@ -379,7 +382,7 @@ impl Excitation {
     }
 
     fn find_next(&mut self) {
-        self.next_s = self.players.iter().fold(f64::INFINITY, |least, cursor| {
+        self.next_s = self.cursors.iter().fold(f64::INFINITY, |least, cursor| {
             least.min(cursor.piece.until_s)
         });
     }
@@ -390,7 +393,7 @@ impl Excitation {
         for excitation in &mut self.ports {
             excitation.series = excitation.reading.series(&self.sizes);
             if !excitation.approach.is_empty() {
-                excitation.follow(&self.players, &self.sizes, time_s);
+                excitation.follow(&self.cursors, &self.sizes, time_s);
             }
         }
     }

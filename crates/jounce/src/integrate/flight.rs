@@ -55,7 +55,7 @@ impl Integrator<'_> {
         if self.kernel.plant.ports.is_empty() {
             let length_s = self.excitation.remaining_s(self.time_s, end_s);
             self.propagate_to(w, length_s);
-            self.move_on(length_s, end_s);
+            self.advance_state(length_s, end_s);
             self.work.flight_steps += 1;
             return Ok(());
         }
@@ -89,7 +89,7 @@ impl Integrator<'_> {
                 }
                 FlightVerdict::Strike(crossing) => {
                     let (after_s, motion) = self.locate(w, 0, crossing);
-                    self.move_on(after_s, self.time_s + after_s);
+                    self.advance_state(after_s, self.time_s + after_s);
                     self.set_motion(0, motion);
                     // A point that is past a rigid stop by roundoff and moves out has left it,
                     // unless it is pressed back first.
@@ -164,7 +164,7 @@ impl Integrator<'_> {
         let step = self.step_of(w, 0, level, length_s, motion, self.drive_after(0, length_s));
         let verdict = self.judge_flight(0, &step, motion[0]);
         if let FlightVerdict::Clear = verdict {
-            self.move_on(length_s, end_s);
+            self.advance_state(length_s, end_s);
             self.set_motion(0, motion);
         }
         verdict

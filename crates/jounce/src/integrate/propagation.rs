@@ -40,7 +40,7 @@ impl Integrator<'_> {
             return;
         }
         self.next.copy_from_slice(&self.y);
-        self.carry_on(w, length_s);
+        self.propagate_remainder(w, length_s);
     }
 
     /// Moves `next` from one time ahead of the current one to another. Over a short time it moves
@@ -50,7 +50,7 @@ impl Integrator<'_> {
     pub(super) fn propagate_from<W: Simd>(&mut self, w: W, from_s: f64, to_s: f64) {
         let change_s = to_s - from_s;
         if change_s.abs() * self.kernel.stiffest_rad_s <= MAX_SERIES_ARGUMENT {
-            self.carry_on(w, change_s);
+            self.propagate_remainder(w, change_s);
         } else {
             self.propagate_to(w, to_s);
         }
@@ -61,7 +61,7 @@ impl Integrator<'_> {
     /// The time is split into levels, longest first, and a remainder so short that the power series
     /// of the flow is exact.
     #[inline(always)]
-    fn carry_on<W: Simd>(&mut self, w: W, change_s: f64) {
+    fn propagate_remainder<W: Simd>(&mut self, w: W, change_s: f64) {
         let kernel = self.kernel;
         let (flows, rest_s) = kernel.flows_within(change_s);
         kernel
@@ -89,7 +89,7 @@ impl Integrator<'_> {
 
     /// Advances to the state in `next`; the ports are not updated.
     #[inline(always)]
-    pub(super) fn move_on(&mut self, length_s: f64, end_s: f64) {
+    pub(super) fn advance_state(&mut self, length_s: f64, end_s: f64) {
         self.note(length_s, &[]);
         std::mem::swap(&mut self.y, &mut self.next);
         self.time_s = end_s;

@@ -344,12 +344,13 @@ impl Integrator<'_> {
             w.zero(),
         ));
         for tone in &mut self.tones {
-            let swing =
+            let samples =
                 PhasorSamples::over(tone.angular_frequency_rad_s, &SMOOTH_BASIS, table.length_s);
-            tone.swing[0] = swing;
+            tone.samples[0] = samples;
             for i in 0..LANES {
-                let phasor =
-                    tone.displacement_m[0] * tone.turn * c64::new(swing.cos.0[i], swing.sin.0[i]);
+                let phasor = tone.displacement_m[0]
+                    * tone.turn
+                    * c64::new(samples.cos.0[i], samples.sin.0[i]);
                 free.0[i] += acceleration(phasor, tone.angular_frequency_rad_s);
             }
         }
@@ -389,7 +390,7 @@ impl Integrator<'_> {
             .pass(self.kernel, table.length_s, self.time_s, &mut self.y);
         self.update_port(w, 0);
         self.observe_rest(0, table.length_s, &lane);
-        self.put_back(0);
+        self.reset_onto_stop(0);
     }
 
     /// Adds a step of sticking to the statistics.
@@ -405,7 +406,7 @@ impl Integrator<'_> {
 
     /// Removes the drift of collocation: the constraint acts on the acceleration, so that position
     /// and speed drift by roundoff.
-    pub(super) fn put_back(&mut self, p: usize) {
+    pub(super) fn reset_onto_stop(&mut self, p: usize) {
         let (plant, port) = (&self.kernel.plant, &self.ports[p]);
         let mobility = port.rows.mobility_per_kg;
         let shape = &plant.system.stops[p].shape;

@@ -54,7 +54,9 @@ impl SwitchMap {
                 slopes: [[-inversion, 0.0], [0.0, 1.0]],
                 ..Self::without_effect(volts)
             },
-            Scheme::SeriesSshi { inversion } => Self::swung(bridge, inversion, &both, volts),
+            Scheme::SeriesSshi { inversion } => {
+                Self::half_oscillation(bridge, inversion, &both, volts)
+            }
             Scheme::Extraction { efficiency } => Self::extracted(bridge, efficiency, &both, volts),
         };
         switch_map.stored_j = both.energy_j(switch_map.volts) - both.energy_j(volts);
@@ -87,7 +89,12 @@ impl SwitchMap {
 
     /// Returns the map of a half oscillation through an inductor into the storage: the voltage inverts about
     /// the voltage against which it conducts.
-    fn swung(bridge: &Bridge, inversion: f64, both: &Capacitances, volts: [f64; 2]) -> Self {
+    fn half_oscillation(
+        bridge: &Bridge,
+        inversion: f64,
+        both: &Capacitances,
+        volts: [f64; 2],
+    ) -> Self {
         let mut switch_map = Self::without_effect(volts);
         let over_v = volts[0].abs() - volts[1] - bridge.threshold_v();
         if over_v <= 0.0 {

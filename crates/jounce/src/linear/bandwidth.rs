@@ -68,7 +68,7 @@ pub fn statistical_bandwidth_hz(
 
 /// Returns frequencies at which responses may be large, Hz, ascending: around every resonance, and
 /// a few between.
-pub(super) fn telling_frequencies_hz(plant: &Plant) -> Vec<f64> {
+pub(super) fn sampling_frequencies_hz(plant: &Plant) -> Vec<f64> {
     let mut all = Vec::new();
     for value in plant
         .diagonal
@@ -95,7 +95,7 @@ pub(super) fn telling_frequencies_hz(plant: &Plant) -> Vec<f64> {
 /// between its neighbours.
 fn largest_gain(plant: &Plant, noise: &NoiseInput, row: &[f64]) -> Result<f64, RandomError> {
     let at = |frequency_hz: f64| gain(plant, noise, row, frequency_hz);
-    let frequencies = telling_frequencies_hz(plant);
+    let frequencies = sampling_frequencies_hz(plant);
     let sizes = frequencies
         .iter()
         .map(|frequency| at(*frequency))

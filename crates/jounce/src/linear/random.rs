@@ -5,7 +5,7 @@
 //! rate at which their gap would be reached ([`super::Crossing`]). Drives other than noise are left
 //! out too; gravity shifts the mean.
 
-use super::bandwidth::{noise_bandwidth_hz, statistical_bandwidth_hz, telling_frequencies_hz};
+use super::bandwidth::{noise_bandwidth_hz, sampling_frequencies_hz, statistical_bandwidth_hz};
 use super::covariance::{covariance, product};
 use super::crossing::Crossing;
 use super::noise::{NoiseInput, density, spectral_moment};
@@ -235,7 +235,7 @@ impl Random {
             .map(|k| from_hz + (to_hz - from_hz) * k as f64 / (points - 1) as f64)
             .collect();
         all.extend(
-            telling_frequencies_hz(&self.plant)
+            sampling_frequencies_hz(&self.plant)
                 .into_iter()
                 .filter(|frequency| (from_hz..=to_hz).contains(frequency)),
         );

@@ -52,7 +52,7 @@ impl TurningPoint {
             (self.time_s - half_s).max(0.0),
             (self.time_s + half_s).min(cycle_s),
         );
-        let refined_motion = closer(
+        let refined_motion = refine_samples(
             &evaluation.kernel,
             self.port,
             &evaluation.trajectories[self.cycle],
@@ -132,7 +132,7 @@ fn turns_of(evaluation: &ShootingEvaluation, port: usize, cycle_s: f64) -> Vec<T
         let cycle_samples: Vec<SampledMotion> = cycle_samples.iter().copied().chain(end).collect();
         for (from, to) in cycle_samples.windows(2).map(|pair| (pair[0], pair[1])) {
             let coming = if strikes {
-                unstruck(kernel, port, &evaluation.trajectories[cycle], (from, to))
+                turn_without_impact(kernel, port, &evaluation.trajectories[cycle], (from, to))
             } else {
                 to
             };
@@ -189,7 +189,7 @@ pub fn displacement_peak_m(evaluation: &ShootingEvaluation) -> f64 {
         |range, (trajectory, samples)| {
             let cycle_samples = samples.windows(2).flat_map(|pair| {
                 let to = if strikes {
-                    unstruck(&evaluation.kernel, 0, trajectory, (pair[0], pair[1]))
+                    turn_without_impact(&evaluation.kernel, 0, trajectory, (pair[0], pair[1]))
                 } else {
                     pair[1]
                 };
@@ -208,7 +208,7 @@ pub fn displacement_peak_m(evaluation: &ShootingEvaluation) -> f64 {
 /// Returns the second of two neighbouring samples before any impact on a rigid stop. The speed
 /// jumps only at the start of a step, which is a sample. The impact matters only where the speed
 /// changes sign.
-fn unstruck(
+fn turn_without_impact(
     kernel: &Kernel,
     port: usize,
     trajectory: &Trajectory,
@@ -272,12 +272,13 @@ fn turning_points(
         .collect();
     turns.sort_by(|a, b| a.0.1.abs().total_cmp(&b.0.1.abs()));
     turns.truncate(MAX_REFINED_POINTS);
-    let closer =
-        |from: SampledMotion, to: SampledMotion| closer(kernel, port, trajectory, from.0, to.0);
+    let refine = |from: SampledMotion, to: SampledMotion| {
+        refine_samples(kernel, port, trajectory, from.0, to.0)
+    };
     turns
         .into_iter()
         .filter_map(|(from, to)| {
-            closer(from, to).map(|(time_s, past_m)| (time_s, past_m, from.2 > 0.0))
+            refine(from, to).map(|(time_s, past_m)| (time_s, past_m, from.2 > 0.0))
         })
         .collect()
 }
@@ -303,7 +304,7 @@ fn sampled_motions(
 
 /// Returns time and distance of the turning point between two times. The speed is taken as linear
 /// between close samples: the error is of second order, because the distance is stationary there.
-fn closer(
+fn refine_samples(
     kernel: &Kernel,
     port: usize,
     trajectory: &Trajectory,

@@ -58,7 +58,7 @@ pub(super) fn table(ground: &[Claim], on_table: &[Claim]) -> Result<NamedTable, 
 }
 
 /// Tests all claims in order for one position of the stop.
-pub(super) fn judged(computed: &Impact) -> Vec<Claim> {
+pub(super) fn test_claims(computed: &Impact) -> Vec<Claim> {
     vec![
         linear_best_near_resonance(computed),
         second_mode_at_four_times(computed),

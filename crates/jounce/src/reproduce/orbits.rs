@@ -45,7 +45,7 @@ impl PaperOrbits {
             || {
                 LEVELS_N
                     .into_par_iter()
-                    .map(|level| Ok((level, followed(level, control)?)))
+                    .map(|level| Ok((level, traced_branches(level, control)?)))
                     .collect::<Result<Vec<_>, ReproduceError>>()
             },
             || map_of_jumps(control),
@@ -250,7 +250,7 @@ fn prepared(level_n: f64, control: &Control) -> Result<(Model, NumericKey), Repr
     Ok((Model::watched(spec, control)?, key))
 }
 
-fn followed(level_n: f64, control: &Control) -> Result<Vec<Branch>, ReproduceError> {
+fn traced_branches(level_n: f64, control: &Control) -> Result<Vec<Branch>, ReproduceError> {
     let (base, key) = prepared(level_n, control)?;
     let parameter = Parameter::new(&base, &key, FREQUENCIES_HZ.1 - FREQUENCIES_HZ.0);
     let search = BranchSearch {

@@ -66,8 +66,8 @@ pub fn reproduce(
         computed.orbits.map(),
     ]);
     let (ground, on_table) = (
-        claims::judged(&computed.ground),
-        claims::judged(&computed.table),
+        claims::test_claims(&computed.ground),
+        claims::test_claims(&computed.table),
     );
     let manifest =
         Manifest::new(&computed.ground.harvester.spec.hash_hex()).with("command", "reproduce");

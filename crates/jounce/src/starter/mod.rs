@@ -47,7 +47,7 @@ pub const STARTERS: &[Starter] = &[
 
 /// Unknown kind of starter.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error, serde::Serialize)]
-#[error("there is no starter of the kind \"{kind}\"{}; the kinds are {}", meant(.nearest), kinds())]
+#[error("there is no starter of the kind \"{kind}\"{}; the kinds are {}", suggestion(.nearest), kinds())]
 pub struct UnknownKind {
     /// The requested kind.
     pub kind: String,
@@ -90,7 +90,7 @@ impl Starter {
     }
 }
 
-fn meant(nearest: &Option<&str>) -> String {
+fn suggestion(nearest: &Option<&str>) -> String {
     nearest
         .map(|kind| format!(" (did you mean \"{kind}\"?)"))
         .unwrap_or_default()

@@ -89,7 +89,7 @@ impl<'a> Body<'a> {
 
     /// Adds a part, then all parts that it supports: masses first, then beams, each in the order of
     /// their names.
-    fn grow(&mut self, spec: &'a Spec, name: &'a str, kind: PartKind<'a>, on: Support) {
+    fn add_part(&mut self, spec: &'a Spec, name: &'a str, kind: PartKind<'a>, on: Support) {
         let index = self.parts.len();
         self.parts.push(Part { name, kind, on });
         let support = |text: &str| match (kind, text.split_once('.')) {
@@ -111,10 +111,10 @@ impl<'a> Body<'a> {
             .collect();
         masses
             .into_iter()
-            .for_each(|(key, mass, on)| self.grow(spec, key, PartKind::Mass(mass), on));
+            .for_each(|(key, mass, on)| self.add_part(spec, key, PartKind::Mass(mass), on));
         beams
             .into_iter()
-            .for_each(|(key, beam, on)| self.grow(spec, key, PartKind::Beam(beam), on));
+            .for_each(|(key, beam, on)| self.add_part(spec, key, PartKind::Beam(beam), on));
     }
 }
 
@@ -136,7 +136,7 @@ pub(super) fn bodies<'a>(
     let mut bodies = Vec::new();
     let mut rooted = |name: &'a str, kind, on| {
         let mut body = Body { parts: Vec::new() };
-        body.grow(spec, name, kind, on);
+        body.add_part(spec, name, kind, on);
         bodies.push(body);
     };
     for (name, mass) in spec

@@ -95,7 +95,7 @@ pub(super) fn drive_key(model: &Model) -> Result<(NumericKey, f64), StudyError> 
 }
 
 /// Returns the excitation of a harvester: its first force, or else its base.
-pub(super) fn shaken(spec: &Spec) -> Option<FrfInput> {
+pub(super) fn default_excitation(spec: &Spec) -> Option<FrfInput> {
     let force = spec
         .drive
         .values()
@@ -135,8 +135,8 @@ fn frf(model: &Model, (low_hz, high_hz): (f64, f64), points: usize) -> Result<Ve
     let response = load
         .or_else(patch)
         .ok_or("the harvester has no patch, so that there is no voltage")?;
-    let input =
-        shaken(&model.spec).ok_or("the harvester has no drive, so that nothing shakes it")?;
+    let input = default_excitation(&model.spec)
+        .ok_or("the harvester has no drive, so that nothing shakes it")?;
     let ratio = (high_hz / low_hz).ln() / (points - 1) as f64;
     let frequency_hz: Vec<f64> = (0..points)
         .map(|k| (low_hz * (ratio * k as f64).exp()).min(high_hz))

@@ -1,7 +1,7 @@
 //! Reads the quantity of a study from its table `[quantity]`.
 
 use super::Quantity;
-use super::evaluation::shaken;
+use super::evaluation::default_excitation;
 use super::faults::FaultCollector;
 use crate::analysis::{DiagramOrder, Recognition, SweepOrder};
 use crate::linear::FrfResponse;
@@ -103,7 +103,7 @@ impl QuantityTable<'_> {
             (2, 1_000_000),
             2000,
         ) as usize;
-        let input = self.file.spec().ok().as_ref().and_then(shaken);
+        let input = self.file.spec().ok().as_ref().and_then(default_excitation);
         if input.is_none() {
             reader.fault(
                 "quantity.command",

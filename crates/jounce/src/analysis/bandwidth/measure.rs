@@ -200,7 +200,7 @@ impl<'s> BandwidthSearch<'s> {
             + x_error * x_error * (self.range.1 - self.range.0);
         // The boundary lies between the two points, even where the multiplier passes modulus one
         // slowly.
-        let parameter_error = parameter_error.min(segment.farthest(zero.point.parameter()));
+        let parameter_error = parameter_error.min(segment.largest_distance(zero.point.parameter()));
         let edge = IntervalEdge {
             parameter: zero.point.parameter(),
             parameter_error,
@@ -249,7 +249,7 @@ impl<'s> BandwidthSearch<'s> {
         let highest = ends().max_by(|a, b| a.power_w.total_cmp(&b.power_w))?;
         let worth = |segment: &&StableSegment| {
             segment
-                .tops(segments)
+                .highest_end_power(segments)
                 .is_some_and(|power_w| power_w >= MIN_PEAK_SHARE * highest.power_w)
         };
         let maxima: Vec<SegmentEnd> = segments

@@ -29,7 +29,7 @@ pub struct StableSegment<'b> {
 impl StableSegment<'_> {
     /// Returns the larger power of the two ends if no neighbouring segment rises further from
     /// there.
-    pub fn tops(&self, all: &[StableSegment]) -> Option<f64> {
+    pub fn highest_end_power(&self, all: &[StableSegment]) -> Option<f64> {
         let top = usize::from(self.ends[1].power_w > self.ends[0].power_w);
         let power_w = self.ends[top].power_w;
         let rises = |other: &StableSegment| {
@@ -43,7 +43,7 @@ impl StableSegment<'_> {
     }
 
     /// Returns the distance of a value of the key from the farther one of the two points.
-    pub fn farthest(&self, parameter: f64) -> f64 {
+    pub fn largest_distance(&self, parameter: f64) -> f64 {
         self.points
             .iter()
             .map(|point| (point.parameter - parameter).abs())

@@ -28,7 +28,7 @@ const MAX_RESTART_DISTANCE: f64 = 0.2;
 
 /// Returns a point of the curve beyond the grazing, ahead of `position`, with its tangent; `None`
 /// where there is no grazing within the limit.
-pub fn round(
+pub fn beyond_grazing(
     tracking: &ExtendedProblem<KeyPlane>,
     corrector: &Corrector,
     scale_2: f64,

@@ -53,7 +53,7 @@ enum CurveClosure {
 impl BifurcationSearch<'_> {
     /// Continues a curve from its first point in a direction until it ends; `curve` has no points
     /// yet.
-    pub(super) fn walk(
+    pub(super) fn trace(
         &self,
         tracking: &ExtendedProblem<KeyPlane>,
         corrector: Corrector,
@@ -64,7 +64,7 @@ impl BifurcationSearch<'_> {
             .points
             .push(point(tracking, &first.position, &first.local));
         let (origin, outset) = (first.position.clone(), direction.clone());
-        let mut walk = self.walk_from(tracking, corrector, first.position, direction);
+        let mut walk = self.continuation_from(tracking, corrector, first.position, direction);
         let (mut current, mut came_back) = (first.local, false);
         loop {
             let (mark, before) = (walk.mark(), walk.position.clone());
@@ -122,7 +122,7 @@ impl BifurcationSearch<'_> {
         curve
     }
 
-    fn walk_from<'t, 'p>(
+    fn continuation_from<'t, 'p>(
         &self,
         tracking: &'t ExtendedProblem<'p, KeyPlane<'p>>,
         corrector: Corrector,
@@ -165,7 +165,8 @@ impl BifurcationSearch<'_> {
                 else {
                     return Some(Err(error.to_string()));
                 };
-                *walk = self.walk_from(tracking, corrector, found.position.clone(), direction);
+                *walk =
+                    self.continuation_from(tracking, corrector, found.position.clone(), direction);
                 walk.length = step;
                 Some(Ok((found.position, found.local)))
             }
@@ -179,7 +180,8 @@ impl BifurcationSearch<'_> {
         corrector: &Corrector,
         (position, local, direction): (&Position, &ExtendedEvaluation, &Direction),
     ) -> Option<RestartPoint> {
-        let corner = corner::round(tracking, corrector, self.scale_2(), (position, direction));
+        let corner =
+            corner::beyond_grazing(tracking, corrector, self.scale_2(), (position, direction));
         let restart = corner.map(|(found, direction)| RestartPoint {
             found,
             tangent: direction,
@@ -205,7 +207,7 @@ impl BifurcationSearch<'_> {
         edge: PlaneEdge,
         curve: &mut BifurcationCurve,
     ) -> bool {
-        let Some(edge_point) = self.cut(tracking, corrector, ends, edge) else {
+        let Some(edge_point) = self.correct_on_edge(tracking, corrector, ends, edge) else {
             return false;
         };
         let mut edge_point = point(tracking, &edge_point.position, &edge_point.local);
@@ -245,7 +247,7 @@ impl BifurcationSearch<'_> {
     }
 
     /// Returns the point exactly on an edge.
-    fn cut(
+    fn correct_on_edge(
         &self,
         tracking: &ExtendedProblem<KeyPlane>,
         corrector: Corrector,

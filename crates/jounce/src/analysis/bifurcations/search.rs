@@ -127,7 +127,7 @@ impl BifurcationSearch<'_> {
         Ok(())
     }
 
-    /// Returns the branches over one key, at the value of the other in `prepared`.
+    /// Returns the branches over one key, at the value of the other in `model`.
     fn branches(
         &self,
         model: &Model,
@@ -181,8 +181,8 @@ impl BifurcationSearch<'_> {
     ) -> Result<Vec<CurveSeed>, Failure> {
         let line = plane.line(parameter_2).map_err(OrbitError::Harvester)?;
         let range = self.ranges[0];
-        let parameter = Parameter::new(&line.prepared, self.keys[0], range.1 - range.0);
-        let branches = self.branches(&line.prepared, 0, options)?;
+        let parameter = Parameter::new(&line.model, self.keys[0], range.1 - range.0);
+        let branches = self.branches(&line.model, 0, options)?;
         let bifurcations = branches.iter().flat_map(|branch| {
             branch
                 .bifurcations
@@ -197,7 +197,7 @@ impl BifurcationSearch<'_> {
             let shooting = || {
                 Shooting::new(
                     &parameter,
-                    &line.prepared.kernel,
+                    &line.model.kernel,
                     branch.period_cycles,
                     self.tolerance,
                 )
@@ -301,7 +301,7 @@ impl BifurcationSearch<'_> {
             let Some(direction) = tangent(&first.local, &metric, &up) else {
                 return Ok(None);
             };
-            ways.push(self.walk(&tracking, corrector, (first, direction), seed.curve()));
+            ways.push(self.trace(&tracking, corrector, (first, direction), seed.curve()));
         }
         let up = ways.pop();
         Ok(ways.pop().zip(up).map(|(down, up)| down.joined(up)))

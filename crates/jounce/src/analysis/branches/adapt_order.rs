@@ -26,7 +26,7 @@ const STRICT_GOAL_FACTOR: f64 = 0.01;
 impl BranchTracer {
     /// Returns the point after more Newton iterations, if these bring it within the accuracy;
     /// otherwise the point itself.
-    pub(super) fn polished<M: OrbitMethod>(
+    pub(super) fn refined_point<M: OrbitMethod>(
         &self,
         method: &M,
         point: CurvePoint<M::Evaluation>,

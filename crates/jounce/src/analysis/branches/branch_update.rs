@@ -84,7 +84,7 @@ impl BranchUpdate<'_> {
                 .filter(|extrapolation| extrapolation.before.len() == known.len());
             let predicted_positions =
                 extrapolation.and_then(|extrapolation| extrapolation.likely(index, branch));
-            self.carry(
+            self.update_branch(
                 &tracer,
                 branch,
                 predicted_positions.as_deref(),
@@ -94,7 +94,7 @@ impl BranchUpdate<'_> {
         updated
     }
 
-    fn carry(
+    fn update_branch(
         &self,
         tracer: &BranchTracer,
         branch: &Branch,

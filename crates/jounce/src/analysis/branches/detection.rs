@@ -104,7 +104,7 @@ impl BranchTracer {
                     turn.past_m(evaluation, share(step))
                 }
                 (DetectedEvent::Level(number), Ok(evaluation)) => {
-                    self.levels[number].off(evaluation)
+                    self.levels[number].relative_difference(evaluation)
                 }
                 (_, Ok(evaluation)) => of_multipliers(event, step, (evaluation, &a.point.orbit)),
             };

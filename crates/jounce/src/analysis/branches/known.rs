@@ -67,7 +67,7 @@ impl Chord {
 
     /// Returns the projection of an orbit that may lie on this part of the curve. At an end of the
     /// branch the projection may lie one chord beyond.
-    fn foot(&self, orbit: Position, is_first: bool, is_last: bool) -> Option<ChordProjection> {
+    fn project(&self, orbit: Position, is_first: bool, is_last: bool) -> Option<ChordProjection> {
         let along = self.metric.inner(&self.direction, &self.from.to(&orbit));
         let slack = MAX_DISTANCE_FROM_CHORD * self.length;
         let low = if is_first { -self.length } else { -slack };
@@ -121,24 +121,28 @@ impl Branch {
                 .any(|candidate| metric.length(&only.to(&candidate)) < same);
         }
         let last = self.points.len().saturating_sub(2);
-        let mut feet: Vec<(Rc<Chord>, ChordProjection)> = Vec::new();
+        let mut projections: Vec<(Rc<Chord>, ChordProjection)> = Vec::new();
         for (k, pair) in self.points.windows(2).enumerate() {
             let chord = Rc::new(Chord::between(&pair[0], &pair[1], tracer.parameter_scale()));
             let near = compared_positions(orbit, parameter)
-                .filter_map(|candidate| chord.foot(candidate, k == 0, k == last));
-            feet.extend(near.map(|foot| (Rc::clone(&chord), foot)));
+                .filter_map(|candidate| chord.project(candidate, k == 0, k == last));
+            projections.extend(near.map(|projection| (Rc::clone(&chord), projection)));
         }
-        feet.sort_by(|one, two| (one.1.off / one.0.length).total_cmp(&(two.1.off / two.0.length)));
-        feet.into_iter().any(|(chord, foot)| {
+        projections
+            .sort_by(|one, two| (one.1.off / one.0.length).total_cmp(&(two.1.off / two.0.length)));
+        projections.into_iter().any(|(chord, projection)| {
             let corrected = correct(
                 shooting,
                 &tracer.corrector,
                 &chord.metric,
                 &chord.direction,
-                foot.at,
+                projection.at,
             );
             corrected.is_ok_and(|corrected| {
-                chord.metric.length(&corrected.position.to(&foot.orbit)) < same
+                chord
+                    .metric
+                    .length(&corrected.position.to(&projection.orbit))
+                    < same
             })
         })
     }

@@ -227,7 +227,7 @@ impl BranchSearch<'_> {
                     continue;
                 };
                 let method = make(cycles)?;
-                let Some((first, direction)) = self.off(tracer, &method, &at) else {
+                let Some((first, direction)) = self.displaced_orbit(tracer, &method, &at) else {
                     branches[parent].not_followed += 1;
                     continue;
                 };
@@ -262,7 +262,7 @@ impl BranchSearch<'_> {
 
     /// Returns a first orbit on the doubled branch, displaced from the doubling along the
     /// eigenvector of the multiplier -1.
-    fn off<M: OrbitMethod<Fault = AnalysisError>>(
+    fn displaced_orbit<M: OrbitMethod<Fault = AnalysisError>>(
         &self,
         tracer: &BranchTracer,
         method: &M,

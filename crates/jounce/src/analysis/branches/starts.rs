@@ -1,6 +1,6 @@
 //! Orbits on which integrations settle, from which branches are followed.
 
-use super::ramp_down::eased;
+use super::ramp_down::ramped_down_start;
 use super::search::BranchSearch;
 use crate::analysis::settled_orbits;
 use crate::orbit::{Orbit, ParametricModel};
@@ -73,7 +73,9 @@ impl BranchSearch<'_> {
         let mut state = vec![0.0; plant.len()];
         match start {
             SearchStart::Rest => {}
-            SearchStart::Eased => state = eased(&kernel, self.tolerance.max(COARSE_TOLERANCE))?,
+            SearchStart::Eased => {
+                state = ramped_down_start(&kernel, self.tolerance.max(COARSE_TOLERANCE))?
+            }
             SearchStart::Steady => state = plant.to_physical(&state, 0.0),
             SearchStart::Kicked => {
                 let w = plant.tones.first()?.angular_frequency_rad_s;

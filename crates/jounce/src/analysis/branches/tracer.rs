@@ -148,24 +148,24 @@ impl BranchTracer {
         if let Some((finer, start)) = self.finer(method, &start, &start)? {
             branch.points.push(point(&finer, &start)?);
             let beginning = TracerStart::of(&finer, &branch.points[0], sense)?;
-            self.walk_on(&finer, start, (beginning, None), &mut branch)?;
+            self.continue_branch(&finer, start, (beginning, None), &mut branch)?;
         } else {
             branch.points.push(point(method, &start)?);
             let beginning = TracerStart::of(method, &branch.points[0], sense)?;
-            self.walk_on(method, start, (beginning, None), &mut branch)?;
+            self.continue_branch(method, start, (beginning, None), &mut branch)?;
         }
         Ok(branch)
     }
 
     /// Continues from the last point of a branch, with the step size of the checkpoint.
-    fn walk_on<M: OrbitMethod>(
+    fn continue_branch<M: OrbitMethod>(
         &self,
         method: &M,
         start: CurvePoint<M::Evaluation>,
         (mut beginning, mark): (TracerStart, Option<Checkpoint>),
         branch: &mut Branch,
     ) -> Result<(), M::Error> {
-        let mut walk = self.resumed(method, &start, mark.as_ref());
+        let mut walk = self.resume_from(method, &start, mark.as_ref());
         let mut before = OrbitPoint::new(method, start)?;
         if let Some(mark) = &mark {
             add_crossings(
@@ -179,7 +179,7 @@ impl BranchTracer {
             let step = match next {
                 Ok(step) => step,
                 // Beyond the range a key may have no meaning at all.
-                Err(error) => return self.give_up(method, before, error, branch),
+                Err(error) => return self.end_with_failure(method, before, error, branch),
             };
             match self.leaves_range(method, &before, &step, branch)? {
                 RangeCrossing::Stays => {}
@@ -190,9 +190,9 @@ impl BranchTracer {
                     return Ok(());
                 }
             }
-            let step = self.polished(method, step)?;
+            let step = self.refined_point(method, step)?;
             if let Some((finer, start)) = self.finer(method, &step, &before.step)? {
-                return self.walk_on(
+                return self.continue_branch(
                     &finer,
                     start,
                     (beginning.resampled(&finer), Some(mark)),
@@ -227,7 +227,7 @@ impl BranchTracer {
             }
             mark = walk.mark();
             if let Some((coarser, start)) = self.coarser(method, &before.step, &mut spare)? {
-                return self.walk_on(
+                return self.continue_branch(
                     &coarser,
                     start,
                     (beginning.resampled(&coarser), Some(mark)),
@@ -239,7 +239,7 @@ impl BranchTracer {
     }
 
     /// Creates a continuation from a start, with the step size of the checkpoint.
-    fn resumed<'m, M: OrbitMethod>(
+    fn resume_from<'m, M: OrbitMethod>(
         &self,
         method: &'m M,
         start: &CurvePoint<M::Evaluation>,
@@ -306,7 +306,7 @@ impl BranchTracer {
     /// Ends a branch whose continuation failed: with sticking where the smallest step leads to a
     /// motion that sticks, or at a grazing where the orbit touches the stop. On a stiff stop a
     /// branch turns there more sharply than any step can follow.
-    fn give_up<M: OrbitMethod>(
+    fn end_with_failure<M: OrbitMethod>(
         &self,
         method: &M,
         last: OrbitPoint<M>,

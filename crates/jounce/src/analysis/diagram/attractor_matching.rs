@@ -51,7 +51,7 @@ impl Diagram<'_> {
         let mut before: Vec<(VisitGroup, usize)> = Vec::new();
         for (step, value) in self.values.iter().enumerate() {
             let mut current = groups(visits, *value);
-            let forward = self.followed(&before, *value)?;
+            let forward = self.continued(&before, *value)?;
             for (visit, _) in &forward {
                 if visit.motion != AttractorKind::Lost
                     && !current.iter().any(|group| group.first.is_of(visit))
@@ -102,7 +102,7 @@ impl Diagram<'_> {
                     .find(|(_, partner)| *partner == j)
                     .map(|(i, _)| before[*i].1);
                 let birth = if known.is_none() { birth() } else { None };
-                homes.push(known.unwrap_or_else(|| history.begin(&group.first, birth)));
+                homes.push(known.unwrap_or_else(|| history.start_track(&group.first, birth)));
             }
             for (i, (_, track)) in before
                 .iter()
@@ -124,7 +124,7 @@ impl Diagram<'_> {
             current
                 .iter()
                 .zip(&homes)
-                .for_each(|(group, track)| history.see(group, *track, of));
+                .for_each(|(group, track)| history.record(group, *track, of));
             before = current.into_iter().zip(homes).collect();
         }
         Ok(history)
@@ -132,18 +132,18 @@ impl Diagram<'_> {
 
     /// Returns where attractors lead at the next value, and true where that took shorter steps
     /// because a single one failed.
-    fn followed(
+    fn continued(
         &self,
         before: &[(VisitGroup, usize)],
         value: f64,
     ) -> Result<Vec<(DiagramPoint, bool)>, AnalysisError> {
         let follow = |(group, _): &(VisitGroup, usize)| {
-            let direct_bridge = self.bridge(&group.first, value, 1)?;
+            let direct_bridge = self.continue_attractor(&group.first, value, 1)?;
             if let Some(visit) = direct_bridge.1 {
                 return Ok((visit, false));
             }
             for steps in STEP_SUBDIVISIONS {
-                if let (_, Some(visit)) = self.bridge(&group.first, value, steps)? {
+                if let (_, Some(visit)) = self.continue_attractor(&group.first, value, steps)? {
                     return Ok((visit, true));
                 }
             }
@@ -154,7 +154,7 @@ impl Diagram<'_> {
 
     /// Follows an attractor to another value in `steps` steps. Returns the last point, and again
     /// the last point if every step stayed close.
-    fn bridge(
+    fn continue_attractor(
         &self,
         from: &DiagramPoint,
         value: f64,
@@ -205,7 +205,7 @@ impl Diagram<'_> {
 }
 
 impl AttractorTracks {
-    fn begin(&mut self, first: &DiagramPoint, birth: Option<Transition>) -> usize {
+    fn start_track(&mut self, first: &DiagramPoint, birth: Option<Transition>) -> usize {
         let id = AttractorTrack::name(&self.attractors, first);
         let (motion, period_cycles) = (first.motion, first.period_cycles);
         self.attractors.push(AttractorTrack {
@@ -219,7 +219,7 @@ impl AttractorTracks {
         self.attractors.len() - 1
     }
 
-    fn see(&mut self, group: &VisitGroup, track: usize, of: usize) {
+    fn record(&mut self, group: &VisitGroup, track: usize, of: usize) {
         group
             .visits
             .iter()

@@ -82,7 +82,7 @@ impl Diagram<'_> {
     }
 
     /// Returns a finished point; `None` where it was cancelled.
-    fn finished(
+    fn complete_point(
         &self,
         state: SectionState,
         start: &[f64],
@@ -155,7 +155,7 @@ impl Diagram<'_> {
                     return Ok(None);
                 }
                 let kernel = self.parameter.at(state.parameter)?.kernel;
-                self.finished(state, &cloud.start(&kernel.plant, state.start))?
+                self.complete_point(state, &cloud.start(&kernel.plant, state.start))?
                     .map(finish)
                     .transpose()
             })
@@ -176,7 +176,7 @@ impl Diagram<'_> {
                 .filter(|last| last.motion != AttractorKind::Lost)
                 .map_or(&rest, |last| &last.end)
                 .clone();
-            let Some(visit) = self.finished(state, &start)? else {
+            let Some(visit) = self.complete_point(state, &start)? else {
                 break;
             };
             visits.push(finish(visit)?);

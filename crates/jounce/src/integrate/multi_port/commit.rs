@@ -18,7 +18,7 @@ impl Integrator<'_> {
     /// Accepts a solved step whose free motion is in `next`; the tables hold the effects of several
     /// ports on each other.
     #[inline(always)]
-    pub(super) fn take_joint<W: Simd>(
+    pub(super) fn accept_joint_step<W: Simd>(
         &mut self,
         w: W,
         length: StepLength,
@@ -28,12 +28,12 @@ impl Integrator<'_> {
     ) {
         w.out_of_line(
             #[inline(always)]
-            || self.take_all(w, length, steps, solved, tables),
+            || self.accept_steps(w, length, steps, solved, tables),
         );
     }
 
     #[inline(always)]
-    fn take_all<W: Simd>(
+    fn accept_steps<W: Simd>(
         &mut self,
         w: W,
         length: StepLength,
@@ -66,20 +66,20 @@ impl Integrator<'_> {
             .pass(self.kernel, length.seconds(), self.time_s, &mut self.y);
         let first = steps[0].port;
         for tone in &mut self.tones {
-            tone.turn *= tone.swing[first].end();
+            tone.turn *= tone.samples[first].end();
         }
         for p in 0..self.kernel.plant.ports.len() {
             if self.ports[p].regime == ContactState::Flight && !self.ports[p].clearance.is_unseen {
                 self.update_port(w, p);
             }
         }
-        self.arrive_all(w, length.level(), steps, solved);
+        self.update_ports_in_contact(w, length.level(), steps, solved);
         self.work.contact_steps += 1;
     }
 
     /// Sets every port in contact to the end of the step.
     #[inline(always)]
-    fn arrive_all<W: Simd>(
+    fn update_ports_in_contact<W: Simd>(
         &mut self,
         w: W,
         level: i32,
@@ -92,11 +92,11 @@ impl Integrator<'_> {
             if let Law::Rigid(_) = self.law(p) {
                 self.update_port(w, p);
                 self.observe_rest(p, step.table.length_s, &solution.force);
-                self.put_back(p);
+                self.reset_onto_stop(p);
                 self.ports[p].level = (level - LEVELS_PER_OCTAVE).max(Kernel::coarsest());
                 continue;
             }
-            self.arrive(w, self.law(p), step, solution);
+            self.update_port_in_contact(w, self.law(p), step, solution);
             let entering = std::mem::take(&mut self.ports[p].entering);
             self.ports[p].level =
                 self.next_level(self.law(p), level, step, solution, (allowed, entering));

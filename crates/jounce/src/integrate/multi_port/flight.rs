@@ -65,7 +65,7 @@ impl Integrator<'_> {
             match self.attempt_all(w, tight, length_s, landing) {
                 StepOutcome::Clear => {
                     let start_s = self.time_s;
-                    self.move_on(length_s, if landing { end_s } else { start_s + length_s });
+                    self.advance_state(length_s, if landing { end_s } else { start_s + length_s });
                     for port in self
                         .ports
                         .iter_mut()
@@ -78,7 +78,7 @@ impl Integrator<'_> {
                     grow = LEVELS_PER_OCTAVE;
                 }
                 StepOutcome::Strikes(strikes) => {
-                    self.strike_first(w, &strikes);
+                    self.advance_to_first_crossing(w, &strikes);
                     return Ok(());
                 }
                 StepOutcome::Unclear(down) => {
@@ -180,7 +180,7 @@ impl Integrator<'_> {
 
     /// Advances to the first of several crossings.
     #[inline(always)]
-    fn strike_first<W: Simd>(&mut self, w: W, strikes: &[(usize, Crossing)]) {
+    fn advance_to_first_crossing<W: Simd>(&mut self, w: W, strikes: &[(usize, Crossing)]) {
         let mut first = (0, f64::INFINITY);
         for (p, crossing) in strikes {
             let (after_s, _) = self.locate(w, *p, *crossing);
@@ -192,7 +192,7 @@ impl Integrator<'_> {
         if strikes.len() > 1 {
             self.propagate_to(w, after_s);
         }
-        self.move_on(after_s, self.time_s + after_s);
+        self.advance_state(after_s, self.time_s + after_s);
         self.join(w, p);
     }
 }

@@ -18,7 +18,7 @@ impl Integrator<'_> {
     /// Judges the flight of every other port over a solved step; the free motion to its end is left
     /// in `next`.
     #[inline(always)]
-    pub(super) fn watch<W: Simd>(
+    pub(super) fn check_free_ports<W: Simd>(
         &mut self,
         w: W,
         length: StepLength,
@@ -27,12 +27,12 @@ impl Integrator<'_> {
     ) -> StepOutcome {
         w.out_of_line(
             #[inline(always)]
-            || self.watch_all(w, length, steps, solved),
+            || self.check_free_ports_all(w, length, steps, solved),
         )
     }
 
     #[inline(always)]
-    fn watch_all<W: Simd>(
+    fn check_free_ports_all<W: Simd>(
         &mut self,
         w: W,
         length: StepLength,
@@ -48,7 +48,7 @@ impl Integrator<'_> {
         for p in 0..self.kernel.plant.ports.len() {
             if self.ports[p].regime == ContactState::Flight {
                 self.update_free_port(w, p);
-                outcome = outcome.and(p, self.watch_one(w, length, steps, &forces, p));
+                outcome = outcome.and(p, self.check_free_port(w, length, steps, &forces, p));
             }
         }
         outcome
@@ -56,7 +56,7 @@ impl Integrator<'_> {
 
     /// Returns the verdict on one port.
     #[inline(always)]
-    fn watch_one<W: Simd>(
+    fn check_free_port<W: Simd>(
         &self,
         w: W,
         length: StepLength,
@@ -105,7 +105,7 @@ impl Integrator<'_> {
     /// Returns the motion of a port in flight at the end of a solved step: distance past the stop,
     /// m, and its rate, m/s.
     #[inline(always)]
-    pub(super) fn flown<W: Simd>(
+    pub(super) fn motion_at_end<W: Simd>(
         &mut self,
         w: W,
         joint: &JointStep,
@@ -139,7 +139,7 @@ impl Integrator<'_> {
     fn drive_at_end(&self, p: usize, in_contact: usize, length: StepLength) -> [f64; 2] {
         let mut drive = self.excitation.motion_after(p, length.seconds());
         for tone in &self.tones {
-            let [displacement, speed] = tone.motion_after(p, tone.swing[in_contact].end());
+            let [displacement, speed] = tone.motion_after(p, tone.samples[in_contact].end());
             drive = [drive[0] + displacement, drive[1] + speed];
         }
         drive

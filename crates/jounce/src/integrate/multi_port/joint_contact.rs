@@ -72,7 +72,7 @@ impl Integrator<'_> {
                         break;
                     }
                     StepOutcome::Strikes(strikes)
-                        if self.land_on_first(w, &ports, &strikes, level) =>
+                        if self.end_at_first_impact(w, &ports, &strikes, level) =>
                     {
                         break;
                     }
@@ -128,20 +128,21 @@ impl Integrator<'_> {
         let joint = self.joint_step(w, &tables);
         let resting = StickingPorts::new(self, &tables);
         let solved = self.solve_joint(w, &joint, &resting);
-        let Some(solved) = solved.filter(|all| self.is_fine(&joint.steps, all, is_short)) else {
+        let Some(solved) = solved.filter(|all| self.is_accepted(&joint.steps, all, is_short))
+        else {
             return StepOutcome::Unclear(LEVELS_PER_OCTAVE);
         };
-        let outcome = self.watch(w, length, &joint.steps, &solved);
+        let outcome = self.check_free_ports(w, length, &joint.steps, &solved);
         if let StepOutcome::Clear = outcome {
             self.forget_clearances();
-            self.take_joint(w, length, &joint.steps, &solved, Some(&tables));
+            self.accept_joint_step(w, length, &joint.steps, &solved, Some(&tables));
         }
         outcome
     }
 
     /// True where the step is accurate and reliable at every port.
     #[inline(always)]
-    pub(super) fn is_fine(
+    pub(super) fn is_accepted(
         &self,
         steps: &[ContactStep],
         solved: &[SolvedStep],
@@ -157,7 +158,7 @@ impl Integrator<'_> {
 
     /// Ends the step at the first of several impacts; false when that fails.
     #[inline(always)]
-    fn land_on_first<W: Simd>(
+    fn end_at_first_impact<W: Simd>(
         &mut self,
         w: W,
         ports: &[(usize, ForceBasis)],
@@ -184,14 +185,14 @@ impl Integrator<'_> {
             let Some(solved) = self.solve_joint(w, &joint, &resting) else {
                 return false;
             };
-            let [distance_m, speed_m_s] = self.flown(w, &joint, &solved, *striker);
+            let [distance_m, speed_m_s] = self.motion_at_end(w, &joint, &solved, *striker);
             let change_s = -distance_m / speed_m_s;
             // The roundoff of the distance limits the accuracy of the time.
             let roundoff_s = RESOLVED_DISTANCE * self.terms_m(w, *striker) / speed_m_s.abs();
             if change_s.abs() <= roundoff_s.max(LANDING_TOLERANCE * scale_s.max(length_s)) {
-                self.watch(w, length, &joint.steps, &solved);
+                self.check_free_ports(w, length, &joint.steps, &solved);
                 self.forget_clearances();
-                self.take_joint(w, length, &joint.steps, &solved, Some(&tables));
+                self.accept_joint_step(w, length, &joint.steps, &solved, Some(&tables));
                 self.join(w, *striker);
                 return true;
             }

@@ -50,13 +50,13 @@ impl Integrator<'_> {
             return StepOutcome::Unclear(LEVELS_PER_OCTAVE);
         };
         let solved = [solved];
-        if !self.is_fine(&step, &solved, is_short) {
+        if !self.is_accepted(&step, &solved, is_short) {
             return StepOutcome::Unclear(LEVELS_PER_OCTAVE);
         }
-        let outcome = self.watch(w, length, &step, &solved);
+        let outcome = self.check_free_ports(w, length, &step, &solved);
         if let StepOutcome::Clear = outcome {
             self.forget_clearances();
-            self.take_joint(w, length, &step, &solved, None);
+            self.accept_joint_step(w, length, &step, &solved, None);
         }
         outcome
     }

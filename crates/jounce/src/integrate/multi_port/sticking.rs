@@ -224,11 +224,11 @@ impl Integrator<'_> {
             w.zero(),
         ));
         for tone in &self.tones {
-            let swing = &tone.swing[port];
+            let samples = &tone.samples[port];
             for i in 0..LANES {
                 let phasor = tone.displacement_m[port]
                     * tone.turn
-                    * c64::new(swing.cos.0[i], swing.sin.0[i]);
+                    * c64::new(samples.cos.0[i], samples.sin.0[i]);
                 free.0[i] += acceleration(phasor, tone.angular_frequency_rad_s);
             }
         }

@@ -44,7 +44,7 @@ impl ConductionRoute<'_> {
         let first = changes
             .first()
             .map_or(self.end_regime, |change| change.regime);
-        self.carry(&mut tangents, 0, first)?;
+        self.convert(&mut tangents, 0, first)?;
         let (mut from, mut cause) = (0, None);
         for (k, change) in changes.iter().enumerate() {
             let kernel = self.kernel(change.regime)?;
@@ -69,7 +69,7 @@ impl ConductionRoute<'_> {
         let all = self.trajectory.segments().len();
         let LinearizedSegment { mut tangents, .. } =
             self.linearize(kernel, (from, all), (self.end_s, &self.end), tangents)?;
-        self.carry(&mut tangents, self.end_regime, 0)?;
+        self.convert(&mut tangents, self.end_regime, 0)?;
         Ok(tangents)
     }
 
@@ -81,7 +81,7 @@ impl ConductionRoute<'_> {
     }
 
     /// Converts between the block coordinates of two conduction states.
-    fn carry(
+    fn convert(
         &self,
         tangents: &mut Tangents,
         from: usize,
@@ -147,7 +147,7 @@ impl ConductionRoute<'_> {
         next: usize,
     ) -> Result<(Tangents, Option<Vec<F64x8>>), SensitivityError> {
         if change.flipped.is_none() && cause_s.is_none() {
-            self.carry(&mut tangents, change.regime, next)?;
+            self.convert(&mut tangents, change.regime, next)?;
             return Ok((tangents, None));
         }
         let (kernel, other) = (self.kernel(change.regime)?, self.kernel(next)?);

@@ -116,7 +116,7 @@ impl Linearization<'_> {
         let mut delay = self
             .tangents
             .along(w, &port.displacement, driven.penetration_drift_m);
-        let hastened = self
+        let phase_rate_change = self
             .tangents
             .along(w, &port.velocity, driven.rate_drift_m_s);
         let kicked = rate_after
@@ -129,7 +129,8 @@ impl Linearization<'_> {
             .zip(kicked)
             .map(|(b, kick)| -(b * gain * acceleration - kick) / fast)
             .collect();
-        self.tangents.add_product(w, &port.force, gain, &hastened);
+        self.tangents
+            .add_product(w, &port.force, gain, &phase_rate_change);
         self.tangents.add_product(w, &late, 1.0, &delay);
         scale(w, &mut delay, -1.0 / fast);
         delay

@@ -117,10 +117,10 @@ impl BalanceEvaluation {
         let frequency_rad_s = drift
             .tone_of(0, 0)
             .map_or(0.0, |(_, frequency_rad_s)| frequency_rad_s);
-        let hastened = frequency_rad_s / (self.step_rad_s * f64::from(cycles));
+        let phase_rate_change = frequency_rad_s / (self.step_rad_s * f64::from(cycles));
         let direct_n = |stop: usize, node: &ContactNode| {
             let slopes = node.slopes;
-            slopes.damping_n_s_m * node.rate_m_s * hastened
+            slopes.damping_n_s_m * node.rate_m_s * phase_rate_change
                 - slopes.stiffness_n_m * drift.gap_of(stop)
                 + drift.force_relative_of(stop) * node.force_n
         };

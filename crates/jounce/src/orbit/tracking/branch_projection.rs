@@ -85,7 +85,7 @@ impl BranchProjection {
 
 impl<P: TwoParameterProblem> ExtendedProblem<'_, P> {
     /// Projects a point onto the surface of orbits, at the same second parameter.
-    pub(super) fn foot(
+    pub(super) fn project(
         &self,
         (start, parameter, parameter_2): (&[f64], f64, f64),
         line: &P::Line,

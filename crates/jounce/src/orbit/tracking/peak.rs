@@ -54,7 +54,7 @@ impl<P: TwoParameterProblem> ExtendedProblem<'_, P> {
         (start, parameter, parameter_2): (&[f64], f64, f64),
         (line, neighbour): (&P::Line, &P::Line),
     ) -> Result<Option<Gradient>, TrackingError<P>> {
-        let Some(foot) = self.foot((start, parameter, parameter_2), line)? else {
+        let Some(foot) = self.project((start, parameter, parameter_2), line)? else {
             return Ok(None);
         };
         let (n, size) = (foot.start.len(), foot.size());
@@ -146,7 +146,7 @@ impl<P: TwoParameterProblem> ExtendedProblem<'_, P> {
             .map(|(u, d)| u + step * d)
             .collect();
         let parameter = foot.parameter + step * self.unit * to_side[corrected.len()];
-        let Some(other) = self.foot((&corrected, parameter, parameter_2 + step), &line)? else {
+        let Some(other) = self.project((&corrected, parameter, parameter_2 + step), &line)? else {
             return Ok(None);
         };
         let sense: f64 = other

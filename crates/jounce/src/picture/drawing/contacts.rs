@@ -52,7 +52,7 @@ pub fn contact(
 }
 
 /// Returns the left end of the ground behind a stop, relative to the layout.
-pub fn foot(drawing: &Drawing, layout: &DrawingLayout, contact: &DrawnContact) -> (f64, f64) {
+pub fn ground_end(drawing: &Drawing, layout: &DrawingLayout, contact: &DrawnContact) -> (f64, f64) {
     let (x, middle) = layout.point(drawing, contact.at);
     let far = middle + sign(contact) * (layout.reach(drawing, contact) + PIN);
     (x - 0.5 * GROUND, far)

@@ -99,7 +99,7 @@ pub fn bases(
             .iter()
             .filter(|drive| drive.base.as_ref() == Some(name))
             .collect();
-        let Some((x, y)) = foot(drawing, layout, group, moving[0]) else {
+        let Some((x, y)) = drive_position(drawing, layout, group, moving[0]) else {
             continue;
         };
         let (x, y) = (x + shift.0, y + shift.1);
@@ -116,7 +116,7 @@ pub fn bases(
 /// Returns the position of the arrow of a base in a group: at the side of its first clamped or
 /// sprung body, else of a stop on it, else of another body on it. `None` if the group has none of
 /// these.
-fn foot(
+fn drive_position(
     drawing: &Drawing,
     layout: &DrawingLayout,
     group: usize,
@@ -153,7 +153,7 @@ fn foot(
         let mut contacts = drive.stops.iter().map(|index| &drawing.contacts[*index]);
         contacts
             .find(|contact| layout.group[contact.at.body] == group)
-            .map(|contact| contacts::foot(drawing, layout, contact))
+            .map(|contact| contacts::ground_end(drawing, layout, contact))
     };
     let support = leftmost(Seat::Ground).or_else(|| leftmost(Seat::Spring(None)));
     support

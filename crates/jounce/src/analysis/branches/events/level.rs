@@ -69,7 +69,7 @@ impl QuantityLevel {
     }
 
     /// Returns the difference of the quantity of an orbit from the level, relative to the level.
-    pub(in crate::analysis) fn off(&self, evaluation: &ShootingEvaluation) -> f64 {
+    pub(in crate::analysis) fn relative_difference(&self, evaluation: &ShootingEvaluation) -> f64 {
         self.quantity.of(evaluation) / self.value - 1.0
     }
 }

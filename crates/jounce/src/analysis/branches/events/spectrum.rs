@@ -58,12 +58,12 @@ impl StepEnd<'_> {
     /// Returns the index of the conjugate.
     fn conjugate(&self, i: usize) -> usize {
         let conjugate = self.value(i).conj();
-        let off = |j: &usize| (self.value(*j) - conjugate).norm();
+        let distance = |j: &usize| (self.value(*j) - conjugate).norm();
         if conjugate.im == 0.0 {
             i
         } else {
             (0..self.count())
-                .min_by(|a, b| off(a).total_cmp(&off(b)))
+                .min_by(|a, b| distance(a).total_cmp(&distance(b)))
                 .unwrap_or(i)
         }
     }
@@ -163,7 +163,7 @@ impl LinkedMultiplier {
 
     /// Returns the squared distance between two multipliers, each extrapolated towards the other
     /// end of the step.
-    fn off(&self, to: &Self) -> f64 {
+    fn squared_distance(&self, to: &Self) -> f64 {
         let size = self.value.norm_sqr().max(to.value.norm_sqr());
         let distance = (to.value - self.value).norm_sqr();
         if size == 0.0 {
@@ -187,7 +187,9 @@ pub(super) fn groups(
 ) -> Vec<MultiplierGroup> {
     let [a, b] = ends;
     let (from, to) = (LinkedMultiplier::all(a), LinkedMultiplier::all(b));
-    let pairs = paired(from.len(), to.len(), |i, j| from[i].off(&to[j]));
+    let pairs = paired(from.len(), to.len(), |i, j| {
+        from[i].squared_distance(&to[j])
+    });
     // Index of the group of each pair.
     let mut group: Vec<usize> = (0..pairs.len()).collect();
     let join = |group: &mut Vec<usize>, one: usize, two: usize| {

@@ -60,7 +60,10 @@ impl TestData {
             multipliers,
             radii: Vec::new(),
             turns: turns(evaluation),
-            levels: levels.iter().map(|level| level.off(evaluation)).collect(),
+            levels: levels
+                .iter()
+                .map(|level| level.relative_difference(evaluation))
+                .collect(),
             period_s: evaluation.period_s,
             cycles: evaluation.trajectories.len(),
             is_free: evaluation.contacts == 0 && evaluation.max_penetration_m == 0.0 && !switches,

@@ -86,7 +86,7 @@ fn pairs(ends: [StepEnd; 2]) -> Vec<(usize, usize)> {
             .collect::<Vec<f64>>()
     });
     paired(near.len(), far.len(), |i, j| {
-        let mismatch = off(ends, (i, j));
+        let mismatch = phase_difference(ends, (i, j));
         // A turning point cannot pass its neighbours.
         if mismatch < near[i].min(far[j]) {
             mismatch
@@ -112,7 +112,7 @@ fn to_neighbour(reading: &TestData, k: usize) -> f64 {
 
 /// Returns the phase difference between two turning points, each extrapolated towards the other end
 /// of the step.
-fn off([a, b]: [StepEnd; 2], (i, j): (usize, usize)) -> f64 {
+fn phase_difference([a, b]: [StepEnd; 2], (i, j): (usize, usize)) -> f64 {
     let (from, to) = (&a.readings.current, &b.readings.current);
     let phase_shift = phase_shift((from, &from.turns[i]), (to, &to.turns[j]));
     (phase_shift - 0.5 * (a.turn(i) + b.turn(j)))
