@@ -52,20 +52,20 @@ fn read(path: &str, changes: &[String]) -> Result<Spec, Box<dyn Error>> {
 const RUNS: usize = 25;
 
 /// One run of a kernel, or the median of many after it.
-fn alone(spec: &Spec, is_warm: bool) -> Result<String, Box<dyn Error>> {
+fn simulation_timing(spec: &Spec, is_warm: bool) -> Result<String, Box<dyn Error>> {
     let kernel = Kernel::new(Plant::new(System::assemble(
         spec,
         structure::modes(spec)?,
     )?)?)?;
     let rest = StartState::rest(&kernel.plant);
-    let whole = RunPlan::of(&spec.run, 0.0);
+    let plan = RunPlan::of(&spec.run, 0.0);
     let timed = || -> Result<[f64; 4], Box<dyn Error>> {
         let (begun, before_s) = (Instant::now(), cpu_s());
         let RunResult {
             mean_power_w,
             wall_time_s,
             ..
-        } = simulate(&kernel, &rest, &whole)?;
+        } = simulate(&kernel, &rest, &plan)?;
         Ok([
             cpu_s() - before_s,
             begun.elapsed().as_secs_f64(),
@@ -78,28 +78,28 @@ fn alone(spec: &Spec, is_warm: bool) -> Result<String, Box<dyn Error>> {
         runs = (0..RUNS).map(|_| timed()).collect::<Result<_, _>>()?;
         runs.sort_by(|a, b| a[0].total_cmp(&b[0]));
     }
-    let [taken_s, wall_s, wall_time_s, mean_power_w] = runs[runs.len() / 2];
+    let [duration_s, wall_s, wall_time_s, mean_power_w] = runs[runs.len() / 2];
     Ok(format!(
-        r#"{{"mean_power_w": {mean_power_w:e}, "cpu_s": {taken_s:e}, "wall_s": {wall_s:e}, "wall_time_s": {wall_time_s:e}}}"#
+        r#"{{"mean_power_w": {mean_power_w:e}, "cpu_s": {duration_s:e}, "wall_s": {wall_s:e}, "wall_time_s": {wall_time_s:e}}}"#
     ))
 }
 
 /// All that the command `run` asks of the library for a prepared harvester.
-fn whole_run(prepared: &Model) -> Result<String, Box<dyn Error>> {
+fn command_timing(prepared: &Model) -> Result<String, Box<dyn Error>> {
     let begun = Instant::now();
-    let own = prepared.with_control(&Control::default())?;
-    let start = own.start(Path::new(""))?;
-    let kernel = own.from_state(&start)?;
-    let plan = RunPlan::of(&own.spec.run, 0.0)
-        .watching(&own.spec, &kernel.plant)
+    let model = prepared.with_control(&Control::default())?;
+    let start = model.start(Path::new(""))?;
+    let kernel = model.from_state(&start)?;
+    let plan = RunPlan::of(&model.spec.run, 0.0)
+        .watching(&model.spec, &kernel.plant)
         .balancing(&kernel.plant);
     let before_s = begun.elapsed().as_secs_f64();
-    let answer = simulate(&kernel, &start, &plan)?;
+    let result = simulate(&kernel, &start, &plan)?;
     let simulate_s = begun.elapsed().as_secs_f64() - before_s;
-    black_box(Warning::of(&own.spec, &kernel, &plan, &answer));
+    black_box(Warning::of(&model.spec, &kernel, &plan, &result));
     black_box((
-        voltage_peaks(&kernel, &answer, &plan),
-        charges(&kernel, &answer, &plan),
+        voltage_peaks(&kernel, &result, &plan),
+        charges(&kernel, &result, &plan),
     ));
     let (
         run_s,
@@ -108,7 +108,7 @@ fn whole_run(prepared: &Model) -> Result<String, Box<dyn Error>> {
             wall_time_s,
             ..
         },
-    ) = (begun.elapsed().as_secs_f64(), answer);
+    ) = (begun.elapsed().as_secs_f64(), result);
     Ok(format!(
         r#"{{"mean_power_w": {mean_power_w:e}, "run_s": {run_s:e}, "simulate_s": {simulate_s:e}, "wall_time_s": {wall_time_s:e}}}"#
     ))
@@ -151,14 +151,14 @@ fn balance(spec: Spec, with_orbits: bool) -> Result<String, Box<dyn Error>> {
     let mut walks = Vec::new();
     for _ in 0..RUNS {
         let first = correct_at(&method, &corrector, &metric, guess.clone())?;
-        let ahead = tangent(&first.local, &metric, &up).ok_or("no tangent at the start")?;
+        let direction = tangent(&first.local, &metric, &up).ok_or("no tangent at the start")?;
         let mut walk = Continuation::new(
             &method,
             corrector,
             StepControl::default(),
             scale,
             first.position,
-            ahead,
+            direction,
         );
         let (before_s, mut points) = (cpu_s(), 0);
         while walk.position.parameter < high_hz {
@@ -171,20 +171,20 @@ fn balance(spec: Spec, with_orbits: bool) -> Result<String, Box<dyn Error>> {
         walks.push((cpu_s() - before_s, points));
     }
     walks.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let (taken_s, points) = walks[walks.len() / 2];
-    Ok(format!(r#"{{"points": {points}, "cpu_s": {taken_s:e}}}"#))
+    let (duration_s, points) = walks[walks.len() / 2];
+    Ok(format!(r#"{{"points": {points}, "cpu_s": {duration_s:e}}}"#))
 }
 
 fn measure(path: &str, start: &str, changes: &[String]) -> Result<(), Box<dyn Error>> {
     let spec = read(path, changes)?;
     match start {
-        "warm" | "first" => println!("{}", alone(&spec, start == "warm")?),
+        "warm" | "first" => println!("{}", simulation_timing(&spec, start == "warm")?),
         "each" => {
-            let prepared = Model::new(spec)?;
-            whole_run(&prepared)?;
+            let model = Model::new(spec)?;
+            command_timing(&model)?;
             for line in std::io::stdin().lines() {
                 line?;
-                println!("{}", whole_run(&prepared)?);
+                println!("{}", command_timing(&model)?);
             }
         }
         "balance" | "orbits" => println!("{}", balance(spec, start == "orbits")?),

@@ -41,7 +41,7 @@ impl<'t> Decimal<'t> {
     }
 
     /// Returns the number times `10^power` as integer digits and a power of ten, if the digits fit.
-    pub fn whole(self, power: i64) -> Option<(i128, i64)> {
+    pub fn integer_ratio(self, power: i64) -> Option<(i128, i64)> {
         let decimals = self
             .digits
             .split_once('.')
@@ -92,7 +92,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn numbers_are_split_from_what_follows() {
+    fn number_prefix_is_split_from_rest() {
         for (text, value, rest) in [
             ("0.98 mm", 0.98, " mm"),
             ("13Hz", 13.0, "Hz"),

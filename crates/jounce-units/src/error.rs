@@ -5,50 +5,50 @@
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum QuantityError {
     /// The text does not start with a number.
-    #[error("{text:?} does not start with a number; {due}")]
+    #[error("{text:?} does not start with a number; {expected}")]
     NotANumber {
         /// text that was read
         text: String,
         /// expected value
-        due: String,
+        expected: String,
     },
     /// The text is a number without a unit.
-    #[error("{text} has no unit; {due}")]
+    #[error("{text} has no unit; {expected}")]
     NoUnit {
         /// text that was read
         text: String,
         /// expected value
-        due: String,
+        expected: String,
     },
     /// The symbol is not a unit.
-    #[error("{text:?}: {unit:?} is not a known unit; {due}")]
+    #[error("{text:?}: {unit:?} is not a known unit; {expected}")]
     UnknownUnit {
         /// text that was read
         text: String,
         /// unknown symbol
         unit: String,
         /// expected value
-        due: String,
+        expected: String,
     },
     /// The unit cannot be parsed.
-    #[error("{text:?} cannot be read as a number and a unit ({why}); {due}")]
+    #[error("{text:?} cannot be read as a number and a unit ({reason}); {expected}")]
     Malformed {
         /// text that was read
         text: String,
         /// syntax error of the unit
-        why: String,
+        reason: String,
         /// expected value
-        due: String,
+        expected: String,
     },
     /// The quantity has another kind.
-    #[error("{text:?} is {kind}; {due}")]
+    #[error("{text:?} is {kind}; {expected}")]
     WrongKind {
         /// text that was read
         text: String,
         /// measured kind
         kind: String,
         /// expected value
-        due: String,
+        expected: String,
     },
     /// The value is outside the range of a double.
     #[error("{text:?} is too large or too small for a number in {unit}")]

@@ -86,9 +86,10 @@ impl<'t> Parser<'t> {
                     Ok(unit)
                 };
             }
-            let divides = self.eat("/");
-            let multiplies =
-                !divides && !first && (self.eat("*") || self.eat("\u{b7}") || self.eat("\u{22c5}"));
+            let divides = self.consume("/");
+            let multiplies = !divides
+                && !first
+                && (self.consume("*") || self.consume("\u{b7}") || self.consume("\u{22c5}"));
             if !first && !divides && divided {
                 return Err(UnitFault::Malformed(
                     "a product after a quotient is ambiguous; use parentheses, as in N/(m s)"
@@ -105,15 +106,15 @@ impl<'t> Parser<'t> {
     }
 
     fn factor(&mut self) -> Result<Unit, UnitFault> {
-        let base = if self.eat("(") {
+        let base = if self.consume("(") {
             let inner = self.unit()?;
-            if !self.eat(")") {
+            if !self.consume(")") {
                 return Err(UnitFault::Malformed(
                     "a parenthesis is not closed".to_owned(),
                 ));
             }
             inner
-        } else if self.eat("1") {
+        } else if self.consume("1") {
             Unit::ONE
         } else {
             self.symbol()?
@@ -132,7 +133,7 @@ impl<'t> Parser<'t> {
         if name.is_empty() {
             return Err(self.unexpected());
         }
-        let Some(found) = UnitSymbol::find(name) else {
+        let Some(unit) = UnitSymbol::find(name) else {
             return Err(UnitFault::Unknown(name.to_owned()));
         };
         if self.rest.starts_with(|c: char| c.is_ascii_digit()) {
@@ -141,23 +142,23 @@ impl<'t> Parser<'t> {
             )));
         }
         Ok(Unit {
-            power_of_ten: f64::from(found.power_of_ten),
-            up: found.up,
-            down: found.down,
-            dimension: found.dimension,
+            power_of_ten: f64::from(unit.power_of_ten),
+            up: unit.up,
+            down: unit.down,
+            dimension: unit.dimension,
         })
     }
 
     fn power(&mut self) -> Result<f64, UnitFault> {
-        if self.eat("^") || self.eat("**") {
-            if !self.eat("(") {
+        if self.consume("^") || self.consume("**") {
+            if !self.consume("(") {
                 return self.number();
             }
             let mut power = self.number()?;
-            if self.eat("/") {
+            if self.consume("/") {
                 power /= self.number()?;
             }
-            return if self.eat(")") {
+            return if self.consume(")") {
                 Ok(power)
             } else {
                 Err(UnitFault::Malformed(
@@ -165,7 +166,7 @@ impl<'t> Parser<'t> {
                 ))
             };
         }
-        let sign = if self.eat("⁻") { -1.0 } else { 1.0 };
+        let sign = if self.consume("⁻") { -1.0 } else { 1.0 };
         let digits = self.take(|c| SUPERSCRIPTS.contains(&c));
         if digits.is_empty() {
             return if sign > 0.0 {
@@ -181,12 +182,12 @@ impl<'t> Parser<'t> {
     }
 
     fn number(&mut self) -> Result<f64, UnitFault> {
-        let sign = if self.eat("-") || self.eat("\u{2212}") {
+        let sign = if self.consume("-") || self.consume("\u{2212}") {
             -1.0
         } else {
             1.0
         };
-        self.eat("+");
+        self.consume("+");
         let digits = self.take(|c| c.is_ascii_digit() || c == '.');
         digits
             .parse::<f64>()
@@ -194,7 +195,7 @@ impl<'t> Parser<'t> {
             .map_err(|_| UnitFault::Malformed("a power must be a number, as in m^1.5".to_owned()))
     }
 
-    fn eat(&mut self, token: &str) -> bool {
+    fn consume(&mut self, token: &str) -> bool {
         let stripped = self.rest.strip_prefix(token);
         self.rest = stripped.unwrap_or(self.rest);
         stripped.is_some()
@@ -202,9 +203,9 @@ impl<'t> Parser<'t> {
 
     fn take(&mut self, keep: impl Fn(char) -> bool) -> &'t str {
         let end = self.rest.find(|c| !keep(c)).unwrap_or(self.rest.len());
-        let (taken, rest) = self.rest.split_at(end);
+        let (token, rest) = self.rest.split_at(end);
         self.rest = rest;
-        taken
+        token
     }
 
     fn unexpected(&self) -> UnitFault {

@@ -83,7 +83,7 @@ impl Quantity {
         }
     }
 
-    pub(super) fn due(self) -> String {
+    pub(super) fn expectation(self) -> String {
         let units = self.units();
         format!("expected {} in {}", self.kind(), units.join(", "))
     }

@@ -85,11 +85,12 @@ impl Quantity {
     /// ```
     pub fn read(self, text: &str) -> Result<f64, QuantityError> {
         let (number, unit) = self.split(text)?;
-        let whole = unit.power_of_ten.floor();
-        let decimal = number.scaled(whole as i64);
-        let value = decimal * unit.up / unit.down * 10f64.powf(unit.power_of_ten - whole);
-        let lost = value == 0.0 && !number.is_zero();
-        if !value.is_finite() || lost {
+        let integer_exponent = unit.power_of_ten.floor();
+        let decimal = number.scaled(integer_exponent as i64);
+        let value =
+            decimal * unit.up / unit.down * 10f64.powf(unit.power_of_ten - integer_exponent);
+        let underflows = value == 0.0 && !number.is_zero();
+        if !value.is_finite() || underflows {
             return Err(QuantityError::NotRepresentable {
                 text: clip(text),
                 unit: self.si_unit(),
@@ -103,58 +104,58 @@ impl Quantity {
         let (number, unit) = self.split(text).ok()?;
         let decimal = unit.up == 1.0 && unit.down == 1.0 && unit.power_of_ten.fract() == 0.0;
         if decimal {
-            number.whole(unit.power_of_ten as i64)
+            number.integer_ratio(unit.power_of_ten as i64)
         } else {
             None
         }
     }
 
     fn split(self, text: &str) -> Result<(Decimal<'_>, Unit), QuantityError> {
-        let (shown, due) = (clip(text), || self.due());
+        let (quoted, expected) = (clip(text), || self.expectation());
         if text.chars().count() > MAX_CHARS {
             return Err(QuantityError::Malformed {
-                text: shown,
-                why: format!("longer than {MAX_CHARS} characters"),
-                due: due(),
+                text: quoted,
+                reason: format!("longer than {MAX_CHARS} characters"),
+                expected: expected(),
             });
         }
         let text = text.trim();
         let Some((number, rest)) = Decimal::split(text) else {
             return Err(QuantityError::NotANumber {
-                text: shown,
-                due: due(),
+                text: quoted,
+                expected: expected(),
             });
         };
         if rest.trim().is_empty() {
             return Err(QuantityError::NoUnit {
-                text: shown,
-                due: due(),
+                text: quoted,
+                expected: expected(),
             });
         }
         if rest.starts_with(',') {
             return Err(QuantityError::Malformed {
-                text: shown,
-                why: "write decimals with a point, not a comma".to_owned(),
-                due: due(),
+                text: quoted,
+                reason: "write decimals with a point, not a comma".to_owned(),
+                expected: expected(),
             });
         }
         let unit = Unit::parse(&self.spelled(rest)).map_err(|refusal| match refusal {
             UnitFault::Unknown(unit) => QuantityError::UnknownUnit {
-                text: shown.clone(),
+                text: quoted.clone(),
                 unit,
-                due: due(),
+                expected: expected(),
             },
-            UnitFault::Malformed(why) => QuantityError::Malformed {
-                text: shown.clone(),
-                why,
-                due: due(),
+            UnitFault::Malformed(reason) => QuantityError::Malformed {
+                text: quoted.clone(),
+                reason,
+                expected: expected(),
             },
         })?;
         if !unit.dimension.is(self.dimension()) {
             return Err(QuantityError::WrongKind {
-                text: shown,
+                text: quoted,
                 kind: unit.dimension.kind(),
-                due: due(),
+                expected: expected(),
             });
         }
         Ok((number, unit))
@@ -166,13 +167,13 @@ impl Quantity {
             return Cow::Borrowed(unit);
         }
         let is_letter = |c: Option<char>| c.is_some_and(char::is_alphabetic);
-        let alone = |at: usize| {
+        let is_separate = |at: usize| {
             !is_letter(unit[..at].chars().next_back()) && !is_letter(unit[at + 1..].chars().next())
         };
         let mut spelled = String::with_capacity(unit.len() + 1);
         for (at, c) in unit.char_indices() {
             spelled.push(c);
-            if c == 'g' && alone(at) {
+            if c == 'g' && is_separate(at) {
                 spelled.push('n');
             }
         }

@@ -49,13 +49,13 @@ impl<P: Serialize + DeserializeOwned> Journal<P> {
             Err(error) if error.kind() == std::io::ErrorKind::NotFound => String::new(),
             Err(error) => return Err(fault(error)),
         };
-        let (mut found, mut whole) = (Vec::new(), 0);
+        let (mut entries, mut complete_bytes) = (Vec::new(), 0);
         for line in text.split_inclusive('\n') {
             match serde_json::from_str::<P>(line) {
-                Ok(point) if line.ends_with('\n') => found.push(point),
+                Ok(point) if line.ends_with('\n') => entries.push(point),
                 _ => break,
             }
-            whole += line.len();
+            complete_bytes += line.len();
         }
         let mut file = OpenOptions::new()
             .create(true)
@@ -63,12 +63,12 @@ impl<P: Serialize + DeserializeOwned> Journal<P> {
             .write(true)
             .open(&path)
             .map_err(fault)?;
-        file.set_len(whole as u64).map_err(fault)?;
+        file.set_len(complete_bytes as u64).map_err(fault)?;
         file.seek(SeekFrom::End(0)).map_err(fault)?;
         Ok(Self {
             path,
             file: Mutex::new(file),
-            found,
+            found: entries,
         })
     }
 

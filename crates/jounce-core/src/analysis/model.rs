@@ -194,15 +194,15 @@ impl Model {
     /// # Errors
     /// [`PlantError`], [`RunError::StateDoesNotFit`].
     pub fn from_state(&self, start: &StartState) -> Result<ModelAtStart<'_>, AnalysisError> {
-        let own = &self.kernel.plant.system.drives;
-        if own
+        let model_drives = &self.kernel.plant.system.drives;
+        if model_drives
             .iter()
             .zip(&start.drive_angle_rad)
             .all(|(drive, angle)| drive.phase_rad == *angle)
         {
             return Ok(ModelAtStart::Same(&self.kernel));
         }
-        let mut drives = own.clone();
+        let mut drives = model_drives.clone();
         drives
             .iter_mut()
             .zip(&start.drive_angle_rad)

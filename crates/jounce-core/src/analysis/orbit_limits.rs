@@ -11,7 +11,7 @@ use rayon::prelude::*;
 ///
 /// # Errors
 /// The integration fails.
-pub fn passed_over(
+pub fn exceeded_over_cycles(
     limits: &Limits,
     kernel: &Kernel,
     physical: &[f64],
@@ -36,7 +36,7 @@ pub fn passed_over(
 ///
 /// # Errors
 /// The integration fails.
-pub fn passed_by_orbit<H: ParametricModel>(
+pub fn exceeded_by_orbit<H: ParametricModel>(
     limits: &Limits,
     (harvester, kernel): (&H, &Kernel),
     orbit: &Orbit,
@@ -44,7 +44,7 @@ pub fn passed_by_orbit<H: ParametricModel>(
 ) -> Result<Vec<ExceededLimit>, IntegrationError> {
     let physical =
         Shooting::new(harvester, kernel, orbit.period_cycles, tolerance).physical(orbit.start());
-    passed_over(limits, kernel, &physical, orbit.period_cycles, tolerance)
+    exceeded_over_cycles(limits, kernel, &physical, orbit.period_cycles, tolerance)
 }
 
 impl Branch {
@@ -63,7 +63,7 @@ impl Branch {
         }
         let of_point = |point: &super::BranchPoint| {
             let kernel = parameter.at(point.parameter)?.kernel;
-            passed_by_orbit(limits, (parameter, &kernel), &point.orbit, tolerance)
+            exceeded_by_orbit(limits, (parameter, &kernel), &point.orbit, tolerance)
                 .map_err(|error| RunError::from(error).into())
         };
         self.points.par_iter().map(of_point).collect()

@@ -109,20 +109,20 @@ impl<'s> Parameter<'s> {
     fn change(&self, kernel: &Kernel, parameter: f64) -> Option<ParameterDerivatives> {
         let plant = &kernel.plant;
         let zero = vec![0.0; plant.len()];
-        let still = |drift: ParameterSensitivity| ParameterDerivatives {
+        let without_frequency = |drift: ParameterSensitivity| ParameterDerivatives {
             drift,
             steady: zero.clone(),
             period_relative: 0.0,
         };
         match self.role {
             KeyRole::Gap => {
-                return Some(still(ParameterSensitivity {
+                return Some(without_frequency(ParameterSensitivity {
                     gap_m: vec![1.0],
                     ..ParameterSensitivity::default()
                 }));
             }
             KeyRole::Stiffness => {
-                return Some(still(ParameterSensitivity {
+                return Some(without_frequency(ParameterSensitivity {
                     force_relative: vec![1.0 / parameter],
                     ..ParameterSensitivity::default()
                 }));
@@ -130,7 +130,7 @@ impl<'s> Parameter<'s> {
             KeyRole::Frequency | KeyRole::Amplitude | KeyRole::Other => {}
         }
         let tone = plant.tones.first()?;
-        let moved = |by: Vec<c64>, frequency: f64, period_relative: f64| {
+        let with_frequency = |by: Vec<c64>, frequency: f64, period_relative: f64| {
             let ports = plant
                 .ports
                 .iter()
@@ -158,7 +158,7 @@ impl<'s> Parameter<'s> {
                     .diagonal
                     .block
                     .resolve(c64::new(0.0, tone.angular_frequency_rad_s), &tone.steady);
-                Some(moved(
+                Some(with_frequency(
                     resolved
                         .into_iter()
                         .map(|y| y * c64::new(0.0, -TAU))
@@ -167,7 +167,7 @@ impl<'s> Parameter<'s> {
                     -1.0 / parameter,
                 ))
             }
-            KeyRole::Amplitude if parameter != 0.0 => Some(moved(
+            KeyRole::Amplitude if parameter != 0.0 => Some(with_frequency(
                 tone.steady.iter().map(|y| *y / parameter).collect(),
                 0.0,
                 0.0,

@@ -112,18 +112,18 @@ impl Sweep<'_> {
         journal: Option<&Journal>,
         done: &(dyn Fn(&SweepPoint) + Sync),
     ) -> Result<Vec<SweepPoint>, AnalysisError> {
-        let found = journal.map(Journal::found).unwrap_or_default();
+        let completed = journal.map(Journal::found).unwrap_or_default();
         let points = (self.visits().into_par_iter().enumerate())
-            .map(|(index, (value, way))| {
-                if let Some(point) = found.iter().find(|point| point.index == index) {
+            .map(|(index, (value, direction))| {
+                if let Some(point) = completed.iter().find(|point| point.index == index) {
                     return Ok(Some(point.clone()));
                 }
                 if base.kernel.control.is_stopped() {
                     return Ok(None);
                 }
-                let prepared = base.changed(self.at(value)?)?;
-                let start = prepared.start(&self.folder)?;
-                let point = unless_stopped(self.point(&prepared, start, index, value, way))?;
+                let model = base.changed(self.at(value)?)?;
+                let start = model.start(&self.folder)?;
+                let point = unless_stopped(self.point(&model, start, index, value, direction))?;
                 point
                     .map(|point| self.finish(base, journal, done, point))
                     .transpose()
@@ -140,13 +140,14 @@ impl Sweep<'_> {
         done: &(dyn Fn(&SweepPoint) + Sync),
     ) -> Result<Vec<SweepPoint>, AnalysisError> {
         let mut points: Vec<SweepPoint> = journal.map(Journal::found).unwrap_or_default().to_vec();
-        for (index, (value, way)) in self.visits().into_iter().enumerate().skip(points.len()) {
-            let prepared = base.changed(self.at(value)?)?;
+        for (index, (value, direction)) in self.visits().into_iter().enumerate().skip(points.len())
+        {
+            let model = base.changed(self.at(value)?)?;
             let start = match points.last() {
                 Some(last) => last.end.clone(),
-                None => prepared.start(&self.folder)?,
+                None => model.start(&self.folder)?,
             };
-            let Some(point) = unless_stopped(self.point(&prepared, start, index, value, way))?
+            let Some(point) = unless_stopped(self.point(&model, start, index, value, direction))?
             else {
                 break;
             };
@@ -179,16 +180,15 @@ impl Sweep<'_> {
     /// Integrates one point.
     fn point(
         &self,
-        prepared: &Model,
+        model: &Model,
         mut start: StartState,
         index: usize,
         value: f64,
-        way: SweepDirection,
+        direction: SweepDirection,
     ) -> Result<SweepPoint, AnalysisError> {
-        let run = &prepared.spec.run;
-        let fixed_duration =
-            self.fixed_duration || prepared.kernel.plant.system.aperiodic().is_some();
-        let cycle_s = prepared
+        let run = &model.spec.run;
+        let fixed_duration = self.fixed_duration || model.kernel.plant.system.aperiodic().is_some();
+        let cycle_s = model
             .kernel
             .plant
             .period_s()
@@ -203,21 +203,23 @@ impl Sweep<'_> {
                 record_s: 0.0,
             },
         };
-        let plan = plan.watching(&prepared.spec, &prepared.kernel.plant);
+        let plan = plan.watching(&model.spec, &model.kernel.plant);
         let mut simulated_time_s = 0.0;
         loop {
-            let kernel = prepared.from_state(&start)?;
-            let answer = simulate(&kernel, &start, &plan)?;
+            let kernel = model.from_state(&start)?;
+            let result = simulate(&kernel, &start, &plan)?;
             simulated_time_s += plan.duration_s;
-            start = answer.end.clone();
+            start = result.end.clone();
             if fixed_duration
-                || answer.settlement.is_some_and(|found| found.settled)
+                || result
+                    .settlement
+                    .is_some_and(|settlement| settlement.settled)
                 || simulated_time_s >= MAX_DURATIONS * run.duration_s
             {
-                let exceeded = exceeded(&prepared.spec, &kernel, &answer.trajectory);
+                let exceeded = exceeded(&model.spec, &kernel, &result.trajectory);
                 return Ok(SweepPoint {
                     exceeded,
-                    ..point_of(&answer, &plan, (index, value, way), simulated_time_s)
+                    ..point_of(&result, &plan, (index, value, direction), simulated_time_s)
                 });
             }
         }
@@ -235,7 +237,7 @@ fn unless_stopped(
 }
 
 fn point_of(
-    answer: &RunResult,
+    result: &RunResult,
     plan: &RunPlan,
     (index, parameter, direction): (usize, f64, SweepDirection),
     simulated_time_s: f64,
@@ -244,15 +246,19 @@ fn point_of(
         index,
         parameter,
         direction,
-        mean_power_w: answer.mean_power_w,
-        voltage_rms_v: answer.voltage_rms_v().unwrap_or(f64::NAN),
-        max_penetration_m: answer.max_penetration_m,
-        contact_rate_hz: answer.contacts as f64 / plan.average_over_s,
-        settled: answer.settlement.is_some_and(|found| found.settled),
-        period_cycles: answer.settlement.map_or(0, |found| found.period_cycles),
-        energy_residual_relative: answer.energies.residual_relative(),
+        mean_power_w: result.mean_power_w,
+        voltage_rms_v: result.voltage_rms_v().unwrap_or(f64::NAN),
+        max_penetration_m: result.max_penetration_m,
+        contact_rate_hz: result.contacts as f64 / plan.average_over_s,
+        settled: result
+            .settlement
+            .is_some_and(|settlement| settlement.settled),
+        period_cycles: result
+            .settlement
+            .map_or(0, |settlement| settlement.period_cycles),
+        energy_residual_relative: result.energies.residual_relative(),
         simulated_time_s,
         exceeded: Vec::new(),
-        end: answer.end.clone(),
+        end: result.end.clone(),
     }
 }

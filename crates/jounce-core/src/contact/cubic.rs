@@ -64,7 +64,7 @@ mod tests {
     /// Compares slope, force and energy with central differences of a cubic and a quartic; the
     /// error is at most 3e-11.
     #[test]
-    fn energy_force_and_slope_belong_together_on_both_sides() {
+    fn energy_force_and_slope_are_consistent_on_both_sides() {
         let law = Cubic {
             stiffness_n_m: -1.3,
             cubic_stiffness_n_m3: 0.7,

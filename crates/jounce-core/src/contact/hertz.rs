@@ -32,19 +32,19 @@ impl ContactLaw for Hertz {
     #[inline(always)]
     fn forces_n<W: Simd>(
         &self,
-        wide: W,
+        simd: W,
         penetration_m: W::Register,
         _rate_m_s: W::Register,
     ) -> W::Register {
-        let depth_m = wide.max(penetration_m, wide.zero());
-        let stiffness = wide.splat(self.stiffness);
+        let depth_m = simd.max(penetration_m, simd.zero());
+        let stiffness = simd.splat(self.stiffness);
         if self.exponent == 1.5 {
-            wide.mul(stiffness, wide.mul(depth_m, wide.sqrt(depth_m)))
+            simd.mul(stiffness, simd.mul(depth_m, simd.sqrt(depth_m)))
         } else if self.exponent == 1.0 {
-            wide.mul(stiffness, depth_m)
+            simd.mul(stiffness, depth_m)
         } else {
-            let depth_m = wide.store(depth_m).0;
-            wide.load(&F64x8(depth_m.map(|depth_m| self.force_n(depth_m, 0.0))))
+            let depth_m = simd.store(depth_m).0;
+            simd.load(&F64x8(depth_m.map(|depth_m| self.force_n(depth_m, 0.0))))
         }
     }
 
@@ -87,8 +87,8 @@ mod tests {
                 stiffness: 1e3,
                 exponent,
             };
-            let wide = Portable::new();
-            let forces = wide.store(law.forces_n(wide, wide.load(&depths), wide.zero()));
+            let simd = Portable::new();
+            let forces = simd.store(law.forces_n(simd, simd.load(&depths), simd.zero()));
             assert_eq!(
                 forces.0,
                 depths.0.map(|depth| law.force_n(depth, 0.0)),

@@ -27,14 +27,14 @@ impl ContactLaw for HuntCrossley {
     #[inline(always)]
     fn forces_n<W: Simd>(
         &self,
-        wide: W,
+        simd: W,
         penetration_m: W::Register,
         rate_m_s: W::Register,
     ) -> W::Register {
-        let factor = wide.fma(wide.splat(self.damping_s_m), rate_m_s, wide.splat(1.0));
-        wide.mul(
-            self.elastic.forces_n(wide, penetration_m, rate_m_s),
-            wide.max(factor, wide.zero()),
+        let factor = simd.fma(simd.splat(self.damping_s_m), rate_m_s, simd.splat(1.0));
+        simd.mul(
+            self.elastic.forces_n(simd, penetration_m, rate_m_s),
+            simd.max(factor, simd.zero()),
         )
     }
 

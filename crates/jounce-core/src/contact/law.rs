@@ -40,12 +40,12 @@ pub trait ContactLaw: Copy + Send + Sync {
     #[inline(always)]
     fn forces_n<W: Simd>(
         &self,
-        wide: W,
+        simd: W,
         penetration_m: W::Register,
         rate_m_s: W::Register,
     ) -> W::Register {
-        let (penetration_m, rate_m_s) = (wide.store(penetration_m).0, wide.store(rate_m_s).0);
-        wide.load(&F64x8(std::array::from_fn(|i| {
+        let (penetration_m, rate_m_s) = (simd.store(penetration_m).0, simd.store(rate_m_s).0);
+        simd.load(&F64x8(std::array::from_fn(|i| {
             self.force_n(penetration_m[i], rate_m_s[i])
         })))
     }
@@ -93,16 +93,16 @@ impl ContactLaw for Law {
     #[inline(always)]
     fn forces_n<W: Simd>(
         &self,
-        wide: W,
+        simd: W,
         penetration_m: W::Register,
         rate_m_s: W::Register,
     ) -> W::Register {
         match self {
-            Law::Hertz(law) => law.forces_n(wide, penetration_m, rate_m_s),
-            Law::KelvinVoigt(law) => law.forces_n(wide, penetration_m, rate_m_s),
-            Law::HuntCrossley(law) => law.forces_n(wide, penetration_m, rate_m_s),
-            Law::Cubic(law) => law.forces_n(wide, penetration_m, rate_m_s),
-            Law::Rigid(_) => wide.zero(),
+            Law::Hertz(law) => law.forces_n(simd, penetration_m, rate_m_s),
+            Law::KelvinVoigt(law) => law.forces_n(simd, penetration_m, rate_m_s),
+            Law::HuntCrossley(law) => law.forces_n(simd, penetration_m, rate_m_s),
+            Law::Cubic(law) => law.forces_n(simd, penetration_m, rate_m_s),
+            Law::Rigid(_) => simd.zero(),
         }
     }
 

@@ -36,16 +36,16 @@ impl Bracket {
     }
 
     /// Inserts a point with its value; returns the length of the move to it.
-    pub fn put(&mut self, place: f64, value: f64) -> f64 {
-        let moved = (place - self.last.0).abs();
+    pub fn put(&mut self, position: f64, value: f64) -> f64 {
+        let step = (position - self.last.0).abs();
         if (value > 0.0) == (self.last.1 > 0.0) {
             self.replaced = Some(self.last);
         } else {
             self.replaced = Some(self.other);
             self.other = self.last;
         }
-        self.last = (place, value);
-        moved
+        self.last = (position, value);
+        step
     }
 
     /// Fraction of the distance from the last point to the other.
@@ -72,9 +72,9 @@ mod tests {
     /// Solves `x^3 = 2` between 0 and 4, and a function that is flat about its zero, `(x - 1)^9`.
     #[test]
     fn closes_in_on_a_zero() {
-        let sought = |value: &dyn Fn(f64) -> f64, looks: u32| {
+        let sought = |value: &dyn Fn(f64) -> f64, evaluations: u32| {
             let mut bracket = Bracket::between((0.0, value(0.0)), (4.0, value(4.0)));
-            (0..looks).for_each(|_| {
+            (0..evaluations).for_each(|_| {
                 let x = bracket.next(1e-15);
                 bracket.put(x, value(x));
             });

@@ -3,12 +3,12 @@
 use super::{Metric, Position};
 
 /// True when a point lies between two others, with a small distance from their chord.
-pub fn passes(metric: &Metric, place: &Position, before: &Position, after: &Position) -> bool {
-    let (way, home) = (before.to(after), before.to(place));
-    let along = metric.inner(&way, &home) / metric.inner(&way, &way);
-    let length = metric.length(&way);
-    let off = (metric.inner(&home, &home) - along * along * length * length)
+pub fn passes(metric: &Metric, position: &Position, before: &Position, after: &Position) -> bool {
+    let (chord, offset) = (before.to(after), before.to(position));
+    let along = metric.inner(&chord, &offset) / metric.inner(&chord, &chord);
+    let length = metric.length(&chord);
+    let distance_squared = (metric.inner(&offset, &offset) - along * along * length * length)
         .max(0.0)
         .sqrt();
-    (0.0..=1.0).contains(&along) && off < 0.1 * length
+    (0.0..=1.0).contains(&along) && distance_squared < 0.1 * length
 }

@@ -38,7 +38,7 @@ pub fn correct<F: Problem>(
 ) -> Result<CorrectedPoint<F::Evaluation>, ContinuationError<F::Error>> {
     let (row, corner) = metric.row(direction);
     let mut position = guess;
-    let (mut last, mut left) = (f64::INFINITY, ResidualReport::default());
+    let (mut last, mut residuals) = (f64::INFINITY, ResidualReport::default());
     for evaluations in 1..=corrector.most {
         let local = family
             .at(&position.unknown, position.parameter)
@@ -70,16 +70,16 @@ pub fn correct<F: Problem>(
             });
         }
         if evaluations == corrector.most {
-            left = local.parts();
+            residuals = local.parts();
         }
         last = error;
-        position = position.moved(&change, 1.0);
+        position = position.offset_along(&change, 1.0);
     }
     Err(ContinuationError::Diverged {
         parameter: position.parameter,
         error: last,
         goal: corrector.goal,
-        left,
+        left: residuals,
     })
 }
 

@@ -139,7 +139,7 @@ impl<'f, F: Problem> Continuation<'f, F> {
     /// Continues from a checkpoint of a continuation in another unknown, given the linear map to
     /// this one.
     pub fn resume(&mut self, mark: &Checkpoint, map: impl Fn(&[f64]) -> Vec<f64>) {
-        self.behind = mark.behind.as_ref().map(|stretch| stretch.carried(&map));
+        self.behind = mark.behind.as_ref().map(|segment| segment.mapped(&map));
         self.length = mark.length;
     }
 
@@ -157,29 +157,41 @@ impl<'f, F: Problem> Continuation<'f, F> {
 
     fn advance(&mut self) -> Result<CurvePoint<F::Evaluation>, ContinuationError<F::Error>> {
         let metric = Metric::at(&self.position, self.parameter_scale);
-        let ahead = metric.unit(self.tangent.clone());
+        let direction = metric.unit(self.tangent.clone());
         let (mut last, mut refused) = ((f64::NAN, ResidualReport::default()), None);
         let mut turns = RefusedTurns::default();
         while self.length > self.control.shortest {
             let guess = match &self.behind {
-                Some(stretch) => stretch.at(stretch.length + self.length),
-                None => self.position.moved(&ahead, self.length),
+                Some(segment) => segment.at(segment.length + self.length),
+                None => self.position.offset_along(&direction, self.length),
             };
-            match correct(self.family, &self.corrector, &metric, &ahead, guess.clone()) {
-                Ok(found) => {
+            match correct(
+                self.family,
+                &self.corrector,
+                &metric,
+                &direction,
+                guess.clone(),
+            ) {
+                Ok(corrected) => {
                     // Points are known to Newton's tolerance, and so is the predictor computed from
                     // them.
-                    let way = metric.length(&guess.to(&found.position))
+                    let correction = metric.length(&guess.to(&corrected.position))
                         - KNOWN_DISTANCE * self.corrector.goal;
                     if self.behind.is_some()
-                        && self.control.strayed(way, self.length, found.evaluations)
+                        && self
+                            .control
+                            .strayed(correction, self.length, corrected.evaluations)
                     {
-                        last = (found.error, ResidualReport::default());
-                    } else if let Some(step) = self.take(found, &ahead, &mut turns) {
+                        last = (corrected.error, ResidualReport::default());
+                    } else if let Some(step) = self.take(corrected, &direction, &mut turns) {
                         return Ok(step);
                     }
                 }
-                Err(ContinuationError::Diverged { error, left, .. }) => last = (error, left),
+                Err(ContinuationError::Diverged {
+                    error,
+                    left: residuals,
+                    ..
+                }) => last = (error, residuals),
                 // The problem may have no meaning at a long step although the curve continues; try
                 // a shorter one.
                 Err(ContinuationError::Family(error)) => refused = Some(error),
@@ -190,46 +202,46 @@ impl<'f, F: Problem> Continuation<'f, F> {
         if let Some(error) = refused {
             return Err(ContinuationError::Family(error));
         }
-        let (error, left) = last;
+        let (error, residuals) = last;
         Err(ContinuationError::Stuck {
             parameter: self.position.parameter,
             step: self.length,
             error,
-            left,
+            left: residuals,
         })
     }
 
     /// Accepts a corrected point, unless the tangent turned so far that it may be on another curve.
     fn take(
         &mut self,
-        found: CorrectedPoint<F::Evaluation>,
-        ahead: &Direction,
+        corrected: CorrectedPoint<F::Evaluation>,
+        direction: &Direction,
         turns: &mut RefusedTurns,
     ) -> Option<CurvePoint<F::Evaluation>> {
-        let metric = Metric::at(&found.position, self.parameter_scale);
-        let ahead = metric.unit(ahead.clone());
-        let tangent = tangent(&found.local, &metric, &ahead)?;
-        let turn = metric.inner(&tangent, &ahead).clamp(-1.0, 1.0).acos();
-        let turned = self.control.refuses(turn) && self.points > 0;
-        if turned && !turns.is_corner(turn, self.length) {
+        let metric = Metric::at(&corrected.position, self.parameter_scale);
+        let direction = metric.unit(direction.clone());
+        let tangent = tangent(&corrected.local, &metric, &direction)?;
+        let turn = metric.inner(&tangent, &direction).clamp(-1.0, 1.0).acos();
+        let is_reversed = self.control.refuses(turn) && self.points > 0;
+        if is_reversed && !turns.is_corner(turn, self.length) {
             return None;
         }
-        self.length = self.control.after(self.length, found.evaluations, turn);
-        let stretch = HermiteSegment::between(
+        self.length = self.control.after(self.length, corrected.evaluations, turn);
+        let segment = HermiteSegment::between(
             &metric,
-            (&self.position, &ahead),
-            (&found.position, &tangent),
+            (&self.position, &direction),
+            (&corrected.position, &tangent),
         );
         // The segment before a kink does not predict the curve beyond it.
-        self.behind = (!turned).then_some(stretch);
-        self.position = found.position.clone();
+        self.behind = (!is_reversed).then_some(segment);
+        self.position = corrected.position.clone();
         self.tangent = tangent.clone();
         self.points += 1;
         Some(CurvePoint {
-            position: found.position,
+            position: corrected.position,
             tangent,
-            local: found.local,
-            error: found.error,
+            local: corrected.local,
+            error: corrected.error,
         })
     }
 }

@@ -21,7 +21,7 @@ struct BracketEnd {
     position: Position,
     tangent: Direction,
     /// Distance along the chord.
-    place: f64,
+    distance: f64,
 }
 
 /// Locates the zero of `value`, which has different signs at `before` and `after`.
@@ -44,10 +44,10 @@ pub fn locate<F: Problem>(
     let chord = before.position.to(&after.position);
     let length = metric.length(&chord);
     let unit = metric.unit(chord);
-    let side = |step: &CurvePoint<F::Evaluation>, place: f64| BracketEnd {
+    let side = |step: &CurvePoint<F::Evaluation>, distance: f64| BracketEnd {
         position: step.position.clone(),
         tangent: step.tangent.clone(),
-        place,
+        distance,
     };
     let (at_low, at_high) = (value(before), value(after));
     let size = at_low.abs().max(at_high.abs());
@@ -55,42 +55,46 @@ pub fn locate<F: Problem>(
     let (mut low, mut high) = (side(before, 0.0), side(after, length));
     let mut best: Option<(f64, CurvePoint<F::Evaluation>)> = None;
     for _ in 0..MAX_TRIALS {
-        let stretch = HermiteSegment::between(
+        let segment = HermiteSegment::between(
             &metric,
             (&low.position, &low.tangent),
             (&high.position, &high.tangent),
         );
-        let share = (bracket.next(resolution) - low.place) / (high.place - low.place);
-        let guess = stretch.at(share * stretch.length);
-        let found = correct(family, corrector, &metric, &unit, guess).ok();
-        let found = found.and_then(|found| Some((tangent(&found.local, &metric, &unit)?, found)));
-        let Some((ahead, found)) = found else {
+        let share = (bracket.next(resolution) - low.distance) / (high.distance - low.distance);
+        let guess = segment.at(share * segment.length);
+        let corrected = correct(family, corrector, &metric, &unit, guess).ok();
+        let corrected = corrected
+            .and_then(|corrected| Some((tangent(&corrected.local, &metric, &unit)?, corrected)));
+        let Some((direction, corrected)) = corrected else {
             let is_narrow = bracket.length() <= NARROW_BRACKET * resolution;
             return best
-                .filter(|(own, _)| is_narrow || *own <= SMALL_VALUE * size)
+                .filter(|(magnitude, _)| is_narrow || *magnitude <= SMALL_VALUE * size)
                 .map(|(_, step)| step);
         };
         let step = CurvePoint {
-            position: found.position,
-            tangent: ahead,
-            local: found.local,
-            error: found.error,
+            position: corrected.position,
+            tangent: direction,
+            local: corrected.local,
+            error: corrected.error,
         };
-        let (place, here) = (
+        let (distance, value_here) = (
             metric.inner(&unit, &before.position.to(&step.position)),
             value(&step),
         );
-        let moved = bracket.put(place, here);
-        *(if (here > 0.0) == (at_high > 0.0) {
+        let progress = bracket.put(distance, value_here);
+        *(if (value_here > 0.0) == (at_high > 0.0) {
             &mut high
         } else {
             &mut low
-        }) = side(&step, place);
-        if here.abs() <= resolution * size || moved.min(bracket.length()) <= resolution {
+        }) = side(&step, distance);
+        if value_here.abs() <= resolution * size || progress.min(bracket.length()) <= resolution {
             return Some(step);
         }
-        if best.as_ref().is_none_or(|(least, _)| here.abs() < *least) {
-            best = Some((here.abs(), step));
+        if best
+            .as_ref()
+            .is_none_or(|(least, _)| value_here.abs() < *least)
+        {
+            best = Some((value_here.abs(), step));
         }
     }
     None

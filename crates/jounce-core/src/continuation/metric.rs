@@ -91,7 +91,7 @@ impl Position {
     }
 
     /// Returns the position a given length along a direction.
-    pub fn moved(&self, direction: &Direction, length: f64) -> Self {
+    pub fn offset_along(&self, direction: &Direction, length: f64) -> Self {
         let unknown = self
             .unknown
             .iter()

@@ -27,7 +27,7 @@ impl HermiteSegment {
     /// Creates the segment between two points with their tangents.
     pub fn between(
         metric: &Metric,
-        (start, ahead): (&Position, &Direction),
+        (start, start_tangent): (&Position, &Direction),
         (end, beyond): (&Position, &Direction),
     ) -> Self {
         let chord = start.to(end);
@@ -41,14 +41,14 @@ impl HermiteSegment {
         };
         Self {
             start: start.clone(),
-            tangents: [scaled(ahead), scaled(beyond)],
+            tangents: [scaled(start_tangent), scaled(beyond)],
             chord,
             length,
         }
     }
 
     /// Maps the segment to another unknown by a linear map.
-    pub fn carried(&self, map: &impl Fn(&[f64]) -> Vec<f64>) -> Self {
+    pub fn mapped(&self, map: &impl Fn(&[f64]) -> Vec<f64>) -> Self {
         let direction = |from: &Direction| Direction {
             unknown: map(&from.unknown),
             parameter: from.parameter,
@@ -107,7 +107,7 @@ mod tests {
             unknown: 1.0,
             parameter: 1.0,
         };
-        let place = |angle: f64| Position {
+        let on_circle = |angle: f64| Position {
             unknown: vec![angle.cos()],
             parameter: angle.sin(),
         };
@@ -116,16 +116,16 @@ mod tests {
             parameter: angle.cos(),
         };
         let error = |step: f64| {
-            let stretch = HermiteSegment::between(
+            let segment = HermiteSegment::between(
                 &metric,
-                (&place(0.3), &tangent(0.3)),
-                (&place(0.3 + step), &tangent(0.3 + step)),
+                (&on_circle(0.3), &tangent(0.3)),
+                (&on_circle(0.3 + step), &tangent(0.3 + step)),
             );
-            assert!(metric.length(&place(0.3).to(&stretch.at(0.0))) < 1e-15);
-            assert!(metric.length(&place(0.3 + step).to(&stretch.at(stretch.length))) < 1e-15);
-            let ahead = stretch.at(2.0 * stretch.length);
+            assert!(metric.length(&on_circle(0.3).to(&segment.at(0.0))) < 1e-15);
+            assert!(metric.length(&on_circle(0.3 + step).to(&segment.at(segment.length))) < 1e-15);
+            let predicted = segment.at(2.0 * segment.length);
             // Distance to the circle; the position along it does not matter.
-            (ahead.unknown[0].hypot(ahead.parameter) - 1.0).abs()
+            (predicted.unknown[0].hypot(predicted.parameter) - 1.0).abs()
         };
         let (coarse, fine) = (error(0.2), error(0.1));
         // L^4 / 6 from the remainder of the cubic, plus twice that because L is the chord and not
@@ -135,12 +135,12 @@ mod tests {
 
     /// Doubles the unknown in two parts: evaluates after mapping, and maps after evaluation.
     #[test]
-    fn a_carried_stretch_reads_as_its_carried_places() {
+    fn mapped_segment_interpolates_mapped_points() {
         let metric = Metric {
             unknown: 1.0,
             parameter: 1.0,
         };
-        let place = |angle: f64| Position {
+        let on_circle = |angle: f64| Position {
             unknown: vec![angle.cos(), 3.0 * angle],
             parameter: angle.sin(),
         };
@@ -148,15 +148,15 @@ mod tests {
             unknown: vec![-angle.sin(), 3.0],
             parameter: angle.cos(),
         };
-        let stretch = HermiteSegment::between(
+        let segment = HermiteSegment::between(
             &metric,
-            (&place(0.3), &tangent(0.3)),
-            (&place(0.5), &tangent(0.5)),
+            (&on_circle(0.3), &tangent(0.3)),
+            (&on_circle(0.5), &tangent(0.5)),
         );
         let map = |unknown: &[f64]| vec![2.0 * unknown[0], 0.0, unknown[1] - unknown[0]];
-        let (read, carried) = (stretch.at(0.7), stretch.carried(&map).at(0.7));
+        let (read, mapped) = (segment.at(0.7), segment.mapped(&map).at(0.7));
         assert!(
-            metric.length(&carried.to(&Position {
+            metric.length(&mapped.to(&Position {
                 unknown: map(&read.unknown),
                 ..read
             })) < 1e-14

@@ -47,9 +47,9 @@ mod tests {
             .enumerate()
             .map(|(k, size)| (format!("harmonic {k}"), *size))
             .collect();
-        let told = ResidualReport { unit: "m", sizes }.to_string();
+        let printed = ResidualReport { unit: "m", sizes }.to_string();
         assert_eq!(
-            told,
+            printed,
             "; what is left of the equations is largest in harmonic 1 3.0e0 m, harmonic 3 2.0e0 m, harmonic 4 1.0e0 m"
         );
         assert_eq!(ResidualReport::default().to_string(), "");

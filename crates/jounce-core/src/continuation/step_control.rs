@@ -39,8 +39,8 @@ impl StepControl {
 
     /// True when Newton moved so far, or took so many evaluations, that it may have found another
     /// curve.
-    pub fn strayed(&self, way: f64, length: f64, evaluations: u32) -> bool {
-        way > self.stray * length || evaluations > self.most_evaluations
+    pub fn strayed(&self, distance: f64, length: f64, evaluations: u32) -> bool {
+        distance > self.stray * length || evaluations > self.most_evaluations
     }
 
     /// Returns the next length, after a step that took `evaluations` and turned the tangent by

@@ -11,10 +11,10 @@ pub fn tangent<L: Linearization>(
     let (row, corner) = metric.row(before);
     let zero = vec![0.0; row.len()];
     let (unknown, parameter) = local.bordered(&row, corner, &zero, 1.0)?;
-    let found = Direction { unknown, parameter };
-    found
+    let unit_tangent = Direction { unknown, parameter };
+    unit_tangent
         .unknown
         .iter()
         .all(|d| d.is_finite())
-        .then(|| metric.unit(found))
+        .then(|| metric.unit(unit_tangent))
 }

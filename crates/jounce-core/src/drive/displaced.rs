@@ -21,7 +21,7 @@ pub fn displaced(signal: &DriveSignal) -> Vec<Wave> {
             duration_s,
         } => {
             let peak_m_s2 = -amplitude * (PI / duration_s).powi(2);
-            brought_to(
+            stop_at_position(
                 0.0,
                 half_sine(peak_m_s2, start_s, duration_s),
                 [start_s, duration_s],
@@ -46,7 +46,7 @@ pub fn displaced(signal: &DriveSignal) -> Vec<Wave> {
                 duration_s,
             };
             let end_m = chirp.size(duration_s) - chirp.size(0.0);
-            brought_to(end_m, chirp.acceleration(), [start_s, duration_s])
+            stop_at_position(end_m, chirp.acceleration(), [start_s, duration_s])
         }
         DriveSignal::Sine { .. }
         | DriveSignal::VelocityStep { .. }
@@ -57,11 +57,11 @@ pub fn displaced(signal: &DriveSignal) -> Vec<Wave> {
 
 /// Adds velocity jumps, m/s, at the start and end of a smooth part, so the base ends at a position,
 /// m, at rest.
-fn brought_to(end_m: f64, smooth: Wave, [start_s, duration_s]: [f64; 2]) -> Vec<Wave> {
+fn stop_at_position(end_m: f64, smooth: Wave, [start_s, duration_s]: [f64; 2]) -> Vec<Wave> {
     let end_s = start_s + duration_s;
     let index = smooth.index_at(end_s);
-    let [place_m, speed_m_s] = Travel::of(&smooth).at(index, &smooth.piece(index), end_s);
-    let first_m_s = (end_m - place_m) / duration_s;
+    let [position_m, speed_m_s] = Travel::of(&smooth).at(index, &smooth.piece(index), end_s);
+    let first_m_s = (end_m - position_m) / duration_s;
     let jump = |time_s: f64, size_s: f64| Wave::Impulse { time_s, size_s };
     vec![
         jump(start_s, first_m_s),
@@ -75,7 +75,7 @@ mod tests {
     use super::*;
     use crate::spec::FrequencySweep;
 
-    fn place_m(waves: &[Wave], time_s: f64) -> f64 {
+    fn position_m(waves: &[Wave], time_s: f64) -> f64 {
         let of = |wave: &Wave| {
             Travel::of(wave).at(
                 wave.index_at(time_s),
@@ -103,7 +103,7 @@ mod tests {
             } else {
                 0.0
             };
-            let error = (place_m(&waves, time_s) - exact).abs();
+            let error = (position_m(&waves, time_s) - exact).abs();
             assert!(
                 error < 1e-11 * amplitude,
                 "half-sine at {time_s}: {error:e}"
@@ -131,7 +131,7 @@ mod tests {
             });
             for k in 0..200 {
                 let time_s = 0.11 * f64::from(k) + 0.05;
-                let error = (place_m(&waves, time_s)
+                let error = (position_m(&waves, time_s)
                     - chirp.size((time_s - start_s).clamp(0.0, duration_s)))
                 .abs();
                 assert!(error < 1e-8 * amplitude, "{sweep:?} at {time_s}: {error:e}");

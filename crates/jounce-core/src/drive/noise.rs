@@ -132,15 +132,15 @@ mod tests {
         // Linear interpolation multiplies each frequency by sinc^2; divide by it at the edges of
         // the band.
         let square = sizes.iter().map(|u| u * u).sum::<f64>() / sizes.len() as f64;
-        let wanted = 0.02
+        let expected = 0.02
             * (0..=200)
                 .map(|k| hold(50.0 + f64::from(k), 4e-4).powi(-2))
                 .sum::<f64>()
             * 200.0
             / 201.0;
         assert!(
-            (square / wanted - 1.0).abs() < 3.0 * FRAC_1_SQRT_2 * 0.0224,
-            "{square} {wanted}"
+            (square / expected - 1.0).abs() < 3.0 * FRAC_1_SQRT_2 * 0.0224,
+            "{square} {expected}"
         );
         let Wave::Sampled { sizes: other, .. } = noise(&band, 20.0, 12, &|| false) else {
             panic!("not sampled")
@@ -164,13 +164,13 @@ mod tests {
             high_hz: 250.0,
             sample_rate_hz: 2500.0,
         };
-        for looks in [0_usize, 1] {
-            let left = std::cell::Cell::new(looks);
-            let is_stopped = || left.replace(left.get().saturating_sub(1)) == 0;
+        for polls in [0_usize, 1] {
+            let remaining = std::cell::Cell::new(polls);
+            let is_stopped = || remaining.replace(remaining.get().saturating_sub(1)) == 0;
             let Wave::Sampled { sizes, .. } = noise(&band, 4000.0, 11, &is_stopped) else {
                 panic!("not sampled")
             };
-            assert_eq!(*sizes, [0.0; 2], "{looks}");
+            assert_eq!(*sizes, [0.0; 2], "{polls}");
         }
         let Wave::Sampled { sizes, .. } = noise(&band, 500.0, 11, &|| false) else {
             panic!("not sampled")

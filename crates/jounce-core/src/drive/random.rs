@@ -75,14 +75,14 @@ mod tests {
         let values: Vec<f64> = (0..20_000).flat_map(|_| stream.normal_pair()).collect();
         let moment =
             |power: i32| values.iter().map(|v| v.powi(power)).sum::<f64>() / values.len() as f64;
-        let found = [1, 2, 3, 4].map(moment);
+        let moments = [1, 2, 3, 4].map(moment);
         assert!(
-            found
+            moments
                 .iter()
                 .zip([0.0, 1.0, 0.0, 3.0])
                 .zip([0.02, 0.03, 0.06, 0.2])
                 .all(|((a, b), e)| (a - b).abs() < e),
-            "{found:?}"
+            "{moments:?}"
         );
     }
 }

@@ -26,7 +26,7 @@ impl Travel {
             let end = if index == 0 {
                 [0.0; 2]
             } else {
-                moved(
+                advance(
                     &wave.piece(index),
                     starts[index],
                     wave.piece(index).length_s,
@@ -45,13 +45,13 @@ impl Travel {
         if index == 0 {
             [0.0; 2]
         } else {
-            moved(piece, self.starts[index], time_s - piece.from_s)
+            advance(piece, self.starts[index], time_s - piece.from_s)
         }
     }
 }
 
 #[inline(always)]
-fn moved(piece: &WavePiece, [x, v]: [f64; 2], t: f64) -> [f64; 2] {
+fn advance(piece: &WavePiece, [x, v]: [f64; 2], t: f64) -> [f64; 2] {
     let (u, s) = (piece.size, piece.slope);
     [
         x + t * (v + t * (0.5 * u + s * t / 6.0)),

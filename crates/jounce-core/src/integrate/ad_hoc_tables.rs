@@ -16,12 +16,12 @@ pub(super) struct AdHocTables(Vec<(ForceBasis, Arc<ContactTable>)>);
 impl AdHocTables {
     /// Returns the table of a length, and computes it if it is not in the cache.
     pub fn of(&mut self, kernel: &Kernel, shape: ForceBasis, length_s: f64) -> Arc<ContactTable> {
-        let found = self
+        let cached_index = self
             .0
             .iter()
-            .position(|(kept, table)| *kept == shape && table.length_s == length_s);
-        let entry = match found {
-            Some(place) => self.0.remove(place),
+            .position(|(cached, table)| *cached == shape && table.length_s == length_s);
+        let entry = match cached_index {
+            Some(index) => self.0.remove(index),
             None => (
                 shape,
                 Arc::new(ContactTable::new(

@@ -26,7 +26,7 @@ const SINGULAR_TERMS: usize = 64;
 #[derive(Debug, Clone)]
 pub struct BasisFunctions {
     /// Nodes, then 1.
-    pub places: [f64; LANES],
+    pub positions: [f64; LANES],
     /// Integral of each function; the last lane is 0.
     pub weights: F64x8,
     /// Value of each function at 0; the last lane is 0.
@@ -82,7 +82,7 @@ impl BasisFunctions {
                 .product()
         });
         let mut basis = Self {
-            places: std::array::from_fn(|i| {
+            positions: std::array::from_fn(|i| {
                 if i < NODES {
                     nodes[i].powf(1.0 / q)
                 } else {
@@ -115,13 +115,16 @@ impl BasisFunctions {
     /// Returns the values of the seven functions at a point.
     pub fn at(&self, x: f64) -> [f64; NODES] {
         let [n, q] = self.powers.unwrap_or([0.0, 1.0]);
-        if let Some(node) = self.places[..NODES].iter().position(|place| *place == x) {
+        if let Some(node) = self.positions[..NODES]
+            .iter()
+            .position(|position| *position == x)
+        {
             return std::array::from_fn(|j| if j == node { 1.0 } else { 0.0 });
         }
-        let (u, node) = (x.powf(q), |j: usize| self.places[j].powf(q));
+        let (u, node) = (x.powf(q), |j: usize| self.positions[j].powf(q));
         let product: f64 = (0..NODES).map(|j| u - node(j)).product();
         std::array::from_fn(|j| {
-            product * self.barycentric[j] / (u - node(j)) * (x / self.places[j]).powf(n)
+            product * self.barycentric[j] / (u - node(j)) * (x / self.positions[j]).powf(n)
         })
     }
 }
@@ -256,7 +259,7 @@ mod tests {
 
     fn quadrature(basis: &BasisFunctions, f: impl Fn(f64) -> f64) -> f64 {
         (0..NODES)
-            .map(|j| basis.weights.0[j] * f(basis.places[j]))
+            .map(|j| basis.weights.0[j] * f(basis.positions[j]))
             .sum()
     }
 
@@ -273,7 +276,7 @@ mod tests {
         for degree in 0..=6 {
             let at = |values: &[f64]| -> f64 {
                 (0..NODES)
-                    .map(|j| values[j] * b.places[j].powi(degree))
+                    .map(|j| values[j] * b.positions[j].powi(degree))
                     .sum()
             };
             let (start, middle, end) = (at(&b.at_start.0), at(&b.at(0.3)), at(&b.at_end.0));
@@ -305,7 +308,7 @@ mod tests {
                 let at: f64 = b
                     .at(0.3)
                     .iter()
-                    .zip(&b.places)
+                    .zip(&b.positions)
                     .map(|(b, x)| b * x.powf(power))
                     .sum();
                 assert!((at - 0.3_f64.powf(power)).abs() < 1e-12, "power {power}");

@@ -189,9 +189,9 @@ mod tests {
                 continue;
             };
             proved += 1;
-            let place = |k: u32, from: f64, to: f64| from + (to - from) * f64::from(k) / 1000.0;
+            let position = |k: u32, from: f64, to: f64| from + (to - from) * f64::from(k) / 1000.0;
             assert!(
-                (1..=1000).all(|k| motion.at(place(k, 0.0, crossing.from_s)) < 1e-15),
+                (1..=1000).all(|k| motion.at(position(k, 0.0, crossing.from_s)) < 1e-15),
                 "contact before {crossing:?}"
             );
             assert!(
@@ -199,7 +199,7 @@ mod tests {
                 "not past the stop after {crossing:?}"
             );
             let values: Vec<f64> = (0..=1000)
-                .map(|k| motion.at(place(k, crossing.from_s, crossing.to_s)))
+                .map(|k| motion.at(position(k, crossing.from_s, crossing.to_s)))
                 .collect();
             assert!(
                 values.windows(2).all(|pair| pair[1] > pair[0] - 1e-15),

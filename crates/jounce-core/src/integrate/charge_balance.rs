@@ -7,7 +7,7 @@ use crate::plant::{Plant, PowerOutput};
 pub(super) struct ChargeBalance<'g> {
     pub plant: &'g Plant,
     /// Change of the physical state.
-    pub moved: &'g [f64],
+    pub change: &'g [f64],
     /// Duration, s.
     pub length_s: f64,
 }
@@ -18,7 +18,7 @@ impl ChargeBalance<'_> {
         self.plant.electrical.nodes[node]
             .coupling_n_per_v
             .iter()
-            .zip(self.moved)
+            .zip(self.change)
             .map(|(theta, q)| theta * q)
             .sum()
     }
@@ -26,12 +26,12 @@ impl ChargeBalance<'_> {
     /// Returns `[C V + theta q]` of a node, C.
     pub fn charge_c(&self, node: usize) -> f64 {
         let first = 2 * self.plant.system.modes.len();
-        self.plant.electrical.nodes[node].capacitance_f * self.moved[first + node]
+        self.plant.electrical.nodes[node].capacitance_f * self.change[first + node]
             + self.displaced_c(node)
     }
 
     /// Returns the work of the forces that represent the offsets of the voltages of a bridge, J.
-    pub fn pushed_j(&self, bridge: usize) -> f64 {
+    pub fn supplied_j(&self, bridge: usize) -> f64 {
         let electrical = &self.plant.electrical;
         electrical
             .nodes_of(bridge)
@@ -49,8 +49,8 @@ impl ChargeBalance<'_> {
         let of = |(node, factor): &(usize, f64)| {
             nodes
                 .iter()
-                .position(|own| own == node)
-                .map_or(0.0, |place| factor * flux[place])
+                .position(|member| member == node)
+                .map_or(0.0, |index| factor * flux[index])
         };
         parts.iter().map(of).sum()
     }

@@ -76,7 +76,7 @@ impl Integrator<'_> {
         &mut self,
         w: W,
         law: L,
-        (p, beside_others): (usize, bool),
+        (p, with_others): (usize, bool),
         (level, mut entering): (i32, bool),
         end_s: f64,
     ) -> Result<(i32, bool), IntegrationError> {
@@ -93,7 +93,7 @@ impl Integrator<'_> {
                 ForceBasis::Smooth
             };
             let landing = Kernel::length_s(level) >= remaining_s;
-            if beside_others
+            if with_others
                 && (landing || !self.all_stay_clear(w, Kernel::length_s(level), (p, 0.0)))
             {
                 break;
@@ -114,12 +114,12 @@ impl Integrator<'_> {
             });
             match sound.filter(|_| down == 0) {
                 Some(solved) => {
-                    if beside_others
+                    if with_others
                         && !self.all_stay_clear(w, table.length_s, (p, solved.size_n_s(w, &step)))
                     {
                         break;
                     }
-                    self.take(w, law, &step, &solved);
+                    self.accept_step(w, law, &step, &solved);
                     if landing {
                         self.time_s = end_s;
                     }

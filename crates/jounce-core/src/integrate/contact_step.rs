@@ -14,7 +14,7 @@ use super::kernel::{ForceBasis, Kernel};
 use super::peak::interpolated_peak;
 use super::phasor::PhasorSamples;
 use super::port_state::ContactState;
-use super::state::{columns, dot, pushed, pushed_by, spread};
+use super::state::{add_force_response, add_spread_response, columns, dot, spread};
 use super::trajectory::PortForce;
 use crate::contact::ContactLaw;
 use crate::simd::{F64x8, Simd};
@@ -37,7 +37,7 @@ pub(super) struct ContactStep<'a> {
 
 impl<'a> ContactStep<'a> {
     /// Creates a step with a prescribed force.
-    pub(super) fn held(port: usize, table: &'a ContactTable) -> Self {
+    pub(super) fn with_prescribed_force(port: usize, table: &'a ContactTable) -> Self {
         Self {
             port,
             table,
@@ -79,18 +79,22 @@ impl<'k> Integrator<'k> {
             let frequency = tone.angular_frequency_rad_s;
             let z = tone.displacement_m[port] * tone.turn;
             if landing {
-                tone.swing[port] = PhasorSamples::over(frequency, basis, table.length_s);
+                tone.samples[port] = PhasorSamples::over(frequency, basis, table.length_s);
             } else {
                 tone.swing_over(kernel, port, shape, level);
             }
-            drive = tone.swing[port].real(w, z, drive);
+            drive = tone.samples[port].real(w, z, drive);
             if law.is_rate_dependent() {
-                drive_rate = tone.swing[port].real(w, z * c64::new(0.0, frequency), drive_rate);
+                drive_rate = tone.samples[port].real(w, z * c64::new(0.0, frequency), drive_rate);
             }
         }
-        [drive, drive_rate] =
-            self.excitation
-                .motions(w, port, &basis.places, table.length_s, [drive, drive_rate]);
+        [drive, drive_rate] = self.excitation.motions(
+            w,
+            port,
+            &basis.positions,
+            table.length_s,
+            [drive, drive_rate],
+        );
         ContactStep {
             port,
             table,
@@ -141,7 +145,7 @@ impl<'k> Integrator<'k> {
         let mut rate = free_rate;
         let mut force = law.forces_n(w, penetration, rate);
         let mut last = force;
-        let goal = (0.1 * self.tolerance).clamp(4e-15, 1e-5);
+        let target = (0.1 * self.tolerance).clamp(4e-15, 1e-5);
         let deepest_at_start = largest(w, law, penetration);
         // Neighbouring steps need the same number of iterations: convergence is not tested before.
         let expected = self.ports[step.port].iterations;
@@ -150,9 +154,9 @@ impl<'k> Integrator<'k> {
             iteration += 1;
             let last_but_one = std::mem::replace(&mut last, force);
             let nodal = w.store(force);
-            penetration = pushed(w, free, &table.displacement.push, &nodal);
+            penetration = add_force_response(w, free, &table.displacement.push, &nodal);
             if law.is_rate_dependent() {
-                rate = pushed(w, free_rate, &table.velocity.push, &nodal);
+                rate = add_force_response(w, free_rate, &table.velocity.push, &nodal);
             }
             force = law.forces_n(w, penetration, rate);
             if iteration < expected {
@@ -163,24 +167,24 @@ impl<'k> Integrator<'k> {
             // Remaining error: at most the contraction observed so far, or predicted by the slope
             // of the law.
             let slopes = law.steepest(deepest_at_start.max(largest(w, law, penetration)));
-            let foretold =
+            let predicted =
                 slopes.stiffness_n_m * table.reach_m_n + slopes.damping_n_s_m * table.reach_m_n_s;
-            let seen = if iteration == 1 {
+            let contraction = if iteration == 1 {
                 1.0
             } else {
                 (change / last_change).min(1.0)
             };
-            if change * foretold.min(seen) <= goal * size {
+            if change * predicted.min(contraction) <= target * size {
                 // The last iteration was not needed if it changed this little.
-                let spare = u32::from(change <= goal * size);
+                let spare = u32::from(change <= target * size);
                 self.ports[step.port].iterations = (iteration - spare).max(1);
                 self.work.iterations += u64::from(iteration);
                 // Motion and force must match: the energy balance would show the error of one
                 // iteration.
                 let nodal = w.store(force);
-                penetration = pushed(w, free, &table.displacement.push, &nodal);
+                penetration = add_force_response(w, free, &table.displacement.push, &nodal);
                 if law.is_rate_dependent() {
-                    rate = pushed(w, free_rate, &table.velocity.push, &nodal);
+                    rate = add_force_response(w, free_rate, &table.velocity.push, &nodal);
                 }
                 return Some(judge(w, law, step, [penetration, rate, force], at_start));
             }
@@ -195,7 +199,7 @@ impl<'k> Integrator<'k> {
 
     /// Accepts a solved step.
     #[inline(always)]
-    pub(super) fn take<W: Simd, L: ContactLaw>(
+    pub(super) fn accept_step<W: Simd, L: ContactLaw>(
         &mut self,
         w: W,
         law: L,
@@ -216,15 +220,15 @@ impl<'k> Integrator<'k> {
         self.excitation
             .pass(self.kernel, table.length_s, self.time_s, &mut self.y);
         for tone in &mut self.tones {
-            tone.turn *= tone.swing[step.port].end();
+            tone.turn *= tone.samples[step.port].end();
         }
-        self.arrive(w, law, step, solved);
+        self.update_port_in_contact(w, law, step, solved);
         self.work.contact_steps += 1;
     }
 
     /// Sets a port to its state at the end of an accepted step.
     #[inline(always)]
-    pub(super) fn arrive<W: Simd, L: ContactLaw>(
+    pub(super) fn update_port_in_contact<W: Simd, L: ContactLaw>(
         &mut self,
         w: W,
         law: L,
@@ -259,9 +263,9 @@ impl<'k> Integrator<'k> {
         let (length_s, weights) = (step.table.length_s, &step.basis.weights);
         let port = &mut self.ports[step.port];
         let (end_m, end_m_s) = (port.penetration_m, port.rate_m_s);
-        let has_left = !law.acts_on_both_sides() && end_m < 0.0;
+        let has_separated = !law.acts_on_both_sides() && end_m < 0.0;
         // A point that has left the stop has continued at its last speed.
-        let since_s = if has_left && end_m_s < 0.0 {
+        let since_s = if has_separated && end_m_s < 0.0 {
             (end_m / end_m_s).min(length_s)
         } else {
             0.0
@@ -328,21 +332,27 @@ impl<'k> Integrator<'k> {
             .zip(&vectors.loads)
             .zip(&table.loads)
         {
-            *sum += metered_j(w, row, motion, pushed_by(w, w.zero(), push, &spread), force);
+            *sum += metered_j(
+                w,
+                row,
+                motion,
+                add_spread_response(w, w.zero(), push, &spread),
+                force,
+            );
         }
-        let own = pushed_by(w, w.zero(), &table.damping, &spread);
-        self.integrals.damping_j += metered_j(w, &vectors.damping, motion, own, force);
+        let response = add_spread_response(w, w.zero(), &table.damping, &spread);
+        self.integrals.damping_j += metered_j(w, &vectors.damping, motion, response, force);
         let weighted = w.mul(
             w.mul(w.splat(table.length_s), w.load(&basis.weights)),
             w.load(force),
         );
         self.ports[p].statistics.impulse_n_s += w.sum(weighted);
         self.excitation
-            .push(p, &basis.places, table.length_s, &w.store(weighted));
+            .push(p, &basis.positions, table.length_s, &w.store(weighted));
         for (sum, tone) in self.integrals.tones_n_s[p].iter_mut().zip(&self.tones) {
             let (cos, sin) = (
-                w.mul(weighted, w.load(&tone.swing[p].cos)),
-                w.mul(weighted, w.load(&tone.swing[p].sin)),
+                w.mul(weighted, w.load(&tone.samples[p].cos)),
+                w.mul(weighted, w.load(&tone.samples[p].sin)),
             );
             *sum += tone.turn * c64::new(w.sum(cos), w.sum(sin));
         }
@@ -356,10 +366,10 @@ fn metered_j<W: Simd>(
     w: W,
     row: &FlowRow,
     (from_start, y): (&[F64x8], &[F64x8]),
-    own: W::Register,
+    response: W::Register,
     force: &F64x8,
 ) -> f64 {
-    w.sum(w.fma(own, w.load(force), row.read(w, from_start, y)))
+    w.sum(w.fma(response, w.load(force), row.read(w, from_start, y)))
 }
 
 /// Estimates the error of a converged step from the mismatch of its basis and the law at both of

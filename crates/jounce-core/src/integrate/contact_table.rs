@@ -63,7 +63,7 @@ impl ContactTable {
         ];
         rows.extend(kernel.meters().loads.iter().map(meter));
         let block = &plant.diagonal.block;
-        let made = widest(OutputRowsTask {
+        let tables = widest(OutputRowsTask {
             block,
             layout,
             basis,
@@ -72,7 +72,7 @@ impl ContactTable {
             rows: &rows,
             length_s,
         });
-        let mut responses = made.rows.into_iter();
+        let mut responses = tables.rows.into_iter();
         let mut next = || responses.next().unwrap_or_default();
         let (displacement, velocity, damping) = (next(), next(), next());
         let weighted = |weight: &dyn Fn(usize) -> f64| {
@@ -88,13 +88,13 @@ impl ContactTable {
             length_s,
             flow: Flow::over(block, layout, length_s),
             duhamel: if basis.is_mirrored() {
-                Duhamel::mirrored(&made.from_start)
+                Duhamel::mirrored(&tables.from_start)
             } else {
-                Duhamel::Each([made.from_start, made.towards_end])
+                Duhamel::Each([tables.from_start, tables.towards_end])
             },
             push: OnceLock::new(),
             constant: weighted(&|_| 1.0),
-            ramp: weighted(&|j| basis.places[j]),
+            ramp: weighted(&|j| basis.positions[j]),
             reach_m_n: reach(&displacement.push),
             reach_m_n_s: reach(&velocity.push),
             loads: responses.map(|response| response.push).collect(),
@@ -137,7 +137,7 @@ impl StickingTable {
             reading: RowReading::Pointwise,
         }];
         let (block, force) = (&plant.diagonal.block, &plant.ports[port].force);
-        let made = widest(OutputRowsTask {
+        let tables = widest(OutputRowsTask {
             block,
             layout: &kernel.layout,
             basis,
@@ -146,7 +146,7 @@ impl StickingTable {
             rows: &rows,
             length_s,
         });
-        let acceleration = made.rows.into_iter().next().unwrap_or_default();
+        let acceleration = tables.rows.into_iter().next().unwrap_or_default();
         let mobility = plant.ports[port].mobility_per_kg;
         let system = faer::Mat::from_fn(NODES, NODES, |i, j| {
             (if i == j { mobility } else { 0.0 }) - acceleration.push[j].0[i]

@@ -22,11 +22,11 @@ const PROGRESS_PARTS: u64 = 1000;
 /// Handle to a control; its clones refer to the same control.
 #[derive(Debug, Clone, Default)]
 pub struct Control {
-    wish: Arc<AtomicU8>,
+    stop_request: Arc<AtomicU8>,
     /// Wall time of all runs, ns.
-    marched_ns: Arc<AtomicU64>,
+    wall_time_ns: Arc<AtomicU64>,
     counts: Arc<Counts>,
-    visitor: Option<Callback>,
+    callback: Option<Callback>,
 }
 
 /// Callback of the working thread.
@@ -53,8 +53,8 @@ impl Control {
     #[must_use]
     pub fn apart(&self) -> Self {
         Self {
-            wish: Arc::clone(&self.wish),
-            marched_ns: Arc::clone(&self.marched_ns),
+            stop_request: Arc::clone(&self.stop_request),
+            wall_time_ns: Arc::clone(&self.wall_time_ns),
             ..Self::default()
         }
     }
@@ -64,7 +64,7 @@ impl Control {
     #[must_use]
     pub fn with_callback(visit: impl Fn(&Self) + Send + Sync + 'static) -> Self {
         Self {
-            visitor: Some(Callback(Arc::new(visit))),
+            callback: Some(Callback(Arc::new(visit))),
             ..Self::default()
         }
     }
@@ -72,27 +72,27 @@ impl Control {
     /// Runs the callback, if there is one.
     #[inline]
     fn call_back(&self) {
-        if let Some(Callback(visit)) = &self.visitor {
+        if let Some(Callback(visit)) = &self.callback {
             visit(self);
         }
     }
 
     /// Requests that the computation stops. Finished results are retained.
     pub fn stop(&self) {
-        self.wish.store(STOP_REQUEST, Ordering::Relaxed);
+        self.stop_request.store(STOP_REQUEST, Ordering::Relaxed);
     }
 
     /// True after a stop request.
     #[inline]
     pub fn is_stopped(&self) -> bool {
         self.call_back();
-        self.wish.load(Ordering::Relaxed) == STOP_REQUEST
+        self.stop_request.load(Ordering::Relaxed) == STOP_REQUEST
     }
 
     /// True without a pending request.
     #[inline(always)]
     pub(super) fn is_quiet(&self) -> bool {
-        self.wish.load(Ordering::Relaxed) == NO_REQUEST
+        self.stop_request.load(Ordering::Relaxed) == NO_REQUEST
     }
 
     /// Expects one run of this length, s, with thousandths as its parts.
@@ -106,7 +106,7 @@ impl Control {
     /// Requests that the run reports its time before its next step.
     pub fn request_progress(&self) {
         if self.counts.run_s.load(Ordering::Relaxed) != 0 {
-            let _ = self.wish.compare_exchange(
+            let _ = self.stop_request.compare_exchange(
                 NO_REQUEST,
                 PROGRESS_REQUEST,
                 Ordering::Relaxed,
@@ -117,7 +117,7 @@ impl Control {
 
     /// Reports the current time of the run, s.
     pub fn report_progress(&self, time_s: f64) {
-        let _ = self.wish.compare_exchange(
+        let _ = self.stop_request.compare_exchange(
             PROGRESS_REQUEST,
             NO_REQUEST,
             Ordering::Relaxed,
@@ -154,14 +154,14 @@ impl Control {
 
     /// Adds the wall time of a run.
     pub fn add_wall_time(&self, time: Duration) {
-        self.marched_ns
+        self.wall_time_ns
             .fetch_add(time.as_nanos() as u64, Ordering::Relaxed);
     }
 
     /// Returns the total wall time of the integration in all runs, s, including parts with their
     /// own count.
     pub fn wall_time_s(&self) -> f64 {
-        1e-9 * self.marched_ns.load(Ordering::Relaxed) as f64
+        1e-9 * self.wall_time_ns.load(Ordering::Relaxed) as f64
     }
 
     /// Returns the numbers of finished and expected parts.
@@ -178,11 +178,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_visitor_may_end_the_work_at_any_look() {
-        let looks = Arc::new(AtomicU64::new(0));
-        let seen = Arc::clone(&looks);
+    fn callback_can_cancel_at_any_poll() {
+        let polls = Arc::new(AtomicU64::new(0));
+        let counter = Arc::clone(&polls);
         let control = Control::with_callback(move |control| {
-            if seen.fetch_add(1, Ordering::Relaxed) == 2 {
+            if counter.fetch_add(1, Ordering::Relaxed) == 2 {
                 control.stop();
             }
         });
@@ -196,13 +196,13 @@ mod tests {
             [false, false, true, false]
         );
         assert!(
-            control.apart().is_stopped() && looks.load(Ordering::Relaxed) == 3,
+            control.apart().is_stopped() && polls.load(Ordering::Relaxed) == 3,
             "a part of the work shares the stop request, not the callbacks"
         );
     }
 
     #[test]
-    fn a_run_tells_its_time_once_for_each_question_and_a_wish_to_stop_stands() {
+    fn run_reports_its_time_per_request_and_cancellation_persists() {
         let control = Control::default();
         control.request_progress();
         assert!(control.is_quiet(), "there is no run");

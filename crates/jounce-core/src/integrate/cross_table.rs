@@ -33,7 +33,7 @@ impl CrossTable {
     /// basis.
     pub fn new(
         kernel: &Kernel,
-        [(port, shape), (seen, reader)]: [(usize, ForceBasis); 2],
+        [(port, shape), (other_port, reader)]: [(usize, ForceBasis); 2],
         length_s: f64,
     ) -> Self {
         let plant = &kernel.plant;
@@ -42,28 +42,28 @@ impl CrossTable {
             reading: RowReading::Pointwise,
         };
         let meter = |meter: &EnergyMeter| RowRequest {
-            row: meter.port_row(seen).to_vec(),
+            row: meter.port_row(other_port).to_vec(),
             reading: RowReading::Integral,
         };
-        let felt = &plant.ports[seen];
+        let observed_port = &plant.ports[other_port];
         let mut rows = vec![
-            pointwise(&felt.displacement),
-            pointwise(&felt.velocity),
-            pointwise(&kernel.acceleration_row(seen)),
+            pointwise(&observed_port.displacement),
+            pointwise(&observed_port.velocity),
+            pointwise(&kernel.acceleration_row(other_port)),
         ];
         rows.push(meter(&kernel.meters().damping));
         rows.extend(kernel.meters().loads.iter().map(meter));
-        let made = widest(OutputRowsTask {
+        let tables = widest(OutputRowsTask {
             block: &plant.diagonal.block,
             layout: &kernel.layout,
             basis: kernel.basis(port, shape),
-            reader: kernel.basis(seen, reader),
+            reader: kernel.basis(other_port, reader),
             force: &plant.ports[port].force,
             rows: &rows,
             length_s,
         });
-        let mut answers = made.rows.into_iter().map(|response| response.push);
-        let mut next = || answers.next().unwrap_or([F64x8::ZERO; NODES]);
+        let mut responses = tables.rows.into_iter().map(|response| response.push);
+        let mut next = || responses.next().unwrap_or([F64x8::ZERO; NODES]);
         let (displacement, velocity, acceleration, damping) = (next(), next(), next(), next());
         Self {
             reach_m_n: reach(&displacement),
@@ -72,7 +72,7 @@ impl CrossTable {
             velocity,
             acceleration,
             damping,
-            loads: answers.collect(),
+            loads: responses.collect(),
         }
     }
 }

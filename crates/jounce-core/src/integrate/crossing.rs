@@ -44,7 +44,7 @@ impl FlightStep {
             a.min(b).min(middle) > rate
         };
         let clear_before = from_s == 0.0 || {
-            let [flat, sloped] = self.bounds().map(|bound| left_of(bound, from_s / h));
+            let [flat, sloped] = self.bounds().map(|bound| left_half(bound, from_s / h));
             is_negative(flat, sloped)
         };
         let past = if to_s == h {
@@ -67,13 +67,13 @@ impl FlightStep {
         // Between its turning points the cubic is monotone: search each interval in order. A point
         // past its stop by roundoff impacts at once if it moves in, and only after it has left if
         // it moves out.
-        let mut stretch = (0.0, if p1 < p0 { p0 } else { p0.min(0.0) });
+        let mut interval = (0.0, if p1 < p0 { p0 } else { p0.min(0.0) });
         for x in self.turning_points().into_iter().flatten().chain([1.0]) {
             let at = bezier([p0, p1, p2, p3], x);
-            if at > 0.0 && stretch.1 <= 0.0 {
-                return Some(self.length_s * self.zero_between(stretch.0, x));
+            if at > 0.0 && interval.1 <= 0.0 {
+                return Some(self.length_s * self.zero_between(interval.0, x));
             }
-            stretch = (x, at);
+            interval = (x, at);
         }
         None
     }
@@ -159,7 +159,7 @@ fn bezier([p0, p1, p2, p3]: [f64; 4], x: f64) -> f64 {
 
 /// Returns the Bernstein coefficients on `[0, x]` of a quartic given on `[0, 1]`, by de Casteljau.
 #[inline(always)]
-fn left_of(mut row: [f64; 5], x: f64) -> [f64; 5] {
+fn left_half(mut row: [f64; 5], x: f64) -> [f64; 5] {
     let mut left = [row[0]; 5];
     for (level, out) in left.iter_mut().enumerate().skip(1) {
         for i in 0..5 - level {

@@ -13,7 +13,7 @@
 
 use super::basis::NODES;
 use super::flow_row::FlowRow;
-use super::state::{pushed_by, spread};
+use super::state::{add_spread_response, spread};
 use crate::simd::{F64x8, Simd};
 
 /// Middle node.
@@ -139,8 +139,8 @@ impl Duhamel {
                     #[inline(always)]
                     |k: usize| {
                         [
-                            pushed_by(w, w.zero(), &onward[k], &force),
-                            pushed_by(w, w.zero(), &backward[k], &force),
+                            add_spread_response(w, w.zero(), &onward[k], &force),
+                            add_spread_response(w, w.zero(), &backward[k], &force),
                         ]
                     },
                 );
@@ -212,7 +212,7 @@ mod tests {
         let (panels, mut sum) = (40, vec![0.0; COLUMN.len()]);
         for p in 0..panels {
             for i in 0..NODES {
-                let r = (f64::from(p) + SMOOTH_BASIS.places[i]) / f64::from(panels);
+                let r = (f64::from(p) + SMOOTH_BASIS.positions[i]) / f64::from(panels);
                 let force: f64 = basis
                     .at(r * r)
                     .iter()
@@ -281,22 +281,22 @@ mod tests {
             };
             let (mut end, mut integrals) = (layout.pack(&[0.0; 5]), layout.pack(&[0.0; 5]));
             duhamel.act(w, &column, &force, &mut end, &mut integrals);
-            let moved = layout.unpack(&end);
+            let end_state = layout.unpack(&end);
             assert!(
                 worst(
-                    &moved,
+                    &end_state,
                     &integral(basis, |t| block.flow(LENGTH_S - t, &COLUMN))
                 ) < within,
-                "{moved:?}"
+                "{end_state:?}"
             );
             let pushes = duhamel.pushes(&column);
             let summed = (0..5).map(|state| {
-                let (lane, place) = layout.place(state);
+                let (lane, position) = layout.locate(state);
                 (0..NODES)
-                    .map(|j| pushes[lane][j].0[place] * FORCE_N[j])
+                    .map(|j| pushes[lane][j].0[position] * FORCE_N[j])
                     .sum()
             });
-            assert!(worst(&summed.collect::<Vec<f64>>(), &moved) < 1e-14);
+            assert!(worst(&summed.collect::<Vec<f64>>(), &end_state) < 1e-14);
             // Each state separately, read by a row over all of them.
             let row = [1.3, -0.2, 0.5, 0.8, 2.0];
             let crossed = FlowRow::row(layout, block, &row);

@@ -39,7 +39,7 @@ impl Energies {
             + self
                 .rectified
                 .iter()
-                .map(|own| own.load_j + own.battery_j)
+                .map(|energy| energy.load_j + energy.battery_j)
                 .sum::<f64>()
     }
 
@@ -121,10 +121,10 @@ impl Integrator<'_> {
                 })
                 .sum()
         };
-        let (sums, works_j) = self.excitation.ledger.until(
+        let (sums, works_j) = self.excitation.signal_work.until(
             self.kernel,
             &self.excitation.sizes,
-            &self.own_state(),
+            &self.block_state(),
             self.time_s,
         );
         let count = meters.loads.len();
@@ -136,9 +136,9 @@ impl Integrator<'_> {
                     + meter.signals().energy_j(&sums)
             })
             .collect();
-        let lost_j = contact(&meters.damping, self.integrals.damping_j + works_j[count]);
+        let loss_j = contact(&meters.damping, self.integrals.damping_j + works_j[count]);
         let damping_j =
-            now.damping_j - open.damping_j + lost_j + meters.damping.signals().energy_j(&sums);
+            now.damping_j - open.damping_j + loss_j + meters.damping.signals().energy_j(&sums);
         let input_j = now.input_j - open.input_j
             + contact(&meters.input, 0.0)
             + meters.input.signals().energy_j(&sums)
@@ -164,7 +164,7 @@ impl Integrator<'_> {
     }
 
     pub(super) fn readings(&self) -> MeterReadings {
-        let (y, t) = (self.own_state(), self.time_s);
+        let (y, t) = (self.block_state(), self.time_s);
         let meters = self.kernel.meters();
         MeterReadings {
             input_j: meters.input.boundary_j(&y, t),

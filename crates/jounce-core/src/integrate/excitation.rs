@@ -22,7 +22,7 @@ use std::sync::Arc;
 /// All signals at the current time of an integration.
 #[derive(Debug, Clone)]
 pub(super) struct Excitation {
-    players: Vec<SignalCursor>,
+    cursors: Vec<SignalCursor>,
     /// Value and slope of each signal at the current time.
     pub sizes: Vec<SignalSample>,
     /// Earliest breakpoint, s.
@@ -34,10 +34,10 @@ pub(super) struct Excitation {
     /// Work of the bases moved by signals through the contacts since the start, J.
     pub base_work_j: f64,
     has_local: bool,
-    moved: LocalMotions,
+    local_motions: LocalMotions,
     /// Flow over the pieces of an evenly sampled signal, and their length.
     piece: Option<(f64, Flow)>,
-    pub ledger: SignalWork,
+    pub signal_work: SignalWork,
 }
 
 /// Signal with its current position.
@@ -67,7 +67,7 @@ struct PortExcitation {
 impl Excitation {
     pub fn new(kernel: &Kernel, time_s: f64) -> Self {
         let (plant, layout) = (&kernel.plant, &kernel.layout);
-        let player = |((signal, forcing), travel): ((&Signal, &Forcing), &Option<Arc<Travel>>)| {
+        let cursor = |((signal, forcing), travel): ((&Signal, &Forcing), &Option<Arc<Travel>>)| {
             let (index, travel) = (signal.wave.index_at(time_s), travel.clone());
             let [column, rest, lag, local] =
                 [&forcing.column, &forcing.rest, &forcing.lag, &forcing.local]
@@ -82,19 +82,19 @@ impl Excitation {
                 local,
             }
         };
-        let players: Vec<SignalCursor> = plant
+        let cursors: Vec<SignalCursor> = plant
             .system
             .signals
             .iter()
             .zip(&plant.forcings)
             .zip(&plant.travels)
-            .map(player)
+            .map(cursor)
             .collect();
-        let sizes: Vec<SignalSample> = players
+        let sizes: Vec<SignalSample> = cursors
             .iter()
-            .map(|player| [player.piece.size_at(time_s), player.piece.slope])
+            .map(|cursor| [cursor.piece.size_at(time_s), cursor.piece.slope])
             .collect();
-        let seen = |port: &Port| {
+        let of_port = |port: &Port| {
             let approach = if port.approach.iter().all(|share| *share == 0.0) {
                 Vec::new()
             } else {
@@ -107,7 +107,11 @@ impl Excitation {
                 course: [0.0; 4],
             }
         };
-        let ports = plant.ports.iter().filter(|_| !players.is_empty()).map(seen);
+        let ports = plant
+            .ports
+            .iter()
+            .filter(|_| !cursors.is_empty())
+            .map(of_port);
         let piece = match &plant.system.signals[..] {
             [
                 Signal {
@@ -123,11 +127,11 @@ impl Excitation {
             limit_s: plant.local_limit_s(),
             ports: ports.collect(),
             base_work_j: 0.0,
-            has_local: !players.is_empty() && plant.local.contains(&true),
-            moved: LocalMotions::default(),
+            has_local: !cursors.is_empty() && plant.local.contains(&true),
+            local_motions: LocalMotions::default(),
             piece,
-            ledger: SignalWork::new(kernel, time_s),
-            players,
+            signal_work: SignalWork::new(kernel, time_s),
+            cursors,
         };
         forced.find_next();
         forced.aim(time_s);
@@ -137,27 +141,28 @@ impl Excitation {
     /// Starts to count energies: `y` is the state at the start of the integration.
     pub fn open(&mut self, layout: &StateLayout, y: &[F64x8]) {
         if !self.is_silent() {
-            self.ledger.open(&self.sizes, self.whole(layout, y));
+            self.signal_work
+                .open(&self.sizes, self.full_state(layout, y));
         }
     }
 
     /// True when there is no signal.
     #[inline(always)]
     pub fn is_silent(&self) -> bool {
-        self.players.is_empty()
+        self.cursors.is_empty()
     }
 
     /// Returns the state with its forced part.
-    pub fn whole(&self, layout: &StateLayout, y: &[F64x8]) -> Vec<f64> {
-        let mut whole = y.to_vec();
-        for (player, [size, slope]) in self.players.iter().zip(&self.sizes) {
-            for (i, lane) in whole.iter_mut().enumerate() {
+    pub fn full_state(&self, layout: &StateLayout, y: &[F64x8]) -> Vec<f64> {
+        let mut full_state = y.to_vec();
+        for (cursor, [size, slope]) in self.cursors.iter().zip(&self.sizes) {
+            for (i, lane) in full_state.iter_mut().enumerate() {
                 *lane = lane
-                    .add_scaled(*size, &player.rest[i])
-                    .add_scaled(*slope, &player.lag[i]);
+                    .add_scaled(*size, &cursor.rest[i])
+                    .add_scaled(*slope, &cursor.lag[i]);
             }
         }
-        layout.unpack(&whole)
+        layout.unpack(&full_state)
     }
 
     /// Returns the latest end of a step from a time on, s: a breakpoint, or the limit of the series
@@ -173,7 +178,7 @@ impl Excitation {
 
     /// True at a breakpoint that has not been passed.
     #[inline(always)]
-    pub fn is_due(&self, time_s: f64) -> bool {
+    pub fn has_breakpoint(&self, time_s: f64) -> bool {
         self.next_s <= time_s
     }
 
@@ -181,7 +186,7 @@ impl Excitation {
     /// has a bitwise equal length everywhere, so that its tables can be cached.
     #[inline(always)]
     pub fn remaining_s(&self, time_s: f64, end_s: f64) -> f64 {
-        match &self.players[..] {
+        match &self.cursors[..] {
             [only] if end_s == self.next_s && time_s == only.piece.from_s => only.piece.length_s,
             _ => end_s - time_s,
         }
@@ -202,7 +207,7 @@ impl Excitation {
     pub fn motion_after(&self, port: usize, after_s: f64) -> [f64; 2] {
         self.ports
             .get(port)
-            .map_or([0.0; 2], |seen| seen.series.motion(after_s))
+            .map_or([0.0; 2], |excitation| excitation.series.motion(after_s))
     }
 
     /// Returns the forced acceleration of a port a time after the current one, m/s^2.
@@ -210,7 +215,7 @@ impl Excitation {
     pub fn acceleration_after(&self, port: usize, after_s: f64) -> f64 {
         self.ports
             .get(port)
-            .map_or(0.0, |seen| seen.series.curvature(after_s))
+            .map_or(0.0, |excitation| excitation.series.curvature(after_s))
     }
 
     /// Returns a bound on the fourth derivative of the forced displacement of a port over a step,
@@ -219,7 +224,7 @@ impl Excitation {
     pub fn fourth_bound(&self, port: usize, length_s: f64) -> f64 {
         self.ports
             .get(port)
-            .map_or(0.0, |seen| seen.series.fourth_bound(length_s))
+            .map_or(0.0, |excitation| excitation.series.fourth_bound(length_s))
     }
 
     /// Adds the forced displacement and velocity of a port at the nodes and the end of a step to
@@ -229,19 +234,21 @@ impl Excitation {
         &self,
         w: W,
         port: usize,
-        places: &[f64; LANES],
+        positions: &[f64; LANES],
         length_s: f64,
         sums: [W::Register; 2],
     ) -> [W::Register; 2] {
         let Some(PortExcitation { series, .. }) = self.ports.get(port) else {
             return sums;
         };
-        let (mut place, mut speed) = (F64x8::ZERO, F64x8::ZERO);
-        for ((part, place), speed) in places.iter().zip(&mut place.0).zip(&mut speed.0) {
-            [*place, *speed] = series.motion(part * length_s);
+        let (mut displacement, mut speed) = (F64x8::ZERO, F64x8::ZERO);
+        for ((part, displacement), speed) in
+            positions.iter().zip(&mut displacement.0).zip(&mut speed.0)
+        {
+            [*displacement, *speed] = series.motion(part * length_s);
         }
         [
-            w.add(sums[0], w.load(&place)),
+            w.add(sums[0], w.load(&displacement)),
             w.add(sums[1], w.load(&speed)),
         ]
     }
@@ -249,16 +256,16 @@ impl Excitation {
     /// Records the nodal forces of the next step; `weighted` holds force times weight times length,
     /// N s.
     #[inline(always)]
-    pub fn push(&mut self, port: usize, places: &[f64; LANES], length_s: f64, weighted: &F64x8) {
-        if !self.players.is_empty() {
-            self.ledger
-                .push(port, &self.sizes, places, length_s, weighted);
-            let seen = &self.ports[port];
-            if !seen.approach.is_empty() {
-                self.base_work_j += places
+    pub fn push(&mut self, port: usize, positions: &[f64; LANES], length_s: f64, weighted: &F64x8) {
+        if !self.cursors.is_empty() {
+            self.signal_work
+                .push(port, &self.sizes, positions, length_s, weighted);
+            let excitation = &self.ports[port];
+            if !excitation.approach.is_empty() {
+                self.base_work_j += positions
                     .iter()
                     .zip(weighted.0)
-                    .map(|(part, force)| force * seen.base_speed_m_s(part * length_s))
+                    .map(|(part, force)| force * excitation.base_speed_m_s(part * length_s))
                     .sum::<f64>();
             }
         }
@@ -266,8 +273,8 @@ impl Excitation {
 
     /// Records an impulse of a rigid stop, N s.
     pub fn strike_stop(&mut self, port: usize, impulse_n_s: f64) {
-        if !self.players.is_empty() {
-            self.ledger.strike_stop(port, &self.sizes, impulse_n_s);
+        if !self.cursors.is_empty() {
+            self.signal_work.strike_stop(port, &self.sizes, impulse_n_s);
             self.base_work_j += impulse_n_s * self.ports[port].base_speed_m_s(0.0);
         }
     }
@@ -276,25 +283,26 @@ impl Excitation {
     /// local blocks.
     #[inline(always)]
     pub fn pass(&mut self, kernel: &Kernel, length_s: f64, time_s: f64, y: &mut [F64x8]) {
-        if self.players.is_empty() {
+        if self.cursors.is_empty() {
             return;
         }
         if self.has_local && self.sizes.iter().any(|size| *size != [0.0; 2]) {
-            let moved = self.moved.over(
+            let local_motion = self.local_motions.over(
                 kernel,
-                self.players.iter().map(|player| &player.local),
+                self.cursors.iter().map(|cursor| &cursor.local),
                 length_s,
             );
-            for (by, [size, slope]) in moved.iter().zip(&self.sizes) {
+            for (by, [size, slope]) in local_motion.iter().zip(&self.sizes) {
                 for (i, y) in y.iter_mut().enumerate() {
                     *y = y.add_scaled(*size, &by[0][i]).add_scaled(*slope, &by[1][i]);
                 }
             }
-            self.ledger.pass_local(kernel, &self.sizes, length_s, y);
+            self.signal_work
+                .pass_local(kernel, &self.sizes, length_s, y);
         }
-        self.ledger.pass();
-        for (size, player) in self.sizes.iter_mut().zip(&self.players) {
-            size[0] = player.piece.size_at(time_s);
+        self.signal_work.pass();
+        for (size, cursor) in self.sizes.iter_mut().zip(&self.cursors) {
+            size[0] = cursor.piece.size_at(time_s);
         }
         self.aim(time_s);
     }
@@ -302,31 +310,37 @@ impl Excitation {
     /// Passes the breakpoints up to the current time; true where an impulse has changed the
     /// velocities.
     pub fn cross(&mut self, kernel: &Kernel, time_s: f64, y: &mut [F64x8]) -> bool {
-        let mut struck = false;
-        let mut whole = self.whole(&kernel.layout, y);
-        self.ledger
-            .close(kernel, &self.sizes, &whole, time_s, self.piece_s(time_s));
+        let mut has_impulse = false;
+        let mut full_state = self.full_state(&kernel.layout, y);
+        self.signal_work.close(
+            kernel,
+            &self.sizes,
+            &full_state,
+            time_s,
+            self.piece_s(time_s),
+        );
         while self.next_s <= time_s {
-            for k in 0..self.players.len() {
-                if self.players[k].piece.until_s <= time_s {
-                    struck |= self.cross_one(kernel, k, time_s, y);
+            for k in 0..self.cursors.len() {
+                if self.cursors[k].piece.until_s <= time_s {
+                    has_impulse |= self.cross_one(kernel, k, time_s, y);
                 }
             }
             self.find_next();
         }
-        if struck {
-            whole = self.whole(&kernel.layout, y);
+        if has_impulse {
+            full_state = self.full_state(&kernel.layout, y);
         }
-        self.ledger.open(&self.sizes, whole);
+        self.signal_work.open(&self.sizes, full_state);
         self.aim(time_s);
-        struck
+        has_impulse
     }
 
     /// Returns the length of a complete piece of a single signal that ends now, s.
     fn piece_s(&self, time_s: f64) -> Option<f64> {
-        match &self.players[..] {
+        match &self.cursors[..] {
             [only]
-                if self.ledger.since_s() == only.piece.from_s && time_s == only.piece.until_s =>
+                if self.signal_work.since_s() == only.piece.from_s
+                    && time_s == only.piece.until_s =>
             {
                 Some(only.piece.length_s)
             }
@@ -335,21 +349,21 @@ impl Excitation {
     }
 
     fn cross_one(&mut self, kernel: &Kernel, k: usize, time_s: f64, y: &mut [F64x8]) -> bool {
-        let player = &mut self.players[k];
-        player.index += 1;
-        let piece = kernel.plant.system.signals[k].wave.piece(player.index);
-        player.piece = piece;
+        let cursor = &mut self.cursors[k];
+        cursor.index += 1;
+        let piece = kernel.plant.system.signals[k].wave.piece(cursor.index);
+        cursor.piece = piece;
         let (before, after) = (self.sizes[k], [piece.size_at(time_s), piece.slope]);
         self.sizes[k] = after;
         for (i, y) in y.iter_mut().enumerate() {
             *y = y
-                .add_scaled(before[0] - after[0], &player.rest[i])
-                .add_scaled(before[1] - after[1], &player.lag[i]);
+                .add_scaled(before[0] - after[0], &cursor.rest[i])
+                .add_scaled(before[1] - after[1], &cursor.lag[i]);
         }
         if piece.impulse_s != 0.0 {
             let before = kernel.layout.unpack(y);
             y.iter_mut()
-                .zip(&player.column)
+                .zip(&cursor.column)
                 .for_each(|(y, b)| *y = y.add_scaled(piece.impulse_s, b));
             let middle: Vec<f64> = before
                 .iter()
@@ -357,7 +371,7 @@ impl Excitation {
                 .map(|(a, b)| 0.5 * (a + b))
                 .collect();
             let forced = kernel.plant.forced(&self.sizes, 0.0);
-            self.ledger.strike(
+            self.signal_work.strike(
                 k,
                 piece.impulse_s,
                 middle.iter().zip(&forced).map(|(y, p)| y + p),
@@ -368,18 +382,18 @@ impl Excitation {
     }
 
     fn find_next(&mut self) {
-        self.next_s = self.players.iter().fold(f64::INFINITY, |least, player| {
-            least.min(player.piece.until_s)
+        self.next_s = self.cursors.iter().fold(f64::INFINITY, |least, cursor| {
+            least.min(cursor.piece.until_s)
         });
     }
 
     /// Sets the forced displacements of the ports from the current time on.
     #[inline(always)]
     fn aim(&mut self, time_s: f64) {
-        for seen in &mut self.ports {
-            seen.series = seen.reading.series(&self.sizes);
-            if !seen.approach.is_empty() {
-                seen.follow(&self.players, &self.sizes, time_s);
+        for excitation in &mut self.ports {
+            excitation.series = excitation.reading.series(&self.sizes);
+            if !excitation.approach.is_empty() {
+                excitation.follow(&self.cursors, &self.sizes, time_s);
             }
         }
     }
@@ -387,17 +401,17 @@ impl Excitation {
 
 impl PortExcitation {
     /// Adds the motions of the bases from a time on to the series.
-    fn follow(&mut self, players: &[SignalCursor], sizes: &[SignalSample], time_s: f64) {
+    fn follow(&mut self, cursors: &[SignalCursor], sizes: &[SignalSample], time_s: f64) {
         self.course = [0.0; 4];
-        for ((player, [size, slope]), share) in players.iter().zip(sizes).zip(&self.approach) {
-            let Some(travel) = &player.travel else {
+        for ((cursor, [size, slope]), share) in cursors.iter().zip(sizes).zip(&self.approach) {
+            let Some(travel) = &cursor.travel else {
                 continue;
             };
-            let [place, speed] = travel.at(player.index, &player.piece, time_s);
-            let own = [place, speed, 0.5 * size, slope / 6.0];
+            let [displacement, speed] = travel.at(cursor.index, &cursor.piece, time_s);
+            let motion = [displacement, speed, 0.5 * size, slope / 6.0];
             self.course
                 .iter_mut()
-                .zip(own)
+                .zip(motion)
                 .for_each(|(sum, c)| *sum += share * c);
         }
         self.series.add(&self.course);

@@ -154,11 +154,11 @@ mod tests {
         };
         let slope = -2.0 + 0.6 + 9.0 * 0.36 - 4.0 * 0.216 + 0.1296 + 4.2 * 0.07776;
         let curvature = 1.0 + 18.0 * 0.6 - 12.0 * 0.36 + 4.0 * 0.216 + 21.0 * 0.1296;
-        let [value, found] = series.motion(0.6);
+        let [value, derivative] = series.motion(0.6);
         assert!(
             (value - at(0.6)).abs() < 1e-14
                 && (series.value(0.6) - value).abs() < 1e-15
-                && (found - slope).abs() < 1e-13
+                && (derivative - slope).abs() < 1e-13
         );
         assert!(
             (series.curvature(0.6) - curvature).abs() < 1e-13,

@@ -78,12 +78,12 @@ const STIFF_DECAY: f64 = 300.0;
 /// like `e^{-n^2 / z}`, for a complex pair only beyond `|z| / 2`.
 pub fn terms(part: &BlockOnStep, basis: &BasisFunctions, h: f64) -> usize {
     let z = h * part.rate().norm();
-    let own = if z > STIFF_DECAY && part.rate().im == 0.0 {
+    let count = if z > STIFF_DECAY && part.rate().im == 0.0 {
         8.0 * z.sqrt()
     } else {
         0.75 * z
     };
-    (18 + own.ceil() as usize) + basis.series.len()
+    (18 + count.ceil() as usize) + basis.series.len()
 }
 
 /// Returns the entry of `S` in row `n + 1`, column `n`; the entry in row `n - 1` is its negative.

@@ -44,18 +44,18 @@ impl Integrator<'_> {
     /// Integrates the flight until contact or until the end.
     #[inline(always)]
     pub(super) fn flight<W: Simd>(&mut self, w: W, end_s: f64) -> Result<(), IntegrationError> {
-        w.apart(
+        w.out_of_line(
             #[inline(always)]
-            || self.fly_alone(w, end_s),
+            || self.fly_single_port(w, end_s),
         )
     }
 
     #[inline(always)]
-    fn fly_alone<W: Simd>(&mut self, w: W, end_s: f64) -> Result<(), IntegrationError> {
+    fn fly_single_port<W: Simd>(&mut self, w: W, end_s: f64) -> Result<(), IntegrationError> {
         if self.kernel.plant.ports.is_empty() {
             let length_s = self.excitation.remaining_s(self.time_s, end_s);
             self.propagate_to(w, length_s);
-            self.move_on(length_s, end_s);
+            self.advance_state(length_s, end_s);
             self.work.flight_steps += 1;
             return Ok(());
         }
@@ -82,25 +82,25 @@ impl Integrator<'_> {
                     let longer = (level - grow).max(Kernel::coarsest());
                     // If this flight lasts as long as the previous one, a step much longer than the
                     // remaining time would be rejected.
-                    let left_s = begun_s + self.flight_s - self.time_s;
-                    let reaches_far = left_s > 0.0 && Kernel::length_s(longer) > 2.0 * left_s;
+                    let to_end_s = begun_s + self.flight_s - self.time_s;
+                    let reaches_far = to_end_s > 0.0 && Kernel::length_s(longer) > 2.0 * to_end_s;
                     self.flight_level = if reaches_far { level } else { longer };
                     grow = LEVELS_PER_OCTAVE;
                 }
                 FlightVerdict::Strike(crossing) => {
                     let (after_s, motion) = self.locate(w, 0, crossing);
-                    self.move_on(after_s, self.time_s + after_s);
+                    self.advance_state(after_s, self.time_s + after_s);
                     self.set_motion(0, motion);
                     // A point that is past a rigid stop by roundoff and moves out has left it,
                     // unless it is pressed back first.
                     if motion[1] < 0.0
                         && matches!(self.kernel.plant.system.stops[0].law, Law::Rigid(_))
-                        && !self.is_lost(0, motion)
+                        && !self.is_suppressed_hop(0, motion)
                     {
                         continue;
                     }
                     self.flight_s = self.time_s - begun_s;
-                    self.struck(0);
+                    self.enter_contact(0);
                     return Ok(());
                 }
                 FlightVerdict::Unclear(down) => {
@@ -127,8 +127,8 @@ impl Integrator<'_> {
         let mut drive = self.excitation.motion_after(0, Kernel::length_s(level));
         for tone in &mut self.tones {
             let turn = tone.end(level);
-            let [place, speed] = tone.motion_after(0, turn);
-            drive = [drive[0] + place, drive[1] + speed];
+            let [displacement, speed] = tone.motion_after(0, turn);
+            drive = [drive[0] + displacement, drive[1] + speed];
         }
         let rows = &self.ports[0].rows;
         let motion = [
@@ -159,12 +159,12 @@ impl Integrator<'_> {
     #[inline(always)]
     fn land<W: Simd>(&mut self, w: W, level: i32, length_s: f64, end_s: f64) -> FlightVerdict {
         self.propagate_to(w, length_s);
-        let motion = self.motion_ahead(w, 0, length_s);
+        let motion = self.motion_after(w, 0, length_s);
         // The level bounds the length from above: its split into slow and fast blocks is valid.
         let step = self.step_of(w, 0, level, length_s, motion, self.drive_after(0, length_s));
         let verdict = self.judge_flight(0, &step, motion[0]);
         if let FlightVerdict::Clear = verdict {
-            self.move_on(length_s, end_s);
+            self.advance_state(length_s, end_s);
             self.set_motion(0, motion);
         }
         verdict
@@ -195,8 +195,8 @@ impl Integrator<'_> {
             fast_bound_m_s: 0.0,
         };
         if let Some(fast) = &flight.fast {
-            let [place, speed] = self.drive(p);
-            let slow = dot(w, &fast.slow_displacement, &self.y) + place - port.rows.gap_m;
+            let [displacement, speed] = self.drive(p);
+            let slow = dot(w, &fast.slow_displacement, &self.y) + displacement - port.rows.gap_m;
             step.distance_m = [
                 slow,
                 dot(w, &fast.slow_displacement, &self.next) + drive[0] - port.rows.gap_m,
@@ -308,7 +308,7 @@ impl Integrator<'_> {
             mut to_s,
         } = crossing;
         self.propagate_to(w, guess_s);
-        let mut motion = self.motion_ahead(w, p, guess_s);
+        let mut motion = self.motion_after(w, p, guess_s);
         for _ in 0..20 {
             if motion[0] > 0.0 {
                 to_s = guess_s
@@ -324,12 +324,12 @@ impl Integrator<'_> {
             let change = (next - guess_s).abs();
             self.propagate_from(w, guess_s, next);
             let before = motion;
-            motion = self.motion_ahead(w, p, next);
+            motion = self.motion_after(w, p, next);
             guess_s = next;
             // The error left by Newton is the change times half the relative change of the rate:
             // here roundoff, and `next` has been evaluated.
-            let left = 0.5 * change * ((motion[1] - before[1]) / motion[1]).abs();
-            if left <= 1e-15 * guess_s.min(1.0 / self.kernel.fastest_rad_s) {
+            let remaining_error = 0.5 * change * ((motion[1] - before[1]) / motion[1]).abs();
+            if remaining_error <= 1e-15 * guess_s.min(1.0 / self.kernel.fastest_rad_s) {
                 break;
             }
         }
@@ -338,7 +338,7 @@ impl Integrator<'_> {
 
     /// Puts a port into contact at the current time.
     #[inline(always)]
-    pub(super) fn struck(&mut self, p: usize) {
+    pub(super) fn enter_contact(&mut self, p: usize) {
         let port = &mut self.ports[p];
         (port.penetration_m, port.contact_duration_s) = (0.0, 0.0);
         port.impact_velocity_m_s = port.impact_velocity_m_s.max(port.rate_m_s);

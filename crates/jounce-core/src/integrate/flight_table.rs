@@ -58,17 +58,17 @@ impl FlightTable {
                 }
             }
         }
-        let kept = |row: &[f64]| {
+        let factors_of = |row: &[f64]| {
             layout.pack(
                 &row.iter()
                     .zip(&slow)
-                    .map(|(c, kept)| c * kept)
+                    .map(|(c, factor)| c * factor)
                     .collect::<Vec<_>>(),
             )
         };
         let fast = slow.contains(&0.0).then(|| FastBlocks {
-            slow_displacement: kept(&port.displacement),
-            slow_velocity: kept(&port.velocity),
+            slow_displacement: factors_of(&port.displacement),
+            slow_velocity: factors_of(&port.velocity),
             displacement_bound: layout.pack(&bound),
             velocity_bound: layout.pack(&speed),
         });
@@ -83,11 +83,11 @@ impl FlightTable {
 /// throughout.
 fn shares(block: &BlockDiagonal, row: &[f64], h: f64) -> Vec<BlockBounds> {
     let pair = |(k, pair): (usize, &BlockPair)| {
-        let own = [row[2 * k], row[2 * k + 1]];
+        let start_row = [row[2 * k], row[2 * k + 1]];
         let (states, speed_rad_s) = (vec![2 * k, 2 * k + 1], pair.eigenvalue().norm());
         match *pair {
             BlockPair::Oscillatory { .. } => {
-                let gain = own[0].hypot(own[1]);
+                let gain = start_row[0].hypot(start_row[1]);
                 let both = |factor: f64| vec![gain * factor; 2];
                 let (velocity, fourth) = (both(speed_rad_s), both(speed_rad_s.powi(4)));
                 BlockBounds {
@@ -101,7 +101,7 @@ fn shares(block: &BlockDiagonal, row: &[f64], h: f64) -> Vec<BlockBounds> {
             }
             // w = (c_u u + c_v v + c_u v t) e^{r t}, r <= 0
             BlockPair::Jordan { rate } => {
-                let ([cu, cv], r) = (own.map(f64::abs), rate.abs());
+                let ([cu, cv], r) = (start_row.map(f64::abs), rate.abs());
                 let fourth = vec![
                     cu * r.powi(4),
                     (cv + cu * h) * r.powi(4) + 4.0 * cu * r.powi(3),

@@ -244,14 +244,14 @@ mod tests {
 
     #[test]
     fn the_series_ends_where_its_terms_no_longer_count() {
-        let left_out = |size: f64, count: usize| {
+        let omitted = |size: f64, count: usize| {
             (1..=2 * count + 2).fold(1.0, |term, n| term * size / n as f64)
         };
         for size in [MAX_SERIES_ARGUMENT, 0.03, 1e-3] {
             let count = factors(size).len();
             assert!(
-                left_out(size, count) <= NEGLIGIBLE_TERM
-                    && left_out(size, count - 1) > NEGLIGIBLE_TERM,
+                omitted(size, count) <= NEGLIGIBLE_TERM
+                    && omitted(size, count - 1) > NEGLIGIBLE_TERM,
                 "{size}: {count}"
             );
         }

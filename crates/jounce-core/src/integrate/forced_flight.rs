@@ -19,7 +19,7 @@ use super::basis::NODES;
 use super::kernel::{ForceBasis, Kernel};
 use super::output_rows::{OutputRowsTask, RowReading, RowRequest};
 use super::small_list::SharedOrOwned;
-use super::state::pushed;
+use super::state::add_force_response;
 use crate::simd::{F64x8, LANES, Simd, widest};
 
 /// Legendre coefficients of `3 x^2 - 2 x^3`, of `x^3 - x^2` and of `x^3 - 2 x^2 + x` ...
@@ -45,11 +45,11 @@ pub struct ForcedFlight {
 }
 
 impl ForcedFlight {
-    /// Computes the effect of the force of a port, in a basis, on the port `seen`.
+    /// Computes the effect of the force of a port, in a basis, on the port `other_port`.
     pub fn new(
         kernel: &Kernel,
         (port, shape): (usize, ForceBasis),
-        seen: usize,
+        other_port: usize,
         length_s: f64,
     ) -> Self {
         let (plant, basis) = (&kernel.plant, kernel.basis(port, shape));
@@ -57,23 +57,26 @@ impl ForcedFlight {
             row: row.to_vec(),
             reading: RowReading::Pointwise,
         };
-        let felt = &plant.ports[seen];
-        let made = widest(OutputRowsTask {
+        let observed_port = &plant.ports[other_port];
+        let tables = widest(OutputRowsTask {
             block: &plant.diagonal.block,
             layout: &kernel.layout,
             basis,
             reader: basis,
             force: &plant.ports[port].force,
-            rows: &[pointwise(&felt.displacement), pointwise(&felt.velocity)],
+            rows: &[
+                pointwise(&observed_port.displacement),
+                pointwise(&observed_port.velocity),
+            ],
             length_s,
         });
-        let mut series = made.series.into_iter();
-        let (mut place, mut speed) = (
+        let mut series = tables.series.into_iter();
+        let (mut displacement, mut speed) = (
             series.next().unwrap_or_default(),
             series.next().unwrap_or_default(),
         );
         // A direct effect of the force on the rate adds to the effect through the states.
-        let direct = kernel.directly(port, seen);
+        let direct = kernel.direct_gain(port, other_port);
         if direct != 0.0 {
             speed.resize(speed.len().max(basis.series.len()), F64x8::ZERO);
             speed
@@ -82,9 +85,9 @@ impl ForcedFlight {
                 .for_each(|(lane, force)| *lane = lane.add_scaled(direct, force));
         }
         let end: [F64x8; NODES] = std::array::from_fn(|j| {
-            let [place, speed] = [0, 1].map(|row: usize| made.rows[row].push[j].0[NODES]);
+            let [displacement, speed] = [0, 1].map(|row: usize| tables.rows[row].push[j].0[NODES]);
             let ends = [
-                place,
+                displacement,
                 speed + direct * basis.at_end.0[j],
                 direct * basis.at_start.0[j],
             ];
@@ -95,7 +98,7 @@ impl ForcedFlight {
             for (ends, (interpolant, slope)) in
                 ends.iter().zip(HERMITE_VALUES.iter().zip(&HERMITE_SLOPES))
             {
-                place
+                displacement
                     .iter_mut()
                     .zip(interpolant)
                     .for_each(|(lane, c)| lane.0[j] -= ends * c);
@@ -107,7 +110,7 @@ impl ForcedFlight {
         }
         Self {
             end,
-            rest: by_force(&place),
+            rest: by_force(&displacement),
             rest_rate: by_force(&speed),
         }
     }
@@ -139,19 +142,20 @@ pub fn rest_bounds<W: Simd>(
         .map(|flight| flight.rest.len())
         .max()
         .unwrap_or(0);
-    let (mut place, mut speed) = (w.zero(), w.zero());
+    let (mut displacement, mut speed) = (w.zero(), w.zero());
     for chunk in 0..longest {
-        let (mut own_place, mut own_speed) = (w.zero(), w.zero());
+        let (mut own_displacement, mut own_speed) = (w.zero(), w.zero());
         for (flight, force) in flights.iter().zip(forces) {
             if chunk < flight.rest.len() {
-                own_place = pushed(w, own_place, &flight.rest[chunk], force);
-                own_speed = pushed(w, own_speed, &flight.rest_rate[chunk], force);
+                own_displacement =
+                    add_force_response(w, own_displacement, &flight.rest[chunk], force);
+                own_speed = add_force_response(w, own_speed, &flight.rest_rate[chunk], force);
             }
         }
-        (place, speed) = (
-            w.add(place, w.abs(own_place)),
+        (displacement, speed) = (
+            w.add(displacement, w.abs(own_displacement)),
             w.add(speed, w.abs(own_speed)),
         );
     }
-    [w.sum(place), w.sum(speed)]
+    [w.sum(displacement), w.sum(speed)]
 }

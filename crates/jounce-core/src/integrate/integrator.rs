@@ -159,22 +159,22 @@ impl<'k> Integrator<'k> {
     /// Returns the state in block coordinates.
     pub fn state(&self) -> Vec<f64> {
         if self.switching.regime == 0 {
-            self.own_state()
+            self.block_state()
         } else {
             self.base.plant.from_physical(&self.physical(), self.time_s)
         }
     }
 
     /// Returns the state in the block coordinates of the current conduction state.
-    pub(super) fn own_state(&self) -> Vec<f64> {
-        self.excitation.whole(&self.layout, &self.y)
+    pub(super) fn block_state(&self) -> Vec<f64> {
+        self.excitation.full_state(&self.layout, &self.y)
     }
 
     /// Returns the physical state `(q, q', V, i)`.
     pub fn physical(&self) -> Vec<f64> {
         self.kernel
             .plant
-            .to_physical(&self.own_state(), self.time_s)
+            .to_physical(&self.block_state(), self.time_s)
     }
 
     /// Returns the contact force of each stop at the current time, N; 0 in flight and on a rigid
@@ -258,7 +258,7 @@ impl<'k> Integrator<'k> {
         }
         while self.time_s < end_s {
             self.advance_in_regime(end_s)?;
-            self.change_if_met()?;
+            self.change_on_events()?;
         }
         Ok(())
     }
@@ -296,7 +296,7 @@ impl<'k> Integrator<'k> {
     /// end if that is earlier.
     #[inline(always)]
     pub(super) fn next_breakpoint<W: Simd>(&mut self, w: W, end_s: f64) -> f64 {
-        if self.excitation.is_due(self.time_s)
+        if self.excitation.has_breakpoint(self.time_s)
             && self.excitation.cross(self.kernel, self.time_s, &mut self.y)
         {
             self.update_ports(w);

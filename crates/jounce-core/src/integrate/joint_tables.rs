@@ -61,15 +61,15 @@ impl StepLength {
         self,
         kernel: &Kernel,
         port: (usize, ForceBasis),
-        seen: usize,
+        other_port: usize,
     ) -> SharedOrOwned<'_, ForcedFlight> {
         match self {
             StepLength::Level(level) => {
-                SharedOrOwned::Shared(kernel.forced_flight(port, seen, level))
+                SharedOrOwned::Shared(kernel.forced_flight(port, other_port, level))
             }
-            StepLength::Odd { length_s, .. } => {
-                SharedOrOwned::Own(Box::new(ForcedFlight::new(kernel, port, seen, length_s)))
-            }
+            StepLength::Odd { length_s, .. } => SharedOrOwned::Own(Box::new(ForcedFlight::new(
+                kernel, port, other_port, length_s,
+            ))),
         }
     }
 }
@@ -81,7 +81,7 @@ pub struct JointTables<'a> {
     pub ports: SmallList<(usize, ForceBasis)>,
     /// Length of the step.
     pub length: StepLength,
-    own: SmallList<SharedOrOwned<'a, ContactTable>>,
+    contact_tables: SmallList<SharedOrOwned<'a, ContactTable>>,
     /// From the force of the first index to the port of the second, row by row, without the
     /// diagonal.
     cross: SmallList<SharedOrOwned<'a, CrossTable>>,
@@ -105,7 +105,7 @@ impl<'a> JointTables<'a> {
         Self {
             ports: SmallList::from_slice(ports),
             length,
-            own: ports
+            contact_tables: ports
                 .iter()
                 .map(|port| length.table(kernel, *port))
                 .collect(),
@@ -115,8 +115,8 @@ impl<'a> JointTables<'a> {
 
     /// Returns the table of a port by its index among the ports of the step.
     #[inline(always)]
-    pub fn own(&self, place: usize) -> &ContactTable {
-        &self.own[place]
+    pub fn table(&self, index: usize) -> &ContactTable {
+        &self.contact_tables[index]
     }
 
     /// Returns the effect of the force of one port on another, by their indices.
@@ -127,9 +127,12 @@ impl<'a> JointTables<'a> {
 
     /// Returns displacement and velocity of one port under the nodal forces of another, or its own.
     #[inline(always)]
-    pub fn answers(&self, from: usize, to: usize) -> [&[F64x8; NODES]; 2] {
+    pub fn responses(&self, from: usize, to: usize) -> [&[F64x8; NODES]; 2] {
         if from == to {
-            [&self.own(to).displacement.push, &self.own(to).velocity.push]
+            [
+                &self.table(to).displacement.push,
+                &self.table(to).velocity.push,
+            ]
         } else {
             let cross = self.cross(from, to);
             [&cross.displacement, &cross.velocity]
@@ -139,20 +142,20 @@ impl<'a> JointTables<'a> {
     /// Returns the largest displacement of a port under nodal forces of magnitude 1 at all ports,
     /// m/N.
     #[inline(always)]
-    pub fn reach_m_n(&self, place: usize) -> f64 {
+    pub fn reach_m_n(&self, index: usize) -> f64 {
         let others = (0..self.ports.len())
-            .filter(|from| *from != place)
-            .map(|from| self.cross(from, place).reach_m_n);
-        self.own(place).reach_m_n + others.sum::<f64>()
+            .filter(|from| *from != index)
+            .map(|from| self.cross(from, index).reach_m_n);
+        self.table(index).reach_m_n + others.sum::<f64>()
     }
 
     /// Returns the largest velocity of a port under nodal forces of magnitude 1 at all ports, m/(N
     /// s).
     #[inline(always)]
-    pub fn reach_m_n_s(&self, place: usize) -> f64 {
+    pub fn reach_m_n_s(&self, index: usize) -> f64 {
         let others = (0..self.ports.len())
-            .filter(|from| *from != place)
-            .map(|from| self.cross(from, place).reach_m_n_s);
-        self.own(place).reach_m_n_s + others.sum::<f64>()
+            .filter(|from| *from != index)
+            .map(|from| self.cross(from, index).reach_m_n_s);
+        self.table(index).reach_m_n_s + others.sum::<f64>()
     }
 }

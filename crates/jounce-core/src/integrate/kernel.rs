@@ -144,14 +144,14 @@ impl Kernel {
     /// Returns this kernel with other stops; the existing tables are retained where only gaps and
     /// stiffnesses differ.
     pub fn with_stops(&self, stops: Vec<Stop>) -> Self {
-        let alike = |a: &Stop, b: &Stop| {
+        let is_same_kind = |a: &Stop, b: &Stop| {
             a.shape == b.shape
                 && a.bases == b.bases
                 && onset_exponent(&a.law) == onset_exponent(&b.law)
         };
         let before = &self.plant.system.stops;
-        let fit =
-            before.len() == stops.len() && before.iter().zip(&stops).all(|(a, b)| alike(a, b));
+        let fit = before.len() == stops.len()
+            && before.iter().zip(&stops).all(|(a, b)| is_same_kind(a, b));
         let plant = self.plant.with_stops(stops);
         let meters = if fit {
             self.meters.clone()
@@ -207,11 +207,11 @@ impl Kernel {
                 .get_or_init(|| Self::new(Plant::new(system.clone())?))
                 .as_ref()
                 .map_err(Clone::clone)?;
-            let own = first
+            let base = first
                 .with_stops(system.stops)
                 .with_drives(system.drives)?
                 .with_signals(system.signals);
-            Ok(own.with_control(&self.control))
+            Ok(base.with_control(&self.control))
         };
         self.regimes[regime]
             .get_or_init(make)
@@ -221,13 +221,13 @@ impl Kernel {
 
     /// Returns the direct rate of change of an output of one port per unit force of another, 1/kg
     /// for a velocity; 0 for displacements.
-    pub(super) fn directly(&self, port: usize, seen: usize) -> f64 {
+    pub(super) fn direct_gain(&self, port: usize, other_port: usize) -> f64 {
         let plant = &self.plant;
         match plant
             .guards
-            .get(seen.wrapping_sub(plant.system.stops.len()))
+            .get(other_port.wrapping_sub(plant.system.stops.len()))
         {
-            Some(guard) if guard.change == BridgeChange::Switches => plant.ports[seen]
+            Some(guard) if guard.change == BridgeChange::Switches => plant.ports[other_port]
                 .displacement
                 .iter()
                 .zip(&plant.ports[port].force)

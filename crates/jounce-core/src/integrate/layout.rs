@@ -40,7 +40,7 @@ impl StateLayout {
     }
 
     /// Returns vector and lane of state number `state` in block order `u0, v0, u1, ...`.
-    pub fn place(&self, state: usize) -> (usize, usize) {
+    pub fn locate(&self, state: usize) -> (usize, usize) {
         let (base, index) = match state.checked_sub(2 * self.pairs) {
             Some(real) => (2 * self.pair_lanes, real),
             None => ((state % 2) * self.pair_lanes, state / 2),
@@ -72,8 +72,8 @@ impl StateLayout {
     pub fn unpack(&self, lanes: &[F64x8]) -> Vec<f64> {
         (0..self.states())
             .map(|state| {
-                let (lane, place) = self.place(state);
-                lanes[lane].0[place]
+                let (lane, index) = self.locate(state);
+                lanes[lane].0[index]
             })
             .collect()
     }

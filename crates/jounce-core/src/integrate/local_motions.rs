@@ -30,27 +30,27 @@ impl LocalMotions {
         if self
             .0
             .first()
-            .is_none_or(|moved| moved.length_s != length_s)
+            .is_none_or(|motion| motion.length_s != length_s)
         {
-            let found = self.0.iter().position(|moved| moved.length_s == length_s);
-            let moved = match found {
-                Some(place) => self.0.remove(place),
+            let cached_index = self.0.iter().position(|motion| motion.length_s == length_s);
+            let motion = match cached_index {
+                Some(index) => self.0.remove(index),
                 None => LocalMotion {
                     length_s,
                     by: local
-                        .map(|column| moved(kernel, column, length_s))
+                        .map(|column| forced_motion(kernel, column, length_s))
                         .collect(),
                 },
             };
             self.0.truncate(MAX_CACHED_LENGTHS - 1);
-            self.0.insert(0, moved);
+            self.0.insert(0, motion);
         }
         &self.0[0].by
     }
 }
 
 /// Computes `sum_j A^(j-1) b t^j / j!` and `sum_j A^(j-1) b t^(j+1) / (j+1)!`.
-fn moved(kernel: &Kernel, local: &[F64x8], t: f64) -> [Vec<F64x8>; 2] {
+fn forced_motion(kernel: &Kernel, local: &[F64x8], t: f64) -> [Vec<F64x8>; 2] {
     let mut sums = [
         vec![F64x8::ZERO; local.len()],
         vec![F64x8::ZERO; local.len()],

@@ -133,12 +133,12 @@ impl Task for OutputRowsTask<'_> {
             towards_end: vec![[F64x8::ZERO; NODES]; layout.lanes()],
             series: Vec::new(),
         };
-        let mut answers = StepResponse::default();
+        let mut responses = StepResponse::default();
         let all: Vec<(usize, BlockOnStep)> = parts(block).collect();
         let mut factors = Vec::new();
         for (index, (first, part)) in all.iter().enumerate() {
-            let (own, place) = (*first..first + part.states(), index % LANES);
-            if place == 0 {
+            let (states, lane_index) = (*first..first + part.states(), index % LANES);
+            if lane_index == 0 {
                 let group: Vec<BlockOnStep> = all[index..]
                     .iter()
                     .take(LANES)
@@ -146,27 +146,27 @@ impl Task for OutputRowsTask<'_> {
                     .collect();
                 factors = factored(w, &group, basis, h);
             }
-            answers.solve(w, part, basis, h, (&factors, place));
-            let free = free_motion(w, &answers, &powers);
-            for ((wanted, response), series) in rows.iter().zip(&mut out.rows).zip(&mut series) {
-                let row = &wanted.row[own.clone()];
-                if wanted.reading == RowReading::Pointwise {
-                    for (state, [f, g]) in own.clone().zip(part.free(row, h)) {
+            responses.solve(w, part, basis, h, (&factors, lane_index));
+            let free = free_motion(w, &responses, &powers);
+            for ((request, response), series) in rows.iter().zip(&mut out.rows).zip(&mut series) {
+                let row = &request.row[states.clone()];
+                if request.reading == RowReading::Pointwise {
+                    for (state, [f, g]) in states.clone().zip(part.free(row, h)) {
                         response.columns[layout.column(state)] =
                             w.store(w.fma(w.splat(f), free[0], w.mul(w.splat(g), free[1])));
                     }
                 }
-                let [f, g] = part.forced(row, &force[own.clone()], h);
-                let kept = if wanted.reading == RowReading::Pointwise {
-                    answers.first.len()
+                let [f, g] = part.forced(row, &force[states.clone()], h);
+                let n_terms = if request.reading == RowReading::Pointwise {
+                    responses.first.len()
                 } else {
                     reader.series.len()
                 };
                 for ((sum, first), second) in series
                     .iter_mut()
-                    .zip(&answers.first)
-                    .zip(&answers.second)
-                    .take(kept)
+                    .zip(&responses.first)
+                    .zip(&responses.second)
+                    .take(n_terms)
                 {
                     *sum = w.store(w.fma(
                         w.splat(f),
@@ -175,18 +175,18 @@ impl Task for OutputRowsTask<'_> {
                     ));
                 }
             }
-            let mean = free_motion(w, &answers, &moments).map(|sum| w.store(sum));
-            let end = ends(w, &answers).map(|sum| w.store(sum));
-            for (state, factor) in own.zip(part.entries(h)) {
-                let ((lane, place), entry) = (layout.place(state), state - *first);
+            let mean = free_motion(w, &responses, &moments).map(|sum| w.store(sum));
+            let end = ends(w, &responses).map(|sum| w.store(sum));
+            for (state, factor) in states.zip(part.entries(h)) {
+                let ((lane, lane_index), entry) = (layout.locate(state), state - *first);
                 for j in 0..NODES {
-                    out.from_start[lane][j].0[place] = factor * mean[entry].0[j];
-                    out.towards_end[lane][j].0[place] = h * factor * end[entry].0[j];
+                    out.from_start[lane][j].0[lane_index] = factor * mean[entry].0[j];
+                    out.towards_end[lane][j].0[lane_index] = h * factor * end[entry].0[j];
                 }
             }
         }
-        for ((wanted, response), series) in rows.iter().zip(&mut out.rows).zip(&series) {
-            let at = if wanted.reading == RowReading::Pointwise {
+        for ((request, response), series) in rows.iter().zip(&mut out.rows).zip(&series) {
+            let at = if request.reading == RowReading::Pointwise {
                 &powers
             } else {
                 &moments
@@ -219,14 +219,14 @@ fn summed<W: Simd>(w: W, at: &[F64x8], series: &[F64x8]) -> [F64x8; NODES] {
 /// Returns `P_a` at the nodes and the end of a basis, one vector per `a`.
 #[inline(always)]
 fn legendre_lanes<W: Simd>(w: W, basis: &BasisFunctions, count: usize) -> Vec<F64x8> {
-    let s = w.fma(w.splat(2.0), w.load(&F64x8(basis.places)), w.splat(-1.0));
+    let s = w.fma(w.splat(2.0), w.load(&F64x8(basis.positions)), w.splat(-1.0));
     let mut powers = vec![w.store(w.splat(1.0)); count.max(2)];
     let (mut before, mut now) = (w.splat(1.0), s);
     powers[1] = w.store(s);
     for n in 1..count.saturating_sub(1) {
         let n_f = n as f64;
-        let (ahead, back) = ((2.0 * n_f + 1.0) / (n_f + 1.0), -n_f / (n_f + 1.0));
-        let next = w.fma(w.mul(w.splat(ahead), s), now, w.mul(w.splat(back), before));
+        let (up, back) = ((2.0 * n_f + 1.0) / (n_f + 1.0), -n_f / (n_f + 1.0));
+        let next = w.fma(w.mul(w.splat(up), s), now, w.mul(w.splat(back), before));
         (before, now) = (now, next);
         powers[n + 1] = w.store(next);
     }
@@ -235,9 +235,9 @@ fn legendre_lanes<W: Simd>(w: W, basis: &BasisFunctions, count: usize) -> Vec<F6
 
 /// Returns the free motion of both responses, summed against vectors.
 #[inline(always)]
-fn free_motion<W: Simd>(w: W, answers: &StepResponse, lanes: &[F64x8]) -> [W::Register; 2] {
+fn free_motion<W: Simd>(w: W, responses: &StepResponse, lanes: &[F64x8]) -> [W::Register; 2] {
     let mut sums = [w.zero(); 2];
-    for ((lane, first), second) in lanes.iter().zip(&answers.first).zip(&answers.second) {
+    for ((lane, first), second) in lanes.iter().zip(&responses.first).zip(&responses.second) {
         let lane = w.load(lane);
         sums[0] = w.fma(w.splat(first.0[NODES]), lane, sums[0]);
         sums[1] = w.fma(w.splat(second.0[NODES]), lane, sums[1]);
@@ -247,9 +247,9 @@ fn free_motion<W: Simd>(w: W, answers: &StepResponse, lanes: &[F64x8]) -> [W::Re
 
 /// Returns both responses at the end of the step, where every Legendre polynomial is 1.
 #[inline(always)]
-fn ends<W: Simd>(w: W, answers: &StepResponse) -> [W::Register; 2] {
+fn ends<W: Simd>(w: W, responses: &StepResponse) -> [W::Register; 2] {
     let mut sums = [w.zero(); 2];
-    for (first, second) in answers.first.iter().zip(&answers.second) {
+    for (first, second) in responses.first.iter().zip(&responses.second) {
         sums = [
             w.add(sums[0], w.load(first)),
             w.add(sums[1], w.load(second)),

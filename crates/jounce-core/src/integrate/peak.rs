@@ -10,7 +10,7 @@ const INTERPOLATION_POINTS: usize = NODES + 2;
 /// Positions of the points, and Chebyshev coefficients of the polynomials that are 1 at one point
 /// and 0 at the others.
 struct Interpolation {
-    places: [f64; INTERPOLATION_POINTS],
+    positions: [f64; INTERPOLATION_POINTS],
     coefficients: [[f64; INTERPOLATION_POINTS]; INTERPOLATION_POINTS],
 }
 
@@ -18,7 +18,7 @@ static INTERPOLATION: LazyLock<Interpolation> = LazyLock::new(|| {
     use faer::linalg::solvers::DenseSolveCore;
     let places: [f64; INTERPOLATION_POINTS] = std::array::from_fn(|i| match i {
         0 => 0.0,
-        i if i <= NODES => SMOOTH_BASIS.places[i - 1],
+        i if i <= NODES => SMOOTH_BASIS.positions[i - 1],
         _ => 1.0,
     });
     let inverse = faer::Mat::from_fn(INTERPOLATION_POINTS, INTERPOLATION_POINTS, |i, n| {
@@ -27,7 +27,7 @@ static INTERPOLATION: LazyLock<Interpolation> = LazyLock::new(|| {
     .partial_piv_lu()
     .inverse();
     Interpolation {
-        places,
+        positions: places,
         coefficients: std::array::from_fn(|n| std::array::from_fn(|i| inverse[(n, i)])),
     }
 });
@@ -37,7 +37,7 @@ static INTERPOLATION: LazyLock<Interpolation> = LazyLock::new(|| {
 /// highest point and its neighbours.
 pub fn interpolated_peak(start: f64, values: &F64x8) -> f64 {
     let Interpolation {
-        places,
+        positions,
         coefficients,
     } = &*INTERPOLATION;
     let heights: [f64; INTERPOLATION_POINTS] =
@@ -52,10 +52,10 @@ pub fn interpolated_peak(start: f64, values: &F64x8) -> f64 {
         |best, i| if heights[i] > heights[best] { i } else { best },
     );
     let (low, high) = (
-        places[top.saturating_sub(1)],
-        places[(top + 1).min(INTERPOLATION_POINTS - 1)],
+        positions[top.saturating_sub(1)],
+        positions[(top + 1).min(INTERPOLATION_POINTS - 1)],
     );
-    let mut x = places[top];
+    let mut x = positions[top];
     for _ in 0..6 {
         let [_, slope, curvature] = chebyshev(&series, x);
         let next = x - slope / curvature;
@@ -91,7 +91,7 @@ mod tests {
     #[test]
     fn finds_the_top_of_a_sine_between_nodes() {
         let sine = |x: f64| (2.0 * x + 0.3).sin();
-        let lane = F64x8(SMOOTH_BASIS.places.map(sine));
+        let lane = F64x8(SMOOTH_BASIS.positions.map(sine));
         // Ninth derivative 2^9 over 9! times the node polynomial, at most 7.6e-6: 1.1e-8.
         assert!((interpolated_peak(sine(0.0), &lane) - 1.0).abs() < 1.1e-8);
     }

@@ -17,7 +17,7 @@ pub struct Phasor {
     /// Complex amplitude of the displacement of each port, m.
     pub displacement_m: PerPort<c64>,
     /// Samples of the tone over the current step, at the nodes and the end, for each port.
-    pub swing: PerPort<PhasorSamples>,
+    pub samples: PerPort<PhasorSamples>,
     /// `e^{i w h}` for each level.
     ends: Vec<Option<c64>>,
     /// `cos` and `sin` of `w tau` at the nodes and the end, per port and level: smooth basis, then
@@ -38,7 +38,7 @@ impl PhasorSamples {
     /// Samples a tone over a step of any length.
     pub fn over(angular_frequency_rad_s: f64, basis: &BasisFunctions, length_s: f64) -> Self {
         let sin_cos: [(f64, f64); LANES] = basis
-            .places
+            .positions
             .map(|x| (angular_frequency_rad_s * length_s * x).sin_cos());
         Self {
             cos: F64x8(sin_cos.map(|(_, cos)| cos)),
@@ -79,7 +79,7 @@ impl Phasor {
                     .get(port)
                     .map_or_else(c64::default, |port| port.steady_m[index])
             }),
-            swing: PerPort::new(ports, |_| PhasorSamples {
+            samples: PerPort::new(ports, |_| PhasorSamples {
                 cos: F64x8::ZERO,
                 sin: F64x8::ZERO,
             }),
@@ -97,7 +97,7 @@ impl Phasor {
         *self.ends[Kernel::index(level)].get_or_insert_with(|| c64::cis(angle))
     }
 
-    /// Sets `swing` of a port to the samples over a level.
+    /// Sets `samples` of a port to the samples over a level.
     #[inline(always)]
     pub fn swing_over(&mut self, kernel: &Kernel, port: usize, shape: ForceBasis, level: i32) {
         let frequency = self.angular_frequency_rad_s;
@@ -108,7 +108,7 @@ impl Phasor {
                 Kernel::length_s(level),
             ))
         };
-        self.swing[port] =
+        self.samples[port] =
             **self.levels[port][shape.index()][Kernel::index(level)].get_or_insert_with(make);
     }
 

@@ -31,7 +31,7 @@ pub struct PortState {
     /// Contact state.
     pub regime: ContactState,
     /// Motion at the end of the current flight step: distance past the stop, m, and its rate, m/s.
-    pub ahead: [f64; 2],
+    pub motion_at_end: [f64; 2],
     /// With several ports: desired level of the next step in contact ...
     pub level: i32,
     /// ... and whether a contact begins with it.
@@ -86,7 +86,7 @@ impl PortState {
             penetration_m: 0.0,
             rate_m_s: 0.0,
             regime: ContactState::Flight,
-            ahead: [0.0; 2],
+            motion_at_end: [0.0; 2],
             level: entry_level,
             entering: false,
             iterations: 1,

@@ -23,11 +23,11 @@ impl Integrator<'_> {
             dot(w, &rows.displacement, &self.y) - rows.gap_m,
             dot(w, &rows.velocity, &self.y),
         ];
-        let [place, speed] = self.excitation.motion_after(p, 0.0);
-        motion = [motion[0] + place, motion[1] + speed];
+        let [displacement, speed] = self.excitation.motion_after(p, 0.0);
+        motion = [motion[0] + displacement, motion[1] + speed];
         for tone in &self.tones {
-            let [place, speed] = tone.motion(p);
-            motion = [motion[0] + place, motion[1] + speed];
+            let [displacement, speed] = tone.motion(p);
+            motion = [motion[0] + displacement, motion[1] + speed];
         }
         motion
     }
@@ -40,7 +40,7 @@ impl Integrator<'_> {
             return;
         }
         self.next.copy_from_slice(&self.y);
-        self.carry_on(w, length_s);
+        self.propagate_remainder(w, length_s);
     }
 
     /// Moves `next` from one time ahead of the current one to another. Over a short time it moves
@@ -50,7 +50,7 @@ impl Integrator<'_> {
     pub(super) fn propagate_from<W: Simd>(&mut self, w: W, from_s: f64, to_s: f64) {
         let change_s = to_s - from_s;
         if change_s.abs() * self.kernel.stiffest_rad_s <= MAX_SERIES_ARGUMENT {
-            self.carry_on(w, change_s);
+            self.propagate_remainder(w, change_s);
         } else {
             self.propagate_to(w, to_s);
         }
@@ -61,7 +61,7 @@ impl Integrator<'_> {
     /// The time is split into levels, longest first, and a remainder so short that the power series
     /// of the flow is exact.
     #[inline(always)]
-    fn carry_on<W: Simd>(&mut self, w: W, change_s: f64) {
+    fn propagate_remainder<W: Simd>(&mut self, w: W, change_s: f64) {
         let kernel = self.kernel;
         let (flows, rest_s) = kernel.flows_within(change_s);
         kernel
@@ -71,25 +71,25 @@ impl Integrator<'_> {
 
     /// Returns penetration and rate of a port in `next`, `length_s` after the current time.
     #[inline(always)]
-    pub(super) fn motion_ahead<W: Simd>(&self, w: W, p: usize, length_s: f64) -> [f64; 2] {
+    pub(super) fn motion_after<W: Simd>(&self, w: W, p: usize, length_s: f64) -> [f64; 2] {
         let rows = &self.ports[p].rows;
         let mut motion = [
             dot(w, &rows.displacement, &self.next) - rows.gap_m,
             dot(w, &rows.velocity, &self.next),
         ];
-        let [place, speed] = self.excitation.motion_after(p, length_s);
-        motion = [motion[0] + place, motion[1] + speed];
+        let [displacement, speed] = self.excitation.motion_after(p, length_s);
+        motion = [motion[0] + displacement, motion[1] + speed];
         for tone in &self.tones {
-            let [place, speed] =
+            let [displacement, speed] =
                 tone.motion_after(p, c64::cis(tone.angular_frequency_rad_s * length_s));
-            motion = [motion[0] + place, motion[1] + speed];
+            motion = [motion[0] + displacement, motion[1] + speed];
         }
         motion
     }
 
     /// Advances to the state in `next`; the ports are not updated.
     #[inline(always)]
-    pub(super) fn move_on(&mut self, length_s: f64, end_s: f64) {
+    pub(super) fn advance_state(&mut self, length_s: f64, end_s: f64) {
         self.note(length_s, &[]);
         std::mem::swap(&mut self.y, &mut self.next);
         self.time_s = end_s;

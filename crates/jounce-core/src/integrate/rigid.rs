@@ -81,9 +81,13 @@ impl Integrator<'_> {
         self.rebounds(p, -rebound * before);
         if rebound == 0.0 && self.ports[p].regime == ContactState::Contact {
             // The omitted bounces, a geometric series, do not count as sticking.
-            let left_s = 2.0 * law.restitution * before
+            let omitted_s = 2.0 * law.restitution * before
                 / ((1.0 - law.restitution) * self.acceleration_m_s2(p));
-            self.ports[p].statistics.sticking_s -= if left_s.is_finite() { left_s } else { 0.0 };
+            self.ports[p].statistics.sticking_s -= if omitted_s.is_finite() {
+                omitted_s
+            } else {
+                0.0
+            };
         }
     }
 
@@ -95,8 +99,9 @@ impl Integrator<'_> {
             self.ports[p].impact_velocity_m_s,
         );
         let is_slow = after <= CHATTER_SPEED * self.tolerance * impact_velocity_m_s;
-        let is_lost = || self.is_lost(p, [self.reading(Portable::new(), p)[0], after]);
-        if is_slow || (after <= FAST_HOP_SPEED * self.speed_m_s(p) && is_lost()) {
+        let is_suppressed =
+            || self.is_suppressed_hop(p, [self.reading(Portable::new(), p)[0], after]);
+        if is_slow || (after <= FAST_HOP_SPEED * self.speed_m_s(p) && is_suppressed()) {
             0.0
         } else {
             law.restitution
@@ -105,7 +110,7 @@ impl Integrator<'_> {
 
     /// True for a hop that starts at a speed past the stop by roundoff and is pressed back before
     /// it leaves the stop by more than the roundoff of the distance.
-    pub(super) fn is_lost(&self, p: usize, [depth_m, rate_m_s]: [f64; 2]) -> bool {
+    pub(super) fn is_suppressed_hop(&self, p: usize, [depth_m, rate_m_s]: [f64; 2]) -> bool {
         let rows = &self.ports[p].rows;
         let roundoff_m = f64::EPSILON
             * self
@@ -307,7 +312,7 @@ impl Integrator<'_> {
                 }
                 continue;
             }
-            self.take_held(table, &force.map(|f| f.max(0.0)));
+            self.commit_sticking(table, &force.map(|f| f.max(0.0)));
             if landing {
                 self.time_s = end_s;
             }
@@ -339,42 +344,41 @@ impl Integrator<'_> {
             w.zero(),
         ));
         for tone in &mut self.tones {
-            let swing =
+            let samples =
                 PhasorSamples::over(tone.angular_frequency_rad_s, &SMOOTH_BASIS, table.length_s);
-            tone.swing[0] = swing;
+            tone.samples[0] = samples;
             for i in 0..LANES {
-                let turned =
-                    tone.displacement_m[0] * tone.turn * c64::new(swing.cos.0[i], swing.sin.0[i]);
-                free.0[i] += acceleration(turned, tone.angular_frequency_rad_s);
+                let phasor = tone.displacement_m[0]
+                    * tone.turn
+                    * c64::new(samples.cos.0[i], samples.sin.0[i]);
+                free.0[i] += acceleration(phasor, tone.angular_frequency_rad_s);
             }
         }
-        for (free, place) in free.0.iter_mut().zip(SMOOTH_BASIS.places) {
-            *free += self
-                .excitation
-                .acceleration_after(0, place * table.length_s);
+        for (free, node) in free.0.iter_mut().zip(SMOOTH_BASIS.positions) {
+            *free += self.excitation.acceleration_after(0, node * table.length_s);
         }
         let force: [f64; NODES] =
             std::array::from_fn(|i| (0..NODES).map(|j| sticking.inverse[i][j] * free.0[j]).sum());
         let end_by_nodes: f64 = (0..NODES)
             .map(|j| SMOOTH_BASIS.at_end.0[j] * force[j])
             .sum();
-        let felt: f64 = free.0[NODES]
+        let end_acceleration: f64 = free.0[NODES]
             + (0..NODES)
                 .map(|j| sticking.acceleration.push[j].0[NODES] * force[j])
                 .sum::<f64>();
         (
             force,
-            (end_by_nodes - felt / self.ports[0].rows.mobility_per_kg).abs(),
+            (end_by_nodes - end_acceleration / self.ports[0].rows.mobility_per_kg).abs(),
         )
     }
 
     /// Takes a step under given nodal forces and resets the point onto the stop to roundoff.
-    fn take_held(&mut self, table: &ContactTable, force: &[f64; NODES]) {
+    fn commit_sticking(&mut self, table: &ContactTable, force: &[f64; NODES]) {
         let lane = F64x8(std::array::from_fn(
             |i| if i < NODES { force[i] } else { 0.0 },
         ));
         let w = Portable::new();
-        let step = ContactStep::held(0, table);
+        let step = ContactStep::with_prescribed_force(0, table);
         self.note(table.length_s, &[PortForce::new(&step, &lane)]);
         table.flow.apply(w, &self.y, &mut self.next);
         self.push_on(w, &step, &lane);
@@ -386,7 +390,7 @@ impl Integrator<'_> {
             .pass(self.kernel, table.length_s, self.time_s, &mut self.y);
         self.update_port(w, 0);
         self.observe_rest(0, table.length_s, &lane);
-        self.put_back(0);
+        self.reset_onto_stop(0);
     }
 
     /// Adds a step of sticking to the statistics.
@@ -402,7 +406,7 @@ impl Integrator<'_> {
 
     /// Removes the drift of collocation: the constraint acts on the acceleration, so that position
     /// and speed drift by roundoff.
-    pub(super) fn put_back(&mut self, p: usize) {
+    pub(super) fn reset_onto_stop(&mut self, p: usize) {
         let (plant, port) = (&self.kernel.plant, &self.ports[p]);
         let mobility = port.rows.mobility_per_kg;
         let shape = &plant.system.stops[p].shape;
@@ -411,7 +415,7 @@ impl Integrator<'_> {
             .map(|s| -s * port.penetration_m / mobility)
             .collect();
         let inverse = &plant.diagonal.from_physical;
-        let moved: Vec<f64> = (0..plant.len())
+        let correction: Vec<f64> = (0..plant.len())
             .map(|i| {
                 shift
                     .iter()
@@ -420,11 +424,11 @@ impl Integrator<'_> {
                     .sum()
             })
             .collect();
-        let moved = self.layout.pack(&moved);
+        let correction = self.layout.pack(&correction);
         let column = self.layout.pack(&plant.ports[p].force);
         let impulse = port.rate_m_s / mobility;
-        for ((y, moved), b) in self.y.iter_mut().zip(&moved).zip(&column) {
-            *y = y.add_scaled(1.0, moved).add_scaled(impulse, b);
+        for ((y, correction), b) in self.y.iter_mut().zip(&correction).zip(&column) {
+            *y = y.add_scaled(1.0, correction).add_scaled(impulse, b);
         }
         self.set_motion(p, [0.0, 0.0]);
     }

@@ -4,7 +4,7 @@ use super::kernel::Kernel;
 use super::trajectory::{Trajectory, TrajectorySegment};
 
 impl Trajectory {
-    /// Calls `look` at the start of every step from segment number `first` on, and inside flights
+    /// Calls `visit` at the start of every step from segment number `first` on, and inside flights
     /// at times at most `gap_s` apart. Its arguments are the kernel of the conduction state, the
     /// time, and the state in block coordinates without the steady part. Contact steps are short
     /// relative to the motion and have no samples inside.
@@ -13,12 +13,12 @@ impl Trajectory {
         kernel: &'k Kernel,
         first: usize,
         gap_s: f64,
-        look: &mut impl FnMut(&'k Kernel, f64, &[f64]),
+        visit: &mut impl FnMut(&'k Kernel, f64, &[f64]),
     ) {
         for segment in self.segments().iter().skip(first) {
             // The kernel of a conduction state in the record exists.
-            if let Ok(own) = kernel.in_regime(segment.regime) {
-                segment.walk(own, gap_s, look);
+            if let Ok(state_kernel) = kernel.in_regime(segment.regime) {
+                segment.walk(state_kernel, gap_s, visit);
             }
         }
     }
@@ -29,10 +29,10 @@ impl TrajectorySegment {
         &self,
         kernel: &'k Kernel,
         gap_s: f64,
-        look: &mut impl FnMut(&'k Kernel, f64, &[f64]),
+        visit: &mut impl FnMut(&'k Kernel, f64, &[f64]),
     ) {
-        let mut whole = |after_s: f64, state: &[f64]| match self.sizes.is_empty() {
-            true => look(kernel, self.start_s + after_s, state),
+        let mut visit_full = |after_s: f64, state: &[f64]| match self.sizes.is_empty() {
+            true => visit(kernel, self.start_s + after_s, state),
             false => {
                 let forced = kernel.plant.forced(&self.sizes, after_s);
                 let sum: Vec<f64> = state
@@ -40,10 +40,10 @@ impl TrajectorySegment {
                     .zip(forced)
                     .map(|(y, forced)| y + forced)
                     .collect();
-                look(kernel, self.start_s + after_s, &sum);
+                visit(kernel, self.start_s + after_s, &sum);
             }
         };
-        whole(0.0, &self.state);
+        visit_full(0.0, &self.state);
         if !self.forces.is_empty() {
             return;
         }
@@ -56,7 +56,7 @@ impl TrajectorySegment {
         );
         for k in 1..inner as usize {
             flow.advance(&mut state);
-            whole(self.length_s * k as f64 / inner, &state);
+            visit_full(self.length_s * k as f64 / inner, &state);
         }
     }
 }

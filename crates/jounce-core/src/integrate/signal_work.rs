@@ -48,7 +48,7 @@ impl SignalWork {
     pub fn new(kernel: &Kernel, time_s: f64) -> Self {
         let (plant, layout, meters) = (&kernel.plant, &kernel.layout, kernel.meters());
         let (signals, none) = (plant.forcings.len(), c64::new(0.0, 0.0));
-        let kept = |column: &[f64]| {
+        let local_part = |column: &[f64]| {
             column
                 .iter()
                 .zip(&plant.local)
@@ -88,9 +88,9 @@ impl SignalWork {
             ports: plant
                 .ports
                 .iter()
-                .map(|port| layout.pack(&kept(&port.force)))
+                .map(|port| layout.pack(&local_part(&port.force)))
                 .collect(),
-            is_local: layout.pack(&kept(&vec![1.0; plant.len()])),
+            is_local: layout.pack(&local_part(&vec![1.0; plant.len()])),
             readings: readings.collect(),
             works_j: vec![0.0; meters.loads.len() + 1],
         }
@@ -119,33 +119,33 @@ impl SignalWork {
     ) {
         let (plant, h) = (&kernel.plant, length_s.unwrap_or(time_s - self.since_s));
         let solve = |y: &[f64]| plant.diagonal.block.solve(y, &plant.local);
-        let mut moved: Vec<f64> = state
+        let mut change: Vec<f64> = state
             .iter()
             .zip(&self.start)
             .map(|(end, start)| end - start)
             .collect();
         for (forcing, [u, s]) in plant.forcings.iter().zip(&self.sizes) {
-            add(&mut moved, -h * (u + 0.5 * s * h), &forcing.column);
+            add(&mut change, -h * (u + 0.5 * s * h), &forcing.column);
         }
         for (port, (impulse, _)) in plant.ports.iter().zip(&self.forces) {
-            add(&mut moved, -impulse, &port.force);
+            add(&mut change, -impulse, &port.force);
         }
-        let whole = solve(&moved);
+        let mean_state = solve(&change);
         for (k, ([u, s], [end, _])) in self.sizes.iter().zip(sizes).enumerate() {
-            let mut moved: Vec<f64> = state
+            let mut change: Vec<f64> = state
                 .iter()
                 .zip(&self.start)
                 .map(|(y1, y0)| end * y1 - u * y0)
                 .collect();
-            add(&mut moved, -s, &whole);
+            add(&mut change, -s, &mean_state);
             for (forcing, [v, z]) in plant.forcings.iter().zip(&self.sizes) {
                 let both = h * (u * v + h * (0.5 * (u * z + s * v) + h * s * z / 3.0));
-                add(&mut moved, -both, &forcing.column);
+                add(&mut change, -both, &forcing.column);
             }
             for (port, (_, weighted)) in plant.ports.iter().zip(&self.forces) {
-                add(&mut moved, -weighted[k], &port.force);
+                add(&mut change, -weighted[k], &port.force);
             }
-            add(&mut self.sums.states[k], 1.0, &solve(&moved));
+            add(&mut self.sums.states[k], 1.0, &solve(&change));
         }
         self.turn(sizes, time_s, 1.0);
         self.forces.iter_mut().for_each(|(impulse, weighted)| {
@@ -189,11 +189,11 @@ impl SignalWork {
         &mut self,
         port: usize,
         sizes: &[SignalSample],
-        places: &[f64; LANES],
+        positions: &[f64; LANES],
         length_s: f64,
         weighted: &F64x8,
     ) {
-        let times_s = places.map(|place| place * length_s);
+        let times_s = positions.map(|position| position * length_s);
         let (impulse, products) = &mut self.forces[port];
         *impulse += weighted.0.iter().sum::<f64>();
         for (product, [u, s]) in products.iter_mut().zip(sizes) {
@@ -216,10 +216,10 @@ impl SignalWork {
 
     /// Adds an impulse of a rigid stop.
     pub fn strike_stop(&mut self, port: usize, sizes: &[SignalSample], impulse_n_s: f64) {
-        let all_at_once = F64x8(std::array::from_fn(
+        let impulse = F64x8(std::array::from_fn(
             |i| if i == 0 { impulse_n_s } else { 0.0 },
         ));
-        self.push(port, sizes, &[0.0; LANES], 0.0, &all_at_once);
+        self.push(port, sizes, &[0.0; LANES], 0.0, &impulse);
         // It takes no time and does not contribute to integrals over a step.
         self.nodes.clear();
     }
@@ -241,7 +241,7 @@ impl SignalWork {
         y: &[F64x8],
     ) {
         let lanes = y.len();
-        let (mut sum, mut turned) = (vec![F64x8::ZERO; lanes], vec![F64x8::ZERO; lanes]);
+        let (mut sum, mut applied) = (vec![F64x8::ZERO; lanes], vec![F64x8::ZERO; lanes]);
         let local: Vec<F64x8> = y
             .iter()
             .zip(&self.is_local)
@@ -254,11 +254,11 @@ impl SignalWork {
             sum.fill(F64x8::ZERO);
             for order in (1..=LOCAL_TERMS).rev() {
                 // sum <- w - A sum
-                kernel.generator.apply(Portable::new(), &sum, &mut turned);
+                kernel.generator.apply(Portable::new(), &sum, &mut applied);
                 let at_end = repeated(*size, order, length_s);
                 for i in 0..lanes {
                     sum[i] = F64x8::ZERO
-                        .add_scaled(-1.0, &turned[i])
+                        .add_scaled(-1.0, &applied[i])
                         .add_scaled(at_end, &local[i]);
                 }
                 for (column, other) in self.columns.iter().zip(sizes) {
@@ -268,14 +268,14 @@ impl SignalWork {
                         .for_each(|(sum, b)| *sum = sum.add_scaled(-both, b));
                 }
                 for (port, times_s, weighted) in &self.nodes {
-                    let pushed: f64 = times_s
+                    let weighted_force: f64 = times_s
                         .iter()
                         .zip(weighted.0)
                         .map(|(t, force)| force * repeated(*size, order, *t))
                         .sum();
                     sum.iter_mut()
                         .zip(&self.ports[*port])
-                        .for_each(|(sum, b)| *sum = sum.add_scaled(-pushed, b));
+                        .for_each(|(sum, b)| *sum = sum.add_scaled(-weighted_force, b));
                 }
             }
             add(&mut self.sums.states[k], 1.0, &kernel.layout.unpack(&sum));

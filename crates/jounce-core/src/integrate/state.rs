@@ -53,18 +53,18 @@ pub fn spread<W: Simd>(w: W, force: &F64x8) -> [W::Register; NODES] {
 
 /// Returns `start + sum_j push_j f_j`.
 #[inline(always)]
-pub fn pushed<W: Simd>(
+pub fn add_force_response<W: Simd>(
     w: W,
     start: W::Register,
     push: &[F64x8; NODES],
     force: &F64x8,
 ) -> W::Register {
-    pushed_by(w, start, push, &spread(w, force))
+    add_spread_response(w, start, push, &spread(w, force))
 }
 
 /// Returns `start + sum_j push_j f_j` for broadcast forces that are used more than once.
 #[inline(always)]
-pub fn pushed_by<W: Simd>(
+pub fn add_spread_response<W: Simd>(
     w: W,
     start: W::Register,
     push: &[F64x8; NODES],

@@ -44,7 +44,7 @@ const MAX_RELEASE_DISTANCE: f64 = 2.0;
 impl ContactStep<'_> {
     /// Returns the time from the last node to the end, s.
     fn last_gap_s(&self) -> f64 {
-        self.table.length_s * (1.0 - self.basis.places[NODES - 1])
+        self.table.length_s * (1.0 - self.basis.positions[NODES - 1])
     }
 }
 
@@ -94,31 +94,31 @@ impl Integrator<'_> {
     #[inline(always)]
     fn before_leaving(
         &self,
-        wanted: i32,
+        requested: i32,
         step: &ContactStep,
         solved: &SolvedStep,
         allowed: f64,
     ) -> i32 {
         let Some(leaving_s) = predicted_release_s(&self.ports[step.port], step, solved) else {
-            return wanted;
+            return requested;
         };
-        if leaving_s >= MAX_RELEASE_DISTANCE * Kernel::length_s(wanted) {
-            return wanted;
+        if leaving_s >= MAX_RELEASE_DISTANCE * Kernel::length_s(requested) {
+            return requested;
         }
-        let left_n_s = leaving_s * solved.force.0[NODES - 1];
+        let pulling_n_s = leaving_s * solved.force.0[NODES - 1];
         // The error of one step that carries the point past the surface may be negligible.
-        if self.release_error_factor * left_n_s <= allowed {
-            return wanted.max(Kernel::level_within(2.0 * leaving_s));
+        if self.release_error_factor * pulling_n_s <= allowed {
+            return requested.max(Kernel::level_within(2.0 * leaving_s));
         }
-        let whole = Kernel::level_within(leaving_s);
+        let coarsest = Kernel::level_within(leaving_s);
         let is_enough = |level: &i32| {
             ellipse_power(leaving_s / Kernel::length_s(*level)) * RELEASE_ERROR_GAIN * allowed
-                >= left_n_s
+                >= pulling_n_s
         };
-        wanted.max(
-            (whole..whole + LEVELS_PER_OCTAVE)
+        requested.max(
+            (coarsest..coarsest + LEVELS_PER_OCTAVE)
                 .find(is_enough)
-                .unwrap_or(whole + LEVELS_PER_OCTAVE),
+                .unwrap_or(coarsest + LEVELS_PER_OCTAVE),
         )
     }
 }

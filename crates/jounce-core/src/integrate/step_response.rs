@@ -111,15 +111,15 @@ impl StepResponse {
     pub fn of_all(block: &BlockDiagonal, basis: &BasisFunctions, length_s: f64) -> Vec<Self> {
         let w = Portable::new();
         let solved = |(_, part)| {
-            let mut answers = Self::default();
-            answers.solve(
+            let mut responses = Self::default();
+            responses.solve(
                 w,
                 &part,
                 basis,
                 length_s,
                 (&factored(w, &[part], basis, length_s), 0),
             );
-            answers
+            responses
         };
         parts(block).map(solved).collect()
     }
@@ -133,7 +133,7 @@ impl StepResponse {
         part: &BlockOnStep,
         basis: &BasisFunctions,
         h: f64,
-        (factors, place): (&[TridiagonalFactors], usize),
+        (factors, index): (&[TridiagonalFactors], usize),
     ) {
         let factors = &factors[..terms(part, basis, h)];
         let count = factors.len();
@@ -143,23 +143,23 @@ impl StepResponse {
         self.second.resize(count, F64x8::ZERO);
         integrate(w, &basis.series, &mut self.first);
         self.first[0].0[NODES] = 1.0;
-        self.sweep(w, factors, place);
+        self.sweep(w, factors, index);
         if matches!(part, BlockOnStep::Double(_)) {
-            let answer = std::mem::take(&mut self.first);
+            let first_response = std::mem::take(&mut self.first);
             let mut driven = std::mem::take(&mut self.second);
-            integrate(w, &answer, &mut driven);
+            integrate(w, &first_response, &mut driven);
             self.first = driven;
             self.second = vec![F64x8::ZERO; count];
-            self.sweep(w, factors, place);
-            self.second = std::mem::replace(&mut self.first, answer);
+            self.sweep(w, factors, index);
+            self.second = std::mem::replace(&mut self.first, first_response);
         }
     }
 
     /// Forward and back substitution for all eight right sides.
     #[inline(always)]
-    fn sweep<W: Simd>(&mut self, w: W, factors: &[TridiagonalFactors], place: usize) {
+    fn sweep<W: Simd>(&mut self, w: W, factors: &[TridiagonalFactors], index: usize) {
         let count = factors.len();
-        let at = |part: &[F64x8; 2]| [part[0].0[place], part[1].0[place]];
+        let at = |part: &[F64x8; 2]| [part[0].0[index], part[1].0[index]];
         let (re, im) = (&mut self.first[..count], &mut self.second[..count]);
         let (mut last_re, mut last_im) = (w.load(&re[0]), w.load(&im[0]));
         for n in 1..count {
@@ -221,7 +221,7 @@ mod tests {
         let mut sum = c64::new(0.0, 0.0);
         for p in 0..panels {
             for i in 0..NODES {
-                let r = (f64::from(p) + gauss.places[i]) / f64::from(panels);
+                let r = (f64::from(p) + gauss.positions[i]) / f64::from(panels);
                 let s = x * r * r;
                 sum += (z * (x - s)).exp()
                     * (basis.at(s)[j] * gauss.weights.0[i] * 2.0 * r * x / f64::from(panels));
@@ -233,14 +233,14 @@ mod tests {
     /// Returns the largest error of the responses, and of their imaginary parts, which start like a
     /// displacement.
     fn worst(basis: &BasisFunctions, z: c64) -> [f64; 2] {
-        let mut answers = StepResponse::default();
+        let mut responses = StepResponse::default();
         let (w, part) = (Portable::new(), BlockOnStep::Turning(z));
-        answers.solve(w, &part, basis, 1.0, (&factored(w, &[part], basis, 1.0), 0));
+        responses.solve(w, &part, basis, 1.0, (&factored(w, &[part], basis, 1.0), 0));
         let mut worst: [f64; 2] = [0.0; 2];
-        for x in [basis.places[1], 0.4, 1.0] {
-            let powers = legendre(x, answers.first.len());
+        for x in [basis.positions[1], 0.4, 1.0] {
+            let powers = legendre(x, responses.first.len());
             let at = |j: usize| -> c64 {
-                let rows = answers.first.iter().zip(&answers.second).zip(&powers);
+                let rows = responses.first.iter().zip(&responses.second).zip(&powers);
                 rows.map(|((re, im), p)| c64::new(re.0[j] * p, im.0[j] * p))
                     .sum()
             };
@@ -282,11 +282,11 @@ mod tests {
     }
 
     #[test]
-    fn a_double_rate_answers_like_its_closed_form() {
+    fn response_of_a_double_rate_matches_its_closed_form() {
         let (rate, h) = (-3.0, 0.5);
-        let mut answers = StepResponse::default();
+        let mut responses = StepResponse::default();
         let (w, part) = (Portable::new(), BlockOnStep::Double(rate));
-        answers.solve(
+        responses.solve(
             w,
             &part,
             &SMOOTH_BASIS,
@@ -297,8 +297,8 @@ mod tests {
             ),
         );
         // second in lane 7: x e^{z x}
-        let powers = legendre(0.7, answers.second.len());
-        let second: f64 = answers
+        let powers = legendre(0.7, responses.second.len());
+        let second: f64 = responses
             .second
             .iter()
             .zip(&powers)

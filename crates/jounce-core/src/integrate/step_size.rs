@@ -56,20 +56,20 @@ mod tests {
     #[test]
     fn levels_lie_by_their_lengths() {
         for level in COARSEST_LEVEL + 1..=FINEST_LEVEL {
-            let (own_s, next_s) = (Kernel::length_s(level), Kernel::length_s(level - 1));
+            let (length_s, next_s) = (Kernel::length_s(level), Kernel::length_s(level - 1));
             let ratio = if level % LEVELS_PER_OCTAVE == 0 {
                 1.5
             } else {
                 4.0 / 3.0
             };
             assert!(
-                (next_s / own_s - ratio).abs() < 1e-15,
+                (next_s / length_s - ratio).abs() < 1e-15,
                 "{level}: {}",
-                next_s / own_s
+                next_s / length_s
             );
             assert!(
-                Kernel::level_within(own_s) == level
-                    && Kernel::level_within(own_s.midpoint(next_s)) == level,
+                Kernel::level_within(length_s) == level
+                    && Kernel::level_within(length_s.midpoint(next_s)) == level,
                 "{level}"
             );
         }

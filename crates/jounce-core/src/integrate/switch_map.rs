@@ -20,7 +20,7 @@ pub(super) struct SwitchMap {
     /// Derivatives of these voltages by those before.
     pub slopes: [[f64; 2]; 2],
     /// Energies of the circuit.
-    pub taken: RectifiedEnergies,
+    pub rectified: RectifiedEnergies,
     /// Change of the energy stored in both, J.
     pub stored_j: f64,
 }
@@ -47,19 +47,22 @@ impl SwitchMap {
             x[first + nodes.terminal],
             nodes.storage.map_or(0.0, |node| x[first + node]),
         ];
-        let mut flip = match bridge.scheme {
-            Scheme::Standard => Self::left(volts),
+        let mut switch_map = match bridge.scheme {
+            Scheme::Standard => Self::without_effect(volts),
             Scheme::ParallelSshi { inversion } => Self {
                 volts: [-inversion * volts[0], volts[1]],
                 slopes: [[-inversion, 0.0], [0.0, 1.0]],
-                ..Self::left(volts)
+                ..Self::without_effect(volts)
             },
-            Scheme::SeriesSshi { inversion } => Self::swung(bridge, inversion, &both, volts),
+            Scheme::SeriesSshi { inversion } => {
+                Self::half_oscillation(bridge, inversion, &both, volts)
+            }
             Scheme::Extraction { efficiency } => Self::extracted(bridge, efficiency, &both, volts),
         };
-        flip.stored_j = both.energy_j(flip.volts) - both.energy_j(volts);
-        flip.taken.switch_j = -flip.stored_j - flip.taken.battery_j - flip.taken.diodes_j;
-        flip
+        switch_map.stored_j = both.energy_j(switch_map.volts) - both.energy_j(volts);
+        switch_map.rectified.switch_j =
+            -switch_map.stored_j - switch_map.rectified.battery_j - switch_map.rectified.diodes_j;
+        switch_map
     }
 
     /// Sets the voltages after the switch in a physical state.
@@ -75,62 +78,68 @@ impl SwitchMap {
     }
 
     /// Returns the map of a switch without effect.
-    fn left(volts: [f64; 2]) -> Self {
+    fn without_effect(volts: [f64; 2]) -> Self {
         Self {
             volts,
             slopes: [[1.0, 0.0], [0.0, 1.0]],
-            taken: RectifiedEnergies::default(),
+            rectified: RectifiedEnergies::default(),
             stored_j: 0.0,
         }
     }
 
     /// Returns the map of a half oscillation through an inductor into the storage: the voltage inverts about
     /// the voltage against which it conducts.
-    fn swung(bridge: &Bridge, inversion: f64, both: &Capacitances, volts: [f64; 2]) -> Self {
-        let mut flip = Self::left(volts);
+    fn half_oscillation(
+        bridge: &Bridge,
+        inversion: f64,
+        both: &Capacitances,
+        volts: [f64; 2],
+    ) -> Self {
+        let mut switch_map = Self::without_effect(volts);
         let over_v = volts[0].abs() - volts[1] - bridge.threshold_v();
         if over_v <= 0.0 {
-            return flip;
+            return switch_map;
         }
-        let (Capacitances([own_f, storage_f]), sign) = (both, volts[0].signum());
-        let per_volt_f = (1.0 + inversion) / (1.0 / own_f + 1.0 / storage_f);
+        let (Capacitances([terminal_f, storage_f]), sign) = (both, volts[0].signum());
+        let per_volt_f = (1.0 + inversion) / (1.0 / terminal_f + 1.0 / storage_f);
         let charge_c = per_volt_f * over_v;
-        flip.volts = [
-            volts[0] - sign * charge_c / own_f,
+        switch_map.volts = [
+            volts[0] - sign * charge_c / terminal_f,
             volts[1] + charge_c / storage_f,
         ];
         let by = [sign * per_volt_f, -per_volt_f];
-        flip.slopes = [
-            [1.0 - sign * by[0] / own_f, -sign * by[1] / own_f],
+        switch_map.slopes = [
+            [1.0 - sign * by[0] / terminal_f, -sign * by[1] / terminal_f],
             [by[0] / storage_f, 1.0 + by[1] / storage_f],
         ];
-        flip.taken.charge_c = charge_c;
-        flip.taken.diodes_j = bridge.drop_v * charge_c;
-        flip.taken.battery_j = (bridge.threshold_v() - bridge.drop_v) * charge_c;
-        flip
+        switch_map.rectified.charge_c = charge_c;
+        switch_map.rectified.diodes_j = bridge.drop_v * charge_c;
+        switch_map.rectified.battery_j = (bridge.threshold_v() - bridge.drop_v) * charge_c;
+        switch_map
     }
 
     /// Returns the map of an extraction of all energy of the patches.
     fn extracted(bridge: &Bridge, efficiency: f64, both: &Capacitances, volts: [f64; 2]) -> Self {
-        let mut flip = Self {
+        let mut switch_map = Self {
             volts: [0.0, volts[1]],
             slopes: [[0.0, 0.0], [0.0, 1.0]],
-            ..Self::left(volts)
+            ..Self::without_effect(volts)
         };
         let arrives_j = efficiency * 0.5 * both.0[0] * volts[0] * volts[0];
         match bridge.storage {
             Storage::Capacitor { capacitance_f, .. } => {
-                flip.volts[1] = (volts[1] * volts[1] + 2.0 * arrives_j / capacitance_f).sqrt();
-                if flip.volts[1] > 0.0 {
-                    flip.slopes[1] = [
-                        efficiency * both.0[0] * volts[0] / (capacitance_f * flip.volts[1]),
-                        volts[1] / flip.volts[1],
+                switch_map.volts[1] =
+                    (volts[1] * volts[1] + 2.0 * arrives_j / capacitance_f).sqrt();
+                if switch_map.volts[1] > 0.0 {
+                    switch_map.slopes[1] = [
+                        efficiency * both.0[0] * volts[0] / (capacitance_f * switch_map.volts[1]),
+                        volts[1] / switch_map.volts[1],
                     ];
                 }
             }
-            Storage::Battery { .. } => flip.taken.battery_j = arrives_j,
+            Storage::Battery { .. } => switch_map.rectified.battery_j = arrives_j,
         }
-        flip
+        switch_map
     }
 }
 
@@ -216,18 +225,18 @@ mod tests {
                     SwitchMap::of(&plant, 0, &x)
                 };
                 let volts = [sign * 3.0, 1.1];
-                let (found, step) = (at(volts), 1e-6);
+                let (map, step) = (at(volts), 1e-6);
                 for k in 0..states - 2 {
-                    let moved = |by: f64| {
+                    let shifted = |by: f64| {
                         at(std::array::from_fn(|i| {
                             volts[i] + if i == k { by } else { 0.0 }
                         }))
                         .volts
                     };
                     for i in 0..states - 2 {
-                        let difference = (moved(step)[i] - moved(-step)[i]) / (2.0 * step);
+                        let difference = (shifted(step)[i] - shifted(-step)[i]) / (2.0 * step);
                         assert!(
-                            (difference - found.slopes[i][k]).abs() < 1e-8,
+                            (difference - map.slopes[i][k]).abs() < 1e-8,
                             "{scheme:?} {i} by {k}: {difference}"
                         );
                     }

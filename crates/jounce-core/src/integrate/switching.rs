@@ -37,7 +37,7 @@ pub(super) struct Switching {
     /// Index of the current conduction state.
     pub regime: usize,
     /// Event function that has passed zero.
-    pub met: Option<usize>,
+    pub pending_event: Option<usize>,
     /// Energies up to the last change.
     earlier: Energies,
     /// Time and physical state at the last change.
@@ -78,12 +78,17 @@ impl Integrator<'_> {
         })
         .collect();
         self.change_to(&states, &x)?;
-        self.change_if_met()
+        self.change_on_events()
     }
 
     /// Changes the bridges as long as an event function is past zero.
-    pub(super) fn change_if_met(&mut self) -> Result<(), IntegrationError> {
-        while let Some(p) = self.switching.met.take().or_else(|| self.passed()) {
+    pub(super) fn change_on_events(&mut self) -> Result<(), IntegrationError> {
+        while let Some(p) = self
+            .switching
+            .pending_event
+            .take()
+            .or_else(|| self.crossed_event())
+        {
             let guard = self.kernel.plant.guards[p - self.kernel.plant.system.stops.len()].clone();
             self.count_change(guard.bridge)?;
             let mut x = self.physical();
@@ -153,7 +158,7 @@ impl Integrator<'_> {
     }
 
     /// Returns an event function that has passed zero.
-    pub(super) fn passed(&self) -> Option<usize> {
+    pub(super) fn crossed_event(&self) -> Option<usize> {
         let stops = self.kernel.plant.system.stops.len();
         (stops..self.kernel.plant.ports.len()).find(|p| self.ports[*p].penetration_m > 0.0)
     }
@@ -165,7 +170,7 @@ impl Integrator<'_> {
         let row = &plant.ports[p].displacement;
         let terms = row
             .iter()
-            .zip(self.own_state())
+            .zip(self.block_state())
             .map(|(row, y)| (row * y).abs())
             .sum::<f64>();
         let mut size = terms + port.rows.tone_scale_m;
@@ -212,13 +217,13 @@ impl Integrator<'_> {
         // Contacts continue unchanged; only their rows belong to the conduction state.
         let stops = kernel.plant.system.stops.len();
         for p in 0..stops {
-            let seen = next.ports[p].clone();
+            let updated = next.ports[p].clone();
             let [penetration_m, rate_m_s] = match self.ports[p].regime {
-                ContactState::Flight => [seen.penetration_m, seen.rate_m_s],
+                ContactState::Flight => [updated.penetration_m, updated.rate_m_s],
                 ContactState::Contact => [self.ports[p].penetration_m, self.ports[p].rate_m_s],
             };
             next.ports[p] = PortState {
-                rows: seen.rows,
+                rows: updated.rows,
                 penetration_m,
                 rate_m_s,
                 ..self.ports[p].clone()
@@ -235,10 +240,10 @@ impl Integrator<'_> {
 
     /// Applies the switch at an extremum: its effect on the state and its energies.
     fn switch(&mut self, k: usize, x: &mut [f64]) {
-        let flip = SwitchMap::of(&self.base.plant, k, x);
-        flip.enter(&self.base.plant, k, x);
-        self.switching.earlier.stored_j += flip.stored_j;
-        self.switching.earlier.rectified[k].add(&flip.taken);
+        let switch_map = SwitchMap::of(&self.base.plant, k, x);
+        switch_map.enter(&self.base.plant, k, x);
+        self.switching.earlier.stored_j += switch_map.stored_j;
+        self.switching.earlier.rectified[k].add(&switch_map.rectified);
     }
 
     /// Adds the conduction state that ends to the previous energies.
@@ -249,32 +254,32 @@ impl Integrator<'_> {
 
     /// Returns the energies since the start of the integration.
     pub(super) fn energies_of_all(&self) -> Energies {
-        let (own, plant) = (self.energies_in_regime(), &self.kernel.plant);
+        let (energies, plant) = (self.energies_in_regime(), &self.kernel.plant);
         let mut all = self.switching.earlier.clone();
-        let moved: Vec<f64> = self
+        let change: Vec<f64> = self
             .physical()
             .iter()
             .zip(&self.switching.since.1)
             .map(|(x, since)| x - since)
             .collect();
-        let gains = ChargeBalance {
+        let charge_balance = ChargeBalance {
             plant,
-            moved: &moved,
+            change: &change,
             length_s: self.time_s - self.switching.since.0,
         };
         let loads = plant.system.loads.len();
         all.loads_j
             .iter_mut()
-            .zip(&own.loads_j)
-            .for_each(|(sum, own)| *sum += own);
+            .zip(&energies.loads_j)
+            .for_each(|(sum, energies)| *sum += energies);
         let outputs: Vec<PowerOutput> = plant
             .bridge_outputs()
             .into_iter()
             .chain(plant.leak_outputs())
             .collect();
         let mut leaks = all.leaks_j.iter_mut();
-        for (output, energy_j) in outputs.iter().zip(&own.loads_j[loads..]) {
-            let energy_j = energy_j + gains.standing_j(output);
+        for (output, energy_j) in outputs.iter().zip(&energies.loads_j[loads..]) {
+            let energy_j = energy_j + charge_balance.standing_j(output);
             match output.outlet {
                 EnergyOutlet::Load => all.rectified[output.bridge].load_j += energy_j,
                 EnergyOutlet::Leakage => all.rectified[output.bridge].leakage_j += energy_j,
@@ -282,8 +287,8 @@ impl Integrator<'_> {
                 EnergyOutlet::Patch => leaks.by_ref().take(1).for_each(|sum| *sum += energy_j),
             }
         }
-        let mut pushed_j = 0.0;
-        for ((k, bridge), taken) in plant
+        let mut supplied_j = 0.0;
+        for ((k, bridge), rectified) in plant
             .system
             .bridges
             .iter()
@@ -294,19 +299,20 @@ impl Integrator<'_> {
             if sign == 0.0 {
                 continue;
             }
-            let charge_c =
-                -sign * (gains.charge_c(plant.electrical.bridges[k].terminal) + gains.leaked_c(k));
-            taken.charge_c += charge_c;
-            taken.diodes_j += bridge.drop_v * charge_c;
-            taken.battery_j += (bridge.threshold_v() - bridge.drop_v) * charge_c;
+            let charge_c = -sign
+                * (charge_balance.charge_c(plant.electrical.bridges[k].terminal)
+                    + charge_balance.leaked_c(k));
+            rectified.charge_c += charge_c;
+            rectified.diodes_j += bridge.drop_v * charge_c;
+            rectified.battery_j += (bridge.threshold_v() - bridge.drop_v) * charge_c;
             // The force that represents a threshold does not belong to the drives.
-            pushed_j += gains.pushed_j(k);
+            supplied_j += charge_balance.supplied_j(k);
         }
-        all.input_j += own.input_j - pushed_j;
-        all.damping_j += own.damping_j;
-        all.contact_loss_j += own.contact_loss_j;
-        all.stored_j += own.stored_j;
-        all.scale_j = all.scale_j.max(own.scale_j).max(all.input_j.abs());
+        all.input_j += energies.input_j - supplied_j;
+        all.damping_j += energies.damping_j;
+        all.contact_loss_j += energies.contact_loss_j;
+        all.stored_j += energies.stored_j;
+        all.scale_j = all.scale_j.max(energies.scale_j).max(all.input_j.abs());
         all
     }
 }

@@ -26,9 +26,9 @@ struct PortTables {
     onset: OnceLock<Box<ContactTable>>,
     sticking: OnceLock<Box<StickingTable>>,
     /// For each basis, the responses of the blocks inside the step.
-    answers: [OnceLock<Vec<StepResponse>>; 2],
+    responses: [OnceLock<Vec<StepResponse>>; 2],
     /// Effect of the force on each port; empty for a single port.
-    seen: Vec<CrossPortTables>,
+    cross_ports: Vec<CrossPortTables>,
 }
 
 /// Effect of the force of one port on another, per basis of the force and of the other port, each
@@ -102,7 +102,7 @@ impl Kernel {
     }
 
     /// Returns the responses of the blocks to the force of a port inside a step of a level.
-    pub(super) fn answers(&self, port: usize, shape: ForceBasis, level: i32) -> &[StepResponse] {
+    pub(super) fn responses(&self, port: usize, shape: ForceBasis, level: i32) -> &[StepResponse] {
         let make = || {
             StepResponse::of_all(
                 &self.plant.diagonal.block,
@@ -110,7 +110,7 @@ impl Kernel {
                 Self::length_s(level),
             )
         };
-        self.levels[Self::index(level)].ports[port].answers[shape.index()].get_or_init(make)
+        self.levels[Self::index(level)].ports[port].responses[shape.index()].get_or_init(make)
     }
 
     /// Returns the tables of sticking for a port on a step of a level.
@@ -127,22 +127,39 @@ impl Kernel {
     }
 
     /// Returns the effect of the force of the first port on the second on a level.
-    pub(super) fn cross(&self, [port, seen]: [(usize, ForceBasis); 2], level: i32) -> &CrossTable {
-        let tables = &self.levels[Self::index(level)].ports[port.0].seen[seen.0];
-        let slot = &tables.crosses[port.1.index()][seen.1.index()];
-        slot.get_or_init(|| Box::new(CrossTable::new(self, [port, seen], Self::length_s(level))))
+    pub(super) fn cross(
+        &self,
+        [port, other_port]: [(usize, ForceBasis); 2],
+        level: i32,
+    ) -> &CrossTable {
+        let tables = &self.levels[Self::index(level)].ports[port.0].cross_ports[other_port.0];
+        let slot = &tables.crosses[port.1.index()][other_port.1.index()];
+        slot.get_or_init(|| {
+            Box::new(CrossTable::new(
+                self,
+                [port, other_port],
+                Self::length_s(level),
+            ))
+        })
     }
 
     /// Returns the effect of the force of a port on the flight of another on a level.
     pub(super) fn forced_flight(
         &self,
         port: (usize, ForceBasis),
-        seen: usize,
+        other_port: usize,
         level: i32,
     ) -> &ForcedFlight {
-        let slot =
-            &self.levels[Self::index(level)].ports[port.0].seen[seen].flights[port.1.index()];
-        slot.get_or_init(|| Box::new(ForcedFlight::new(self, port, seen, Self::length_s(level))))
+        let slot = &self.levels[Self::index(level)].ports[port.0].cross_ports[other_port].flights
+            [port.1.index()];
+        slot.get_or_init(|| {
+            Box::new(ForcedFlight::new(
+                self,
+                port,
+                other_port,
+                Self::length_s(level),
+            ))
+        })
     }
 
     /// Returns the basis of the force of a port.
@@ -169,7 +186,7 @@ pub fn levels(plant: &Plant) -> Vec<StepTables> {
     let count = plant.ports.len();
     let others = if count > 1 { count } else { 0 };
     let port = |_| PortTables {
-        seen: (0..others).map(|_| CrossPortTables::default()).collect(),
+        cross_ports: (0..others).map(|_| CrossPortTables::default()).collect(),
         ..PortTables::default()
     };
     let level = |_| StepTables {

@@ -16,19 +16,21 @@ use crate::plant::BlockDiagonal;
 impl Trajectory {
     /// Returns the integral of one component of the physical state `(q, q', V, i)` over an interval
     /// within the record.
-    pub fn integral(&self, kernel: &Kernel, from_s: f64, to_s: f64, place: usize) -> f64 {
-        let mut made = ResponseCache::default();
+    pub fn integral(&self, kernel: &Kernel, from_s: f64, to_s: f64, state_index: usize) -> f64 {
+        let mut cache = ResponseCache::default();
         let mut sum = 0.0;
         for segment in self.segments() {
             let within = [from_s, to_s]
                 .map(|time_s| (time_s - segment.start_s).clamp(0.0, segment.length_s));
             // The kernel of a conduction state in the record exists.
-            let Ok(own) = kernel.in_regime(segment.regime) else {
+            let Ok(state_kernel) = kernel.in_regime(segment.regime) else {
                 continue;
             };
             if within[1] > within[0] {
-                let state = segment.integral(own, within, &mut made);
-                sum += own.plant.integral_of(&state, within[1] - within[0], place);
+                let state = segment.integral(state_kernel, within, &mut cache);
+                sum += state_kernel
+                    .plant
+                    .integral_of(&state, within[1] - within[0], state_index);
             }
         }
         sum
@@ -41,7 +43,7 @@ impl TrajectorySegment {
         &self,
         kernel: &Kernel,
         [from_s, to_s]: [f64; 2],
-        made: &mut ResponseCache,
+        cache: &mut ResponseCache,
     ) -> Vec<f64> {
         let (plant, length_s) = (&kernel.plant, to_s - from_s);
         let block: &BlockDiagonal = &plant.diagonal.block;
@@ -67,7 +69,7 @@ impl TrajectorySegment {
                 .collect()
         };
         for force in &self.forces {
-            self.answer(kernel, force, made, &weights, &mut state);
+            self.add_response(kernel, force, cache, &weights, &mut state);
         }
         state
     }

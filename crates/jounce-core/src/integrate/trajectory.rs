@@ -135,9 +135,11 @@ impl Trajectory {
     /// Returns the states at ascending times; times outside the record use its nearest segment.
     pub fn at(&self, kernel: &Kernel, times_s: &[f64]) -> Vec<TrajectoryState> {
         let mut instants = Vec::with_capacity(times_s.len());
-        self.each(kernel, times_s, |own, regime, mut instant| {
+        self.each(kernel, times_s, |state_kernel, regime, mut instant| {
             if regime != 0 {
-                let physical = own.plant.to_physical(&instant.state, instant.time_s);
+                let physical = state_kernel
+                    .plant
+                    .to_physical(&instant.state, instant.time_s);
                 instant.state = kernel.plant.from_physical(&physical, instant.time_s);
             }
             instants.push(instant);
@@ -148,11 +150,13 @@ impl Trajectory {
     /// Returns the physical state `(q, q', V, i)` at a time. Where diodes conduct, it does not use
     /// the coordinates of blocked ones, in which fast diodes leave few digits.
     pub fn physical_at(&self, kernel: &Kernel, time_s: f64) -> Vec<f64> {
-        let mut found = Vec::new();
-        self.each(kernel, &[time_s], |own, _, instant| {
-            found = own.plant.to_physical(&instant.state, instant.time_s)
+        let mut state = Vec::new();
+        self.each(kernel, &[time_s], |state_kernel, _, instant| {
+            state = state_kernel
+                .plant
+                .to_physical(&instant.state, instant.time_s)
         });
-        found
+        state
     }
 
     /// Calls a function for the states at ascending times, each in the coordinates of its
@@ -163,7 +167,7 @@ impl Trajectory {
         times_s: &[f64],
         mut visit: impl FnMut(&Kernel, usize, TrajectoryState),
     ) {
-        let mut made = ResponseCache::default();
+        let mut cache = ResponseCache::default();
         let mut index = 0;
         for &time_s in times_s {
             while index + 1 < self.segments.len() && self.segments[index + 1].start_s <= time_s {
@@ -173,28 +177,30 @@ impl Trajectory {
                 break;
             };
             // The kernel of a conduction state in the record exists.
-            let Ok(own) = kernel.in_regime(segment.regime) else {
+            let Ok(state_kernel) = kernel.in_regime(segment.regime) else {
                 continue;
             };
-            let mut instant = segment.free_at(own, time_s);
+            let mut instant = segment.free_at(state_kernel, time_s);
             let x = (time_s - segment.start_s) / segment.length_s;
             for force in &segment.forces {
-                let functions = own.basis(force.port, force.shape).at(x.clamp(0.0, 1.0));
+                let functions = state_kernel
+                    .basis(force.port, force.shape)
+                    .at(x.clamp(0.0, 1.0));
                 let force_n: f64 = functions
                     .iter()
                     .zip(&force.nodal_n)
                     .map(|(b, f)| b * f)
                     .sum();
                 instant.forces_n[force.port] = force_n.max(0.0);
-                segment.answer(
-                    own,
+                segment.add_response(
+                    state_kernel,
                     force,
-                    &mut made,
+                    &mut cache,
                     &|count| legendre(x, count),
                     &mut instant.state,
                 );
             }
-            visit(own, segment.regime, instant);
+            visit(state_kernel, segment.regime, instant);
         }
     }
 }
@@ -222,32 +228,33 @@ impl TrajectorySegment {
     }
 
     /// Adds the response to a force to a state: its weighted Legendre series.
-    pub(super) fn answer(
+    pub(super) fn add_response(
         &self,
         kernel: &Kernel,
         force: &PortForce,
-        made: &mut ResponseCache,
+        cache: &mut ResponseCache,
         weights: &dyn Fn(usize) -> Vec<f64>,
         state: &mut [f64],
     ) {
         let (length_s, port, shape) = (self.length_s, force.port, force.shape);
         let (block, level) = (&kernel.plant.diagonal.block, Kernel::level_within(length_s));
-        let answers = if Kernel::length_s(level) == length_s {
-            kernel.answers(port, shape, level)
+        let responses = if Kernel::length_s(level) == length_s {
+            kernel.responses(port, shape, level)
         } else {
             let make = || StepResponse::of_all(block, kernel.basis(port, shape), length_s);
-            made.entry((length_s.to_bits(), port, shape, self.regime))
+            cache
+                .entry((length_s.to_bits(), port, shape, self.regime))
                 .or_insert_with(make)
         };
         let column = &kernel.plant.ports[port].force;
         let weights = weights(
-            answers
+            responses
                 .iter()
-                .map(|answers| answers.first.len())
+                .map(|response| response.first.len())
                 .max()
                 .unwrap_or(0),
         );
-        for ((first, part), answers) in parts(block).zip(answers) {
+        for ((first, part), response) in parts(block).zip(responses) {
             let sum = |series: &[F64x8]| -> f64 {
                 let nodal = |lane: &F64x8| -> f64 {
                     (0..NODES).map(|j| force.nodal_n[j] * lane.0[j]).sum()
@@ -258,7 +265,7 @@ impl TrajectorySegment {
                     .map(|(lane, weight)| weight * nodal(lane))
                     .sum()
             };
-            let (one, two) = (sum(&answers.first), sum(&answers.second));
+            let (one, two) = (sum(&response.first), sum(&response.second));
             for s in 0..part.states() {
                 let unit: [f64; 2] = std::array::from_fn(|i| if i == s { 1.0 } else { 0.0 });
                 let [f, g] = part.forced(&unit, &column[first..first + part.states()], length_s);

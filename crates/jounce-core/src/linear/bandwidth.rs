@@ -37,13 +37,13 @@ pub fn noise_bandwidth_hz(
         density: 1.0,
         ..noise.white()
     };
-    let whole = product(
+    let total = product(
         &covariance(plant, std::slice::from_ref(&unit)).map_err(RandomError::unsteady)?,
         row,
         row,
     );
     let highest = largest_gain(plant, &unit, row)?;
-    Ok(if highest > 0.0 { whole / highest } else { 0.0 })
+    Ok(if highest > 0.0 { total / highest } else { 0.0 })
 }
 
 /// Returns the statistical bandwidth of an output under noises, Hz; 0 where no noise excites it.
@@ -68,7 +68,7 @@ pub fn statistical_bandwidth_hz(
 
 /// Returns frequencies at which responses may be large, Hz, ascending: around every resonance, and
 /// a few between.
-pub(super) fn telling_frequencies_hz(plant: &Plant) -> Vec<f64> {
+pub(super) fn sampling_frequencies_hz(plant: &Plant) -> Vec<f64> {
     let mut all = Vec::new();
     for value in plant
         .diagonal
@@ -95,16 +95,23 @@ pub(super) fn telling_frequencies_hz(plant: &Plant) -> Vec<f64> {
 /// between its neighbours.
 fn largest_gain(plant: &Plant, noise: &NoiseInput, row: &[f64]) -> Result<f64, RandomError> {
     let at = |frequency_hz: f64| gain(plant, noise, row, frequency_hz);
-    let places = telling_frequencies_hz(plant);
-    let sizes = places
+    let frequencies = sampling_frequencies_hz(plant);
+    let sizes = frequencies
         .iter()
-        .map(|place| at(*place))
+        .map(|frequency| at(*frequency))
         .collect::<Result<Vec<f64>, _>>()?;
     let Some(best) = (0..sizes.len()).max_by(|i, j| sizes[*i].total_cmp(&sizes[*j])) else {
         return Ok(0.0);
     };
-    let mut low = if best == 0 { 0.0 } else { places[best - 1] };
-    let mut high = places.get(best + 1).copied().unwrap_or(2.0 * places[best]);
+    let mut low = if best == 0 {
+        0.0
+    } else {
+        frequencies[best - 1]
+    };
+    let mut high = frequencies
+        .get(best + 1)
+        .copied()
+        .unwrap_or(2.0 * frequencies[best]);
     let golden = (5f64.sqrt() - 1.0) / 2.0;
     let mut highest = sizes[best];
     while high - low > MAX_BRACKET_WIDTH * high {

@@ -44,9 +44,10 @@ pub fn covariance(plant: &Plant, noises: &[NoiseInput]) -> Result<Mat<f64>, (Str
                 *b = 0.0;
             }
         }
-        let kept = filtered(block, &column, noise.band_hz.map(|end_hz| TAU * end_hz));
-        let source =
-            |i: usize, j: usize| 0.5 * noise.density * (kept[i] * column[j] + column[i] * kept[j]);
+        let band_column = filtered(block, &column, noise.band_hz.map(|end_hz| TAU * end_hz));
+        let source = |i: usize, j: usize| {
+            0.5 * noise.density * (band_column[i] * column[j] + column[i] * band_column[j])
+        };
         sum += lyapunov(block, LyapunovSide::Columns, source)
             .map_err(|mode_hz| (noise.name.clone(), mode_hz))?;
     }
@@ -77,8 +78,8 @@ fn filtered(block: &BlockDiagonal, column: &[f64], band_rad_s: [f64; 2]) -> Vec<
         }
         match *pair {
             BlockPair::Oscillatory { .. } => {
-                let turned = share(pair.eigenvalue(), band_rad_s) * c64::new(b[0], b[1]);
-                out.extend([turned.re, turned.im]);
+                let transformed = share(pair.eigenvalue(), band_rad_s) * c64::new(b[0], b[1]);
+                out.extend([transformed.re, transformed.im]);
             }
             BlockPair::Jordan { rate } => {
                 let [f, slope] = [
@@ -90,14 +91,14 @@ fn filtered(block: &BlockDiagonal, column: &[f64], band_rad_s: [f64; 2]) -> Vec<
         }
     }
     let single = &column[2 * block.pairs.len()..];
-    let kept = |(rate, b): (&f64, &f64)| {
+    let real_part = |(rate, b): (&f64, &f64)| {
         if *b == 0.0 {
             0.0
         } else {
             share(c64::new(*rate, 0.0), band_rad_s).re * b
         }
     };
-    out.extend(block.reals.iter().zip(single).map(kept));
+    out.extend(block.reals.iter().zip(single).map(real_part));
     out
 }
 

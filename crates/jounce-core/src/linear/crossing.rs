@@ -29,8 +29,8 @@ impl Crossing {
         if self.deviation_m == 0.0 {
             return 0.0;
         }
-        let ahead = (self.level_m - self.mean_m) / self.deviation_m;
-        self.velocity_m_s / (TAU * self.deviation_m) * (-0.5 * ahead * ahead).exp()
+        let normalised = (self.level_m - self.mean_m) / self.deviation_m;
+        self.velocity_m_s / (TAU * self.deviation_m) * (-0.5 * normalised * normalised).exp()
     }
 
     /// Returns the fraction of the time beyond the level, 0 to 1.

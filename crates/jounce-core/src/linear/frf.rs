@@ -114,7 +114,7 @@ pub fn frf_until(
         .iter()
         .map(|response| row(plant, response))
         .collect::<Result<Vec<_>, _>>()?;
-    let mut answers: Vec<Frf> = responses
+    let mut results: Vec<Frf> = responses
         .iter()
         .map(|r| Frf {
             response: r.clone(),
@@ -124,17 +124,17 @@ pub fn frf_until(
     for &frequency_hz in frequencies_hz.iter().take_while(|_| !is_stopped()) {
         let w = TAU * frequency_hz;
         let state = plant.steady_state(w, &force)?;
-        for (answer, row) in answers.iter_mut().zip(&rows) {
+        for (result, row) in results.iter_mut().zip(&rows) {
             let value = crate::plant::dot(row, &state);
-            let speeded = matches!(answer.response, FrfResponse::Acceleration(_));
-            answer.value.push(if speeded {
+            let speeded = matches!(result.response, FrfResponse::Acceleration(_));
+            result.value.push(if speeded {
                 value * c64::new(0.0, w)
             } else {
                 value
             });
         }
     }
-    Ok(answers)
+    Ok(results)
 }
 
 fn row(plant: &Plant, response: &FrfResponse) -> Result<Vec<f64>, PlantError> {
@@ -174,14 +174,14 @@ fn shape<'p>(plant: &'p Plant, point: &str) -> Result<&'p Vec<f64>, PlantError> 
     })
 }
 
-fn unknown(what: &str, name: &str, known: &[&String]) -> PlantError {
+fn unknown(kind: &str, name: &str, known: &[&String]) -> PlantError {
     let known = known
         .iter()
         .map(|name| name.as_str())
         .collect::<Vec<_>>()
         .join(", ");
     PlantError::UnknownName {
-        what: what.to_owned(),
+        what: kind.to_owned(),
         name: name.to_owned(),
         known,
     }

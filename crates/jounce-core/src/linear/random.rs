@@ -5,7 +5,7 @@
 //! rate at which their gap would be reached ([`super::Crossing`]). Drives other than noise are left
 //! out too; gravity shifts the mean.
 
-use super::bandwidth::{noise_bandwidth_hz, statistical_bandwidth_hz, telling_frequencies_hz};
+use super::bandwidth::{noise_bandwidth_hz, sampling_frequencies_hz, statistical_bandwidth_hz};
 use super::covariance::{covariance, product};
 use super::crossing::Crossing;
 use super::noise::{NoiseInput, density, spectral_moment};
@@ -71,7 +71,7 @@ pub struct Random {
     covariance: Mat<f64>,
     left_out: Vec<String>,
     /// Noise that moves only one side of a stop, by the name of the stop.
-    carried: BTreeMap<String, String>,
+    carriers: BTreeMap<String, String>,
 }
 
 impl Random {
@@ -95,17 +95,17 @@ impl Random {
         if noises.is_empty() {
             return Err(RandomError::NoNoise);
         }
-        let left_out = spec
+        let omitted = spec
             .drive
             .keys()
             .filter(|name| noises.iter().all(|noise| noise.name != **name))
             .cloned()
             .collect();
-        let mut still = spec.clone();
-        still.take_drives_away();
-        let plant = Plant::new(System::assemble(&still, modes)?)?;
+        let mut linear_spec = spec.clone();
+        linear_spec.take_drives_away();
+        let plant = Plant::new(System::assemble(&linear_spec, modes)?)?;
         let covariance = covariance(&plant, &noises).map_err(RandomError::unsteady)?;
-        let carried = spec
+        let carriers = spec
             .stop
             .iter()
             .filter_map(|(name, stop)| Some((name.clone(), carrier(spec, stop, &noises)?)))
@@ -114,8 +114,8 @@ impl Random {
             plant,
             noises,
             covariance,
-            left_out,
-            carried,
+            left_out: omitted,
+            carriers,
         })
     }
 
@@ -140,7 +140,7 @@ impl Random {
             mean_power_w: loads
                 .iter()
                 .map(|load| load.mean_power_w)
-                .fold(0.0, |sum, own| sum + own),
+                .fold(0.0, |sum, load_w| sum + load_w),
             loads,
             patches: patches
                 .map(|(index, name)| RandomPatch {
@@ -197,8 +197,8 @@ impl Random {
                 velocity_m_s: self.rms(&port.velocity),
                 level_m: stop.gap_m,
             };
-            let carried_by = self.carried.get(&stop.name).cloned();
-            let stays = carried_by.is_none();
+            let carrier = self.carriers.get(&stop.name).cloned();
+            let stays = carrier.is_none();
             RandomStop {
                 name: stop.name.clone(),
                 gap_m: stop.gap_m,
@@ -206,7 +206,7 @@ impl Random {
                 displacement_rms_m: crossing.deviation_m,
                 reached_hz: stays.then(|| crossing.rate_hz()),
                 share_beyond: stays.then(|| crossing.share_beyond()),
-                carried_by,
+                carried_by: carrier,
             }
         };
         self.plant
@@ -235,9 +235,9 @@ impl Random {
             .map(|k| from_hz + (to_hz - from_hz) * k as f64 / (points - 1) as f64)
             .collect();
         all.extend(
-            telling_frequencies_hz(&self.plant)
+            sampling_frequencies_hz(&self.plant)
                 .into_iter()
-                .filter(|place| (from_hz..=to_hz).contains(place)),
+                .filter(|frequency| (from_hz..=to_hz).contains(frequency)),
         );
         all.sort_by(f64::total_cmp);
         all.dedup();
@@ -287,9 +287,9 @@ impl Random {
         });
         (loads.chain(patches).chain(points))
             .map(|(name, unit, row)| {
-                let wanted = frequency_hz.iter().take_while(|_| !is_stopped());
-                let value = wanted
-                    .map(|place| density(plant, &self.noises, &row, *place))
+                let frequencies = frequency_hz.iter().take_while(|_| !is_stopped());
+                let value = frequencies
+                    .map(|frequency| density(plant, &self.noises, &row, *frequency))
                     .collect::<Result<_, _>>()?;
                 Ok(Density { name, unit, value })
             })

@@ -99,10 +99,10 @@ mod tests {
 
     #[test]
     fn the_words_of_a_spec_are_the_library() {
-        let active = |wanted: bool| {
+        let active = |is_active: bool| {
             LIBRARY
                 .iter()
-                .filter(move |material| material.active.is_some() == wanted)
+                .filter(move |material| material.active.is_some() == is_active)
                 .map(|material| material.name)
         };
         assert!(active(true).eq(PIEZOELECTRIC.iter().copied()));

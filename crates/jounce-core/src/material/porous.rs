@@ -139,7 +139,7 @@ mod tests {
     #[test]
     fn spherical_pores_in_an_isotropic_matrix_have_closed_forms() {
         let (k, g, f) = (100e9, 60e9, 0.2);
-        let found = isotropic(k, g, 10.0)
+        let computed = isotropic(k, g, 10.0)
             .porous(f, PoreGeometry::Spheroids(1.0), Scheme::MoriTanaka)
             .unwrap();
         let sum = 3.0 * k + 4.0 * g;
@@ -147,15 +147,15 @@ mod tests {
         let shear =
             g - 5.0 * f * g * g * sum / (5.0 * g * sum - 6.0 * (1.0 - f) * g * (k + 2.0 * g));
         let permittivity = 10.0 + 3.0 * f * 10.0 * (1.0 - 10.0) / (1.0 + 20.0 - f * (1.0 - 10.0));
-        let close = |found: f64, exact: f64| {
-            assert!((found / exact - 1.0).abs() < 1e-12, "{found:e} {exact:e}")
+        let close = |value: f64, exact: f64| {
+            assert!((value / exact - 1.0).abs() < 1e-12, "{value:e} {exact:e}")
         };
-        close((found.c11_pa + 2.0 * found.c12_pa) / 3.0, bulk);
-        close(found.c44_pa, shear);
-        close((found.c11_pa - found.c12_pa) / 2.0, shear);
-        close(found.c33_pa, found.c11_pa);
+        close((computed.c11_pa + 2.0 * computed.c12_pa) / 3.0, bulk);
+        close(computed.c44_pa, shear);
+        close((computed.c11_pa - computed.c12_pa) / 2.0, shear);
+        close(computed.c33_pa, computed.c11_pa);
         close(
-            found.permittivity_33_f_m / VACUUM_PERMITTIVITY_F_M,
+            computed.permittivity_33_f_m / VACUUM_PERMITTIVITY_F_M,
             permittivity,
         );
         close(bulk, 64e9);
@@ -167,15 +167,15 @@ mod tests {
     fn cylinders_along_the_pole_are_exact() {
         let [d31, d33, permittivity] = PZT_5A.free();
         for scheme in [Scheme::MoriTanaka, Scheme::SelfConsistent] {
-            let found = PZT_5A
+            let computed = PZT_5A
                 .porous(0.3, PoreGeometry::Cylinders, scheme)
                 .unwrap()
                 .free();
             let mixed = 0.7 * permittivity + 0.3 * VACUUM_PERMITTIVITY_F_M;
-            for (found, exact) in found.iter().zip([d31, d33, mixed]) {
+            for (value, exact) in computed.iter().zip([d31, d33, mixed]) {
                 assert!(
-                    (found / exact - 1.0).abs() < 1e-9,
-                    "{scheme:?}: {found:e} {exact:e}"
+                    (value / exact - 1.0).abs() < 1e-9,
+                    "{scheme:?}: {value:e} {exact:e}"
                 );
             }
         }
@@ -234,7 +234,7 @@ mod tests {
             let stiffness = [c.c11_pa, c.c13_pa, c.c33_pa, c.c44_pa].map(|pa| pa / 1e9);
             let relative =
                 [c.permittivity_33_f_m, permittivity].map(|value| value / VACUUM_PERMITTIVITY_F_M);
-            let found = [
+            let computed = [
                 &stiffness[..],
                 &[c.e31_c_m2, c.e33_c_m2],
                 &relative,
@@ -246,7 +246,7 @@ mod tests {
             } else {
                 5e-3
             };
-            for (found, expected) in found.iter().zip(expected) {
+            for (value, expected) in computed.iter().zip(expected) {
                 // The last printed digit of small constants is coarser than this tolerance.
                 let digit = if scheme == Scheme::MoriTanaka {
                     6e-4
@@ -254,8 +254,8 @@ mod tests {
                     6e-3
                 };
                 assert!(
-                    (found - expected).abs() <= allowed * expected.abs() + digit,
-                    "{scheme:?} {f}: {found} {expected}"
+                    (value - expected).abs() <= allowed * expected.abs() + digit,
+                    "{scheme:?} {f}: {value} {expected}"
                 );
             }
         }

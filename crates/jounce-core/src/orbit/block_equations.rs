@@ -50,13 +50,13 @@ impl BlockEquations {
                 .zip(&sizes)
                 .for_each(|(entry, size)| *entry *= size / sizes[j]);
         }
-        let (own, column) = (
+        let (block, column) = (
             coordinates.row(row, &sizes),
             coordinates.inwards(by, &sizes),
         );
         Self {
             first: Border::new((row, corner)),
-            factored: Bordered::new(&matrix, &column, (&own, corner)),
+            factored: Bordered::new(&matrix, &column, (&block, corner)),
             sizes,
         }
     }
@@ -69,10 +69,10 @@ impl BlockEquations {
         coordinates: EnergyCoordinates,
     ) -> BorderedSolution {
         self.first.other(border, right, |right, last| {
-            let (own, parameter) = self
+            let (unknown, parameter) = self
                 .factored
                 .solve(&coordinates.inwards(right, &self.sizes), last)?;
-            Some((coordinates.outwards(&own, &self.sizes), parameter))
+            Some((coordinates.outwards(&unknown, &self.sizes), parameter))
         })
     }
 }
@@ -151,9 +151,9 @@ mod tests {
         let map = Mat::from_fn(3, 3, |i, j| {
             [[0.6, -0.7, 0.1], [0.7, 0.6, 0.0], [0.2, 0.0, 1e-3]][i][j]
         });
-        let whole = &diagonal.to_physical * &map * &diagonal.from_physical;
+        let full = &diagonal.to_physical * &map * &diagonal.from_physical;
         let energy = Mat::from_fn(3, 3, |i, j| {
-            whole[(i, j)] * scale[i] / scale[j] - f64::from(u8::from(i == j))
+            full[(i, j)] * scale[i] / scale[j] - f64::from(u8::from(i == j))
         });
         let coordinates = EnergyCoordinates {
             diagonal: &diagonal,
@@ -162,24 +162,24 @@ mod tests {
         let (by, right) = ([0.3, -2.0, 1.0], [1.0, 0.5, -0.2]);
         let equations = BlockEquations::new(&map, &by, (&[1.0, 2.0, 3.0], 0.5), coordinates);
         for (row, corner) in [([1.0, 2.0, 3.0], 0.5), ([0.0, -1.0, 0.2], 2.0)] {
-            let found = equations
+            let computed = equations
                 .solve((&row, corner), (&right, 0.7), coordinates)
                 .unwrap_or_default();
             let exact =
                 solve_bordered(&energy, &by, (&row, corner), (&right, 0.7)).unwrap_or_default();
-            let apart = found
+            let difference = computed
                 .0
                 .iter()
                 .zip(&exact.0)
                 .map(|(a, b)| (a - b).abs())
-                .fold((found.1 - exact.1).abs(), f64::max);
+                .fold((computed.1 - exact.1).abs(), f64::max);
             let size = exact
                 .0
                 .iter()
                 .fold(exact.1.abs(), |max, x| max.max(x.abs()));
             assert!(
-                exact.0.len() == 3 && apart < 1e-12 * size,
-                "{found:?} {exact:?}"
+                exact.0.len() == 3 && difference < 1e-12 * size,
+                "{computed:?} {exact:?}"
             );
         }
     }

@@ -23,15 +23,15 @@ impl Bordered {
         let column_size = column
             .iter()
             .fold(f64::MIN_POSITIVE, |max, r| max.max(r.abs()));
-        let mut whole = Mat::zeros(n + 1, n + 1);
+        let mut bordered = Mat::zeros(n + 1, n + 1);
         for j in 0..n {
-            whole.col_as_slice_mut(j)[..n].copy_from_slice(matrix.col_as_slice(j));
-            whole[(n, j)] = row[j] / row_size;
-            whole[(j, n)] = column[j] / column_size;
+            bordered.col_as_slice_mut(j)[..n].copy_from_slice(matrix.col_as_slice(j));
+            bordered[(n, j)] = row[j] / row_size;
+            bordered[(j, n)] = column[j] / column_size;
         }
-        whole[(n, n)] = corner / (row_size * column_size);
+        bordered[(n, n)] = corner / (row_size * column_size);
         Self {
-            factors: LuFactors::of(whole),
+            factors: LuFactors::of(bordered),
             row_size,
             column_size,
         }
@@ -102,26 +102,26 @@ impl Border {
         let none = vec![0.0; right.len()];
         let unit = solve(&none, 1.0)?;
         let start = if right == none {
-            moved(&(none, 0.0), last, &unit)
+            combination(&(none, 0.0), last, &unit)
         } else {
             solve(right, last)?
         };
         let along = |(unknown, parameter): &(Vec<f64>, f64)| {
-            let apart: f64 = row
+            let difference: f64 = row
                 .iter()
                 .zip(&self.row)
                 .zip(unknown)
                 .map(|((a, b), u)| (a - b) * u)
                 .sum();
-            apart + (corner - self.corner) * parameter
+            difference + (corner - self.corner) * parameter
         };
-        let found = moved(&start, -along(&start) / (1.0 + along(&unit)), &unit);
-        (found.1.is_finite() && found.0.iter().all(|u| u.is_finite())).then_some(found)
+        let solution = combination(&start, -along(&start) / (1.0 + along(&unit)), &unit);
+        (solution.1.is_finite() && solution.0.iter().all(|u| u.is_finite())).then_some(solution)
     }
 }
 
 /// Returns `x + share z`.
-fn moved(x: &(Vec<f64>, f64), share: f64, z: &(Vec<f64>, f64)) -> (Vec<f64>, f64) {
+fn combination(x: &(Vec<f64>, f64), share: f64, z: &(Vec<f64>, f64)) -> (Vec<f64>, f64) {
     (
         x.0.iter().zip(&z.0).map(|(x, z)| x + share * z).collect(),
         x.1 + share * z.1,
@@ -134,7 +134,7 @@ mod tests {
 
     /// Three borders of very different units, each checked against the equations.
     #[test]
-    fn another_border_is_met_by_the_factors_of_the_first() {
+    fn factors_of_one_border_solve_another() {
         let matrix = Mat::from_fn(2, 2, |i, j| [[0.0, 2.0], [1.0, 0.5]][i][j]);
         let column = [1e-6, 3e-6];
         let first = ([1.0, -1.0], 0.5);
@@ -147,16 +147,16 @@ mod tests {
             ([2e8, 0.0], 40.0, [0.0, 0.0], 1.0),
             ([0.0, 0.0], 1.0, [-1.0, 4.0], 0.0),
         ] {
-            let found = border.other((&row, corner), (&right, last), |right, last| {
+            let computed = border.other((&row, corner), (&right, last), |right, last| {
                 factored.solve(right, last)
             });
-            let (x, p) = found.unwrap_or_default();
-            let off = |i: usize| {
+            let (x, p) = computed.unwrap_or_default();
+            let residual = |i: usize| {
                 (0..2).map(|j| matrix[(i, j)] * x[j]).sum::<f64>() + column[i] * p - right[i]
             };
             let bottom = row[0] * x[0] + row[1] * x[1] + corner * p - last;
             assert!(
-                off(0).abs() + off(1).abs() < 1e-13
+                residual(0).abs() + residual(1).abs() < 1e-13
                     && bottom.abs() < 1e-13 * (corner * p).abs().max(1.0),
                 "{x:?} {p}"
             );

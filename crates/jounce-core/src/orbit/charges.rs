@@ -21,17 +21,19 @@ pub fn conserved_charges(
     trajectories: &[Trajectory],
 ) -> Vec<Vec<f64>> {
     let (electrical, first) = (&plant.electrical, 2 * plant.system.modes.len());
-    let is_let_go = |node: usize| {
-        let own = |bridge: &usize| electrical.bridges[*bridge].terminal == node;
-        (0..electrical.bridges.len()).filter(own).any(|bridge| {
-            trajectories
-                .iter()
-                .any(|trajectory| acts(plant, bridge, trajectory))
-        })
+    let is_released = |node: usize| {
+        let is_at_node = |bridge: &usize| electrical.bridges[*bridge].terminal == node;
+        (0..electrical.bridges.len())
+            .filter(is_at_node)
+            .any(|bridge| {
+                trajectories
+                    .iter()
+                    .any(|trajectory| acts(plant, bridge, trajectory))
+            })
     };
     let mut rows: Vec<Vec<f64>> = Vec::new();
     for node in
-        (0..electrical.nodes.len()).filter(|node| electrical.is_open(*node) && !is_let_go(*node))
+        (0..electrical.nodes.len()).filter(|node| electrical.is_open(*node) && !is_released(*node))
     {
         let mut row = vec![0.0; scale.len()];
         row[first + node] = electrical.nodes[node].capacitance_f / scale[first + node];
@@ -80,11 +82,14 @@ mod tests {
 
     /// A map that conserves `u_1 + u_2` and has the additional multiplier -0.5.
     #[test]
-    fn a_kept_charge_leaves_the_other_multipliers_as_they_are() {
+    fn conserved_charge_does_not_change_other_multipliers() {
         let map = Mat::from_fn(2, 2, |i, j| if i == j { 0.25 } else { 0.75 });
         let row = vec![0.5_f64.sqrt(); 2];
-        let left = without_conserved(map, &[row]);
-        let (trace, determinant) = (left[(0, 0)] + left[(1, 1)], left.determinant());
+        let remaining = without_conserved(map, &[row]);
+        let (trace, determinant) = (
+            remaining[(0, 0)] + remaining[(1, 1)],
+            remaining.determinant(),
+        );
         assert!((trace + 0.5).abs() < 1e-15 && determinant.abs() < 1e-15);
     }
 }

@@ -125,9 +125,9 @@ impl TransferFunction {
         for (n, (value, slope)) in self.values.iter_mut().zip(&mut self.slopes).enumerate() {
             let w = n as f64 * step_rad_s;
             let inverse = c64::new(c - a * w * w, b * w).inv();
-            let own = c64::new(q, p * w) * inverse;
-            *value += own;
-            *slope += (c64::new(p, 0.0) - own * c64::new(b, 2.0 * a * w)) * inverse;
+            let term = c64::new(q, p * w) * inverse;
+            *value += term;
+            *slope += (c64::new(p, 0.0) - term * c64::new(b, 2.0 * a * w)) * inverse;
         }
     }
 }
@@ -157,10 +157,10 @@ pub fn moves_without_end(plant: &Plant) -> bool {
                         0.0
                     }
             };
-            let whole: f64 = (0..row.len()).map(of).sum();
+            let total: f64 = (0..row.len()).map(of).sum();
             (0..row.len())
                 .filter(|i| free[*i])
-                .any(|i| of(i) > FREE_STATE_SHARE * whole)
+                .any(|i| of(i) > FREE_STATE_SHARE * total)
         })
 }
 

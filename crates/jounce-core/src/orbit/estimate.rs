@@ -15,13 +15,16 @@ const MIN_ENERGY_SHARE: f64 = 1e-6;
 
 impl<H: ParametricModel> Shooting<'_, H> {
     /// Returns the orbit of a shooting evaluation without its error estimate.
-    pub(super) fn answer(&self, shot: &ShootingEvaluation) -> Result<Orbit, OrbitError<H::Error>> {
-        let Some(multipliers) = multipliers(&shot.block_map) else {
+    pub(super) fn orbit_of(
+        &self,
+        evaluation: &ShootingEvaluation,
+    ) -> Result<Orbit, OrbitError<H::Error>> {
+        let Some(multipliers) = multipliers(&evaluation.block_map) else {
             return Err(OrbitError::Multipliers {
-                frequency_hz: f64::from(self.cycles) / shot.period_s,
+                frequency_hz: f64::from(self.cycles) / evaluation.period_s,
             });
         };
-        Ok(shot.as_orbit(multipliers))
+        Ok(evaluation.as_orbit(multipliers))
     }
 
     /// Estimates the error of an orbit near a shooting evaluation at its parameter: the larger
@@ -30,19 +33,19 @@ impl<H: ParametricModel> Shooting<'_, H> {
     ///
     /// An integration defect over one period reaches the orbit multiplied by `(I - M)^-1`. The
     /// Newton step therefore also corrects a defect of the size of the tolerance.
-    pub(super) fn estimate(&self, shot: &ShootingEvaluation, orbit: &Orbit) -> f64 {
+    pub(super) fn estimate(&self, evaluation: &ShootingEvaluation, orbit: &Orbit) -> f64 {
         let nearest = orbit
             .multipliers
             .iter()
             .map(|value| (*value - 1.0).norm())
             .fold(1.0, f64::min);
-        let defect = shot.tolerance / nearest.max(f64::EPSILON);
-        let Some(correction) = shot.correction() else {
+        let defect = evaluation.tolerance / nearest.max(f64::EPSILON);
+        let Some(correction) = evaluation.correction() else {
             return f64::INFINITY;
         };
         let size = |vector: &[f64]| ColRef::from_slice(vector).norm_l2();
-        let state = size(&correction) / size(&shot.strobe_states[0]).max(f64::MIN_POSITIVE);
-        let there: Vec<f64> = shot.strobe_states[0]
+        let state = size(&correction) / size(&evaluation.strobe_states[0]).max(f64::MIN_POSITIVE);
+        let predicted_end: Vec<f64> = evaluation.strobe_states[0]
             .iter()
             .zip(&correction)
             .map(|(u, d)| u + d)
@@ -52,13 +55,14 @@ impl<H: ParametricModel> Shooting<'_, H> {
         //
         // Diodes may pass arbitrarily little power: the error is relative to at least a small
         // fraction of the energy of the motion.
-        let least_w = if shot.kernel.plant.system.bridges.is_empty() {
+        let least_w = if evaluation.kernel.plant.system.bridges.is_empty() {
             f64::MIN_POSITIVE
         } else {
-            MIN_ENERGY_SHARE * 0.5 * size(&shot.strobe_states[0]).powi(2) / shot.period_s
+            MIN_ENERGY_SHARE * 0.5 * size(&evaluation.strobe_states[0]).powi(2)
+                / evaluation.period_s
         };
         let power = self
-            .marched_power_w(&shot.kernel, &there)
+            .integrated_power_w(&evaluation.kernel, &predicted_end)
             .map_or(state, |exact_w| {
                 (orbit.mean_power_w - exact_w).abs() / exact_w.abs().max(least_w)
             });
@@ -75,7 +79,7 @@ impl<H: ParametricModel> Shooting<'_, H> {
         unknown: &[f64],
         parameter: f64,
     ) -> Result<f64, OrbitError<H::Error>> {
-        self.marched_power_w(
+        self.integrated_power_w(
             &self
                 .harvester
                 .at(parameter)
@@ -85,7 +89,7 @@ impl<H: ParametricModel> Shooting<'_, H> {
         )
     }
 
-    fn marched_power_w(
+    fn integrated_power_w(
         &self,
         kernel: &Kernel,
         unknown: &[f64],

@@ -62,7 +62,7 @@ pub trait OrbitMethod: Problem<Error = OrbitError<Self::Fault>> {
     }
 
     /// Converts an unknown of a coarser or a finer method to one of this method.
-    fn carried(&self, unknown: &[f64]) -> Vec<f64> {
+    fn resampled(&self, unknown: &[f64]) -> Vec<f64> {
         unknown.to_vec()
     }
 }

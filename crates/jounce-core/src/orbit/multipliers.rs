@@ -32,7 +32,7 @@ pub fn multipliers(map: &Mat<f64>) -> Option<Vec<c64>> {
     let (blocks, rest) = blocks(&balanced);
     let mut values: Vec<c64> = blocks
         .into_iter()
-        .flat_map(|block| own(&balanced, block))
+        .flat_map(|block| block_eigenvalues(&balanced, block))
         .collect();
     values.extend(part(&balanced, &rest).eigenvalues().ok()?);
     values.sort_by(|a, b| b.norm().total_cmp(&a.norm()));
@@ -61,7 +61,7 @@ pub fn discs(map: &Mat<f64>, pairs: usize) -> Vec<EigenvalueDisc> {
         .chain((2 * pairs..n).map(|k| [k, k]));
     let of_block = |[i, j]: [usize; 2]| {
         let rows = if i == j { vec![i] } else { vec![i, j] };
-        let beside = (0..n).filter(|k| !rows.contains(k)).map(|k| {
+        let couplings = (0..n).filter(|k| !rows.contains(k)).map(|k| {
             rows.iter()
                 .map(|r| map[(*r, k)].powi(2))
                 .sum::<f64>()
@@ -74,8 +74,8 @@ pub fn discs(map: &Mat<f64>, pairs: usize) -> Vec<EigenvalueDisc> {
         } else {
             0.5 * ((a + d).hypot(c - b) + (a - d).hypot(b + c))
         };
-        let radius = largest + beside.sum::<f64>();
-        own(&map, [i, j])
+        let radius = largest + couplings.sum::<f64>();
+        block_eigenvalues(&map, [i, j])
             .into_iter()
             .map(move |value| EigenvalueDisc { value, radius })
             .collect::<Vec<_>>()
@@ -136,12 +136,14 @@ impl Eigenbasis {
                 .couplings(map, (other, beyond));
         }
         let n = self.states.len();
-        let own = part(beyond, &self.states);
-        let complex = Mat::from_fn(n, n, |i, j| c64::new(own[(i, j)], 0.0));
-        let seen = &self.inverse * (complex * &self.vectors);
+        let values = part(beyond, &self.states);
+        let complex = Mat::from_fn(n, n, |i, j| c64::new(values[(i, j)], 0.0));
+        let transformed = &self.inverse * (complex * &self.vectors);
         Some((
             self.values.clone(),
-            Mat::from_fn(n, n, |i, j| (seen[(i, j)] * seen[(j, i)]).norm().sqrt()),
+            Mat::from_fn(n, n, |i, j| {
+                (transformed[(i, j)] * transformed[(j, i)]).norm().sqrt()
+            }),
         ))
     }
 }
@@ -182,15 +184,15 @@ fn balanced(map: &Mat<f64>) -> Mat<f64> {
 
 /// Returns the sums of the magnitudes in a row and in a column, without the diagonal.
 fn lengths(map: &Mat<f64>, i: usize) -> (f64, f64) {
-    let (own, n) = (map[(i, i)].abs(), map.nrows());
-    let row = (0..n).map(|j| map[(i, j)].abs()).sum::<f64>() - own;
+    let (values, n) = (map[(i, i)].abs(), map.nrows());
+    let row = (0..n).map(|j| map[(i, j)].abs()).sum::<f64>() - values;
     (
         row,
         map.col_as_slice(i)
             .iter()
             .map(|entry| entry.abs())
             .sum::<f64>()
-            - own,
+            - values,
     )
 }
 
@@ -227,35 +229,35 @@ fn blocks(map: &Mat<f64>) -> (Vec<[usize; 2]>, Vec<usize>) {
             }
         }
     }
-    let is_apart = |row: f64, column: f64| row * column < DECOUPLED_BLOCK * DECOUPLED_BLOCK;
-    let mut found = Vec::new();
+    let is_decoupled = |row: f64, column: f64| row * column < DECOUPLED_BLOCK * DECOUPLED_BLOCK;
+    let mut decoupled_blocks = Vec::new();
     loop {
-        let stands_alone = |i: &usize| {
+        let decoupled = |i: &usize| {
             let (i, j) = (*i, partners[*i]);
             let [row, column] = squares[i];
-            if is_apart(row, column) {
+            if is_decoupled(row, column) {
                 return Some([i, i]);
             }
-            let beside = square(i, j) + square(j, i);
+            let couplings = square(i, j) + square(j, i);
             let is_pair = i < j && partners[j] == i && rest.contains(&j);
             (is_pair
-                && is_apart(
-                    row + squares[j][0] - beside,
-                    column + squares[j][1] - beside,
+                && is_decoupled(
+                    row + squares[j][0] - couplings,
+                    column + squares[j][1] - couplings,
                 ))
             .then_some([i, j])
         };
-        let Some([i, j]) = rest.iter().find_map(stands_alone) else {
-            return (found, rest);
+        let Some([i, j]) = rest.iter().find_map(decoupled) else {
+            return (decoupled_blocks, rest);
         };
-        found.push([i, j]);
+        decoupled_blocks.push([i, j]);
         rest.retain(|k| *k != i && *k != j);
         for k in &rest {
-            for gone in &[i, j][usize::from(i == j)..] {
+            for removed in &[i, j][usize::from(i == j)..] {
                 let [row, column] = squares[*k];
                 squares[*k] = [
-                    (row - square(*k, *gone)).max(0.0),
-                    (column - square(*gone, *k)).max(0.0),
+                    (row - square(*k, *removed)).max(0.0),
+                    (column - square(*removed, *k)).max(0.0),
                 ];
             }
         }
@@ -263,7 +265,7 @@ fn blocks(map: &Mat<f64>) -> (Vec<[usize; 2]>, Vec<usize>) {
 }
 
 /// Returns the eigenvalues of a block.
-fn own(map: &Mat<f64>, [i, j]: [usize; 2]) -> Vec<c64> {
+fn block_eigenvalues(map: &Mat<f64>, [i, j]: [usize; 2]) -> Vec<c64> {
     if i == j {
         return vec![c64::new(map[(i, i)], 0.0)];
     }
@@ -282,7 +284,7 @@ mod tests {
     /// A slow pair and a fast decaying one, weakly coupled: the characteristic polynomial at each
     /// multiplier.
     #[test]
-    fn a_fast_pair_is_taken_by_itself() {
+    fn fast_pair_is_decoupled() {
         let weak = 1e-7;
         let rows = [
             [0.6, -0.7, weak, 0.0],
@@ -291,10 +293,10 @@ mod tests {
             [0.0, weak, 4e-4, 3e-4],
         ];
         let map = Mat::from_fn(4, 4, |i, j| rows[i][j]);
-        let (found, rest) = blocks(&balanced(&map));
+        let (decoupled_blocks, rest) = blocks(&balanced(&map));
         assert!(
-            found.contains(&[2, 3]) && !rest.contains(&2),
-            "{found:?} {rest:?}"
+            decoupled_blocks.contains(&[2, 3]) && !rest.contains(&2),
+            "{decoupled_blocks:?} {rest:?}"
         );
         let values = multipliers(&map).unwrap_or_default();
         // To first order in the product of the couplings.
@@ -305,11 +307,11 @@ mod tests {
             c64::new(3e-4, -4e-4),
         ];
         for exact in exact {
-            let apart = values
+            let difference = values
                 .iter()
                 .map(|value| (value - exact).norm())
                 .fold(f64::INFINITY, f64::min);
-            assert!(apart < 1e-13, "{exact}: {apart:e} {values:?}");
+            assert!(difference < 1e-13, "{exact}: {difference:e} {values:?}");
         }
     }
 

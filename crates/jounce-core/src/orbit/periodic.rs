@@ -79,7 +79,7 @@ impl Orbit {
     }
 
     /// Returns the change of the state over half a period; `None` for an odd number of cycles.
-    pub fn halves_apart(&self) -> Option<Vec<f64>> {
+    pub fn half_period_difference(&self) -> Option<Vec<f64>> {
         let half = self.period_cycles as usize / 2;
         (self.period_cycles.is_multiple_of(2)).then(|| {
             self.strobe_states[half]
@@ -97,10 +97,11 @@ impl Orbit {
 
     /// Returns the smallest number of cycles, fewer than the period, after which the orbit repeats.
     pub fn shorter_period(&self) -> Option<u32> {
-        let apart =
-            |look: &[f64]| (ColRef::from_slice(look) - ColRef::from_slice(self.start())).norm_l2();
+        let distance = |state: &[f64]| {
+            (ColRef::from_slice(state) - ColRef::from_slice(self.start())).norm_l2()
+        };
         let repeats = |shorter: &u32| {
-            apart(&self.strobe_states[*shorter as usize]) < SAME_STATE_DISTANCE * self.size()
+            distance(&self.strobe_states[*shorter as usize]) < SAME_STATE_DISTANCE * self.size()
         };
         (1..self.period_cycles)
             .filter(|shorter| self.period_cycles.is_multiple_of(*shorter))

@@ -25,13 +25,13 @@ pub enum OrbitQuantity {
 
 impl OrbitQuantity {
     /// Returns the value on an orbit, SI.
-    pub fn of(self, shot: &ShootingEvaluation) -> f64 {
-        let plant = &shot.kernel.plant;
+    pub fn of(self, evaluation: &ShootingEvaluation) -> f64 {
+        let plant = &evaluation.kernel.plant;
         match self {
-            OrbitQuantity::MeanPower => shot.loads_w.iter().sum(),
-            OrbitQuantity::Voltage(patch) => {
-                largest(shot, |state, _| plant.patch_voltages_v(state)[patch].abs())
-            }
+            OrbitQuantity::MeanPower => evaluation.loads_w.iter().sum(),
+            OrbitQuantity::Voltage(patch) => largest(evaluation, |state, _| {
+                plant.patch_voltages_v(state)[patch].abs()
+            }),
             OrbitQuantity::Strain(patch) => {
                 let shapes = plant
                     .system
@@ -40,7 +40,7 @@ impl OrbitQuantity {
                     .values()
                     .nth(patch)
                     .map_or(&[][..], |patch| &patch.strain);
-                largest(shot, |state, _| {
+                largest(evaluation, |state, _| {
                     let strain = |shape: &Vec<f64>| {
                         shape
                             .iter()
@@ -52,19 +52,19 @@ impl OrbitQuantity {
                     shapes.iter().map(strain).fold(0.0, f64::max)
                 })
             }
-            OrbitQuantity::ContactForce(stop) => largest(shot, |_, forces_n| forces_n[stop]),
+            OrbitQuantity::ContactForce(stop) => largest(evaluation, |_, forces_n| forces_n[stop]),
         }
     }
 }
 
 /// Returns the largest value, over the period, of a function of the physical state and the contact
 /// forces.
-fn largest(shot: &ShootingEvaluation, value: impl Fn(&[f64], &[f64]) -> f64) -> f64 {
-    let plant = &shot.kernel.plant;
-    let cycle_s = shot.period_s / shot.trajectories.len() as f64;
+fn largest(evaluation: &ShootingEvaluation, value: impl Fn(&[f64], &[f64]) -> f64) -> f64 {
+    let plant = &evaluation.kernel.plant;
+    let cycle_s = evaluation.period_s / evaluation.trajectories.len() as f64;
     let of_cycle = |trajectory: &Trajectory| {
         let at = |times_s: &[f64]| -> Vec<f64> {
-            let instants = trajectory.at(&shot.kernel, times_s);
+            let instants = trajectory.at(&evaluation.kernel, times_s);
             instants
                 .iter()
                 .map(|at| value(&plant.to_physical(&at.state, at.time_s), &at.forces_n))
@@ -86,7 +86,11 @@ fn largest(shot: &ShootingEvaluation, value: impl Fn(&[f64], &[f64]) -> f64) -> 
             .collect();
         parabola_top(&at(&times)).max(rough[top])
     };
-    shot.trajectories.iter().map(of_cycle).fold(0.0, f64::max)
+    evaluation
+        .trajectories
+        .iter()
+        .map(of_cycle)
+        .fold(0.0, f64::max)
 }
 
 /// Returns the top of the parabola through the highest of equally spaced values and its two

@@ -112,7 +112,7 @@ impl<'h, H: ParametricModel> Shooting<'h, H> {
         });
         let mut y = plant.from_physical(&self.physical(unknown), 0.0);
         let steady = plant.steady_at(0.0);
-        let mut looks = vec![unknown.to_vec()];
+        let mut strobe_states = vec![unknown.to_vec()];
         let mut map: Option<Mat<f64>> = None;
         // d y / dp: the state is fixed, so its difference from the steady part moves opposite to
         // the steady part.
@@ -126,14 +126,15 @@ impl<'h, H: ParametricModel> Shooting<'h, H> {
         for _ in 0..self.cycles {
             let cycle =
                 FlowSensitivity::march(&kernel, &y, 0.0, cycle_s, self.tolerance, &change.drift)?;
-            by_parameter = carried(&cycle, &by_parameter, cycle_s * change.period_relative);
+            by_parameter =
+                propagated_derivative(&cycle, &by_parameter, cycle_s * change.period_relative);
             map = Some(map.map_or_else(
                 || cycle.jacobian.clone(),
                 |before| &cycle.jacobian * &before,
             ));
             y = cycle.end;
             let full: Vec<f64> = y.iter().zip(&steady).map(|(y, s)| y + s).collect();
-            looks.push(self.unknown(&product(&plant.diagonal.to_physical, &full)));
+            strobe_states.push(self.unknown(&product(&plant.diagonal.to_physical, &full)));
             contacts += cycle.statistics.contacts;
             max_penetration_m = max_penetration_m.max(cycle.statistics.max_penetration_m);
             loads_w
@@ -147,17 +148,17 @@ impl<'h, H: ParametricModel> Shooting<'h, H> {
             .zip(&change.steady)
             .for_each(|(y, s)| *y += s);
         let by_parameter = self.unknown(&product(&plant.diagonal.to_physical, &by_parameter));
-        let kept = conserved_charges(plant, &self.scale, &trajectories);
-        let whole = map.unwrap_or_else(|| Mat::identity(n, n));
-        let block_map = if kept.is_empty() {
-            whole
+        let conserved = conserved_charges(plant, &self.scale, &trajectories);
+        let full_map = map.unwrap_or_else(|| Mat::identity(n, n));
+        let block_map = if conserved.is_empty() {
+            full_map
         } else {
-            self.without_kept(plant, &whole, &kept)
+            self.without_conserved_charges(plant, &full_map, &conserved)
         };
-        let residual = self.residual(unknown, &looks[looks.len() - 1], &kept);
-        let shot = ShootingEvaluation {
+        let residual = self.residual(unknown, &strobe_states[strobe_states.len() - 1], &conserved);
+        let evaluation = ShootingEvaluation {
             kernel,
-            strobe_states: looks,
+            strobe_states,
             residual,
             block_map,
             by_parameter,
@@ -165,37 +166,42 @@ impl<'h, H: ParametricModel> Shooting<'h, H> {
             map: OnceLock::new(),
             equations: OnceLock::new(),
             period_s: cycle_s * f64::from(self.cycles),
-            keeps_charge: !kept.is_empty(),
+            keeps_charge: !conserved.is_empty(),
             trajectories,
             contacts,
             max_penetration_m,
             loads_w,
             tolerance: self.tolerance,
         };
-        Ok((shot, exact))
+        Ok((evaluation, exact))
     }
 }
 
 impl<H> Shooting<'_, H> {
     /// Returns a period map in block coordinates with 0 in place of the unit multipliers of
     /// conserved charges.
-    fn without_kept(&self, plant: &Plant, whole: &Mat<f64>, kept: &[Vec<f64>]) -> Mat<f64> {
+    fn without_conserved_charges(
+        &self,
+        plant: &Plant,
+        full_map: &Mat<f64>,
+        conserved: &[Vec<f64>],
+    ) -> Mat<f64> {
         let (into, out) = (&plant.diagonal.from_physical, &plant.diagonal.to_physical);
-        let left = Mat::from_fn(plant.len(), plant.len(), |i, j| self.scale[i] * out[(i, j)]);
+        let to_scaled = Mat::from_fn(plant.len(), plant.len(), |i, j| self.scale[i] * out[(i, j)]);
         let right = Mat::from_fn(plant.len(), plant.len(), |i, j| {
             into[(i, j)] / self.scale[j]
         });
-        &right * without_conserved(&left * whole * &right, kept) * &left
+        &right * without_conserved(&to_scaled * full_map * &right, conserved) * &to_scaled
     }
 
     /// Returns `R`; conserved charges are fixed at the prescribed values.
-    fn residual(&self, unknown: &[f64], end: &[f64], kept: &[Vec<f64>]) -> Vec<f64> {
+    fn residual(&self, unknown: &[f64], end: &[f64], conserved: &[Vec<f64>]) -> Vec<f64> {
         let mut residual: Vec<f64> = end
             .iter()
             .zip(unknown)
             .map(|(end, start)| end - start)
             .collect();
-        for row in kept {
+        for row in conserved {
             let missing: f64 = row
                 .iter()
                 .enumerate()
@@ -215,18 +221,18 @@ impl<H: ParametricModel> Problem for Shooting<'_, H> {
     type Error = OrbitError<H::Error>;
 
     fn at(&self, unknown: &[f64], parameter: f64) -> Result<ShootingEvaluation, Self::Error> {
-        let (mut shot, exact) = self.shoot(unknown, parameter)?;
+        let (mut evaluation, exact) = self.shoot(unknown, parameter)?;
         if !exact {
             let step = self.harvester.difference();
-            let (ahead, _) = self.shoot(unknown, parameter + step)?;
-            shot.by_parameter = ahead
+            let (perturbed, _) = self.shoot(unknown, parameter + step)?;
+            evaluation.by_parameter = perturbed
                 .residual
                 .iter()
-                .zip(&shot.residual)
+                .zip(&evaluation.residual)
                 .map(|(a, b)| (a - b) / step)
                 .collect();
         }
-        Ok(shot)
+        Ok(evaluation)
     }
 }
 
@@ -237,17 +243,17 @@ impl<H: ParametricModel> OrbitMethod for Shooting<'_, H> {
         self.cycles
     }
 
-    fn orbit(&self, shot: &ShootingEvaluation, error: f64) -> Result<Orbit, Self::Error> {
-        let mut orbit = self.answer(shot)?;
-        orbit.error_estimate = error + self.estimate(shot, &orbit);
+    fn orbit(&self, evaluation: &ShootingEvaluation, error: f64) -> Result<Orbit, Self::Error> {
+        let mut orbit = self.orbit_of(evaluation)?;
+        orbit.error_estimate = error + self.estimate(evaluation, &orbit);
         Ok(orbit)
     }
 
     fn shot<'l>(
         &self,
-        shot: &'l ShootingEvaluation,
+        evaluation: &'l ShootingEvaluation,
     ) -> Result<&'l ShootingEvaluation, Self::Error> {
-        Ok(shot)
+        Ok(evaluation)
     }
 
     fn unknown_of(&self, state: &[f64], _parameter: f64) -> Result<Vec<f64>, Self::Error> {
@@ -256,9 +262,9 @@ impl<H: ParametricModel> OrbitMethod for Shooting<'_, H> {
 }
 
 /// Returns `d y / dp` after a cycle whose length changes by `longer_s` per unit of the parameter.
-fn carried(cycle: &FlowSensitivity, before: &[f64], longer_s: f64) -> Vec<f64> {
-    let through = product(&cycle.jacobian, before);
+fn propagated_derivative(cycle: &FlowSensitivity, before: &[f64], longer_s: f64) -> Vec<f64> {
+    let propagated = product(&cycle.jacobian, before);
     (0..before.len())
-        .map(|i| through[i] + cycle.drift[i] + cycle.rate[i] * longer_s)
+        .map(|i| propagated[i] + cycle.drift[i] + cycle.rate[i] * longer_s)
         .collect()
 }

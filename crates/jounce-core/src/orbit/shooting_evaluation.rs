@@ -48,9 +48,9 @@ impl ShootingEvaluation {
     pub fn map(&self) -> &Mat<f64> {
         self.map.get_or_init(|| {
             let diagonal = &self.kernel.plant.diagonal;
-            let whole = &diagonal.to_physical * &self.block_map * &diagonal.from_physical;
-            Mat::from_fn(whole.nrows(), whole.ncols(), |i, j| {
-                whole[(i, j)] * self.scale[i] / self.scale[j]
+            let full_map = &diagonal.to_physical * &self.block_map * &diagonal.from_physical;
+            Mat::from_fn(full_map.nrows(), full_map.ncols(), |i, j| {
+                full_map[(i, j)] * self.scale[i] / self.scale[j]
             })
         })
     }
@@ -96,19 +96,24 @@ impl ShootingEvaluation {
             .collect();
         let mut values = Vec::with_capacity(samples);
         for (cycle, trajectory) in self.trajectories.iter().enumerate() {
-            let own: Vec<f64> = (times.iter())
+            let cycle_times_s: Vec<f64> = (times.iter())
                 .filter(|time_s| (**time_s / cycle_s) as usize == cycle)
                 .map(|time_s| time_s - cycle as f64 * cycle_s)
                 .collect();
-            values.extend(trajectory.at(&self.kernel, &own).iter().map(|at| {
-                let moving: f64 = port
-                    .displacement
+            values.extend(
+                trajectory
+                    .at(&self.kernel, &cycle_times_s)
                     .iter()
-                    .zip(&at.state)
-                    .map(|(c, y)| c * y)
-                    .sum();
-                moving + plant.driven(port, at.time_s)[0]
-            }));
+                    .map(|at| {
+                        let moving: f64 = port
+                            .displacement
+                            .iter()
+                            .zip(&at.state)
+                            .map(|(c, y)| c * y)
+                            .sum();
+                        moving + plant.driven(port, at.time_s)[0]
+                    }),
+            );
         }
         values
     }
@@ -138,7 +143,7 @@ impl Linearization for ShootingEvaluation {
         let charged = self.residual[2 * modes..]
             .iter()
             .enumerate()
-            .map(|(k, own)| (format!("electrical state {}", k + 1), own.abs()));
+            .map(|(k, voltage)| (format!("electrical state {}", k + 1), voltage.abs()));
         ResidualReport {
             unit: "sqrt(J)",
             sizes: moving.chain(charged).collect(),

@@ -15,7 +15,7 @@ impl<H: ParametricModel> Shooting<'_, H> {
     ///
     /// # Errors
     /// The harvester cannot be built, its drives have no common period, or the integration fails.
-    pub fn marched_orbit(
+    pub fn integrated_orbit(
         &self,
         physical: &[f64],
         parameter: f64,
@@ -35,17 +35,17 @@ impl<H: ParametricModel> Shooting<'_, H> {
         let mut y = plant.from_physical(physical, 0.0);
         // An integration that starts at rest may impact once by roundoff; its continuation does
         // not.
-        let mut through =
+        let mut cycle_integrator =
             Integrator::new(&kernel, &y, 0.0, self.tolerance).map_err(SensitivityError::March)?;
-        through
+        cycle_integrator
             .advance_to(period_s)
             .map_err(SensitivityError::March)?;
-        through.reset_statistics();
-        through
+        cycle_integrator.reset_statistics();
+        cycle_integrator
             .advance_to(2.0 * period_s)
             .map_err(SensitivityError::March)?;
-        let statistics = through.statistics();
-        let (mut looks, mut trajectories) = (vec![self.unknown(physical)], Vec::new());
+        let statistics = cycle_integrator.statistics();
+        let (mut strobe_states, mut trajectories) = (vec![self.unknown(physical)], Vec::new());
         let mut loads_w = vec![0.0; plant.system.loads.len() + plant.system.bridges.len()];
         for _ in 0..self.cycles {
             let mut integrator = Integrator::new(&kernel, &y, 0.0, self.tolerance)
@@ -58,25 +58,25 @@ impl<H: ParametricModel> Shooting<'_, H> {
             let rectified = energies
                 .rectified
                 .iter()
-                .map(|own| own.load_j + own.battery_j);
+                .map(|energy| energy.load_j + energy.battery_j);
             let delivered_j = energies.loads_j.iter().copied().chain(rectified);
             loads_w
                 .iter_mut()
                 .zip(delivered_j)
                 .for_each(|(sum, j)| *sum += j / period_s);
             y = integrator.state();
-            looks.push(self.unknown(&plant.to_physical(&y, 0.0)));
+            strobe_states.push(self.unknown(&plant.to_physical(&y, 0.0)));
             trajectories.push(integrator.take_record());
         }
-        let residual: Vec<f64> = looks[looks.len() - 1]
+        let residual: Vec<f64> = strobe_states[strobe_states.len() - 1]
             .iter()
-            .zip(&looks[0])
+            .zip(&strobe_states[0])
             .map(|(end, start)| end - start)
             .collect();
         let open = ColRef::from_slice(&residual).norm_l2();
-        let shot = ShootingEvaluation {
+        let evaluation = ShootingEvaluation {
             kernel,
-            strobe_states: looks,
+            strobe_states,
             residual,
             block_map: Mat::new(),
             by_parameter: Vec::new(),
@@ -91,7 +91,7 @@ impl<H: ParametricModel> Shooting<'_, H> {
             loads_w,
             tolerance: self.tolerance,
         };
-        let mut orbit = shot.as_orbit(Vec::new());
+        let mut orbit = evaluation.as_orbit(Vec::new());
         orbit.error_estimate = open / orbit.size().max(f64::MIN_POSITIVE);
         Ok(orbit)
     }

@@ -37,29 +37,29 @@ pub struct TurningPoint {
     pub is_maximum: bool,
     /// True where an impact on a rigid stop replaces the turning point: the distance belongs to the
     /// motion without the impact.
-    pub is_struck: bool,
+    pub is_impact: bool,
 }
 
 impl TurningPoint {
     /// Returns this turning point with time and distance refined by more samples near it.
-    pub fn refined(self, shot: &ShootingEvaluation) -> Self {
-        if self.is_struck {
+    pub fn refined(self, evaluation: &ShootingEvaluation) -> Self {
+        if self.is_impact {
             return self;
         }
-        let cycle_s = shot.period_s / shot.trajectories.len() as f64;
+        let cycle_s = evaluation.period_s / evaluation.trajectories.len() as f64;
         let half_s = 0.5 * cycle_s / COARSE_SAMPLES_PER_CYCLE;
         let (from_s, to_s) = (
             (self.time_s - half_s).max(0.0),
             (self.time_s + half_s).min(cycle_s),
         );
-        let found = closer(
-            &shot.kernel,
+        let refined_motion = refine_samples(
+            &evaluation.kernel,
             self.port,
-            &shot.trajectories[self.cycle],
+            &evaluation.trajectories[self.cycle],
             from_s,
             to_s,
         );
-        found.map_or(self, |(time_s, past_m)| Self {
+        refined_motion.map_or(self, |(time_s, past_m)| Self {
             time_s,
             past_m,
             ..self
@@ -69,17 +69,18 @@ impl TurningPoint {
 
 /// Returns the turning point (maximum or minimum) of any port nearest to the surface of its stop;
 /// `None` without one. Laws that act on both sides of their surface have no turning points.
-pub fn nearest_turn(shot: &ShootingEvaluation) -> Option<TurningPoint> {
-    let cycle_s = shot.period_s / shot.trajectories.len() as f64;
-    let stops = &shot.kernel.plant.system.stops;
+pub fn nearest_turn(evaluation: &ShootingEvaluation) -> Option<TurningPoint> {
+    let cycle_s = evaluation.period_s / evaluation.trajectories.len() as f64;
+    let stops = &evaluation.kernel.plant.system.stops;
     let ports = (0..stops.len()).filter(|port| !stops[*port].law.acts_on_both_sides());
     let turning = ports.flat_map(|port| {
-        shot.trajectories
+        evaluation
+            .trajectories
             .iter()
             .enumerate()
             .flat_map(move |(cycle, trajectory)| {
-                let found = turning_points(&shot.kernel, port, trajectory, cycle_s);
-                found
+                let candidates = turning_points(&evaluation.kernel, port, trajectory, cycle_s);
+                candidates
                     .into_iter()
                     .map(move |(time_s, past_m, is_maximum)| TurningPoint {
                         port,
@@ -87,7 +88,7 @@ pub fn nearest_turn(shot: &ShootingEvaluation) -> Option<TurningPoint> {
                         time_s,
                         past_m,
                         is_maximum,
-                        is_struck: false,
+                        is_impact: false,
                     })
             })
     });
@@ -98,19 +99,19 @@ pub fn nearest_turn(shot: &ShootingEvaluation) -> Option<TurningPoint> {
 /// An impact on a rigid stop is replaced by the maximum of the motion without the stop: its
 /// distance is zero at grazing and smooth through it. Laws that act on both sides of their surface
 /// have no turning points.
-pub fn turns(shot: &ShootingEvaluation) -> Vec<TurningPoint> {
-    let cycle_s = shot.period_s / shot.trajectories.len() as f64;
-    let stops = &shot.kernel.plant.system.stops;
+pub fn turns(evaluation: &ShootingEvaluation) -> Vec<TurningPoint> {
+    let cycle_s = evaluation.period_s / evaluation.trajectories.len() as f64;
+    let stops = &evaluation.kernel.plant.system.stops;
     let ports = (0..stops.len()).filter(|port| !stops[*port].law.acts_on_both_sides());
     ports
-        .flat_map(|port| turns_of(shot, port, cycle_s))
+        .flat_map(|port| turns_of(evaluation, port, cycle_s))
         .collect()
 }
 
-fn turns_of(shot: &ShootingEvaluation, port: usize, cycle_s: f64) -> Vec<TurningPoint> {
-    let kernel = &shot.kernel;
+fn turns_of(evaluation: &ShootingEvaluation, port: usize, cycle_s: f64) -> Vec<TurningPoint> {
+    let kernel = &evaluation.kernel;
     let strikes = matches!(kernel.plant.system.stops[port].law, Law::Rigid(_));
-    let looks: Vec<Vec<SampledMotion>> = shot
+    let samples: Vec<Vec<SampledMotion>> = evaluation
         .trajectories
         .iter()
         .map(|trajectory| {
@@ -122,61 +123,61 @@ fn turns_of(shot: &ShootingEvaluation, port: usize, cycle_s: f64) -> Vec<Turning
             )
         })
         .collect();
-    let mut found = Vec::new();
-    for (cycle, own) in looks.iter().enumerate() {
+    let mut turns = Vec::new();
+    for (cycle, cycle_samples) in samples.iter().enumerate() {
         // The first sample of the next cycle is at the end of this one.
-        let end = looks[(cycle + 1) % looks.len()]
+        let end = samples[(cycle + 1) % samples.len()]
             .first()
             .map(|next| (cycle_s, next.1, next.2));
-        let own: Vec<SampledMotion> = own.iter().copied().chain(end).collect();
-        for (from, to) in own.windows(2).map(|pair| (pair[0], pair[1])) {
+        let cycle_samples: Vec<SampledMotion> = cycle_samples.iter().copied().chain(end).collect();
+        for (from, to) in cycle_samples.windows(2).map(|pair| (pair[0], pair[1])) {
             let coming = if strikes {
-                unstruck(kernel, port, &shot.trajectories[cycle], (from, to))
+                turn_without_impact(kernel, port, &evaluation.trajectories[cycle], (from, to))
             } else {
                 to
             };
-            let turn = |time_s: f64, past_m: f64, is_struck: bool| TurningPoint {
+            let turn = |time_s: f64, past_m: f64, is_impact: bool| TurningPoint {
                 port,
                 cycle,
                 time_s,
                 past_m,
                 is_maximum: from.2 > 0.0,
-                is_struck,
+                is_impact,
             };
             if from.2 * coming.2 < 0.0 {
                 let (share, past_m) = turn_between(from, coming);
-                found.push(turn(from.0 + share * (coming.0 - from.0), past_m, false));
+                turns.push(turn(from.0 + share * (coming.0 - from.0), past_m, false));
             } else if from.2 > 0.0 && to.2 < 0.0 {
-                found.push(turn(to.0, beyond(from, coming), true));
+                turns.push(turn(to.0, beyond(from, coming), true));
             }
         }
     }
-    found
+    turns
 }
 
 /// Returns the distance past the stop, m, of [`nearest_turn`].
-pub fn nearest_extremum_m(shot: &ShootingEvaluation) -> Option<f64> {
-    nearest_turn(shot).map(|turn| turn.past_m)
+pub fn nearest_extremum_m(evaluation: &ShootingEvaluation) -> Option<f64> {
+    nearest_turn(evaluation).map(|turn| turn.past_m)
 }
 
 /// Returns half the peak-to-peak displacement at the first stop, m; 0 without a stop.
-pub fn displacement_peak_m(shot: &ShootingEvaluation) -> f64 {
-    if shot.kernel.plant.system.stops.is_empty() {
+pub fn displacement_peak_m(evaluation: &ShootingEvaluation) -> f64 {
+    if evaluation.kernel.plant.system.stops.is_empty() {
         return 0.0;
     }
-    let cycle_s = shot.period_s / shot.trajectories.len() as f64;
-    let strikes = shot
+    let cycle_s = evaluation.period_s / evaluation.trajectories.len() as f64;
+    let strikes = evaluation
         .kernel
         .plant
         .system
         .stops
         .iter()
         .any(|stop| matches!(stop.law, Law::Rigid(_)));
-    let cycles = shot.trajectories.iter().map(|trajectory| {
+    let cycles = evaluation.trajectories.iter().map(|trajectory| {
         (
             trajectory,
             sampled_motions(
-                &shot.kernel,
+                &evaluation.kernel,
                 0,
                 trajectory,
                 (COARSE_SAMPLES_PER_CYCLE, cycle_s),
@@ -185,16 +186,17 @@ pub fn displacement_peak_m(shot: &ShootingEvaluation) -> f64 {
     });
     let range = cycles.fold(
         (f64::INFINITY, f64::NEG_INFINITY),
-        |range, (trajectory, looks)| {
-            let own = looks.windows(2).flat_map(|pair| {
+        |range, (trajectory, samples)| {
+            let cycle_samples = samples.windows(2).flat_map(|pair| {
                 let to = if strikes {
-                    unstruck(&shot.kernel, 0, trajectory, (pair[0], pair[1]))
+                    turn_without_impact(&evaluation.kernel, 0, trajectory, (pair[0], pair[1]))
                 } else {
                     pair[1]
                 };
                 [pair[0].1, turn_between(pair[0], to).1]
             });
-            own.chain(looks.last().map(|last| last.1))
+            cycle_samples
+                .chain(samples.last().map(|last| last.1))
                 .fold(range, |(low, high), past_m| {
                     (low.min(past_m), high.max(past_m))
                 })
@@ -206,7 +208,7 @@ pub fn displacement_peak_m(shot: &ShootingEvaluation) -> f64 {
 /// Returns the second of two neighbouring samples before any impact on a rigid stop. The speed
 /// jumps only at the start of a step, which is a sample. The impact matters only where the speed
 /// changes sign.
-fn unstruck(
+fn turn_without_impact(
     kernel: &Kernel,
     port: usize,
     trajectory: &Trajectory,
@@ -262,20 +264,21 @@ fn turning_points(
     trajectory: &Trajectory,
     cycle_s: f64,
 ) -> Vec<(f64, f64, bool)> {
-    let looks = sampled_motions(kernel, port, trajectory, (SAMPLES_PER_CYCLE, cycle_s));
-    let mut turns: Vec<(SampledMotion, SampledMotion)> = looks
+    let samples = sampled_motions(kernel, port, trajectory, (SAMPLES_PER_CYCLE, cycle_s));
+    let mut turns: Vec<(SampledMotion, SampledMotion)> = samples
         .windows(2)
         .map(|pair| (pair[0], pair[1]))
         .filter(|(a, b)| a.2 * b.2 <= 0.0)
         .collect();
     turns.sort_by(|a, b| a.0.1.abs().total_cmp(&b.0.1.abs()));
     turns.truncate(MAX_REFINED_POINTS);
-    let closer =
-        |from: SampledMotion, to: SampledMotion| closer(kernel, port, trajectory, from.0, to.0);
+    let refine = |from: SampledMotion, to: SampledMotion| {
+        refine_samples(kernel, port, trajectory, from.0, to.0)
+    };
     turns
         .into_iter()
         .filter_map(|(from, to)| {
-            closer(from, to).map(|(time_s, past_m)| (time_s, past_m, from.2 > 0.0))
+            refine(from, to).map(|(time_s, past_m)| (time_s, past_m, from.2 > 0.0))
         })
         .collect()
 }
@@ -287,16 +290,21 @@ fn sampled_motions(
     trajectory: &Trajectory,
     (count, cycle_s): (f64, f64),
 ) -> Vec<SampledMotion> {
-    let mut looks = Vec::new();
-    trajectory.walk(kernel, 0, cycle_s / count, &mut |own, time_s, state| {
-        looks.extend(motion(own, port, time_s, state))
-    });
-    looks
+    let mut samples = Vec::new();
+    trajectory.walk(
+        kernel,
+        0,
+        cycle_s / count,
+        &mut |cycle_samples, time_s, state| {
+            samples.extend(motion(cycle_samples, port, time_s, state))
+        },
+    );
+    samples
 }
 
 /// Returns time and distance of the turning point between two times. The speed is taken as linear
 /// between close samples: the error is of second order, because the distance is stationary there.
-fn closer(
+fn refine_samples(
     kernel: &Kernel,
     port: usize,
     trajectory: &Trajectory,
@@ -324,15 +332,15 @@ fn closer(
 /// Returns the distance past the stop, m, and its rate, m/s, of a port at a time in a drive cycle
 /// of the period.
 pub(super) fn port_motion(
-    shot: &ShootingEvaluation,
+    evaluation: &ShootingEvaluation,
     port: usize,
     (cycle, time_s): (usize, f64),
 ) -> [f64; 2] {
-    let at = shot.trajectories[cycle].at(&shot.kernel, &[time_s]);
-    let found = at
+    let at = evaluation.trajectories[cycle].at(&evaluation.kernel, &[time_s]);
+    let state = at
         .first()
-        .and_then(|at| motion(&shot.kernel, port, at.time_s, &at.state));
-    found.map_or([f64::NAN; 2], |(_, past_m, rate_m_s)| [past_m, rate_m_s])
+        .and_then(|at| motion(&evaluation.kernel, port, at.time_s, &at.state));
+    state.map_or([f64::NAN; 2], |(_, past_m, rate_m_s)| [past_m, rate_m_s])
 }
 
 /// Returns time, distance past the stop and its rate.
@@ -355,9 +363,9 @@ mod tests {
     /// `sin` between two samples about its top.
     #[test]
     fn a_cubic_finds_the_top_of_a_sine() {
-        let look = |t: f64| (t, t.sin(), t.cos());
+        let sample = |t: f64| (t, t.sin(), t.cos());
         for from in [1.53, 1.55, 1.569] {
-            let error = turn_between(look(from), look(from + 0.049)).1 - 1.0;
+            let error = turn_between(sample(from), sample(from + 0.049)).1 - 1.0;
             assert!(error.abs() < 2e-8, "{error:e}");
         }
         let (_, line) = turn_between((0.0, 1.0, -2.0), (2.0, 1.0, 2.0));

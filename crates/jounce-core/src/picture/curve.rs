@@ -27,7 +27,7 @@ const MAX_PIXEL_DISTANCE: f64 = 1e5;
 /// Returns the path along the points of a run; a single point becomes a dot.
 pub(super) fn path(run: &[(f64, f64)]) -> String {
     let mut steps = String::new();
-    let thinned = thin(run);
+    let thinned = simplify(run);
     for (index, (x, y)) in thinned.iter().enumerate() {
         let _ = write!(
             steps,
@@ -45,7 +45,7 @@ pub(super) fn path(run: &[(f64, f64)]) -> String {
 
 /// Keeps at most four points in each column of half a pixel: first, lowest, highest, last. The
 /// picture does not change.
-fn thin(run: &[(f64, f64)]) -> Vec<(f64, f64)> {
+fn simplify(run: &[(f64, f64)]) -> Vec<(f64, f64)> {
     let ordered = run.windows(2).all(|pair| pair[0].0 <= pair[1].0);
     if !ordered || run.len() < 2000 {
         return run.to_vec();
@@ -58,10 +58,10 @@ fn thin(run: &[(f64, f64)]) -> Vec<(f64, f64)> {
                 .max_by(|&a, &b| (sign * points[a].1).total_cmp(&(sign * points[b].1)))
                 .unwrap_or(0)
         };
-        let mut kept = vec![0, extreme(1.0), extreme(-1.0), points.len() - 1];
-        kept.sort_unstable();
-        kept.dedup();
-        thinned.extend(kept.into_iter().map(|index| points[index]));
+        let mut selected = vec![0, extreme(1.0), extreme(-1.0), points.len() - 1];
+        selected.sort_unstable();
+        selected.dedup();
+        thinned.extend(selected.into_iter().map(|index| points[index]));
     }
     thinned
 }
@@ -69,7 +69,7 @@ fn thin(run: &[(f64, f64)]) -> Vec<(f64, f64)> {
 /// Returns points along a run no farther than `step` pixels apart: the area covered by the line.
 pub(super) fn along(run: &[(f64, f64)], step: f64) -> Vec<(f64, f64)> {
     let mut points = run.first().copied().into_iter().collect::<Vec<_>>();
-    for pair in thin(run).windows(2) {
+    for pair in simplify(run).windows(2) {
         let ((x0, y0), (x1, y1)) = (pair[0], pair[1]);
         let count = ((x1 - x0).hypot(y1 - y0) / step).ceil().clamp(1.0, 1000.0);
         points.extend(
@@ -112,7 +112,7 @@ mod tests {
                 )
             })
             .collect();
-        let thinned = thin(&run);
+        let thinned = simplify(&run);
         assert!(thinned.len() <= 4800, "{}", thinned.len());
         let highest = |points: &[(f64, f64)]| points.iter().fold(f64::MIN, |m, p| m.max(p.1));
         assert_eq!(highest(&run), highest(&thinned));

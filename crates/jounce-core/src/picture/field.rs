@@ -102,9 +102,9 @@ impl Field {
 
 /// Returns the colour of a level, interpolated linearly between the anchors.
 fn colour(level: usize) -> String {
-    let place = level as f64 / (LEVELS - 1) as f64 * (ANCHORS.len() - 1) as f64;
-    let below = (place as usize).min(ANCHORS.len() - 2);
-    let share = place - below as f64;
+    let position = level as f64 / (LEVELS - 1) as f64 * (ANCHORS.len() - 1) as f64;
+    let below = (position as usize).min(ANCHORS.len() - 2);
+    let share = position - below as f64;
     let part = |k: usize| {
         (ANCHORS[below][k] + share * (ANCHORS[below + 1][k] - ANCHORS[below][k])).round() as u8
     };
@@ -117,7 +117,7 @@ mod tests {
     use super::super::{Axis, Figure, Panel};
     use super::*;
 
-    fn drawn(columns: Vec<Vec<f64>>) -> Result<String, PictureError> {
+    fn draw_field(columns: Vec<Vec<f64>>) -> Result<String, PictureError> {
         let field = Field {
             x: vec![0.0, 1.0, 2.0, 3.0],
             y: vec![0.0, 1.0, 2.0],
@@ -131,7 +131,7 @@ mod tests {
 
     #[test]
     fn equal_neighbours_are_one_cell_and_gaps_none() {
-        let svg = drawn(vec![vec![0.0, 1.0], vec![0.0, f64::NAN], vec![0.9999, 2.0]]).unwrap();
+        let svg = draw_field(vec![vec![0.0, 1.0], vec![0.0, f64::NAN], vec![0.9999, 2.0]]).unwrap();
         let cells = |colour: &str| {
             svg.lines()
                 .filter(|line| line.contains(colour))
@@ -153,11 +153,11 @@ mod tests {
     #[test]
     fn columns_that_do_not_fit_are_an_error() {
         assert!(matches!(
-            drawn(vec![vec![0.0, 1.0]; 2]),
+            draw_field(vec![vec![0.0, 1.0]; 2]),
             Err(PictureError::Lengths { .. })
         ));
         assert!(matches!(
-            drawn(vec![vec![0.0]; 3]),
+            draw_field(vec![vec![0.0]; 3]),
             Err(PictureError::Lengths { .. })
         ));
     }

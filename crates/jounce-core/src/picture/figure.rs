@@ -47,34 +47,39 @@ impl Figure {
     pub fn to_svg(&self) -> Result<String, PictureError> {
         self.check()?;
         let layout = FigureLayout::new(self, 0.0)?;
-        let places: Vec<_> = layout.plots.iter().map(legend::place).collect();
-        let beside = |(plot, place): (&Plot<'_>, &LegendPlace)| {
-            (*place == LegendPlace::Beside)
+        let positions: Vec<_> = layout.plots.iter().map(legend::place).collect();
+        let size_outside = |(plot, position): (&Plot<'_>, &LegendPlace)| {
+            (*position == LegendPlace::Beside)
                 .then(|| legend::size(plot.panel))
                 .flatten()
         };
-        let aside = layout
+        let legend_width = layout
             .plots
             .iter()
-            .zip(&places)
-            .filter_map(beside)
-            .map(|(wide, _)| wide)
+            .zip(&positions)
+            .filter_map(size_outside)
+            .map(|(legend_px, _)| legend_px)
             .fold(0.0, f64::max);
-        if aside == 0.0 {
-            return Ok(self.draw(&layout, &places));
+        if legend_width == 0.0 {
+            return Ok(self.draw(&layout, &positions));
         }
         // A narrower frame may have no room for a legend inside, so legends inside are placed
         // again.
-        let layout = FigureLayout::new(self, aside)?;
-        let again = |(plot, place): (_, &LegendPlace)| {
-            if *place == LegendPlace::Beside {
+        let layout = FigureLayout::new(self, legend_width)?;
+        let new_position = |(plot, position): (_, &LegendPlace)| {
+            if *position == LegendPlace::Beside {
                 LegendPlace::Beside
             } else {
                 legend::place(plot)
             }
         };
-        let places: Vec<_> = layout.plots.iter().zip(&places).map(again).collect();
-        Ok(self.draw(&layout, &places))
+        let positions: Vec<_> = layout
+            .plots
+            .iter()
+            .zip(&positions)
+            .map(new_position)
+            .collect();
+        Ok(self.draw(&layout, &positions))
     }
 
     /// Returns the picture as a PNG file of `scale` times the size in pixels (2 gives 192 dpi at
@@ -128,7 +133,7 @@ impl Figure {
         }
     }
 
-    fn draw(&self, layout: &FigureLayout<'_>, places: &[LegendPlace]) -> String {
+    fn draw(&self, layout: &FigureLayout<'_>, positions: &[LegendPlace]) -> String {
         let mut svg = Svg::new(self.width_px, &self.title);
         let left = layout.plots.first().map_or(12.0, |plot| plot.left);
         let widest = layout
@@ -151,12 +156,12 @@ impl Figure {
                 text,
             );
         }
-        for (plot, place) in layout.plots.iter().zip(places) {
+        for (plot, position) in layout.plots.iter().zip(positions) {
             grid(&mut svg, plot);
             marks(&mut svg, plot);
             frame(&mut svg, plot);
             markers(&mut svg, plot);
-            legend::legend(&mut svg, plot, *place);
+            legend::legend(&mut svg, plot, *position);
         }
         svg.finish(layout.height)
     }

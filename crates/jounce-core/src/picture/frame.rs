@@ -19,7 +19,7 @@ pub(super) fn grid(svg: &mut Svg, plot: &Plot<'_>) {
         .x_ticks
         .major
         .iter()
-        .filter_map(|(value, _)| plot.x.place(*value))
+        .filter_map(|(value, _)| plot.x.fraction(*value))
     {
         let _ = write!(
             steps,
@@ -33,7 +33,7 @@ pub(super) fn grid(svg: &mut Svg, plot: &Plot<'_>) {
         .y_ticks
         .major
         .iter()
-        .filter_map(|(value, _)| plot.y.place(*value))
+        .filter_map(|(value, _)| plot.y.fraction(*value))
     {
         let _ = write!(
             steps,
@@ -52,8 +52,8 @@ pub(super) fn frame(svg: &mut Svg, plot: &Plot<'_>) {
     svg.path(&ticks(plot), RULE);
     let bottom = plot.top + plot.height;
     for (value, label) in &plot.y_ticks.major {
-        if let Some(place) = plot.y.place(*value) {
-            let y = plot.top + (1.0 - place) * plot.height;
+        if let Some(position) = plot.y.fraction(*value) {
+            let y = plot.top + (1.0 - position) * plot.height;
             svg.text(
                 plot.left - TICK - 3.0,
                 y + 0.36 * SMALL,
@@ -71,9 +71,9 @@ pub(super) fn frame(svg: &mut Svg, plot: &Plot<'_>) {
         return;
     }
     for (value, label) in &plot.x_ticks.major {
-        if let Some(place) = plot.x.place(*value) {
+        if let Some(position) = plot.x.fraction(*value) {
             svg.text(
-                plot.left + place * plot.width,
+                plot.left + position * plot.width,
                 bottom + TICK + 3.0 + 0.9 * SMALL,
                 SMALL,
                 Anchor::Middle,
@@ -109,11 +109,11 @@ fn ticks(plot: &Plot<'_>) -> String {
         .into_iter()
         .chain(minor(&plot.x_ticks.minor))
     {
-        if let Some(place) = plot.x.place(value).filter(|_| plot.x.holds(value)) {
+        if let Some(position) = plot.x.fraction(value).filter(|_| plot.x.holds(value)) {
             let _ = write!(
                 steps,
                 "M{} {}v{}",
-                number(plot.left + place * plot.width),
+                number(plot.left + position * plot.width),
                 number(bottom),
                 number(length)
             );
@@ -123,12 +123,12 @@ fn ticks(plot: &Plot<'_>) -> String {
         .into_iter()
         .chain(minor(&plot.y_ticks.minor))
     {
-        if let Some(place) = plot.y.place(value).filter(|_| plot.y.holds(value)) {
+        if let Some(position) = plot.y.fraction(value).filter(|_| plot.y.holds(value)) {
             let _ = write!(
                 steps,
                 "M{} {}h-{}",
                 number(plot.left),
-                number(plot.top + (1.0 - place) * plot.height),
+                number(plot.top + (1.0 - position) * plot.height),
                 number(length)
             );
         }

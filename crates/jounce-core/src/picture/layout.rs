@@ -41,8 +41,8 @@ impl Plot<'_> {
     /// Returns a point in pixels from the upper left corner of the frame.
     pub fn pixel(&self, x: f64, y: f64) -> Option<(f64, f64)> {
         Some((
-            self.x.place(x)? * self.width,
-            (1.0 - self.y.place(y)?) * self.height,
+            self.x.fraction(x)? * self.width,
+            (1.0 - self.y.fraction(y)?) * self.height,
         ))
     }
 
@@ -64,8 +64,8 @@ impl Plot<'_> {
 }
 
 impl<'a> FigureLayout<'a> {
-    /// Lays a figure out, with `aside` pixels at the right for legends.
-    pub fn new(figure: &'a Figure, aside: f64) -> Result<Self, PictureError> {
+    /// Lays a figure out, with `legend_width` pixels at the right for legends.
+    pub fn new(figure: &'a Figure, legend_width: f64) -> Result<Self, PictureError> {
         let spans = spans(figure)?;
         let mut plots: Vec<_> = figure
             .panels
@@ -76,7 +76,7 @@ impl<'a> FigureLayout<'a> {
             .collect();
         let labels = plots.iter().map(label_room).fold(0.0, f64::max);
         let left = plots.iter().map(title_room).fold(0.0, f64::max) + labels;
-        let right = plots.iter().map(right_room).fold(BORDER, f64::max) + aside;
+        let right = plots.iter().map(right_room).fold(BORDER, f64::max) + legend_width;
         let inner = (figure.width_px - left - right).max(40.0);
         let title = wrap(&figure.title, TITLE, figure.width_px - 2.0 * BORDER);
         let mut top = BORDER
@@ -147,12 +147,12 @@ fn spans(figure: &Figure) -> Result<Vec<(Span, Span)>, PictureError> {
     let shares_y = shares_x(figure) && figure.panels.windows(2).all(|pair| pair[0].y == pair[1].y);
     let common: Vec<f64> = figure.panels.iter().flat_map(x_of).collect();
     let span = |panel: &Panel| {
-        let places = if shares_x(figure) {
+        let positions = if shares_x(figure) {
             common.clone()
         } else {
             x_of(panel)
         };
-        let x = Span::settle(&panel.x, places.into_iter(), x_margin)?;
+        let x = Span::settle(&panel.x, positions.into_iter(), x_margin)?;
         let panels = if shares_y {
             &figure.panels[..]
         } else {
@@ -164,7 +164,7 @@ fn spans(figure: &Figure) -> Result<Vec<(Span, Span)>, PictureError> {
             x,
             Span::settle(
                 &panel.y,
-                panels.iter().flat_map(|panel| shown(panel, x)),
+                panels.iter().flat_map(|panel| visible_values(panel, x)),
                 margin,
             )?,
         ))
@@ -173,14 +173,14 @@ fn spans(figure: &Figure) -> Result<Vec<(Span, Span)>, PictureError> {
 }
 
 /// Returns the values in the range of the horizontal axis: the vertical axis spans these.
-fn shown(panel: &Panel, x: Span) -> impl Iterator<Item = f64> {
+fn visible_values(panel: &Panel, x: Span) -> impl Iterator<Item = f64> {
     let points = panel
         .series
         .iter()
         .flat_map(|series| series.x.iter().zip(&series.y));
     let cells = panel.field.iter().flat_map(|field| field.y.iter().copied());
     points
-        .filter_map(move |(place, value)| x.holds(*place).then_some(*value))
+        .filter_map(move |(position, value)| x.holds(*position).then_some(*value))
         .chain(cells)
 }
 
@@ -191,7 +191,7 @@ fn roomy_ticks(plot: &Plot<'_>) -> Ticks {
         let ticks = Ticks::of(&plot.panel.x, &plot.x, room);
         let edges = |(value, label): &(f64, String)| {
             plot.x
-                .place(*value)
+                .fraction(*value)
                 .map(|at| (at * plot.width, width(label, SMALL) / 2.0))
         };
         let edges: Vec<_> = ticks.major.iter().filter_map(edges).collect();

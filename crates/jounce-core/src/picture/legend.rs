@@ -2,7 +2,7 @@
 
 use super::curve::along;
 use super::layout::Plot;
-use super::marks::{band_look, line_look, marker_look, marker_path, marker_places, pixel_runs};
+use super::marks::{band_style, line_style, marker_path, marker_points, marker_style, pixel_runs};
 use super::svg::{Anchor, Svg, number};
 use super::text::{SMALL, width};
 use super::{Panel, Series};
@@ -92,7 +92,7 @@ fn covered(plot: &Plot<'_>) -> Vec<(f64, f64)> {
             );
         }
         if series.marker.is_some() {
-            points.extend(marker_places(plot, series));
+            points.extend(marker_points(plot, series));
         }
     }
     for note in &plot.panel.notes {
@@ -108,15 +108,15 @@ fn covered(plot: &Plot<'_>) -> Vec<(f64, f64)> {
 }
 
 /// Draws the legend of a panel at its position.
-pub(super) fn legend(svg: &mut Svg, plot: &Plot<'_>, place: LegendPlace) {
-    let (x, y) = match place {
+pub(super) fn legend(svg: &mut Svg, plot: &Plot<'_>, position: LegendPlace) {
+    let (x, y) = match position {
         LegendPlace::None => return,
         LegendPlace::Inside(x, y) => (plot.left + x, plot.top + y),
         LegendPlace::Beside => (plot.left + plot.width + PADDING, plot.top),
     };
-    if let (LegendPlace::Inside(..), Some((w, h))) = (place, size(plot.panel)) {
-        let look = "class=\"jounce-paper jounce-grid\" fill=\"#ffffff\" stroke=\"#cccccc\" stroke-width=\"0.8\"";
-        svg.rect(x, y, w, h, look);
+    if let (LegendPlace::Inside(..), Some((w, h))) = (position, size(plot.panel)) {
+        let style = "class=\"jounce-paper jounce-grid\" fill=\"#ffffff\" stroke=\"#cccccc\" stroke-width=\"0.8\"";
+        svg.rect(x, y, w, h, style);
     }
     let mut row = y + PADDING / 2.0 + ROW / 2.0;
     for series in plot
@@ -129,7 +129,7 @@ pub(super) fn legend(svg: &mut Svg, plot: &Plot<'_>, place: LegendPlace) {
         entry(svg, series.label.as_deref(), x, &mut row);
     }
     for band in plot.panel.bands.iter().filter(|band| band.label.is_some()) {
-        svg.rect(x + PADDING, row - 5.0, KEY, 10.0, &band_look(band.colour));
+        svg.rect(x + PADDING, row - 5.0, KEY, 10.0, &band_style(band.colour));
         entry(svg, band.label.as_deref(), x, &mut row);
     }
 }
@@ -149,13 +149,13 @@ fn key(svg: &mut Svg, series: &Series, x: f64, y: f64) {
     if let Some(line) = series.line {
         svg.path(
             &format!("M{} {}h{}", number(x), number(y), number(KEY)),
-            &line_look(line, series.colour),
+            &line_style(line, series.colour),
         );
     }
     if let Some(marker) = series.marker {
         svg.path(
             &marker_path(marker, x + KEY / 2.0, y, 1.0),
-            &marker_look(marker, series.colour),
+            &marker_style(marker, series.colour),
         );
     }
 }

@@ -24,7 +24,7 @@ pub(super) fn marks(svg: &mut Svg, plot: &Plot<'_>) {
         if let Some(line) = series.line {
             pixel_runs(plot, series)
                 .iter()
-                .for_each(|run| svg.path(&path(run), &line_look(line, series.colour)));
+                .for_each(|run| svg.path(&path(run), &line_style(line, series.colour)));
         }
     }
     svg.close_window();
@@ -45,12 +45,12 @@ pub(super) fn marks(svg: &mut Svg, plot: &Plot<'_>) {
 pub(super) fn markers(svg: &mut Svg, plot: &Plot<'_>) {
     for series in &plot.panel.series {
         if let Some(marker) = series.marker {
-            let places = marker_places(plot, series);
-            let steps: String = places
+            let points = marker_points(plot, series);
+            let steps: String = points
                 .iter()
                 .map(|(x, y)| marker_path(marker, plot.left + x, plot.top + y, 1.0))
                 .collect();
-            svg.path(&steps, &marker_look(marker, series.colour));
+            svg.path(&steps, &marker_style(marker, series.colour));
         }
     }
 }
@@ -67,7 +67,7 @@ pub(super) fn pixel_runs(plot: &Plot<'_>, series: &Series) -> Vec<Vec<(f64, f64)
 }
 
 /// Returns the attributes of a line.
-pub(super) fn line_look(line: Line, colour: Colour) -> String {
+pub(super) fn line_style(line: Line, colour: Colour) -> String {
     let (weight, dash) = match line {
         Line::Solid => ("1.8", ""),
         Line::Dashed => ("1.8", " stroke-dasharray=\"6 4\""),
@@ -85,7 +85,7 @@ pub(super) fn line_look(line: Line, colour: Colour) -> String {
 }
 
 /// Returns the attributes of a marker: filled, or open with white paper inside.
-pub(super) fn marker_look(marker: Marker, colour: Colour) -> String {
+pub(super) fn marker_style(marker: Marker, colour: Colour) -> String {
     let rule = if colour == Colour::Ink {
         " jounce-rule"
     } else {
@@ -137,24 +137,24 @@ pub(super) fn marker_path(marker: Marker, x: f64, y: f64, scale: f64) -> String 
 }
 
 /// Returns the points to mark: all in the frame; on a line, no two closer than the marker distance.
-pub(super) fn marker_places(plot: &Plot<'_>, series: &Series) -> Vec<(f64, f64)> {
-    let mut places: Vec<(f64, f64)> = Vec::new();
+pub(super) fn marker_points(plot: &Plot<'_>, series: &Series) -> Vec<(f64, f64)> {
+    let mut points: Vec<(f64, f64)> = Vec::new();
     for (x, y) in series
         .x
         .iter()
         .zip(&series.y)
         .filter(|(x, y)| plot.x.holds(**x) && plot.y.holds(**y))
     {
-        let Some(place) = plot.pixel(*x, *y) else {
+        let Some(point) = plot.pixel(*x, *y) else {
             continue;
         };
         let near =
-            |before: &(f64, f64)| (place.0 - before.0).hypot(place.1 - before.1) < MARKER_DISTANCE;
-        if series.line.is_none() || !places.last().is_some_and(near) {
-            places.push(place);
+            |before: &(f64, f64)| (point.0 - before.0).hypot(point.1 - before.1) < MARKER_DISTANCE;
+        if series.line.is_none() || !points.last().is_some_and(near) {
+            points.push(point);
         }
     }
-    places
+    points
 }
 
 fn bands(svg: &mut Svg, plot: &Plot<'_>) {
@@ -164,7 +164,7 @@ fn bands(svg: &mut Svg, plot: &Plot<'_>) {
         } else {
             plot.y
         };
-        let (Some(low), Some(high)) = (span.place(band.low), span.place(band.high)) else {
+        let (Some(low), Some(high)) = (span.fraction(band.low), span.fraction(band.high)) else {
             continue;
         };
         let (low, high) = (low.min(high).clamp(0.0, 1.0), low.max(high).clamp(0.0, 1.0));
@@ -182,12 +182,12 @@ fn bands(svg: &mut Svg, plot: &Plot<'_>) {
                 (high - low) * plot.height,
             ),
         };
-        svg.rect(x, y, w, h, &band_look(band.colour));
+        svg.rect(x, y, w, h, &band_style(band.colour));
     }
 }
 
 /// Returns the attributes of a shaded range.
-pub(super) fn band_look(colour: Colour) -> String {
+pub(super) fn band_style(colour: Colour) -> String {
     format!("fill=\"{}\" fill-opacity=\"0.22\"", colour.hex())
 }
 
@@ -195,7 +195,7 @@ fn references(svg: &mut Svg, plot: &Plot<'_>) {
     let mut steps = String::new();
     for line in &plot.panel.references {
         let _ = match line.along {
-            Along::X => plot.x.place(line.value).map(|x| {
+            Along::X => plot.x.fraction(line.value).map(|x| {
                 write!(
                     steps,
                     "M{} 0v{}",
@@ -203,7 +203,7 @@ fn references(svg: &mut Svg, plot: &Plot<'_>) {
                     number(plot.height)
                 )
             }),
-            Along::Y => plot.y.place(line.value).map(|y| {
+            Along::Y => plot.y.fraction(line.value).map(|y| {
                 write!(
                     steps,
                     "M0 {}h{}",
@@ -229,25 +229,25 @@ fn names(svg: &mut Svg, plot: &Plot<'_>) {
     let (mut across, mut down) = (Vec::<(f64, f64)>::new(), Vec::<(f64, f64)>::new());
     for line in &plot.panel.references {
         let Some(name) = &line.label else { continue };
-        let (span, taken) = if line.along == Along::X {
+        let (span, start) = if line.along == Along::X {
             (plot.x, &mut across)
         } else {
             (plot.y, &mut down)
         };
-        let Some(place) = span.place(line.value).filter(|_| span.holds(line.value)) else {
+        let Some(position) = span.fraction(line.value).filter(|_| span.holds(line.value)) else {
             continue;
         };
         let (centre, half) = match line.along {
-            Along::X => (place * plot.width, width(name, SMALL) / 2.0 + 3.0),
-            Along::Y => ((1.0 - place) * plot.height, SMALL * 0.6),
+            Along::X => (position * plot.width, width(name, SMALL) / 2.0 + 3.0),
+            Along::Y => ((1.0 - position) * plot.height, SMALL * 0.6),
         };
-        if taken
+        if start
             .iter()
             .any(|(other, reach)| (centre - other).abs() < half + reach)
         {
             continue;
         }
-        taken.push((centre, half));
+        start.push((centre, half));
         match line.along {
             Along::X => svg.text(
                 plot.left + centre,

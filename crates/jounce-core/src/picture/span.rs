@@ -35,7 +35,7 @@ impl Span {
 
     /// Returns the position of a value, 0 at the low end and 1 at the high end; `None` for values
     /// that cannot be drawn.
-    pub fn place(&self, value: f64) -> Option<f64> {
+    pub fn fraction(&self, value: f64) -> Option<f64> {
         if !drawable(self.scale, value) {
             return None;
         }
@@ -47,8 +47,8 @@ impl Span {
 
     /// True where a value lies between the ends, apart from rounding.
     pub fn holds(&self, value: f64) -> bool {
-        self.place(value)
-            .is_some_and(|place| (-1e-9..=1.0 + 1e-9).contains(&place))
+        self.fraction(value)
+            .is_some_and(|position| (-1e-9..=1.0 + 1e-9).contains(&position))
     }
 }
 
@@ -121,21 +121,21 @@ mod tests {
     }
 
     #[test]
-    fn places_follow_the_scale() {
+    fn positions_follow_the_scale() {
         let log = Span {
             low: 1.0,
             high: 1e4,
             scale: Scale::Log,
         };
-        assert!((log.place(100.0).unwrap() - 0.5).abs() < 1e-15);
-        assert!(log.place(0.0).is_none() && log.place(f64::NAN).is_none() && !log.holds(1e5));
+        assert!((log.fraction(100.0).unwrap() - 0.5).abs() < 1e-15);
+        assert!(log.fraction(0.0).is_none() && log.fraction(f64::NAN).is_none() && !log.holds(1e5));
         assert_eq!(
             Span {
                 low: -1.0,
                 high: 3.0,
                 scale: Scale::Linear
             }
-            .place(0.0),
+            .fraction(0.0),
             Some(0.25)
         );
     }

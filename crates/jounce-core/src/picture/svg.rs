@@ -59,19 +59,19 @@ impl Svg {
         self.body.push_str("</svg>\n");
     }
 
-    /// Draws a rectangle with the attributes `look`.
-    pub fn rect(&mut self, x: f64, y: f64, width: f64, height: f64, look: &str) {
+    /// Draws a rectangle with the attributes `style`.
+    pub fn rect(&mut self, x: f64, y: f64, width: f64, height: f64, style: &str) {
         let (x, y, w, h) = (number(x), number(y), number(width), number(height));
         let _ = writeln!(
             self.body,
-            "<rect x=\"{x}\" y=\"{y}\" width=\"{w}\" height=\"{h}\" {look}/>"
+            "<rect x=\"{x}\" y=\"{y}\" width=\"{w}\" height=\"{h}\" {style}/>"
         );
     }
 
-    /// Draws a path with the attributes `look`; an empty path is omitted.
-    pub fn path(&mut self, steps: &str, look: &str) {
+    /// Draws a path with the attributes `style`; an empty path is omitted.
+    pub fn path(&mut self, steps: &str, style: &str) {
         if !steps.is_empty() {
-            let _ = writeln!(self.body, "<path d=\"{steps}\" {look}/>");
+            let _ = writeln!(self.body, "<path d=\"{steps}\" {style}/>");
         }
     }
 

@@ -28,7 +28,7 @@ impl Ticks {
             0
         };
         let factor = 10f64.powi(exponent);
-        let (values, minor, decimals) = places(axis, span, factor, room.max(2.0));
+        let (values, minor, decimals) = tick_positions(axis, span, factor, room.max(2.0));
         let power = decimals.and_then(|_| common_power(span, factor));
         let label = |&value: &f64| match (decimals, power) {
             (Some(decimals), None) => decimal(value / factor, decimals),
@@ -104,7 +104,12 @@ fn common_power(span: &Span, factor: f64) -> Option<i32> {
 
 /// Returns the values of the major and minor ticks, and the decimals of the labels if the steps are
 /// equal.
-fn places(axis: &Axis, span: &Span, factor: f64, room: f64) -> (Vec<f64>, Vec<f64>, Option<i32>) {
+fn tick_positions(
+    axis: &Axis,
+    span: &Span,
+    factor: f64,
+    room: f64,
+) -> (Vec<f64>, Vec<f64>, Option<i32>) {
     let decades = (span.high / span.low).log10();
     if span.scale == Scale::Linear || decades < 0.7 {
         let (major, minor, decimals) =
@@ -117,7 +122,7 @@ fn places(axis: &Axis, span: &Span, factor: f64, room: f64) -> (Vec<f64>, Vec<f6
 }
 
 fn equal_steps(
-    wanted: Option<f64>,
+    requested: Option<f64>,
     span: &Span,
     factor: f64,
     room: f64,
@@ -131,7 +136,7 @@ fn equal_steps(
         m if m <= 5.0 => (5.0, 5.0),
         _ => (10.0, 5.0),
     };
-    let (step, parts, decimals) = match wanted {
+    let (step, parts, decimals) = match requested {
         // Thirds of 90 degrees, fifths otherwise.
         Some(step) if step > 0.0 && (high - low) / step < 50.0 => (
             step,
@@ -290,7 +295,7 @@ mod tests {
     }
 
     #[test]
-    fn a_wanted_step_is_kept() {
+    fn requested_step_is_used() {
         let labels = ticks(
             Axis::linear("Phase", "deg")
                 .between(-180.0, 180.0)

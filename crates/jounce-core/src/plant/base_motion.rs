@@ -23,7 +23,7 @@ impl Stop {
     fn share_of(&self, base: Option<&String>) -> f64 {
         self.bases
             .iter()
-            .filter(|(own, _)| Some(own) == base)
+            .filter(|(name, _)| Some(name) == base)
             .map(|(_, share)| share)
             .sum()
     }
@@ -67,7 +67,11 @@ impl Plant {
             .iter()
             .map(|stop| self.approach_of_signals(stop))
             .collect();
-        let matters = |signal: usize| shares.iter().any(|own| own[signal] != 0.0);
+        let matters = |signal: usize| {
+            shares
+                .iter()
+                .any(|shares_of_port| shares_of_port[signal] != 0.0)
+        };
         let travel = |(k, wave): (usize, &Wave)| {
             (matters(k) && !wave.is_constant()).then(|| Arc::new(Travel::of(wave)))
         };
@@ -82,7 +86,7 @@ impl Plant {
         self.ports
             .iter_mut()
             .zip(shares)
-            .for_each(|(port, own)| port.approach = own);
+            .for_each(|(port, shares_of_port)| port.approach = shares_of_port);
     }
 
     /// Returns the displacement towards a stop due to the base motions at a time, m.
@@ -90,10 +94,10 @@ impl Plant {
         let Some(port) = self.ports.get(stop) else {
             return 0.0;
         };
-        let turned = |(tone, x): (&super::Tone, &c64)| {
+        let phasor = |(tone, x): (&super::Tone, &c64)| {
             (x * c64::cis(tone.angular_frequency_rad_s * time_s)).re
         };
-        let tones: f64 = self.tones.iter().zip(&port.approach_m).map(turned).sum();
+        let tones: f64 = self.tones.iter().zip(&port.approach_m).map(phasor).sum();
         let signals = self
             .system
             .signals

@@ -60,12 +60,12 @@ impl BlockPair {
     pub fn integral(&self, time_s: f64) -> [f64; 4] {
         match *self {
             BlockPair::Oscillatory { .. } => {
-                let whole = grown(self.eigenvalue(), time_s);
-                [whole.re, -whole.im, whole.im, whole.re]
+                let integral = grown(self.eigenvalue(), time_s);
+                [integral.re, -integral.im, integral.im, integral.re]
             }
             BlockPair::Jordan { rate } => {
                 // int t e^(rate t) dt, by its series if the closed form suffers from cancellation.
-                let (z, once) = (rate * time_s, grown(c64::new(rate, 0.0), time_s).re);
+                let (z, first_integral) = (rate * time_s, grown(c64::new(rate, 0.0), time_s).re);
                 let twice = if z.abs() < 1.0 {
                     let terms = (0..24).scan(1.0, |power, k: i32| {
                         let term = *power / f64::from(k + 2);
@@ -74,9 +74,9 @@ impl BlockPair {
                     });
                     time_s * time_s * terms.sum::<f64>()
                 } else {
-                    (time_s * z.exp() - once) / rate
+                    (time_s * z.exp() - first_integral) / rate
                 };
-                [once, twice, 0.0, once]
+                [first_integral, twice, 0.0, first_integral]
             }
         }
     }
@@ -180,7 +180,7 @@ impl BlockDiagonal {
         real: impl Fn(f64) -> f64,
     ) -> Vec<f64> {
         let (paired, single) = y.split_at(2 * self.pairs.len());
-        let turned = self
+        let transformed = self
             .pairs
             .iter()
             .zip(paired.chunks_exact(2))
@@ -188,7 +188,7 @@ impl BlockDiagonal {
                 let [a, b, c, d] = pair(block);
                 [a * uv[0] + b * uv[1], c * uv[0] + d * uv[1]]
             });
-        turned
+        transformed
             .chain(
                 self.reals
                     .iter()
@@ -289,15 +289,15 @@ impl BlockDiagonal {
     }
 
     /// Returns `A^-1 y`, with 0 for the excluded states; free states must be excluded.
-    pub fn solve(&self, y: &[f64], left_out: &[bool]) -> Vec<f64> {
+    pub fn solve(&self, y: &[f64], omitted: &[bool]) -> Vec<f64> {
         let inverse = |pair: &BlockPair| {
             let [a, b, c, d] = pair.matrix();
             [d, -b, -c, a].map(|entry| entry / (a * d - b * c))
         };
         let mut out = self.map(y, inverse, |rate| 1.0 / rate);
         out.iter_mut()
-            .zip(left_out)
-            .filter(|(_, left_out)| **left_out)
+            .zip(omitted)
+            .filter(|(_, omitted)| **omitted)
             .for_each(|(value, _)| *value = 0.0);
         out
     }
@@ -345,15 +345,15 @@ mod tests {
         let (h, half) = (time_s / f64::from(panels), 0.5 / 3.0_f64.sqrt());
         let mut sum = vec![0.0; y.len()];
         for panel in 0..panels {
-            for place in [0.5 - half, 0.5 + half] {
-                let at = block.flow((f64::from(panel) + place) * h, &y);
+            for point in [0.5 - half, 0.5 + half] {
+                let at = block.flow((f64::from(panel) + point) * h, &y);
                 sum.iter_mut()
                     .zip(at)
                     .for_each(|(sum, at)| *sum += 0.5 * h * at);
             }
         }
-        let found = block.integral(time_s, &y);
-        let worst = found
+        let computed = block.integral(time_s, &y);
+        let worst = computed
             .iter()
             .zip(&sum)
             .map(|(a, b)| (a - b).abs())

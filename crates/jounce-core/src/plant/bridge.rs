@@ -131,7 +131,7 @@ impl Bridge {
         if self.has_switch() { 6 } else { 3 }
     }
 
-    fn place(&self, state: BridgeState) -> usize {
+    fn state_index(&self, state: BridgeState) -> usize {
         let conduction = state.conduction as usize;
         if self.has_switch() {
             2 * conduction + usize::from(state.rising)
@@ -154,7 +154,7 @@ impl System {
             .iter()
             .zip(states)
             .fold(0, |number, (bridge, state)| {
-                number * bridge.states() + bridge.place(*state)
+                number * bridge.states() + bridge.state_index(*state)
             })
     }
 
@@ -163,12 +163,12 @@ impl System {
         let mut rest = regime;
         let mut states: Vec<BridgeState> = (self.bridges.iter().rev())
             .map(|bridge| {
-                let place = rest % bridge.states();
+                let state_index = rest % bridge.states();
                 rest /= bridge.states();
                 let (conduction, rising) = if bridge.has_switch() {
-                    (place / 2, place % 2 == 1)
+                    (state_index / 2, state_index % 2 == 1)
                 } else {
-                    (place, false)
+                    (state_index, false)
                 };
                 let conduction = [
                     Conduction::Blocked,
@@ -195,15 +195,15 @@ impl System {
         let electrical = Electrical::of(&system);
         for (number, bridge) in self.bridges.iter().enumerate() {
             for node in electrical.nodes_of(number) {
-                let (pushed_v, shape) = (
+                let (offset_v, shape) = (
                     electrical.zero_v[node],
                     &electrical.nodes[node].coupling_n_per_v,
                 );
-                if pushed_v != 0.0 && shape.iter().any(|theta| *theta != 0.0) {
+                if offset_v != 0.0 && shape.iter().any(|theta| *theta != 0.0) {
                     system.signals.push(Signal {
                         name: bridge.name.clone(),
                         shape: shape.clone(),
-                        wave: Wave::Constant(pushed_v),
+                        wave: Wave::Constant(offset_v),
                         base: None,
                     });
                 }

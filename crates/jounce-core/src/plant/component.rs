@@ -60,11 +60,11 @@ impl CoupledMatrix {
         }
         for leak in &electrical.leaks {
             let parts = &electrical.patch[leak.patch];
-            for (node, own) in parts {
+            for (node, share) in parts {
                 for (other, factor) in parts {
-                    let taken = leak.conductance_per_ohm * own * factor
+                    let conductance = leak.conductance_per_ohm * share * factor
                         / electrical.nodes[*node].capacitance_f;
-                    matrix[(2 * n + node, 2 * n + other)] -= taken;
+                    matrix[(2 * n + node, 2 * n + other)] -= conductance;
                 }
             }
         }
@@ -109,10 +109,10 @@ pub(super) fn components(system: &System, electrical: &Electrical) -> Vec<Vec<us
     let n = system.modes.len();
     let mut groups: Vec<Vec<usize>> = (0..n).map(|mode| vec![mode]).collect();
     for dashpot in &system.dashpots {
-        let (joined, apart): (Vec<_>, Vec<_>) = groups
+        let (joined, separate): (Vec<_>, Vec<_>) = groups
             .into_iter()
             .partition(|group: &Vec<usize>| group.iter().any(|&mode| dashpot.shape[mode] != 0.0));
-        groups = apart;
+        groups = separate;
         groups.extend(Some(joined.concat()).filter(|modes| !modes.is_empty()));
     }
     for (k, node) in electrical.nodes.iter().enumerate() {
@@ -121,7 +121,7 @@ pub(super) fn components(system: &System, electrical: &Electrical) -> Vec<Vec<us
                 .iter()
                 .any(|&state| state < n && node.coupling_n_per_v[state] != 0.0)
         };
-        let (mut joined, apart): (Vec<_>, Vec<_>) = groups.into_iter().partition(touches);
+        let (mut joined, separate): (Vec<_>, Vec<_>) = groups.into_iter().partition(touches);
         joined.push(vec![2 * n + k]);
         let inductors = electrical
             .inductors
@@ -133,7 +133,7 @@ pub(super) fn components(system: &System, electrical: &Electrical) -> Vec<Vec<us
                 .map(|(index, _)| 2 * n + electrical.nodes.len() + index)
                 .collect(),
         );
-        groups = apart;
+        groups = separate;
         groups.push(joined.concat());
     }
     let linked = electrical
@@ -141,10 +141,10 @@ pub(super) fn components(system: &System, electrical: &Electrical) -> Vec<Vec<us
         .iter()
         .filter_map(|link| Some((link.node, link.to?.0)));
     for (node, other) in linked.chain(electrical.leaking_pairs()) {
-        let (joined, apart) = groups.into_iter().partition(|group: &Vec<usize>| {
+        let (joined, separate) = groups.into_iter().partition(|group: &Vec<usize>| {
             group.contains(&(2 * n + node)) || group.contains(&(2 * n + other))
         });
-        groups = apart;
+        groups = separate;
         let joined: Vec<Vec<usize>> = joined;
         groups.push(joined.concat());
     }
@@ -240,14 +240,14 @@ pub(super) fn coupled(
             .for_each(|(i, &state)| column[state] = value(i));
         column
     };
-    let kept = charged
+    let retained = charged
         .iter()
         .map(|state| PieceBlock::Real(0.0, spread(&|i: usize| state[i])));
-    let kept: Vec<ComponentBlock> = kept
+    let retained: Vec<ComponentBlock> = retained
         .map(|block| ComponentBlock { block, exact: true })
         .collect();
-    if kept.len() == all.len() {
-        return Ok(kept);
+    if retained.len() == all.len() {
+        return Ok(retained);
     }
     let basis = complement(&charged, all.len());
     let matrix = basis.transpose() * &local * &basis;
@@ -296,7 +296,7 @@ pub(super) fn coupled(
             block,
             exact: false,
         })
-        .chain(kept)
+        .chain(retained)
         .collect())
 }
 

@@ -28,16 +28,16 @@ impl ConductionPath {
     pub fn of_all(electrical: &Electrical, states: usize) -> Vec<Self> {
         let of = |link: &super::electrical::Conductance| {
             let along = |node: usize, sign: f64| sign / electrical.nodes[node].capacitance_f.sqrt();
-            let own = [
+            let rows = [
                 along(link.node, 1.0),
                 link.to.map_or(0.0, |(other, sign)| along(other, -sign)),
             ];
-            let length = own[0].hypot(own[1]);
+            let length = rows[0].hypot(rows[1]);
             Self {
                 first: states + link.node,
                 second: link.to.map(|(other, _)| states + other),
-                cosine: own[0] / length,
-                sine: own[1] / length,
+                cosine: rows[0] / length,
+                sine: rows[1] / length,
                 rate_per_s: -link.conductance_per_ohm * length * length,
             }
         };
@@ -49,7 +49,7 @@ impl ConductionPath {
         if let Some(second) = self.second {
             for j in 0..matrix.ncols() {
                 (matrix[(self.first, j)], matrix[(second, j)]) =
-                    self.turned(matrix[(self.first, j)], matrix[(second, j)]);
+                    self.rotated(matrix[(self.first, j)], matrix[(second, j)]);
             }
             self.enter_columns(matrix);
         }
@@ -61,7 +61,7 @@ impl ConductionPath {
         let Some(second) = self.second else { return };
         for i in 0..rows.nrows() {
             (rows[(i, self.first)], rows[(i, second)]) =
-                self.turned(rows[(i, self.first)], rows[(i, second)]);
+                self.rotated(rows[(i, self.first)], rows[(i, second)]);
         }
     }
 
@@ -70,7 +70,7 @@ impl ConductionPath {
         let Some(second) = self.second else { return };
         for j in 0..columns.ncols() {
             (columns[(self.first, j)], columns[(second, j)]) =
-                self.turned_back(columns[(self.first, j)], columns[(second, j)]);
+                self.rotated_back(columns[(self.first, j)], columns[(second, j)]);
         }
     }
 
@@ -79,18 +79,18 @@ impl ConductionPath {
         let Some(second) = self.second else { return };
         for i in 0..rows.nrows() {
             (rows[(i, self.first)], rows[(i, second)]) =
-                self.turned_back(rows[(i, self.first)], rows[(i, second)]);
+                self.rotated_back(rows[(i, self.first)], rows[(i, second)]);
         }
     }
 
-    fn turned(&self, u: f64, v: f64) -> (f64, f64) {
+    fn rotated(&self, u: f64, v: f64) -> (f64, f64) {
         (
             self.cosine * u + self.sine * v,
             self.cosine * v - self.sine * u,
         )
     }
 
-    fn turned_back(&self, along: f64, across: f64) -> (f64, f64) {
+    fn rotated_back(&self, along: f64, across: f64) -> (f64, f64) {
         (
             self.cosine * along - self.sine * across,
             self.sine * along + self.cosine * across,

@@ -253,14 +253,14 @@ impl Plant {
 
     /// Returns the time integral of one entry of the physical state, from integrated block
     /// coordinates.
-    pub fn integral_of(&self, y: &[f64], length_s: f64, place: usize) -> f64 {
+    pub fn integral_of(&self, y: &[f64], length_s: f64, state_index: usize) -> f64 {
         let matrix = &self.diagonal.to_physical;
-        let zero_v = place
+        let zero_v = state_index
             .checked_sub(2 * self.system.modes.len())
             .and_then(|node| self.electrical.zero_v.get(node));
         y.iter()
             .enumerate()
-            .map(|(j, y)| matrix[(place, j)] * y)
+            .map(|(j, y)| matrix[(state_index, j)] * y)
             .sum::<f64>()
             + zero_v.map_or(0.0, |zero_v| zero_v * length_s)
     }
@@ -279,7 +279,7 @@ impl Plant {
         product(&self.diagonal.from_physical, rate)
             .iter()
             .enumerate()
-            .map(|(i, own)| own - turning(i))
+            .map(|(i, velocity)| velocity - turning(i))
             .collect()
     }
 
@@ -326,19 +326,19 @@ impl Plant {
         let shape = &stop.shape;
         let displacement = self.displacement_row(shape);
         let approach_m = self.approach_of_tones(stop);
-        let pushed_back: Vec<f64> = shape.iter().map(|s| -s).collect();
+        let reaction: Vec<f64> = shape.iter().map(|s| -s).collect();
         Port {
             steady_m: self
                 .steady_output(&displacement)
                 .iter()
                 .zip(&approach_m)
-                .map(|(own, bases)| own + bases)
+                .map(|(entry, bases)| entry + bases)
                 .collect(),
             approach_m,
             approach: Vec::new(),
             displacement,
             velocity: self.velocity_row(shape),
-            force: self.force_column(&pushed_back),
+            force: self.force_column(&reaction),
             mobility_per_kg: shape.iter().map(|s| s * s).sum(),
             gap_m: stop.gap_m,
         }

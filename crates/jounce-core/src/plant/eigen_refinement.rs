@@ -32,7 +32,7 @@ pub(super) fn refined(
     let n = values.len();
     let full = Mat::from_fn(n, n, |i, j| c64::new(matrix[(i, j)], 0.0));
     let is_real: Vec<bool> = values.iter().map(|value| value.im == 0.0).collect();
-    let kept = |j: usize, number: c64| {
+    let is_resolved = |j: usize, number: c64| {
         if is_real[j] {
             c64::new(number.re, 0.0)
         } else {
@@ -41,9 +41,9 @@ pub(super) fn refined(
     };
     for _ in 0..REFINEMENT_STEPS {
         let applied = &full * &vectors;
-        let left = Mat::from_fn(n, n, |i, j| applied[(i, j)] - vectors[(i, j)] * values[j]);
-        let within = vectors.partial_piv_lu().inverse() * left;
-        let apart = |i: usize, j: usize| {
+        let residual = Mat::from_fn(n, n, |i, j| applied[(i, j)] - vectors[(i, j)] * values[j]);
+        let within = vectors.partial_piv_lu().inverse() * residual;
+        let distance = |i: usize, j: usize| {
             let share = within[(i, j)] / (values[j] - values[i]);
             if i != j && share.norm() < MAX_CORRECTION {
                 share
@@ -51,11 +51,13 @@ pub(super) fn refined(
                 c64::new(0.0, 0.0)
             }
         };
-        let correction = Mat::from_fn(n, n, apart);
-        let moved = &vectors * &correction;
-        vectors = Mat::from_fn(n, n, |i, j| kept(j, vectors[(i, j)] + moved[(i, j)]));
+        let correction = Mat::from_fn(n, n, distance);
+        let update = &vectors * &correction;
+        vectors = Mat::from_fn(n, n, |i, j| {
+            is_resolved(j, vectors[(i, j)] + update[(i, j)])
+        });
         values = (0..n)
-            .map(|j| kept(j, values[j] + within[(j, j)]))
+            .map(|j| is_resolved(j, values[j] + within[(j, j)]))
             .collect();
     }
     (values, vectors)
@@ -70,7 +72,7 @@ mod tests {
     /// rotated into each other. The slow root has an error of 1e-15 of itself, where the solver
     /// leaves 5e-8. The vectors still span the complete space.
     #[test]
-    fn slow_rates_beside_fast_ones_keep_their_digits() {
+    fn slow_rates_next_to_fast_ones_are_accurate() {
         let (fast, slow, a, b) = (1e9, 1.0, 3e3, -2e3);
         let (sin, cos) = 0.7_f64.sin_cos();
         let rows = [
@@ -89,13 +91,13 @@ mod tests {
         let sum = fast + slow;
         let exact = -(fast * slow - a * b)
             / (0.5 * (sum + (sum * sum - 4.0 * (fast * slow - a * b)).sqrt()));
-        let found: Vec<f64> = values
+        let computed: Vec<f64> = values
             .iter()
             .map(|value| value.re)
             .filter(|rate| *rate > -1e3)
             .collect();
-        assert_eq!(found.len(), 2);
-        found
+        assert_eq!(computed.len(), 2);
+        computed
             .iter()
             .for_each(|rate| assert!((rate / exact - 1.0).abs() < 4e-15, "{rate:e} {exact:e}"));
         let sizes = vectors.singular_values().unwrap();

@@ -105,7 +105,7 @@ impl Electrical {
             patch: vec![Vec::new(); patches.len()],
             ..Self::default()
         };
-        let mut placed: Vec<Option<Across>> = vec![None; system.loads.len()];
+        let mut connected: Vec<Option<Across>> = vec![None; system.loads.len()];
         let mut terminals: Vec<Option<usize>> = vec![None; system.bridges.len()];
         let carries = |connections: &[Connection], name: &str| {
             connections
@@ -126,20 +126,21 @@ impl Electrical {
                     let node = electrical.add(patch.capacitance_f, patch.coupling_n_per_v.clone());
                     electrical.patch[index].push((node, 1.0));
                 }
-                (Some(load), _) if placed[load].is_none() => {
-                    let own = &system.loads[load];
-                    let terminal = electrical.connect(system, &own.connections, own.wiring);
-                    placed[load] = Some(electrical.across(terminal, own));
+                (Some(load), _) if connected[load].is_none() => {
+                    let component = &system.loads[load];
+                    let terminal =
+                        electrical.connect(system, &component.connections, component.wiring);
+                    connected[load] = Some(electrical.across(terminal, component));
                 }
                 (None, Some(bridge)) if terminals[bridge].is_none() => {
-                    let own = &system.bridges[bridge];
+                    let component = &system.bridges[bridge];
                     terminals[bridge] =
-                        Some(electrical.connect(system, &own.connections, own.wiring));
+                        Some(electrical.connect(system, &component.connections, component.wiring));
                 }
                 _ => {}
             }
         }
-        electrical.load = placed;
+        electrical.load = connected;
         electrical.leak(system);
         for (number, (bridge, terminal)) in system.bridges.iter().zip(terminals).enumerate() {
             // System::assemble has checked that every bridge has a patch.

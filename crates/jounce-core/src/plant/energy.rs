@@ -138,11 +138,15 @@ impl EnergyMeter {
             .map(|tone| quadratic.slope(&tone.steady))
             .collect();
         let (mut mean, mut terms) = (0.0, Vec::new());
-        for (own, k) in forcings.iter().zip(&plant.tones) {
+        for (forcing, k) in forcings.iter().zip(&plant.tones) {
             for l in &plant.tones {
                 let (wk, wl) = (k.angular_frequency_rad_s, l.angular_frequency_rad_s);
-                let sum: c64 = own.iter().zip(&l.steady).map(|(c, s)| c * s * 0.25).sum();
-                let difference: c64 = own
+                let sum: c64 = forcing
+                    .iter()
+                    .zip(&l.steady)
+                    .map(|(c, s)| c * s * 0.25)
+                    .sum();
+                let difference: c64 = forcing
                     .iter()
                     .zip(&l.steady)
                     .map(|(c, s)| c * s.conj() * 0.25)
@@ -188,15 +192,15 @@ impl EnergyMeter {
             .map(|tone| (0..plant.len()).map(|j| along(tone, j)).collect())
             .collect();
         let (mut mean, mut terms) = (0.0, Vec::new());
-        for (own, tone) in forcings.iter().zip(&plant.tones) {
+        for (forcing, tone) in forcings.iter().zip(&plant.tones) {
             for other in &plant.tones {
                 let (wk, wl) = (tone.angular_frequency_rad_s, other.angular_frequency_rad_s);
-                let sum: c64 = own
+                let sum: c64 = forcing
                     .iter()
                     .zip(&other.steady)
                     .map(|(g, s)| g * s * 0.5)
                     .sum();
-                let difference: c64 = own
+                let difference: c64 = forcing
                     .iter()
                     .zip(&other.steady)
                     .map(|(g, s)| g * s.conj() * 0.5)

@@ -76,8 +76,9 @@ impl Bridge {
 impl System {
     /// Returns the event functions of the possible next changes of its bridges.
     pub(super) fn guards(&self) -> Vec<EventFunction> {
-        let of = |(bridge, own): (usize, &Bridge)| {
-            own.changes()
+        let of = |(bridge, state): (usize, &Bridge)| {
+            state
+                .changes()
                 .into_iter()
                 .map(move |change| EventFunction { bridge, change })
                 .collect::<Vec<_>>()

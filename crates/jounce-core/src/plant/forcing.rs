@@ -132,12 +132,12 @@ impl Plant {
     pub fn forced_integral(&self, sizes: &[SignalSample], until_s: f64) -> Vec<f64> {
         let mut state = vec![0.0; self.len()];
         for (forcing, [size, slope]) in self.forcings.iter().zip(sizes) {
-            let (held_s, passed) = (
+            let (constant_s, decayed) = (
                 size * until_s + 0.5 * slope * until_s * until_s,
                 slope * until_s,
             );
             for (sum, (rest, lag)) in state.iter_mut().zip(forcing.rest.iter().zip(&forcing.lag)) {
-                *sum += rest * held_s + lag * passed;
+                *sum += rest * constant_s + lag * decayed;
             }
             let (mut power, mut factor) = (forcing.local.clone(), 0.5 * until_s * until_s);
             for j in 1..=LOCAL_TERMS {

@@ -29,10 +29,10 @@ impl Electrical {
     pub(super) fn leak(&mut self, system: &System) {
         let patches = system.modes.patch.values().enumerate();
         self.leaks = patches
-            .filter_map(|(patch, own)| {
+            .filter_map(|(patch, patch_data)| {
                 Some(Leak {
                     patch,
-                    conductance_per_ohm: 1.0 / own.leakage_ohm?,
+                    conductance_per_ohm: 1.0 / patch_data.leakage_ohm?,
                 })
             })
             .collect();
@@ -58,16 +58,16 @@ impl Electrical {
 
     /// Returns the nodes of a bridge: its patches, the parts between them, its storage.
     pub fn nodes_of(&self, bridge: usize) -> Vec<usize> {
-        let own = self.bridges[bridge];
-        let mut nodes = vec![own.terminal];
+        let bridge_nodes = self.bridges[bridge];
+        let mut nodes = vec![bridge_nodes.terminal];
         for parts in self
             .patch
             .iter()
-            .filter(|parts| parts.iter().any(|(node, _)| *node == own.terminal))
+            .filter(|parts| parts.iter().any(|(node, _)| *node == bridge_nodes.terminal))
         {
             nodes.extend(parts.iter().map(|(node, _)| *node));
         }
-        nodes.extend(own.storage);
+        nodes.extend(bridge_nodes.storage);
         nodes.sort_unstable();
         nodes.dedup();
         nodes
@@ -77,20 +77,23 @@ impl Electrical {
     fn conductances(&self, nodes: &[usize]) -> Mat<f64> {
         let mut matrix = Mat::zeros(nodes.len(), nodes.len());
         let mut across = |parts: &[(usize, f64)], conductance: f64| {
-            let placed: Vec<(usize, f64)> = parts
+            let factors: Vec<(usize, f64)> = parts
                 .iter()
                 .filter_map(|(node, factor)| {
-                    Some((nodes.iter().position(|own| own == node)?, *factor))
+                    Some((
+                        nodes.iter().position(|of_bridge| of_bridge == node)?,
+                        *factor,
+                    ))
                 })
                 .collect();
-            for (i, a) in &placed {
-                for (j, b) in &placed {
+            for (i, a) in &factors {
+                for (j, b) in &factors {
                     matrix[(*i, *j)] += conductance * a * b;
                 }
             }
         };
-        for (node, own) in self.nodes.iter().enumerate() {
-            if let Some(resistance_ohm) = own.resistance_ohm {
+        for (node, electrical_node) in self.nodes.iter().enumerate() {
+            if let Some(resistance_ohm) = electrical_node.resistance_ohm {
                 across(&[(node, 1.0)], 1.0 / resistance_ohm);
             }
         }
@@ -134,10 +137,10 @@ impl Electrical {
         if !nodes.iter().any(|node| self.leaks_at(*node)) {
             return vec![(link.node, threshold_v)];
         }
-        let pushed_a = link.conductance_per_ohm * threshold_v;
+        let offset_a = link.conductance_per_ohm * threshold_v;
         let into = |node: &usize| match link.to {
-            _ if *node == link.node => pushed_a,
-            Some((other, sign)) if *node == other => -sign * pushed_a,
+            _ if *node == link.node => offset_a,
+            Some((other, sign)) if *node == other => -sign * offset_a,
             _ => 0.0,
         };
         let current_a: Vec<f64> = nodes.iter().map(into).collect();

@@ -71,7 +71,7 @@ struct BlockSpan {
 }
 
 fn spans(block: &BlockDiagonal, side: LyapunovSide) -> Vec<BlockSpan> {
-    let turned = |[a, b, c, d]: [f64; 4]| {
+    let transformed = |[a, b, c, d]: [f64; 4]| {
         if side == LyapunovSide::Rows {
             [a, b, c, d]
         } else {
@@ -83,7 +83,7 @@ fn spans(block: &BlockDiagonal, side: LyapunovSide) -> Vec<BlockSpan> {
         BlockSpan {
             start: 2 * k,
             size: 2,
-            matrix: turned(pair.matrix()),
+            matrix: transformed(pair.matrix()),
             decay: value.re,
             speed: value.norm(),
         }

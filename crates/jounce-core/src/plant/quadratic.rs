@@ -47,11 +47,11 @@ impl Quadratics {
             .into_iter()
             .chain(plant.leak_outputs())
             .map(|output| {
-                let what = match plant.system.bridges.get(output.bridge) {
+                let name = match plant.system.bridges.get(output.bridge) {
                     Some(bridge) => format!("the energy of circuit `{}`", bridge.name),
                     None => "the leakage of a patch".to_owned(),
                 };
-                Quadratic::of(plant, &what, &[(output.conductance_per_ohm, output.row)])
+                Quadratic::of(plant, &name, &[(output.conductance_per_ohm, output.row)])
             });
         let damped = |i: usize| {
             (
@@ -78,7 +78,7 @@ impl Quadratics {
 }
 
 impl Quadratic {
-    fn of(plant: &Plant, what: &str, squares: &[Square]) -> Result<Arc<Self>, PlantError> {
+    fn of(plant: &Plant, name: &str, squares: &[Square]) -> Result<Arc<Self>, PlantError> {
         let n = plant.len();
         let power = Mat::from_fn(n, n, |i, j| {
             squares
@@ -90,7 +90,7 @@ impl Quadratic {
             power[(i, j)]
         });
         let gramian = gramian.map_err(|mode_hz| PlantError::Undamped {
-            what: what.to_owned(),
+            what: name.to_owned(),
             mode_hz,
         })?;
         Ok(Arc::new(Self { power, gramian }))

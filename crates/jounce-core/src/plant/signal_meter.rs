@@ -40,16 +40,18 @@ impl SignalMeter {
         product: impl Fn(&[f64]) -> Vec<f64>,
         tone_rows: &[&[c64]],
     ) -> Self {
-        let row = |(own, forcing): (Vec<f64>, &super::Forcing)| {
-            own.iter()
+        let row = |(direct, forcing): (Vec<f64>, &super::Forcing)| {
+            direct
+                .iter()
                 .zip(product(&forcing.column))
-                .map(|(own, pb)| own + 2.0 * pb)
+                .map(|(direct, pb)| direct + 2.0 * pb)
                 .collect()
         };
-        let tone = |(own, forcing): (Vec<c64>, &super::Forcing)| {
-            own.iter()
+        let tone = |(direct, forcing): (Vec<c64>, &super::Forcing)| {
+            direct
+                .iter()
                 .zip(tone_rows)
-                .map(|(own, r)| own - dot(&forcing.column, r))
+                .map(|(direct, r)| direct - dot(&forcing.column, r))
                 .collect()
         };
         Self {
@@ -71,7 +73,7 @@ impl SignalMeter {
             .iter()
             .flatten()
             .zip(integrals.tones.iter().flatten())
-            .map(|(factor, turned)| (factor * turned).re);
+            .map(|(factor, phasor)| (factor * phasor).re);
         states.sum::<f64>() + tones.sum::<f64>()
     }
 }

@@ -214,7 +214,7 @@ impl System {
 
 fn circuits(spec: &Spec, modes: &Modes) -> Result<(Vec<Load>, Vec<Bridge>), PlantError> {
     let (mut loads, mut bridges) = (Vec::new(), Vec::new());
-    let mut carried: Vec<(String, String)> = Vec::new();
+    let mut assigned: Vec<(String, String)> = Vec::new();
     for (name, circuit) in &spec.circuit {
         let mut connections: Vec<Connection> = Vec::new();
         for (patch, sign) in circuit.connections() {
@@ -225,14 +225,14 @@ fn circuits(spec: &Spec, modes: &Modes) -> Result<(Vec<Load>, Vec<Bridge>), Plan
                     modes.patch.keys(),
                 ));
             }
-            if let Some((_, first)) = carried.iter().find(|(carried, _)| carried == patch) {
+            if let Some((_, first)) = assigned.iter().find(|(assigned, _)| assigned == patch) {
                 return Err(PlantError::TwoCircuits {
                     patch: patch.to_owned(),
                     first: first.clone(),
                     second: name.clone(),
                 });
             }
-            carried.push((patch.to_owned(), name.clone()));
+            assigned.push((patch.to_owned(), name.clone()));
             connections.push(Connection {
                 patch: patch.to_owned(),
                 sign,
@@ -401,17 +401,17 @@ pub(crate) fn driven(
     }
 }
 
-fn shape(modes: &Modes, what: String, point: &str) -> Result<Vec<f64>, PlantError> {
+fn shape(modes: &Modes, owner: String, point: &str) -> Result<Vec<f64>, PlantError> {
     modes
         .shape
         .get(point)
         .cloned()
-        .ok_or_else(|| unknown(what, point, modes.shape.keys()))
+        .ok_or_else(|| unknown(owner, point, modes.shape.keys()))
 }
 
-fn unknown<'a>(what: String, name: &str, known: impl Iterator<Item = &'a String>) -> PlantError {
+fn unknown<'a>(owner: String, name: &str, known: impl Iterator<Item = &'a String>) -> PlantError {
     PlantError::UnknownName {
-        what,
+        what: owner,
         name: name.to_owned(),
         known: known.cloned().collect::<Vec<_>>().join(", "),
     }

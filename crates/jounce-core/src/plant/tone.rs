@@ -37,13 +37,13 @@ impl Plant {
         for tone in &self.tones {
             // Least multiple of the cycles so far that is an integer for this tone too.
             let ratio = tone.angular_frequency_rad_s / slowest;
-            let is_whole = |count: usize| {
+            let is_integer = |count: usize| {
                 (ratio * count as f64 - (ratio * count as f64).round()).abs()
                     <= WHOLE_CYCLE_ERROR * ratio * count as f64
             };
             cycles = (1..=MAX_COMMON_CYCLES / cycles)
                 .map(|times| times * cycles)
-                .find(|count| is_whole(*count))?;
+                .find(|count| is_integer(*count))?;
         }
         Some(cycles as f64 * std::f64::consts::TAU / slowest)
     }
@@ -87,11 +87,11 @@ impl Plant {
         self.tones
             .iter()
             .zip(&port.steady_m)
-            .fold([0.0; 2], |[place, speed], (tone, s)| {
-                let turned = s * c64::cis(tone.angular_frequency_rad_s * time_s);
+            .fold([0.0; 2], |[displacement, speed], (tone, s)| {
+                let phasor = s * c64::cis(tone.angular_frequency_rad_s * time_s);
                 [
-                    place + turned.re,
-                    speed - tone.angular_frequency_rad_s * turned.im,
+                    displacement + phasor.re,
+                    speed - tone.angular_frequency_rad_s * phasor.im,
                 ]
             })
     }

@@ -185,7 +185,7 @@ mod tests {
                 "{next:?}"
             );
             let h = 1e-5;
-            let (right, left) = (
+            let (right, left_side) = (
                 table.next(orbit.angle_rad + h, orbit.speed),
                 table.next(orbit.angle_rad - h, orbit.speed),
             );
@@ -195,9 +195,9 @@ mod tests {
             );
             let difference = |a: f64, b: f64| (a - b) / (2.0 * h);
             let matrix = [
-                difference(right.0, left.0),
+                difference(right.0, left_side.0),
                 difference(up.0, down.0),
-                difference(right.1, left.1),
+                difference(right.1, left_side.1),
                 difference(up.1, down.1),
             ];
             let [trace, determinant] = orbit.trace_determinant;
@@ -216,7 +216,7 @@ mod tests {
     /// above it.
     #[test]
     fn bounces_settle_on_one_height_below_the_doubling_and_on_two_above() {
-        let apart = |factor: f64| {
+        let distance = |factor: f64| {
             let table = BouncingTable {
                 restitution: 0.5,
                 acceleration_ratio: 1.526823701 * factor,
@@ -225,15 +225,18 @@ mod tests {
             let mut at = (orbit.angle_rad + 1e-3, orbit.speed);
             (0..4000).for_each(|_| at = table.next(at.0, at.1));
             let after = table.next(at.0, at.1);
-            let again = table.next(after.0, after.1);
-            assert!((again.1 - at.1).abs() < 1e-6, "{at:?} {again:?}");
+            let next_impact = table.next(after.0, after.1);
+            assert!(
+                (next_impact.1 - at.1).abs() < 1e-6,
+                "{at:?} {next_impact:?}"
+            );
             (after.1 - at.1).abs()
         };
         assert!(
-            apart(0.99) < 1e-6 && apart(1.01) > 0.05,
+            distance(0.99) < 1e-6 && distance(1.01) > 0.05,
             "{} {}",
-            apart(0.99),
-            apart(1.01)
+            distance(0.99),
+            distance(1.01)
         );
     }
 }

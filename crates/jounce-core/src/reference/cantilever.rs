@@ -48,9 +48,9 @@ impl Cantilever {
 
     /// Mass-normalised shape at a distance from the clamp, kg^-1/2; the tip moves in the positive
     /// direction.
-    pub fn shape(&self, mode: usize, place_m: f64) -> f64 {
+    pub fn shape(&self, mode: usize, position_m: f64) -> f64 {
         let l = Self::root(mode);
-        let b = l * place_m / self.length_m;
+        let b = l * position_m / self.length_m;
         // cosh b - s sinh b without the difference of two large numbers, and s - 1 likewise.
         let divisor = 0.5 * (1.0 - (-2.0 * l).exp()) + l.sin() * (-l).exp();
         let ratio = (0.5 * (1.0 + (-2.0 * l).exp()) + l.cos() * (-l).exp()) / divisor;

@@ -103,10 +103,10 @@ impl Duffing {
             return Vec::new();
         };
         // The folds may lie arbitrarily close to the tip, so the samples have geometric spacing.
-        let looks: Vec<f64> = (0..=LOOKS)
+        let samples: Vec<f64> = (0..=LOOKS)
             .map(|k| tip * (1.0 - 1e-9_f64.powf(1.0 - f64::from(k) / f64::from(LOOKS + 1))))
             .collect();
-        let turns = looks
+        let turns = samples
             .windows(2)
             .filter(|pair| curve.slope(pair[0]) * curve.slope(pair[1]) < 0.0);
         turns

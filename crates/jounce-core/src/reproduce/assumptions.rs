@@ -110,11 +110,16 @@ pub(super) struct Variant {
 
 /// Runs every alternative.
 pub(super) fn variants(control: &Control) -> Result<Vec<Variant>, ReproduceError> {
-    let own = |(key, value): &(&str, &str)| ((*key).to_owned(), (*value).to_owned());
+    let owned = |(key, value): &(&str, &str)| ((*key).to_owned(), (*value).to_owned());
     let mut choices: Vec<_> = CHOICES
         .iter()
         .map(|(question, default, other, keys)| {
-            (*question, *default, *other, keys.iter().map(own).collect())
+            (
+                *question,
+                *default,
+                *other,
+                keys.iter().map(owned).collect(),
+            )
         })
         .collect();
     let axis = (
@@ -161,8 +166,11 @@ impl Variant {
             default,
             other,
             power_w,
-            settled: [short, long]
-                .map(|answer| answer.settlement.is_some_and(|found| found.settled)),
+            settled: [short, long].map(|result| {
+                result
+                    .settlement
+                    .is_some_and(|settlement| settlement.settled)
+            }),
         })
     }
 }

@@ -58,7 +58,7 @@ pub(super) fn table(ground: &[Claim], on_table: &[Claim]) -> Result<NamedTable, 
 }
 
 /// Tests all claims in order for one position of the stop.
-pub(super) fn judged(computed: &Impact) -> Vec<Claim> {
+pub(super) fn test_claims(computed: &Impact) -> Vec<Claim> {
     vec![
         linear_best_near_resonance(computed),
         second_mode_at_four_times(computed),
@@ -97,7 +97,7 @@ fn second_mode_at_four_times(computed: &Impact) -> Claim {
     lines.sort_by(|a, b| b.amplitude_peak.total_cmp(&a.amplitude_peak));
     let nearest = (computed.second_mode_hz / computed.voltage.lines[1].frequency_hz).round();
     let holds = lines[0].order == 1.0 && lines[1].order == 4.0 && nearest == 4.0;
-    let told: Vec<String> = lines
+    let printed: Vec<String> = lines
         .iter()
         .take(4)
         .map(|line| {
@@ -110,7 +110,7 @@ fn second_mode_at_four_times(computed: &Impact) -> Claim {
     let evidence = format!(
         "Highest lines of the voltage at 13 Hz and 200 N: {}. The second bending mode lies at {:.1} Hz, nearest to {nearest}× the drive. \
          Criterion: the second highest line is that at 4×.",
-        told.join(", "),
+        printed.join(", "),
         computed.second_mode_hz
     );
     Claim::new(
@@ -145,7 +145,7 @@ fn impact_loses_below_resonance(computed: &Impact) -> Claim {
 }
 
 fn smaller_optimal_load(computed: &Impact) -> Claim {
-    let told = |figure: &PowerOverResistance| {
+    let printed = |figure: &PowerOverResistance| {
         let linear_ohm = figure.linear_best.resistance_ohm;
         format!(
             "{:.1} kΩ with impact and {:.1} kΩ without at {} Hz ({:+.1} %)",
@@ -161,8 +161,8 @@ fn smaller_optimal_load(computed: &Impact) -> Claim {
     let (above, below) = (&computed.above, &computed.below);
     let evidence = format!(
         "Best loads: {}; {}. Criterion: smaller with impact, by less than 30 %.",
-        told(above),
-        told(below)
+        printed(above),
+        printed(below)
     );
     Claim::new(
         "S6: The optimal load is slightly smaller with impact, at both drives.",
@@ -182,18 +182,18 @@ fn hardening(computed: &Impact) -> Claim {
         && peaks_hz[0] > linear.frequency_hz[linear.peak()];
     let jumps = levels.iter().all(|level| level.up.steepest().1 >= 2.0);
     let hysteresis = levels.iter().any(|level| level.coexistence.factor() >= 1.5);
-    let told: Vec<String> = levels.iter().map(told_level).collect();
+    let printed: Vec<String> = levels.iter().map(print_level).collect();
     let evidence = format!(
         "Stepped up, the peak lies at {}. Criterion: the peak rises with the force and lies above the linear one, at each level a step of \
          0.1 Hz changes the power at least twofold, and at one level or more both ways, marched on for {LONG_RUN_S} s at the frequency where \
          they differ most, still differ at least 1.5-fold.",
-        told.join("; ")
+        printed.join("; ")
     );
     let claim = "S7: Impact hardens: the peak moves up with the force, with jumps, and near them several solutions exist.";
     Claim::new(claim, rises && jumps && hysteresis, evidence)
 }
 
-fn told_level(level: &DriveLevel) -> String {
+fn print_level(level: &DriveLevel) -> String {
     let (before, factor) = level.up.steepest();
     let both = &level.coexistence;
     format!(
@@ -217,7 +217,7 @@ fn similar_peak(computed: &Impact) -> Claim {
         .iter()
         .map(|level| highest(&level.up) / linear)
         .collect();
-    let told: Vec<String> = computed
+    let printed: Vec<String> = computed
         .frequency
         .levels
         .iter()
@@ -228,7 +228,7 @@ fn similar_peak(computed: &Impact) -> Claim {
     let evidence = format!(
         "Highest power per force squared on the way up over the linear peak ({linear:.3e} W/N²): {}. Criterion: within a factor of 2 at \
          each level.",
-        told.join(", ")
+        printed.join(", ")
     );
     Claim::new(
         "S8: At its resonance the power with impact is similar to the linear case.",
@@ -250,10 +250,13 @@ fn periodic(computed: &Impact) -> Claim {
     let longer = points()
         .filter(|(settled, period)| **settled && **period > 1)
         .count();
-    let long = computed.long_run.settlement.filter(|found| found.settled);
+    let long = computed
+        .long_run
+        .settlement
+        .filter(|settlement| settlement.settled);
     let orbit = long.map_or_else(
         || "no orbit of 1 to 4 periods".to_owned(),
-        |found| format!("an orbit of {} drive period(s)", found.period_cycles),
+        |settlement| format!("an orbit of {} drive period(s)", settlement.period_cycles),
     );
     let evidence = format!(
         "At 13 Hz and 200 N a run of {} s ends on {orbit}. Of the {} points of figure 6, {settled} end within 20 s on an orbit of 1 to 4 drive \

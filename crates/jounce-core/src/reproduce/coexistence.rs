@@ -29,25 +29,25 @@ impl Coexistence {
         down: &SteppedBranch,
     ) -> Result<Self, ReproduceError> {
         let (count, peak_hz) = (up.frequency_hz.len(), up.frequency_hz[up.peak()]);
-        let factor = |place: usize| {
-            let factor = up.power_w_n2[place] / down.power_w_n2[count - 1 - place];
+        let factor = |index: usize| {
+            let factor = up.power_w_n2[index] / down.power_w_n2[count - 1 - index];
             factor.max(1.0 / factor)
         };
         let near =
-            (0..count).filter(|place| (up.frequency_hz[*place] - peak_hz).abs() <= AROUND_PEAK_HZ);
-        let place = near
+            (0..count).filter(|index| (up.frequency_hz[*index] - peak_hz).abs() <= AROUND_PEAK_HZ);
+        let index = near
             .max_by(|a, b| factor(*a).total_cmp(&factor(*b)))
             .unwrap_or(0);
         let case = PaperCase {
-            frequency_hz: up.frequency_hz[place],
+            frequency_hz: up.frequency_hz[index],
             amplitude_n,
             resistance_ohm: MEGOHM,
         };
-        let on = |state: &StartState| march_on(harvester, case, state);
+        let on = |state: &StartState| continue_run(harvester, case, state);
         Ok(Self {
             frequency_hz: case.frequency_hz,
-            up_w_n2: on(&up.state[place])?,
-            down_w_n2: on(&down.state[count - 1 - place])?,
+            up_w_n2: on(&up.state[index])?,
+            down_w_n2: on(&down.state[count - 1 - index])?,
         })
     }
 
@@ -57,7 +57,7 @@ impl Coexistence {
     }
 }
 
-fn march_on(
+fn continue_run(
     harvester: &PaperHarvester,
     case: PaperCase,
     state: &StartState,

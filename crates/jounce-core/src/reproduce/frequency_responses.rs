@@ -29,17 +29,17 @@ impl HammerTest {
         system.drives.clear();
         let plant = Plant::new(system)?;
         let frequency_hz = frequencies_hz(&plant);
-        let wanted = [
+        let labels = [
             FrfResponse::Acceleration("beam.tip".to_owned()),
             FrfResponse::Voltage("mfc".to_owned()),
         ];
         let hammer = FrfInput::Force("beam.hammer".to_owned());
-        let mut curves = frf(&plant, &hammer, &wanted, &frequency_hz)?
+        let mut curves = frf(&plant, &hammer, &labels, &frequency_hz)?
             .into_iter()
-            .map(|answer| Curve {
-                label: answer.response.name(),
-                re: answer.value.iter().map(|z| z.re).collect(),
-                im: answer.value.iter().map(|z| z.im).collect(),
+            .map(|result| Curve {
+                label: result.response.name(),
+                re: result.value.iter().map(|z| z.re).collect(),
+                im: result.value.iter().map(|z| z.im).collect(),
             });
         let mut next = || {
             curves

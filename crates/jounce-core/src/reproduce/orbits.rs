@@ -45,7 +45,7 @@ impl PaperOrbits {
             || {
                 LEVELS_N
                     .into_par_iter()
-                    .map(|level| Ok((level, followed(level, control)?)))
+                    .map(|level| Ok((level, traced_branches(level, control)?)))
                     .collect::<Result<Vec<_>, ReproduceError>>()
             },
             || map_of_jumps(control),
@@ -59,9 +59,9 @@ impl PaperOrbits {
     /// Returns the figure of the branches, with the points of the stepped sweeps.
     pub fn figure(&self, swept: &PowerOverFrequency) -> NamedFigure {
         let (mut lines, mut marks) = (Vec::new(), Vec::new());
-        for (level, found) in &self.levels {
+        for (level, bifurcations) in &self.levels {
             let power = |point: &BranchPoint| point.orbit.mean_power_w / (level * level);
-            lines.extend(found.iter().map(|branch| {
+            lines.extend(bifurcations.iter().map(|branch| {
                 BranchLine {
                     label: format!("{level} N"),
                     parameter: branch.points.iter().map(|point| point.parameter).collect(),
@@ -74,13 +74,13 @@ impl PaperOrbits {
                 }
             }));
             marks.extend(
-                found
+                bifurcations
                     .iter()
                     .flat_map(|branch| &branch.bifurcations)
-                    .map(|found| BranchMark {
-                        kind: found.kind.name().to_owned(),
-                        parameter: found.at.parameter,
-                        value: power(&found.at),
+                    .map(|bifurcations| BranchMark {
+                        kind: bifurcations.kind.name().to_owned(),
+                        parameter: bifurcations.at.parameter,
+                        value: power(&bifurcations.at),
                     }),
             );
         }
@@ -90,10 +90,10 @@ impl PaperOrbits {
         );
         let mut figure = branches("Branches of periodic answers", x, y, &lines, &marks);
         for (k, level) in swept.levels.iter().enumerate() {
-            for way in [&level.up, &level.down] {
+            for sweep_branch in [&level.up, &level.down] {
                 let points = Series::points(
-                    way.frequency_hz.clone(),
-                    way.power_w_n2.clone(),
+                    sweep_branch.frequency_hz.clone(),
+                    sweep_branch.power_w_n2.clone(),
                     Marker::Circle,
                 );
                 figure
@@ -250,7 +250,7 @@ fn prepared(level_n: f64, control: &Control) -> Result<(Model, NumericKey), Repr
     Ok((Model::watched(spec, control)?, key))
 }
 
-fn followed(level_n: f64, control: &Control) -> Result<Vec<Branch>, ReproduceError> {
+fn traced_branches(level_n: f64, control: &Control) -> Result<Vec<Branch>, ReproduceError> {
     let (base, key) = prepared(level_n, control)?;
     let parameter = Parameter::new(&base, &key, FREQUENCIES_HZ.1 - FREQUENCIES_HZ.0);
     let search = BranchSearch {

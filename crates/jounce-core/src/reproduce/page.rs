@@ -17,7 +17,7 @@ const READINGS: [&str; 7] = [
 
 /// Returns the conclusion from Table 2.
 pub(super) fn summary(computed: &Computed) -> String {
-    let (thin, laminate) = computed.table_2.worst_errors();
+    let (thin_error, laminate) = computed.table_2.worst_errors();
     let print = if computed.table_2.match_print() {
         "agrees with the paper's model in every printed digit"
     } else {
@@ -27,7 +27,7 @@ pub(super) fn summary(computed: &Computed) -> String {
         "With the paper's section (a thin skin, no patch mass) our beam {print}. It is up to {:.1} % away from the measurement. The same beam with \
          the patch as a laminate about the shifted neutral axis, its mass included (5440 kg/m³), comes within {:.2} % of the measured \
          frequencies without any tuning.",
-        100.0 * thin,
+        100.0 * thin_error,
         100.0 * laminate
     )
 }

@@ -84,16 +84,16 @@ impl PowerOverFrequency {
                 ]
             })
             .collect();
-        let each = |(amplitude_n, way, branch): &(f64, &str, &SteppedBranch)| {
-            vec![(*amplitude_n, (*way).to_owned()); branch.frequency_hz.len()]
+        let each = |(amplitude_n, direction, branch): &(f64, &str, &SteppedBranch)| {
+            vec![(*amplitude_n, (*direction).to_owned()); branch.frequency_hz.len()]
         };
         let (amplitude_n, direction): (Vec<f64>, Vec<String>) = ways.iter().flat_map(each).unzip();
         let all = |of: fn(&SteppedBranch) -> &Vec<f64>| {
             ways.iter()
-                .flat_map(|way| of(way.2).clone())
+                .flat_map(|row| of(row.2).clone())
                 .collect::<Vec<f64>>()
         };
-        let settled: Vec<bool> = ways.iter().flat_map(|way| way.2.settled.clone()).collect();
+        let settled: Vec<bool> = ways.iter().flat_map(|row| row.2.settled.clone()).collect();
         let table = Table::new(vec![
             Column::new("amplitude_n", "N", "Force, peak", amplitude_n),
             Column::new("direction", "", "Stepped", direction),
@@ -137,15 +137,15 @@ fn linear(harvester: &PaperHarvester) -> Result<SteppedBranch, ReproduceError> {
         .chain(fine)
         .collect();
     frequency_hz.sort_by(f64::total_cmp);
-    let answers = frf(
+    let results = frf(
         &plant,
         &FrfInput::Force("table".to_owned()),
         &[FrfResponse::Voltage("mfc".to_owned())],
         &frequency_hz,
     )?;
-    let power_w_n2 = answers
+    let power_w_n2 = results
         .iter()
-        .flat_map(|answer| &answer.value)
+        .flat_map(|result| &result.value)
         .map(|v| v.norm_sqr() / (2.0 * MEGOHM))
         .collect();
     Ok(SteppedBranch {

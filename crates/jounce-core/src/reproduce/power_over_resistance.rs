@@ -42,7 +42,7 @@ impl PowerOverResistance {
         };
         harvester.control.expect(resistance_ohm.len());
         let counted = |r| harvester.run(at(r)).inspect(|_| harvester.control.count());
-        let answers = resistance_ohm
+        let results = resistance_ohm
             .par_iter()
             .map(counted)
             .collect::<Result<Vec<_>, _>>()?;
@@ -53,12 +53,16 @@ impl PowerOverResistance {
                 .collect::<Result<Vec<f64>, ReproduceError>>()
         };
         let (linear_w, line_w) = (linear(&resistance_ohm)?, linear(&line_ohm)?);
-        let impact_w: Vec<f64> = answers.iter().map(|answer| answer.mean_power_w).collect();
+        let impact_w: Vec<f64> = results.iter().map(|result| result.mean_power_w).collect();
         Ok(Self {
             case,
-            settled: answers
+            settled: results
                 .iter()
-                .map(|answer| answer.settlement.is_some_and(|found| found.settled))
+                .map(|result| {
+                    result
+                        .settlement
+                        .is_some_and(|settlement| settlement.settled)
+                })
                 .collect(),
             linear_best: optimal_resistance(&harvester.plant(case)?, 0)?,
             impact_best_ohm: best_ohm(&resistance_ohm, &impact_w),
@@ -72,12 +76,12 @@ impl PowerOverResistance {
     /// Returns the smallest and largest ratio of the powers with and without impact, over all
     /// resistances.
     pub fn gain_range(&self) -> (f64, f64) {
-        let gains = self
+        let charge_balance = self
             .impact_w
             .iter()
             .zip(&self.linear_w)
             .map(|(impact, linear)| impact / linear);
-        gains.fold((f64::INFINITY, 0.0), |(low, high), gain| {
+        charge_balance.fold((f64::INFINITY, 0.0), |(low, high), gain| {
             (low.min(gain), high.max(gain))
         })
     }
@@ -175,8 +179,8 @@ fn best_ohm(resistance_ohm: &[f64], power_w: &[f64]) -> f64 {
     if highest == 0 || highest + 1 == power_w.len() {
         return resistance_ohm[highest];
     }
-    let [left, top, right] = [power_w[highest - 1], power_w[highest], power_w[highest + 1]];
-    let shift = 0.5 * (left - right) / (left - 2.0 * top + right);
+    let [before, top, right] = [power_w[highest - 1], power_w[highest], power_w[highest + 1]];
+    let shift = 0.5 * (before - right) / (before - 2.0 * top + right);
     let step = (resistance_ohm[highest + 1] / resistance_ohm[highest]).ln();
     resistance_ohm[highest] * (shift * step).exp()
 }

@@ -66,8 +66,8 @@ pub fn reproduce(
         computed.orbits.map(),
     ]);
     let (ground, on_table) = (
-        claims::judged(&computed.ground),
-        claims::judged(&computed.table),
+        claims::test_claims(&computed.ground),
+        claims::test_claims(&computed.table),
     );
     let manifest =
         Manifest::new(&computed.ground.harvester.spec.hash_hex()).with("command", "reproduce");
@@ -173,14 +173,14 @@ impl Reproduction {
                 written.tables.push(path);
             }
         }
-        let drawn = self.figures.iter().flat_map(|figure| {
+        let files = self.figures.iter().flat_map(|figure| {
             ["svg", "png"].map(|ending| (figure, figures.join(format!("{}.{ending}", figure.name))))
         });
-        let drawn: Vec<_> = drawn.collect();
-        drawn
+        let files: Vec<_> = files.collect();
+        files
             .par_iter()
             .try_for_each(|(figure, path)| figure.figure.write(path))?;
-        written.figures = drawn.into_iter().map(|(_, path)| path).collect();
+        written.figures = files.into_iter().map(|(_, path)| path).collect();
         Ok(written)
     }
 }

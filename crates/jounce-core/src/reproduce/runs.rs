@@ -11,7 +11,7 @@ use crate::table::{Column, Table};
 pub(super) fn table(computed: &Impact) -> Result<NamedTable, ReproduceError> {
     let duration_s = computed.harvester.spec.run.duration_s;
     let rows: [(PaperCase, f64, &RunResult); 3] = [
-        (ABOVE_RESONANCE, duration_s, &computed.voltage.answer),
+        (ABOVE_RESONANCE, duration_s, &computed.voltage.result),
         (ABOVE_RESONANCE, LONG_RUN_S, &computed.long_run),
         (BELOW_RESONANCE, duration_s, &computed.below_run),
     ];
@@ -21,7 +21,7 @@ pub(super) fn table(computed: &Impact) -> Result<NamedTable, ReproduceError> {
     let linear_w = linear_w.collect::<Result<Vec<f64>, ReproduceError>>()?;
     let of = |read: fn(&RunResult) -> f64| {
         rows.iter()
-            .map(|(.., answer)| read(answer))
+            .map(|(.., result)| read(result))
             .collect::<Vec<f64>>()
     };
     let normalised = |power_w: &[f64]| {
@@ -35,7 +35,7 @@ pub(super) fn table(computed: &Impact) -> Result<NamedTable, ReproduceError> {
             .map(|(case, ..)| read(case))
             .collect::<Vec<f64>>()
     };
-    let power_w = of(|answer| answer.mean_power_w);
+    let power_w = of(|result| result.mean_power_w);
     let table = Table::new(vec![
         Column::new(
             "frequency_hz",
@@ -74,20 +74,20 @@ pub(super) fn table(computed: &Impact) -> Result<NamedTable, ReproduceError> {
             "voltage_rms_v",
             "V",
             "Voltage, rms",
-            of(|answer| answer.loads.iter().map(|load| load.voltage_rms_v).sum()),
+            of(|result| result.loads.iter().map(|load| load.voltage_rms_v).sum()),
         ),
         Column::new(
             "max_penetration_m",
             "m",
             "Penetration, peak",
-            of(|answer| answer.max_penetration_m),
+            of(|result| result.max_penetration_m),
         ),
         Column::new(
             "contacts",
             "",
             "Contacts in 10 s",
             rows.iter()
-                .map(|(.., answer)| answer.contacts)
+                .map(|(.., result)| result.contacts)
                 .collect::<Vec<_>>(),
         ),
         Column::new(
@@ -95,7 +95,7 @@ pub(super) fn table(computed: &Impact) -> Result<NamedTable, ReproduceError> {
             "",
             "Settled",
             rows.iter()
-                .map(|(.., answer)| answer.settlement.is_some_and(|found| found.settled))
+                .map(|(.., result)| result.settlement.is_some_and(|found| found.settled))
                 .collect::<Vec<_>>(),
         ),
     ])?;

@@ -57,21 +57,25 @@ pub(super) fn stepped(
             drive.phase_rad = *angle_rad;
         }
         kernel = kernel.with_drives(drives)?;
-        let answer = simulate(&kernel, &state, &plan)?;
+        let result = simulate(&kernel, &state, &plan)?;
         harvester.control.count();
         let branch = if is_up { &mut up } else { &mut down };
         branch.frequency_hz.push(frequency_hz);
         branch
             .power_w_n2
-            .push(first.normalised(answer.mean_power_w));
-        branch
-            .settled
-            .push(answer.settlement.is_some_and(|found| found.settled));
-        branch
-            .period_cycles
-            .push(answer.settlement.map_or(0, |found| found.period_cycles));
-        branch.state.push(answer.end.clone());
-        state = answer.end;
+            .push(first.normalised(result.mean_power_w));
+        branch.settled.push(
+            result
+                .settlement
+                .is_some_and(|settlement| settlement.settled),
+        );
+        branch.period_cycles.push(
+            result
+                .settlement
+                .map_or(0, |settlement| settlement.period_cycles),
+        );
+        branch.state.push(result.end.clone());
+        state = result.end;
     }
     let coexistence = Coexistence::compute(harvester, amplitude_n, &up, &down)?;
     Ok(DriveLevel {

@@ -17,7 +17,7 @@ const HIGHEST_ORDER: u32 = 9;
 
 /// Run and its voltage over the averaging window.
 pub(super) struct VoltageRecord {
-    pub answer: RunResult,
+    pub result: RunResult,
     time_s: Vec<f64>,
     voltage_v: Vec<f64>,
     /// Lines at integer and half orders.
@@ -32,15 +32,15 @@ impl VoltageRecord {
             record_s: harvester.spec.run.average_over_s,
             ..harvester.plan()
         };
-        let answer = simulate(&kernel, &StartState::rest(&kernel.plant), &plan)?;
+        let result = simulate(&kernel, &StartState::rest(&kernel.plant), &plan)?;
         let from_s = plan.duration_s - plan.average_over_s;
         let count = (plan.average_over_s * RATE_HZ) as usize;
         let time_s: Vec<f64> = (0..count).map(|i| from_s + i as f64 / RATE_HZ).collect();
-        let place = 2 * kernel.plant.system.modes.len();
-        let at = answer.trajectory.at(&kernel, &time_s);
+        let first_voltage = 2 * kernel.plant.system.modes.len();
+        let at = result.trajectory.at(&kernel, &time_s);
         let voltage_v: Vec<f64> = at
             .iter()
-            .map(|at| kernel.plant.to_physical(&at.state, at.time_s)[place])
+            .map(|at| kernel.plant.to_physical(&at.state, at.time_s)[first_voltage])
             .collect();
         let orders: Vec<f64> = (1..=2 * HIGHEST_ORDER)
             .map(|i| f64::from(i) / 2.0)
@@ -49,7 +49,7 @@ impl VoltageRecord {
             .orders(ABOVE_RESONANCE.frequency_hz, &orders)?
             .lines;
         Ok(Self {
-            answer,
+            result,
             time_s,
             voltage_v,
             lines,

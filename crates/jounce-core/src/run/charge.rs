@@ -37,15 +37,15 @@ pub struct ChargeResult {
 
 /// Returns the charge balance of every circuit whose diodes feed a capacitor. The run must record
 /// its averaging window (see [`RunPlan::balancing`]); without this record the list is empty.
-pub fn charges(kernel: &Kernel, answer: &RunResult, plan: &RunPlan) -> Vec<ChargeResult> {
+pub fn charges(kernel: &Kernel, result: &RunResult, plan: &RunPlan) -> Vec<ChargeResult> {
     let plant = &kernel.plant;
     let from_s = plan.duration_s - plan.average_over_s;
-    let recorded = answer
+    let recorded = result
         .trajectory
         .segments()
         .first()
         .is_some_and(|first| first.start_s <= from_s * (1.0 + 1e-12));
-    let mut found = Vec::new();
+    let mut results = Vec::new();
     for (k, bridge) in plant.system.bridges.iter().enumerate().filter(|_| recorded) {
         let (
             Storage::Capacitor {
@@ -61,40 +61,40 @@ pub fn charges(kernel: &Kernel, answer: &RunResult, plan: &RunPlan) -> Vec<Charg
         if matches!(bridge.scheme, Scheme::Extraction { .. }) {
             continue;
         }
-        let place = 2 * plant.system.modes.len() + node;
-        let flux_v_s = answer
+        let state_index = 2 * plant.system.modes.len() + node;
+        let flux_v_s = result
             .trajectory
-            .integral(kernel, from_s, plan.duration_s, place);
-        let kept_v = answer.end.voltage_v[node]
-            - answer
+            .integral(kernel, from_s, plan.duration_s, state_index);
+        let stored_v = result.end.voltage_v[node]
+            - result
                 .trajectory
                 .physical_at(kernel, from_s)
-                .get(place)
+                .get(state_index)
                 .copied()
                 .unwrap_or(f64::NAN);
-        let passed_c = answer.rectified[k].mean_current_a * plan.average_over_s;
+        let rectified_c = result.rectified[k].mean_current_a * plan.average_over_s;
         let (load_c, leakage_c) = (
             flux_v_s / load_ohm,
             bridge.leakage_ohm.map_or(0.0, |ohm| flux_v_s / ohm),
         );
-        let storage_c = capacitance_f * kept_v;
-        let largest_c = [passed_c, load_c, leakage_c, storage_c]
+        let storage_c = capacitance_f * stored_v;
+        let largest_c = [rectified_c, load_c, leakage_c, storage_c]
             .iter()
             .fold(0.0_f64, |max, charge| max.max(charge.abs()));
-        let left_c = passed_c - load_c - leakage_c - storage_c;
+        let residual_c = rectified_c - load_c - leakage_c - storage_c;
         let residual_relative = if largest_c > 0.0 {
-            left_c / largest_c
+            residual_c / largest_c
         } else {
             0.0
         };
-        found.push(ChargeResult {
+        results.push(ChargeResult {
             name: bridge.name.clone(),
-            passed_c,
+            passed_c: rectified_c,
             load_c,
             leakage_c,
             storage_c,
             residual_relative,
         });
     }
-    found
+    results
 }

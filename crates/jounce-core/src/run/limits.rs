@@ -80,49 +80,52 @@ pub struct WorstExcess {
 
 impl WorstExcess {
     /// Returns the worst case of each limit that any result exceeds.
-    pub fn of<'e>(answers: impl IntoIterator<Item = &'e [ExceededLimit]>) -> Vec<Self> {
-        let mut found: Vec<Self> = Vec::new();
-        for (place, exceeded) in answers
-            .into_iter()
-            .enumerate()
-            .flat_map(|(place, own)| own.iter().map(move |exceeded| (place, exceeded)))
+    pub fn of<'e>(results: impl IntoIterator<Item = &'e [ExceededLimit]>) -> Vec<Self> {
+        let mut worst: Vec<Self> = Vec::new();
+        for (index, exceeded) in
+            results
+                .into_iter()
+                .enumerate()
+                .flat_map(|(index, all_exceeded)| {
+                    all_exceeded.iter().map(move |exceeded| (index, exceeded))
+                })
         {
-            match found.iter_mut().find(|known| {
+            match worst.iter_mut().find(|known| {
                 (&known.exceeded.patch, known.exceeded.quantity)
                     == (&exceeded.patch, exceeded.quantity)
             }) {
                 Some(known) => {
                     known.answers += 1;
                     if exceeded.excess() > known.exceeded.excess() {
-                        (known.exceeded, known.place) = (exceeded.clone(), place);
+                        (known.exceeded, known.place) = (exceeded.clone(), index);
                     }
                 }
-                None => found.push(Self {
+                None => worst.push(Self {
                     exceeded: exceeded.clone(),
-                    place,
+                    place: index,
                     answers: 1,
                 }),
             }
         }
-        found
+        worst
     }
 
-    /// Returns the worst cases as messages. `what` names the results, `place` describes the result
-    /// at an index.
+    /// Returns the worst cases as messages. `noun` names the results, `describe` the result at an
+    /// index.
     pub fn messages(
-        answers: &[&[ExceededLimit]],
-        what: &str,
-        place: impl Fn(usize) -> String,
+        results: &[&[ExceededLimit]],
+        noun: &str,
+        describe: impl Fn(usize) -> String,
     ) -> Vec<String> {
         let sentence = |worst: Self| {
-            let (count, of) = (worst.answers, answers.len());
+            let (count, of) = (worst.answers, results.len());
             format!(
-                "{}; {count} of {of} {what} pass the limit, worst at {}",
+                "{}; {count} of {of} {noun} pass the limit, worst at {}",
                 worst.exceeded,
-                place(worst.place)
+                describe(worst.place)
             )
         };
-        Self::of(answers.iter().copied())
+        Self::of(results.iter().copied())
             .into_iter()
             .map(sentence)
             .collect()
@@ -280,8 +283,8 @@ mod tests {
             tolerance: 1e-9,
             record_s: 2.0,
         };
-        let answer = simulate(&kernel, &start, &plan).unwrap();
-        let warned = exceeded(&spec, &kernel, &answer.trajectory);
+        let result = simulate(&kernel, &start, &plan).unwrap();
+        let warned = exceeded(&spec, &kernel, &result.trajectory);
         let section =
             crate::structure::section::CrossSection::covered(&spec.beam["b"], spec.patch.values());
         let strain = 6.0 * 0.1 / section.bending_stiffness_n_m2 * (1.3e-3 - section.neutral_axis_m);

@@ -55,17 +55,17 @@ pub(super) fn settlement(states: &[Vec<f64>], noise: f64, least: f64) -> Settlem
             false if ratio < 1.0 => now * (ratio / (1.0 - ratio)).max(1.0),
             false => f64::INFINITY,
         };
-        let found = Settlement {
+        let result = Settlement {
             settled: distance < SETTLED_DISTANCE,
             period_cycles: period as u32,
             change: now,
             distance,
         };
-        if found.settled {
-            return found;
+        if result.settled {
+            return result;
         }
-        if best.is_none_or(|best| found.change < best.change) {
-            best = Some(found);
+        if best.is_none_or(|best| result.change < best.change) {
+            best = Some(result);
         }
     }
     best.unwrap_or(Settlement {
@@ -89,10 +89,12 @@ mod tests {
         let states: Vec<Vec<f64>> = (0..STROBE_STATES)
             .map(|k| vec![1.0 + 0.05 * 0.999_f64.powi(k as i32)])
             .collect();
-        let found = settlement(&states, 1e-12, 0.0);
+        let result = settlement(&states, 1e-12, 0.0);
         assert!(
-            !found.settled && found.change < 1e-4 && (found.distance / 0.0472 - 1.0).abs() < 0.02,
-            "{found:?}"
+            !result.settled
+                && result.change < 1e-4
+                && (result.distance / 0.0472 - 1.0).abs() < 0.02,
+            "{result:?}"
         );
     }
 
@@ -101,7 +103,7 @@ mod tests {
         let states: Vec<Vec<f64>> = (0..STROBE_STATES)
             .map(|k| vec![1.0, if k % 2 == 0 { 0.1 } else { -0.1 }])
             .collect();
-        let found = settlement(&states, 1e-12, 0.0);
-        assert!(found.settled && found.period_cycles == 2, "{found:?}");
+        let result = settlement(&states, 1e-12, 0.0);
+        assert!(result.settled && result.period_cycles == 2, "{result:?}");
     }
 }

@@ -48,9 +48,9 @@ impl RunPlan {
     /// have no common period.
     #[must_use]
     pub fn watching(self, spec: &Spec, plant: &Plant) -> Self {
-        let looks = plant.period_s().is_none() && !Limits::of(spec, plant).is_empty();
+        let records = plant.period_s().is_none() && !Limits::of(spec, plant).is_empty();
         Self {
-            record_s: if looks {
+            record_s: if records {
                 self.record_s.max(self.average_over_s)
             } else {
                 self.record_s
@@ -140,8 +140,8 @@ pub fn simulate(
     let end_s = plan.duration_s;
     let window_s = end_s - plan.average_over_s;
     let period_s = plant.period_s();
-    let looks_s = period_s.map_or(0.0, |period_s| (STROBE_STATES - 1) as f64 * period_s);
-    let record_s = end_s - plan.record_s.max(looks_s).min(end_s);
+    let strobe_time_s = period_s.map_or(0.0, |period_s| (STROBE_STATES - 1) as f64 * period_s);
+    let record_s = end_s - plan.record_s.max(strobe_time_s).min(end_s);
     let mut opened = None;
     let mut earlier = 0;
     let mut marks = [(window_s, true), (record_s, false)];
@@ -160,8 +160,8 @@ pub fn simulate(
         }
     }
     integrator.advance_to(end_s)?;
-    let marched = clock.elapsed();
-    kernel.control.add_wall_time(marched);
+    let wall_time = clock.elapsed();
+    kernel.control.add_wall_time(wall_time);
     let (opened, before) = opened.unwrap_or_else(|| (Energies::default(), start.clone()));
     let trajectory = integrator.take_record();
     let noise = 10.0 * plan.tolerance.max(1e-13);
@@ -190,7 +190,7 @@ pub fn simulate(
         energies,
         work: integrator.work(),
         end,
-        wall_time_s: marched.as_secs_f64(),
+        wall_time_s: wall_time.as_secs_f64(),
         trajectory,
     })
 }
@@ -199,8 +199,8 @@ fn mean_power_w(loads: &[LoadResult], rectified: &[RectifiedResult]) -> f64 {
     let powers = loads
         .iter()
         .map(|load| load.mean_power_w)
-        .chain(rectified.iter().map(|own| own.mean_power_w));
-    powers.fold(0.0, |sum, own| sum + own)
+        .chain(rectified.iter().map(|power_w| power_w.mean_power_w));
+    powers.fold(0.0, |sum, power_w| sum + power_w)
 }
 
 fn loads(plant: &Plant, ends: [&Energies; 2], average_over_s: f64) -> Vec<LoadResult> {
@@ -225,14 +225,14 @@ fn rectified(
     ends: [(&Energies, &StartState); 2],
     average_over_s: f64,
 ) -> Vec<RectifiedResult> {
-    let answer = |(k, bridge): (usize, &Bridge)| {
+    let result = |(k, bridge): (usize, &Bridge)| {
         let change = |of: &dyn Fn(&Energies, &StartState) -> f64| {
             of(ends[1].0, ends[1].1) - of(ends[0].0, ends[0].1)
         };
         let mean = |of: fn(&RectifiedEnergies) -> f64| {
             change(&|energies, _| energies.rectified.get(k).map_or(0.0, of)) / average_over_s
         };
-        let mean_power_w = mean(|own| own.load_j + own.battery_j);
+        let mean_power_w = mean(|of_bridge| of_bridge.load_j + of_bridge.battery_j);
         let (voltage_rms_v, storage_w) = match (bridge.storage, plant.electrical.bridges[k].storage)
         {
             (
@@ -256,11 +256,11 @@ fn rectified(
             name: bridge.name.clone(),
             mean_power_w,
             voltage_rms_v,
-            mean_current_a: mean(|own| own.charge_c),
+            mean_current_a: mean(|of_bridge| of_bridge.charge_c),
             storage_w,
-            diode_loss_w: mean(|own| own.diodes_j),
-            switch_loss_w: mean(|own| own.switch_j),
-            leakage_w: mean(|own| own.leakage_j),
+            diode_loss_w: mean(|of_bridge| of_bridge.diodes_j),
+            switch_loss_w: mean(|of_bridge| of_bridge.switch_j),
+            leakage_w: mean(|of_bridge| of_bridge.leakage_j),
         }
     };
     plant
@@ -268,18 +268,18 @@ fn rectified(
         .bridges
         .iter()
         .enumerate()
-        .map(answer)
+        .map(result)
         .collect()
 }
 
 fn leaks(plant: &Plant, [start, end]: [&Energies; 2], average_over_s: f64) -> Vec<LeakResult> {
     let names: Vec<&String> = plant.system.modes.patch.keys().collect();
-    let lost = start
+    let losses = start
         .leaks_j
         .iter()
         .zip(&end.leaks_j)
         .map(|(start, end)| (end - start) / average_over_s);
-    let answer = |(leak, mean_power_w): (&Leak, f64)| LeakResult {
+    let result = |(leak, mean_power_w): (&Leak, f64)| LeakResult {
         name: names[leak.patch].clone(),
         mean_power_w,
     };
@@ -287,31 +287,31 @@ fn leaks(plant: &Plant, [start, end]: [&Energies; 2], average_over_s: f64) -> Ve
         .electrical
         .leaks
         .iter()
-        .zip(lost)
-        .map(answer)
+        .zip(losses)
+        .map(result)
         .collect()
 }
 
 fn stops(plant: &Plant, integrator: &Integrator, average_over_s: f64) -> Vec<StopResult> {
-    let answer = |(stop, own): (&crate::plant::Stop, ContactStatistics)| StopResult {
+    let result = |(stop, statistics): (&crate::plant::Stop, ContactStatistics)| StopResult {
         name: stop.name.clone(),
-        contacts: own.contacts,
-        contact_rate_hz: own.contacts as f64 / average_over_s,
-        mean_impact_velocity_m_s: own.mean_impact_velocity_m_s(),
-        max_impact_velocity_m_s: own.max_impact_velocity_m_s,
-        mean_contact_duration_s: own.mean_contact_duration_s(),
-        max_contact_duration_s: own.max_contact_duration_s,
-        contact_duty: own.time_s / average_over_s,
-        max_penetration_m: own.max_penetration_m,
-        max_contact_force_n: own.max_force_n,
-        impulse_n_s: own.impulse_n_s,
+        contacts: statistics.contacts,
+        contact_rate_hz: statistics.contacts as f64 / average_over_s,
+        mean_impact_velocity_m_s: statistics.mean_impact_velocity_m_s(),
+        max_impact_velocity_m_s: statistics.max_impact_velocity_m_s,
+        mean_contact_duration_s: statistics.mean_contact_duration_s(),
+        max_contact_duration_s: statistics.max_contact_duration_s,
+        contact_duty: statistics.time_s / average_over_s,
+        max_penetration_m: statistics.max_penetration_m,
+        max_contact_force_n: statistics.max_force_n,
+        impulse_n_s: statistics.impulse_n_s,
     };
     plant
         .system
         .stops
         .iter()
         .zip(integrator.statistics_by_stop())
-        .map(answer)
+        .map(result)
         .collect()
 }
 
@@ -333,18 +333,18 @@ fn check(plant: &Plant, start: &StartState) -> Result<(), RunError> {
 pub fn check_outside(plant: &Plant, displacement: &[f64]) -> Result<(), RunError> {
     let stops = plant.system.stops.iter().enumerate();
     for (index, stop) in stops.filter(|(_, stop)| matches!(stop.law, Law::Rigid(_))) {
-        let (along, moved_m) = (
+        let (along, base_m) = (
             stop.shape.iter().zip(displacement),
             plant.approached_m(index, 0.0),
         );
-        let nothing = (moved_m, stop.gap_m.abs() + moved_m.abs());
-        let (place_m, reach_m) = along.fold(nothing, |(sum, size), (s, q)| {
+        let nothing = (base_m, stop.gap_m.abs() + base_m.abs());
+        let (position_m, reach_m) = along.fold(nothing, |(sum, size), (s, q)| {
             (sum + s * q, size + (s * q).abs())
         });
-        if place_m - stop.gap_m > START_ROUNDOFF * reach_m {
+        if position_m - stop.gap_m > START_ROUNDOFF * reach_m {
             return Err(RunError::StartsInside {
                 stop: stop.name.clone(),
-                depth_m: place_m - stop.gap_m,
+                depth_m: position_m - stop.gap_m,
             });
         }
     }

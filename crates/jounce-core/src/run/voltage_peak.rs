@@ -57,24 +57,24 @@ impl VoltagePeaks {
 
 /// Returns the peak voltages at the end of a run; NaN if the drives are not periodic and the plan
 /// has no record.
-pub fn voltage_peaks(kernel: &Kernel, answer: &RunResult, plan: &RunPlan) -> VoltagePeaks {
+pub fn voltage_peaks(kernel: &Kernel, result: &RunResult, plan: &RunPlan) -> VoltagePeaks {
     let plant = &kernel.plant;
-    let Some(stretch) = RecordWindow::of(plant, answer, plan) else {
+    let Some(window) = RecordWindow::of(plant, result, plan) else {
         let none = |count: usize| vec![f64::NAN; count];
         return VoltagePeaks {
             loads_v: none(plant.system.loads.len()),
             patches_v: none(plant.system.modes.patch.len()),
         };
     };
-    let peak_v = |place: VoltageSource| stretch.peak_v(kernel, &answer.trajectory, place);
+    let peak_v = |source: VoltageSource| window.peak_v(kernel, &result.trajectory, source);
     let patches_v: Vec<f64> = (0..plant.system.modes.patch.len())
         .map(|patch| peak_v(VoltageSource::Patch(patch)))
         .collect();
     let of_load = |load: usize| {
         // A load across a patch has the voltage of the patch.
-        let own = VoltageRow::of(plant, VoltageSource::Load(load));
+        let row = VoltageRow::of(plant, VoltageSource::Load(load));
         let same = (0..patches_v.len())
-            .find(|patch| VoltageRow::of(plant, VoltageSource::Patch(*patch)) == own);
+            .find(|patch| VoltageRow::of(plant, VoltageSource::Patch(*patch)) == row);
         same.map_or_else(
             || peak_v(VoltageSource::Load(load)),
             |patch| patches_v[patch],
@@ -105,9 +105,9 @@ struct VoltageRow {
 }
 
 impl VoltageRow {
-    fn of(plant: &Plant, place: VoltageSource) -> Self {
+    fn of(plant: &Plant, source: VoltageSource) -> Self {
         let electrical = &plant.electrical;
-        let (row, zero_v) = match place {
+        let (row, zero_v) = match source {
             VoltageSource::Load(load) => (plant.load_voltage_row(load), 0.0),
             VoltageSource::Patch(patch) => {
                 let zeros_v = electrical.patch[patch]
@@ -150,46 +150,48 @@ struct RecordWindow {
 }
 
 impl RecordWindow {
-    fn of(plant: &Plant, answer: &RunResult, plan: &RunPlan) -> Option<Self> {
-        let (kept_s, end_s) = (
-            answer.trajectory.segments().first()?.start_s,
+    fn of(plant: &Plant, result: &RunResult, plan: &RunPlan) -> Option<Self> {
+        let (record_start_s, end_s) = (
+            result.trajectory.segments().first()?.start_s,
             plan.duration_s,
         );
         let Some(period_s) = plant.period_s() else {
             return Some(Self {
-                begin_s: kept_s,
+                begin_s: record_start_s,
                 end_s,
-                gap_s: (end_s - kept_s) / MIN_SAMPLES,
+                gap_s: (end_s - record_start_s) / MIN_SAMPLES,
             });
         };
-        let settled = answer.settlement.filter(|found| found.settled);
-        let cycles = settled.map_or(UNSETTLED_CYCLES, |found| f64::from(found.period_cycles));
+        let settled = result.settlement.filter(|settlement| settlement.settled);
+        let cycles = settled.map_or(UNSETTLED_CYCLES, |settlement| {
+            f64::from(settlement.period_cycles)
+        });
         let fastest = plant
             .tones
             .iter()
             .map(|tone| tone.angular_frequency_rad_s)
             .fold(0.0, f64::max);
         Some(Self {
-            begin_s: kept_s.max(end_s - cycles * period_s),
+            begin_s: record_start_s.max(end_s - cycles * period_s),
             end_s,
             gap_s: std::f64::consts::TAU / fastest / SAMPLES_PER_CYCLE,
         })
     }
 
-    fn peak_v(&self, kernel: &Kernel, trajectory: &Trajectory, place: VoltageSource) -> f64 {
+    fn peak_v(&self, kernel: &Kernel, trajectory: &Trajectory, source: VoltageSource) -> f64 {
         let segments = trajectory.segments();
         // Step in which the window begins.
         let first = segments
             .partition_point(|segment| segment.start_s <= self.begin_s)
             .saturating_sub(1);
-        let own = VoltageRow::of(&kernel.plant, place);
+        let row = VoltageRow::of(&kernel.plant, source);
         let size_v = |time_s: f64| {
             trajectory
                 .at(kernel, &[time_s])
                 .first()
-                .map_or(0.0, |at| own.size_v(time_s, &at.state))
+                .map_or(0.0, |at| row.size_v(time_s, &at.state))
         };
-        let mut looks = vec![(self.begin_s, size_v(self.begin_s))];
+        let mut samples = vec![(self.begin_s, size_v(self.begin_s))];
         let mut regime: Option<(&Kernel, VoltageRow)> = None;
         trajectory.walk(
             kernel,
@@ -200,21 +202,21 @@ impl RecordWindow {
                     .as_ref()
                     .is_none_or(|(known, _)| !std::ptr::eq(*known, in_regime))
                 {
-                    regime = Some((in_regime, VoltageRow::of(&in_regime.plant, place)));
+                    regime = Some((in_regime, VoltageRow::of(&in_regime.plant, source)));
                 }
                 let size_v = regime
                     .as_ref()
                     .map(|(_, reading)| reading.size_v(time_s, state));
-                looks.extend(
+                samples.extend(
                     size_v
                         .filter(|_| time_s > self.begin_s)
                         .map(|size_v| (time_s, size_v)),
                 );
             },
         );
-        looks.push((self.end_s, size_v(self.end_s)));
-        let ends = [looks[0].1, looks[looks.len() - 1].1];
-        let mut tops: Vec<[(f64, f64); 3]> = looks
+        samples.push((self.end_s, size_v(self.end_s)));
+        let ends = [samples[0].1, samples[samples.len() - 1].1];
+        let mut tops: Vec<[(f64, f64); 3]> = samples
             .windows(3)
             .map(|three| [three[0], three[1], three[2]])
             .filter(|[a, m, b]| a.1 <= m.1 && m.1 >= b.1)
@@ -235,21 +237,21 @@ fn highest([mut from, mut top, mut to]: [(f64, f64); 3], value: &impl Fn(f64) ->
         let (left, right) = (top.0 - from.0, to.0 - top.0);
         let (fall, rise) = ((from.1 - top.1) / left, (to.1 - top.1) / right);
         let parabola = top.0 + 0.5 * (left * rise - right * fall) / -(fall + rise);
-        let apart = MIN_SAMPLE_SPACING * (to.0 - from.0);
+        let spacing = MIN_SAMPLE_SPACING * (to.0 - from.0);
         let divided = if left > right {
             top.0 - GOLDEN_SHARE * left
         } else {
             top.0 + GOLDEN_SHARE * right
         };
-        let tells = parabola > from.0 + apart
-            && parabola < to.0 - apart
-            && (parabola - top.0).abs() > apart;
-        let time_s = if tells { parabola } else { divided };
-        let look = (time_s, value(time_s));
-        let (inner, outer) = if look.1 >= top.1 {
-            (look, top)
+        let uses_parabola = parabola > from.0 + spacing
+            && parabola < to.0 - spacing
+            && (parabola - top.0).abs() > spacing;
+        let time_s = if uses_parabola { parabola } else { divided };
+        let sample = (time_s, value(time_s));
+        let (inner, outer) = if sample.1 >= top.1 {
+            (sample, top)
         } else {
-            (top, look)
+            (top, sample)
         };
         if outer.0 < inner.0 {
             from = outer;

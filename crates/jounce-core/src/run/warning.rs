@@ -80,14 +80,14 @@ impl Warning {
     }
 
     /// Returns all warnings of a run.
-    pub fn of(spec: &Spec, kernel: &Kernel, plan: &RunPlan, answer: &RunResult) -> Vec<Self> {
+    pub fn of(spec: &Spec, kernel: &Kernel, plan: &RunPlan, result: &RunResult) -> Vec<Self> {
         let limits = Limits::of(spec, &kernel.plant)
-            .exceeded(kernel, &answer.trajectory)
+            .exceeded(kernel, &result.trajectory)
             .into_iter()
             .map(Self::Limit);
-        let residual_relative = answer.energies.residual_relative();
+        let residual_relative = result.energies.residual_relative();
         let is_unbalanced =
-            !(residual_relative.abs() <= MAX_ENERGY_RESIDUAL || answer.is_trivial());
+            !(residual_relative.abs() <= MAX_ENERGY_RESIDUAL || result.is_trivial());
         let unbalanced = is_unbalanced.then_some(Self::Unbalanced { residual_relative });
         let noticed = spec
             .findings()

@@ -47,16 +47,16 @@ impl<'s> Index<'s> {
     /// Returns the contacts whose stop is mounted directly on a base, not on a body.
     pub fn stops_on(spec: &Spec, contacts: &[(&str, DrawnContact)], base: &str) -> Vec<usize> {
         let frame = |name: &str| spec.stop.get(name).map(|stop| stop.frame.as_str());
-        let own = contacts
+        let stop_names = contacts
             .iter()
             .enumerate()
             .filter(|(_, (name, _))| frame(name) == Some(base));
-        own.map(|(index, _)| index).collect()
+        stop_names.map(|(index, _)| index).collect()
     }
 
     /// Returns the position of a reference: a mass, or a point of a beam or of a structure given by
     /// its modes; `None` for the ground.
-    pub fn place(&self, spec: &Spec, reference: &str) -> Option<DrawnPlace> {
+    pub fn position_of(&self, spec: &Spec, reference: &str) -> Option<DrawnPlace> {
         let find = |names: &[&str], name: &str| names.iter().position(|known| *known == name);
         let Some((body, point)) = reference.split_once('.') else {
             return Some(DrawnPlace {
@@ -92,11 +92,13 @@ pub fn bodies(spec: &Spec, index: &Index) -> Vec<DrawnBody> {
     let masses = spec
         .mass
         .iter()
-        .map(|(name, mass)| drawn_mass(spec, index, name, mass));
+        .map(|(name, mass)| draw_mass(spec, index, name, mass));
     let beams = spec.beam.iter().map(|(name, beam)| DrawnBody {
         words: words::on_base(spec, words::beam(name, beam), &beam.root),
-        shape: DrawnShape::Beam(drawn_beam(spec, name, beam)),
-        seat: index.place(spec, &beam.root).map_or(Seat::Ground, Seat::On),
+        shape: DrawnShape::Beam(draw_beam(spec, name, beam)),
+        seat: index
+            .position_of(spec, &beam.root)
+            .map_or(Seat::Ground, Seat::On),
     });
     let modal = spec.modal.iter().map(|(name, modal)| DrawnBody {
         words: words::modal(name, modal),
@@ -106,8 +108,8 @@ pub fn bodies(spec: &Spec, index: &Index) -> Vec<DrawnBody> {
     masses.chain(beams).chain(modal).collect()
 }
 
-fn drawn_mass(spec: &Spec, index: &Index, name: &str, mass: &Mass) -> DrawnBody {
-    let on = index.place(spec, &mass.on);
+fn draw_mass(spec: &Spec, index: &Index, name: &str, mass: &Mass) -> DrawnBody {
+    let on = index.position_of(spec, &mass.on);
     let seat = match (mass.stiffness_n_m, on) {
         (Some(_), on) => Seat::Spring(on),
         (None, Some(on)) => Seat::On(on),
@@ -135,7 +137,7 @@ fn cover(label: &str, [start_m, length_m, thickness_m]: [f64; 3], face: Face) ->
     }
 }
 
-fn drawn_beam(spec: &Spec, name: &str, beam: &Beam) -> DrawnBeam {
+fn draw_beam(spec: &Spec, name: &str, beam: &Beam) -> DrawnBeam {
     let layers = spec.layer.iter().filter(|(_, layer)| layer.on == name);
     let patches = spec.patch.iter().filter(|(_, patch)| patch.on == name);
     DrawnBeam {
@@ -148,7 +150,7 @@ fn drawn_beam(spec: &Spec, name: &str, beam: &Beam) -> DrawnBeam {
             .map(|(label, p)| {
                 cover(
                     &circuits::marked(spec, label),
-                    [p.start_m, p.length_m, p.whole_thickness_m()],
+                    [p.start_m, p.length_m, p.total_thickness_m()],
                     p.face,
                 )
             })

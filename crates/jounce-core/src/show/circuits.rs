@@ -46,29 +46,29 @@ fn is_open(spec: &Spec, patch: &str) -> bool {
 }
 
 fn elements(circuit: &Circuit) -> Vec<DrawnElement> {
-    let mut found = patches(circuit);
+    let mut circuit_elements = patches(circuit);
     let resistor =
         DrawnElement::Resistor(vec![value(Quantity::Resistance, circuit.resistance_ohm)]);
     if circuit.interface == Interface::Resistor {
         if let Some(inductance_h) = circuit.inductance_h {
             let words = vec![value(Quantity::Inductance, inductance_h)];
-            found.push(match circuit.inductor {
+            circuit_elements.push(match circuit.inductor {
                 Wiring::Parallel => DrawnElement::Inductor(words),
                 Wiring::Series => DrawnElement::SeriesInductor(words),
             });
         }
-        found.push(resistor);
-        return found;
+        circuit_elements.push(resistor);
+        return circuit_elements;
     }
-    found.push(DrawnElement::Block(block(circuit)));
+    circuit_elements.push(DrawnElement::Block(block(circuit)));
     if let Some(battery_v) = circuit.battery_v {
-        found.push(DrawnElement::Battery(vec![value(
+        circuit_elements.push(DrawnElement::Battery(vec![value(
             Quantity::Voltage,
             battery_v,
         )]));
-        return found;
+        return circuit_elements;
     }
-    found.extend(
+    circuit_elements.extend(
         circuit.storage_f.map(|storage_f| {
             DrawnElement::Capacitor(vec![value(Quantity::Capacitance, storage_f)])
         }),
@@ -76,9 +76,9 @@ fn elements(circuit: &Circuit) -> Vec<DrawnElement> {
     let leakage = |ohm: f64| {
         DrawnElement::Resistor(vec![value(Quantity::Resistance, ohm), "leakage".to_owned()])
     };
-    found.extend(circuit.leakage_ohm.map(leakage));
-    found.push(resistor);
-    found
+    circuit_elements.extend(circuit.leakage_ohm.map(leakage));
+    circuit_elements.push(resistor);
+    circuit_elements
 }
 
 fn patches(circuit: &Circuit) -> Vec<DrawnElement> {

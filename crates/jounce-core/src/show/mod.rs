@@ -17,8 +17,8 @@ pub fn drawing(title: &str, spec: &Spec) -> Drawing {
     let contact = |name: &String, stop: &Stop| {
         Some(DrawnContact {
             label: words::on_base(spec, vec![name.clone()], &stop.frame).join(" "),
-            at: index.place(spec, &stop.at)?,
-            on: index.place(spec, &stop.frame),
+            at: index.position_of(spec, &stop.at)?,
+            on: index.position_of(spec, &stop.frame),
             above: stop.side == Side::Positive,
             gap_m: stop.gap_m,
             law: words::law(&stop.law),
@@ -31,9 +31,9 @@ pub fn drawing(title: &str, spec: &Spec) -> Drawing {
         .collect();
     let drives = spec.drive.iter().map(|(name, drive)| DrawnDrive {
         words: words::drive(name, drive),
-        at: index.place(spec, &drive.at),
+        at: index.position_of(spec, &drive.at),
         base: drive.base().map(str::to_owned),
-        carried: drive
+        carried_bodies: drive
             .base()
             .map_or_else(Vec::new, |base| index.on_base(spec, base)),
         stops: drive.base().map_or_else(Vec::new, |base| {
@@ -66,15 +66,15 @@ mod tests {
         .unwrap()
     }
 
-    fn drawn(name: &str) -> Drawing {
+    fn load_drawing(name: &str) -> Drawing {
         drawing("", &example(name).spec().unwrap())
     }
 
     #[test]
     fn a_harvester_has_its_own_lengths() {
-        let drawn = drawn("impact-harvester-2019");
-        let [table, beam] = drawn.bodies.as_slice() else {
-            panic!("two bodies: {drawn:?}")
+        let drawing_of = load_drawing("impact-harvester-2019");
+        let [table, beam] = drawing_of.bodies.as_slice() else {
+            panic!("two bodies: {drawing_of:?}")
         };
         let DrawnShape::Beam(shape) = &beam.shape else {
             panic!("{beam:?}")
@@ -88,14 +88,14 @@ mod tests {
             (shape.length_m, shape.thickness_m, shape.patches[0].top),
             (0.315, 0.98e-3, true)
         );
-        let stop = &drawn.contacts[0];
+        let stop = &drawing_of.contacts[0];
         assert_eq!((stop.at.along_m, stop.gap_m, stop.on), (0.305, 1e-3, None));
         assert!(
-            drawn.circuits[0]
+            drawing_of.circuits[0]
                 .elements
                 .contains(&DrawnElement::Resistor(vec!["1 MΩ".into()])),
             "{:?}",
-            drawn.circuits
+            drawing_of.circuits
         );
     }
 
@@ -165,39 +165,42 @@ mod tests {
         let mut spec = Spec::from_toml(&text).unwrap();
         assert!(!drawing("", &spec).to_svg().contains("open"));
         spec.open_circuits();
-        let drawn = drawing("", &spec);
-        let DrawnShape::Beam(beam) = &drawn.bodies[1].shape else {
-            panic!("{drawn:?}")
+        let drawing_of = drawing("", &spec);
+        let DrawnShape::Beam(beam) = &drawing_of.bodies[1].shape else {
+            panic!("{drawing_of:?}")
         };
         assert_eq!(
             (
                 beam.patches[0].label.as_str(),
-                drawn.circuits[0].label.as_str()
+                drawing_of.circuits[0].label.as_str()
             ),
             ("mfc (open)", "none: open")
         );
         assert!(
-            drawn.to_svg().contains("mfc (open): ")
-                && drawn.to_svg().contains("circuit none: open")
+            drawing_of.to_svg().contains("mfc (open): ")
+                && drawing_of.to_svg().contains("circuit none: open")
         );
         let moving = "[mass.one]\non = \"head\"\nmass = \"1 kg\"\nfrequency = \"1 Hz\"\ndamping_ratio = 0.1\n\
             [mass.two]\nmass = \"1 kg\"\nfrequency = \"1 Hz\"\ndamping_ratio = 0.1\n\
             [drive.d]\nkind = \"base-displacement\"\nat = \"head\"\namplitude = \"1 mm\"\nfrequency = \"9 Hz\"\n";
-        let drawn = drawing("", &Spec::from_toml(moving).unwrap());
+        let drawing_of = drawing("", &Spec::from_toml(moving).unwrap());
         assert_eq!(
             (
-                &drawn.drives[0].carried[..],
-                drawn.bodies[0].words.last().unwrap().as_str()
+                &drawing_of.drives[0].carried_bodies[..],
+                drawing_of.bodies[0].words.last().unwrap().as_str()
             ),
             (&[0][..], "on head")
         );
-        assert_eq!(drawn.to_svg().matches("d of head: 1 mm peak").count(), 1);
+        assert_eq!(
+            drawing_of.to_svg().matches("d of head: 1 mm peak").count(),
+            1
+        );
     }
 
     #[test]
     fn both_faces_and_their_circuit_are_drawn() {
-        let drawn = drawn("bimorph-erturk-2009");
-        let shape = drawn
+        let drawing_of = load_drawing("bimorph-erturk-2009");
+        let shape = drawing_of
             .bodies
             .iter()
             .find_map(|body| {
@@ -210,6 +213,6 @@ mod tests {
             .unwrap();
         assert_eq!(shape.patches.iter().filter(|patch| patch.top).count(), 1);
         let series = DrawnElement::Patches(vec![("top".into(), false), ("bottom".into(), true)]);
-        assert_eq!(drawn.circuits[0].elements[0], series);
+        assert_eq!(drawing_of.circuits[0].elements[0], series);
     }
 }

@@ -112,8 +112,8 @@ pub fn law(law: &StopLaw) -> String {
 
 /// Returns the label of a mass and its spring.
 pub fn mass(name: &str, mass: &Mass) -> Vec<String> {
-    let own = value(Quantity::Mass, mass.mass_kg);
-    let how = match mass.stiffness_n_m {
+    let mass_text = value(Quantity::Mass, mass.mass_kg);
+    let support_text = match mass.stiffness_n_m {
         Some(stiffness_n_m) => format!(
             ", {}",
             value(
@@ -124,7 +124,7 @@ pub fn mass(name: &str, mass: &Mass) -> Vec<String> {
         None if mass.on == "nothing" => ", free".to_owned(),
         None => String::new(),
     };
-    vec![name.to_owned(), format!("{own}{how}")]
+    vec![name.to_owned(), format!("{mass_text}{support_text}")]
 }
 
 /// Returns the label of a drive.

@@ -220,7 +220,7 @@ mod tests {
     }
 
     #[test]
-    fn what_the_lines_leave_is_reported() {
+    fn residual_of_the_lines_is_reported() {
         let values: Vec<_> = (0..1000)
             .map(|i| (TAU * 0.013 * i as f64).sin() + 0.1 * (TAU * 0.25 * i as f64).sin())
             .collect();
@@ -232,7 +232,7 @@ mod tests {
     }
 
     #[test]
-    fn orders_that_cannot_be_told_are_errors() {
+    fn indistinguishable_orders_are_errors() {
         let values = record(10.0);
         let samples = Samples::new(&values, 1536.0).unwrap();
         for orders in [&[0.0][..], &[-1.0], &[f64::NAN], &[60.0], &[1.0, 1.0]] {

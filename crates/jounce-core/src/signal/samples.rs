@@ -69,17 +69,17 @@ impl<'a> Samples<'a> {
 
 /// Computes a compensated sum (Neumaier 1974): the error does not grow with the number of terms.
 pub(super) fn sum(terms: impl Iterator<Item = f64>) -> f64 {
-    let (mut sum, mut lost) = (0.0_f64, 0.0);
+    let (mut sum, mut compensation) = (0.0_f64, 0.0);
     for term in terms {
         let next = sum + term;
-        lost += if sum.abs() >= term.abs() {
+        compensation += if sum.abs() >= term.abs() {
             (sum - next) + term
         } else {
             (term - next) + sum
         };
         sum = next;
     }
-    sum + lost
+    sum + compensation
 }
 
 #[cfg(test)]
@@ -115,7 +115,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_signal_is_an_error() {
+    fn invalid_signals_are_errors() {
         assert_eq!(Samples::new(&[], 1.0), Err(SignalError::Empty));
         assert!(matches!(
             Samples::new(&[1.0, f64::NAN], 1.0),

@@ -147,7 +147,7 @@ mod tests {
     }
 
     #[test]
-    fn constant_and_nyquist_read_once() {
+    fn constant_and_nyquist_count_once() {
         let values: Vec<_> = (0..64)
             .map(|i| 2.0 + if i % 2 == 0 { 3.0 } else { -3.0 })
             .collect();

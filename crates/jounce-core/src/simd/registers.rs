@@ -50,7 +50,7 @@ pub trait Simd: Copy {
 
     /// Calls a function, itself `#[inline(always)]`, as separate code with the same instructions:
     /// shared code is compiled once.
-    fn apart<R>(self, function: impl FnOnce() -> R) -> R;
+    fn out_of_line<R>(self, function: impl FnOnce() -> R) -> R;
 
     /// Returns eight zeros.
     #[inline(always)]
@@ -137,7 +137,7 @@ where
     type Register = [S::f64s; N];
 
     #[inline(always)]
-    fn apart<R>(self, function: impl FnOnce() -> R) -> R {
+    fn out_of_line<R>(self, function: impl FnOnce() -> R) -> R {
         self.0.vectorize(function)
     }
 
@@ -229,13 +229,13 @@ mod tests {
         type Output = [F64x8; 6];
 
         #[inline(always)]
-        fn run<W: Simd>(self, wide: W) -> Self::Output {
-            let a = wide.load(&F64x8([1.0, -2.0, 3.0, -4.0, 5.0, -6.0, 7.0, -8.5]));
-            let b = wide.splat(0.5);
+        fn run<W: Simd>(self, simd: W) -> Self::Output {
+            let a = simd.load(&F64x8([1.0, -2.0, 3.0, -4.0, 5.0, -6.0, 7.0, -8.5]));
+            let b = simd.splat(0.5);
             let sums = [
-                wide.sum(a),
-                wide.largest(a),
-                wide.sum(wide.sub(a, b)),
+                simd.sum(a),
+                simd.largest(a),
+                simd.sum(simd.sub(a, b)),
                 0.0,
                 0.0,
                 0.0,
@@ -243,11 +243,11 @@ mod tests {
                 0.0,
             ];
             [
-                wide.store(wide.fma(a, b, b)),
-                wide.store(wide.max(a, wide.zero())),
-                wide.store(wide.sqrt(wide.abs(a))),
-                wide.store(wide.add(a, b)),
-                wide.store(wide.mul(a, b)),
+                simd.store(simd.fma(a, b, b)),
+                simd.store(simd.max(a, simd.zero())),
+                simd.store(simd.sqrt(simd.abs(a))),
+                simd.store(simd.add(a, b)),
+                simd.store(simd.mul(a, b)),
                 F64x8(sums),
             ]
         }

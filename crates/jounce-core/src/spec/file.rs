@@ -84,8 +84,8 @@ impl SpecFile {
     /// An unknown key, with the nearest key of this file. [`SpecFile::spec`] reports a wrong value.
     pub fn set(&mut self, key: &str, value: &str) -> Result<(), Fault> {
         let row = resolve(&self.source.root, key).map_err(|message| Fault {
-            set: Some(Override::shown(key, value)),
-            ..Fault::without_place(&clip(key), message)
+            set: Some(Override::quoted_value(key, value)),
+            ..Fault::without_position(&clip(key), message)
         })?;
         let change = Override::new(key, value, &row, self.overrides.len());
         change.apply(&mut self.source.root);
@@ -102,7 +102,7 @@ impl SpecFile {
             return Err(Fault {
                 line: 1,
                 column: 1,
-                ..Fault::without_place("", "the spec is larger than 16 MiB")
+                ..Fault::without_position("", "the spec is larger than 16 MiB")
             }
             .into());
         }
@@ -112,7 +112,7 @@ impl SpecFile {
             return Err(Fault {
                 line: 1,
                 column: 1,
-                ..Fault::without_place("", message)
+                ..Fault::without_position("", message)
             }
             .into());
         }
@@ -132,7 +132,7 @@ impl SpecFile {
 
     /// Reads the recordings that the drives name; returns their faults by key.
     fn read_recordings(&self, spec: &mut Spec) -> Vec<(String, String)> {
-        let mut broken = Vec::new();
+        let mut faults = Vec::new();
         for (name, drive) in &mut spec.drive {
             let DriveSignal::Recording { file, .. } = &drive.signal else {
                 continue;
@@ -140,25 +140,25 @@ impl SpecFile {
             if file.is_empty() {
                 continue;
             }
-            let found = Recording::read(&self.folder.join(file), drive);
+            let outcome = Recording::read(&self.folder.join(file), drive);
             let DriveSignal::Recording { record, .. } = &mut drive.signal else {
                 continue;
             };
-            match found {
-                Ok(found) => *record = Some(Arc::new(found)),
-                Err((key, message)) => broken.push((
+            match outcome {
+                Ok(outcome) => *record = Some(Arc::new(outcome)),
+                Err((key, message)) => faults.push((
                     format!("drive.{name}.{key}"),
                     format!("drive.{name}.{key}: {message}"),
                 )),
             }
         }
-        broken
+        faults
     }
 
     fn faults(&self, reading: ReadState) -> Faults {
         let lines = Lines::new(&self.text);
         let syntax = self.source.errors.iter().map(|error| {
-            let (line, column) = lines.place(error.offset);
+            let (line, column) = lines.line_and_column(error.offset);
             Fault {
                 line,
                 column,
@@ -168,10 +168,10 @@ impl SpecFile {
             }
         });
         let read = reading.found.into_iter().map(|finding| {
-            let fault = Fault::without_place(&clip(&finding.key), finding.message);
-            match finding.place {
+            let fault = Fault::without_position(&clip(&finding.key), finding.message);
+            match finding.position {
                 SourcePlace::At(offset) => {
-                    let (line, column) = lines.place(offset);
+                    let (line, column) = lines.line_and_column(offset);
                     Fault {
                         line,
                         column,
@@ -204,12 +204,12 @@ impl SpecFile {
     /// A spec with faults, an unknown key, or a key without a number.
     pub fn numeric_key(&self, key: &str) -> Result<NumericKey, Faults> {
         resolve(&self.source.root, key)
-            .map_err(|message| Fault::without_place(&clip(key), message))?;
-        let found = NumericKey::find(&self.spec()?, key)?;
+            .map_err(|message| Fault::without_position(&clip(key), message))?;
+        let numeric = NumericKey::find(&self.spec()?, key)?;
         // A mass whose spring is given by its frequency retains the frequency, as if the file were
         // edited.
         let ["mass", name, "mass"] = key.split('.').collect::<Vec<_>>()[..] else {
-            return Ok(found);
+            return Ok(numeric);
         };
         let frequency = self
             .source
@@ -220,8 +220,8 @@ impl SpecFile {
         let value = frequency
             .and_then(|entry| read_number(kind, super::key::Range::POSITIVE, &entry.node).ok());
         Ok(match value {
-            Some(frequency_hz) => found.holding(format!("mass.{name}.frequency"), frequency_hz),
-            None => found,
+            Some(frequency_hz) => numeric.holding(format!("mass.{name}.frequency"), frequency_hz),
+            None => numeric,
         })
     }
 
@@ -232,11 +232,11 @@ impl SpecFile {
     /// As [`SpecFile::numeric_key`].
     pub fn numeric_keys(&self, key: &str) -> Result<Vec<NumericKey>, Faults> {
         let info = resolve(&self.source.root, key)
-            .map_err(|message| Fault::without_place(&clip(key), message))?;
+            .map_err(|message| Fault::without_position(&clip(key), message))?;
         if matches!(info.kind, Kind::Numbers | Kind::NamedNumbers) {
-            let found = NumericKey::all_in(&self.spec()?, key)?;
-            if !found.is_empty() {
-                return Ok(found);
+            let numeric = NumericKey::all_in(&self.spec()?, key)?;
+            if !numeric.is_empty() {
+                return Ok(numeric);
             }
         }
         Ok(vec![self.numeric_key(key)?])
@@ -253,7 +253,7 @@ impl SpecFile {
                 "{}: expected KEY=FROM:TO:STEP, such as drive.shaker.frequency=4Hz:20Hz:0.1Hz",
                 clip(assignment)
             );
-            return Err(Fault::without_place("", message).into());
+            return Err(Fault::without_position("", message).into());
         };
         Ok(KeyRange::parse(self.numeric_key(key.trim())?, range)?)
     }

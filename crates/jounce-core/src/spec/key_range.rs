@@ -33,7 +33,7 @@ impl KeyRange {
     /// A range that is empty, reversed, longer than a million points, in wrong units or beyond the
     /// limits of the key.
     pub fn parse(key: NumericKey, text: &str) -> Result<Self, Fault> {
-        let values = points(&key, text).map_err(|why| fault(&key, &why))?;
+        let values = points(&key, text).map_err(|reason| fault(&key, &reason))?;
         for value in &values {
             key.check(*value)?;
         }
@@ -51,8 +51,8 @@ impl KeyRange {
     }
 }
 
-fn fault(key: &NumericKey, why: &str) -> Fault {
-    Fault::without_place(key.path(), format!("{}: {why}", key.path()))
+fn fault(key: &NumericKey, reason: &str) -> Fault {
+    Fault::without_position(key.path(), format!("{}: {reason}", key.path()))
 }
 
 fn points(key: &NumericKey, text: &str) -> Result<Vec<f64>, String> {
@@ -114,20 +114,20 @@ impl DecimalNumber {
         match Decimal::split(text) {
             Some((number, "")) if Range::ANY.holds(number.scaled(0)) => Ok(Self {
                 value: number.scaled(0),
-                exact: number.whole(0),
+                exact: number.integer_ratio(0),
             }),
             _ => Err(format!(
                 "\"{}\" is not a plain number; {}",
                 clip(text),
-                key.kind().due()
+                key.kind().expectation()
             )),
         }
     }
 
     /// Returns the digits for an exponent that is at most the stored exponent.
     fn digits_at(&self, exponent: i64) -> Option<i128> {
-        let (digits, own) = self.exact?;
-        let shift = u32::try_from(own - exponent)
+        let (digits, key_exponent) = self.exact?;
+        let shift = u32::try_from(key_exponent - exponent)
             .ok()
             .filter(|shift| *shift < 30)?;
         digits.checked_mul(10i128.checked_pow(shift)?)

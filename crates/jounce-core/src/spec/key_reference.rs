@@ -90,8 +90,8 @@ fn holds(kind: Kind) -> String {
         Kind::Path => "path".to_owned(),
         Kind::Text => "text".to_owned(),
         Kind::Choice(_) => "choice".to_owned(),
-        Kind::Reference { what } => format!("name of {what}"),
-        Kind::References { what } => format!("list of names of {what}"),
+        Kind::Reference { what: noun } => format!("name of {noun}"),
+        Kind::References { what: noun } => format!("list of names of {noun}"),
         Kind::Things | Kind::Table => "table".to_owned(),
     }
 }

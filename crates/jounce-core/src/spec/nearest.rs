@@ -45,16 +45,16 @@ pub(super) fn did_you_mean<'c>(
 pub(super) fn join_words<'c>(words: impl IntoIterator<Item = &'c str>) -> String {
     let mut words: Vec<&str> = words.into_iter().collect();
     words.dedup();
-    let shown = words
+    let quoted = words
         .iter()
         .take(MAX_LISTED_WORDS)
         .map(|word| clip(word))
         .collect::<Vec<_>>()
         .join(", ");
     if words.len() > MAX_LISTED_WORDS {
-        format!("{shown} and {} more", words.len() - MAX_LISTED_WORDS)
+        format!("{quoted} and {} more", words.len() - MAX_LISTED_WORDS)
     } else {
-        shown
+        quoted
     }
 }
 

@@ -22,7 +22,7 @@ pub struct NumericKey {
     info: KeyInfo,
     /// A key and its value that are retained when this key changes: the frequency of a mass whose
     /// spring it defines.
-    held: Option<(String, f64)>,
+    retained_value: Option<(String, f64)>,
 }
 
 /// Properties of the number at a path.
@@ -41,21 +41,21 @@ impl NumericKey {
     /// A path without a number, or of a complete list. The exponent of a contact law is refused,
     /// because the unit of its stiffness depends on it.
     pub fn find(spec: &Spec, path: &str) -> Result<Self, Fault> {
-        let Some(found) = locate(SPEC, spec, &segments(path)) else {
-            return Err(Fault::without_place(
+        let Some(entry) = locate(SPEC, spec, &segments(path)) else {
+            return Err(Fault::without_position(
                 path,
                 format!("{}: {}", clip(path), no_number(spec, path)),
             ));
         };
-        if path.starts_with("stop.") && found.info.name == "exponent" {
-            let why = "cannot be varied alone, because the unit of `stiffness` depends on it; write one spec for each exponent";
-            return Err(Fault::without_place(path, format!("{path} {why}")));
+        if path.starts_with("stop.") && entry.info.name == "exponent" {
+            let reason = "cannot be varied alone, because the unit of `stiffness` depends on it; write one spec for each exponent";
+            return Err(Fault::without_position(path, format!("{path} {reason}")));
         }
         Ok(Self {
             path: path.to_owned(),
-            kind: found.kind,
-            info: found.info,
-            held: None,
+            kind: entry.kind,
+            info: entry.info,
+            retained_value: None,
         })
     }
 
@@ -68,7 +68,7 @@ impl NumericKey {
 
     /// Holds another number of the spec at a value whenever this key is set.
     pub(super) fn holding(mut self, path: String, value: f64) -> Self {
-        self.held = Some((path, value));
+        self.retained_value = Some((path, value));
         self
     }
 
@@ -112,9 +112,9 @@ impl NumericKey {
     /// # Errors
     /// A spec without this key.
     pub fn get(&self, spec: &Spec) -> Result<f64, Fault> {
-        let found = locate(SPEC, spec, &segments(&self.path));
-        found.map(|found| found.value).ok_or_else(|| {
-            Fault::without_place(
+        let entry = locate(SPEC, spec, &segments(&self.path));
+        entry.map(|entry| entry.value).ok_or_else(|| {
+            Fault::without_position(
                 &self.path,
                 format!("{}: this spec has no such key", self.path),
             )
@@ -130,10 +130,10 @@ impl NumericKey {
         self.check(value_si)?;
         let before = self.get(spec)?;
         self.store(spec, value_si);
-        let broken = validation::first(spec);
-        if let Some((_, message)) = broken {
+        let faults = validation::first(spec);
+        if let Some((_, message)) = faults {
             self.store(spec, before);
-            return Err(Fault::without_place(
+            return Err(Fault::without_position(
                 &self.path,
                 format!("{} = {}: {message}", self.path, self.kind.show(value_si)),
             ));
@@ -143,16 +143,16 @@ impl NumericKey {
 
     /// Checks a value against the limits of the key itself.
     pub(super) fn check(&self, value_si: f64) -> Result<(), Fault> {
-        let whole = self.info.kind != Kind::Count || value_si.fract() == 0.0;
-        if self.info.range.holds(value_si) && whole {
+        let is_allowed = self.info.kind != Kind::Count || value_si.fract() == 0.0;
+        if self.info.range.holds(value_si) && is_allowed {
             return Ok(());
         }
-        let rule = if whole {
+        let rule = if is_allowed {
             self.info.range.broken(value_si, self.kind)
         } else {
             "must be a whole number".to_owned()
         };
-        Err(Fault::without_place(
+        Err(Fault::without_position(
             &self.path,
             format!("{} is {}; it {rule}", self.path, self.kind.show(value_si)),
         ))
@@ -164,7 +164,7 @@ impl NumericKey {
 
     fn store(&self, spec: &mut Spec, value: f64) {
         store(SPEC, spec, &segments(&self.path), value);
-        if let Some((path, value)) = &self.held {
+        if let Some((path, value)) = &self.retained_value {
             store(SPEC, spec, &segments(path), *value);
         }
     }
@@ -189,8 +189,8 @@ fn segments(path: &str) -> Vec<&str> {
 /// Returns the length of the list at a path; 0 if there is no list.
 fn listed(spec: &Spec, path: &str) -> usize {
     let is_listed = |number: &usize| {
-        let found = locate(SPEC, spec, &segments(&format!("{path}.{number}")));
-        found.is_some_and(|found| matches!(found.info.kind, Kind::Numbers | Kind::NamedNumbers))
+        let entry = locate(SPEC, spec, &segments(&format!("{path}.{number}")));
+        entry.is_some_and(|entry| matches!(entry.info.kind, Kind::Numbers | Kind::NamedNumbers))
     };
     (1..).take_while(is_listed).count()
 }
@@ -230,36 +230,36 @@ fn one_of(list: &str, count: usize) -> String {
 }
 
 /// Returns the index of a number in its list; numbers are counted from 1.
-pub(super) fn place_in_list(number: &str) -> Option<usize> {
+pub(super) fn list_index(number: &str) -> Option<usize> {
     number.parse::<usize>().ok()?.checked_sub(1)
 }
 
 /// Returns the number at a path below an element.
-pub(super) fn locate<T>(keys: &[Key<T>], thing: &T, path: &[&str]) -> Option<Numeric> {
+pub(super) fn locate<T>(keys: &[Key<T>], element: &T, path: &[&str]) -> Option<Numeric> {
     let (name, rest) = path.split_first()?;
     let key = keys
         .iter()
-        .find(|key| key.info.name == *name && applies(keys, thing, &key.info))?;
+        .find(|key| key.info.name == *name && applies(keys, element, &key.info))?;
     let numeric = |value| Numeric {
         info: key.info,
-        kind: key.kind_in(thing),
+        kind: key.kind_in(element),
         value,
     };
     match (&key.slot, rest) {
-        (Slot::Number { get, .. } | Slot::Derived { get, .. }, []) => Some(numeric(get(thing))),
-        (Slot::Optional { get, .. }, []) => Some(numeric(get(thing)?)),
-        (Slot::Count { get, .. }, []) => Some(numeric(get(thing) as f64)),
+        (Slot::Number { get, .. } | Slot::Derived { get, .. }, []) => Some(numeric(get(element))),
+        (Slot::Optional { get, .. }, []) => Some(numeric(get(element)?)),
+        (Slot::Count { get, .. }, []) => Some(numeric(get(element) as f64)),
         (Slot::NamedQuantities { get, .. }, [name]) => {
-            get(thing).get(*name).map(|value| numeric(*value))
+            get(element).get(*name).map(|value| numeric(*value))
         }
-        (Slot::Numbers { get, .. }, [number]) => get(thing)
-            .get(place_in_list(number)?)
+        (Slot::Numbers { get, .. }, [number]) => get(element)
+            .get(list_index(number)?)
             .map(|value| one_of_list(key.info, *value)),
-        (Slot::NamedNumbers { get, .. }, [name, number]) => get(thing)
+        (Slot::NamedNumbers { get, .. }, [name, number]) => get(element)
             .get(*name)?
-            .get(place_in_list(number)?)
+            .get(list_index(number)?)
             .map(|value| one_of_list(key.info, *value)),
-        (Slot::Inner(inner), rest) => inner.locate(thing, rest),
+        (Slot::Inner(inner), rest) => inner.locate(element, rest),
         _ => None,
     }
 }
@@ -273,40 +273,42 @@ fn one_of_list(info: KeyInfo, value: f64) -> Numeric {
 }
 
 /// Stores a number at a path below an element; false if there is none.
-pub(super) fn store<T>(keys: &[Key<T>], thing: &mut T, path: &[&str], value: f64) -> bool {
+pub(super) fn store<T>(keys: &[Key<T>], element: &mut T, path: &[&str], value: f64) -> bool {
     let Some((name, rest)) = path.split_first() else {
         return false;
     };
     let Some(key) = keys
         .iter()
-        .find(|key| key.info.name == *name && applies(keys, thing, &key.info))
+        .find(|key| key.info.name == *name && applies(keys, element, &key.info))
     else {
         return false;
     };
     match (&key.slot, rest) {
         (Slot::Number { set, .. } | Slot::Derived { set, .. } | Slot::Optional { set, .. }, []) => {
-            set(thing, value)
+            set(element, value)
         }
-        (Slot::Count { set, .. }, []) => set(thing, value as usize),
+        (Slot::Count { set, .. }, []) => set(element, value as usize),
         (Slot::NamedQuantities { open, .. }, [name]) => {
-            let Some(place) = open(thing).get_mut(*name) else {
+            let Some(slot) = open(element).get_mut(*name) else {
                 return false;
             };
-            *place = value;
+            *slot = value;
         }
-        (Slot::Numbers { open, .. }, [number]) => return store_in_list(open(thing), number, value),
+        (Slot::Numbers { open, .. }, [number]) => {
+            return store_in_list(open(element), number, value);
+        }
         (Slot::NamedNumbers { open, .. }, [name, number]) => {
-            return open(thing)
+            return open(element)
                 .get_mut(*name)
                 .is_some_and(|list| store_in_list(list, number, value));
         }
-        (Slot::Inner(inner), rest) => return inner.store(thing, rest, value),
+        (Slot::Inner(inner), rest) => return inner.store(element, rest, value),
         _ => return false,
     }
     true
 }
 
 fn store_in_list(list: &mut [f64], number: &str, value: f64) -> bool {
-    let place = place_in_list(number).and_then(|place| list.get_mut(place));
-    place.map(|place| *place = value).is_some()
+    let slot = list_index(number).and_then(|slot| list.get_mut(slot));
+    slot.map(|slot| *slot = value).is_some()
 }

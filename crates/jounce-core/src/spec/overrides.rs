@@ -7,7 +7,7 @@ use toml_edit::{DocumentMut, Item, TableLike};
 use super::key::{KeyInfo, Kind, Row, rows};
 use super::keys::SPEC;
 use super::nearest::{clip, join_words, nearest};
-use super::numeric_key::{beyond, place_in_list};
+use super::numeric_key::{beyond, list_index};
 use super::source::{Node, SourcePlace, Value, value_of};
 use super::{Spec, read::join};
 
@@ -50,7 +50,7 @@ impl Override {
     }
 
     /// Returns the override as it was written.
-    pub(super) fn shown(key: &str, value: &str) -> String {
+    pub(super) fn quoted_value(key: &str, value: &str) -> String {
         format!("--set {}={}", clip(key), clip(value))
     }
 
@@ -74,8 +74,8 @@ impl Override {
         for parent in parents {
             let item = table.entry(parent).or_insert_with(toml_edit::table);
             if let Some(list) = item.as_array_mut() {
-                if let Some(place) = place_in_list(name).filter(|place| *place < list.len()) {
-                    list.replace(place, self.written());
+                if let Some(index) = list_index(name).filter(|index| *index < list.len()) {
+                    list.replace(index, self.written());
                 }
                 return;
             }
@@ -108,7 +108,7 @@ impl Override {
 
 impl fmt::Display for Override {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        out.write_str(&Self::shown(&self.path.join("."), &self.value))
+        out.write_str(&Self::quoted_value(&self.path.join("."), &self.value))
     }
 }
 
@@ -122,18 +122,18 @@ fn read_value(value: &str) -> Node {
         document
             .get("v")?
             .as_value()
-            .map(|found| value_of(&line, found, 0))
+            .map(|text_value| value_of(&line, text_value, 0))
     });
     node.unwrap_or_else(|| Node::at(0, Value::Text(value.to_owned())))
 }
 
-fn move_to(node: &mut Node, place: SourcePlace) {
-    node.place = place;
+fn move_to(node: &mut Node, position: SourcePlace) {
+    node.position = position;
     match &mut node.value {
-        Value::List(items) => items.iter_mut().for_each(|item| move_to(item, place)),
+        Value::List(items) => items.iter_mut().for_each(|item| move_to(item, position)),
         Value::Table(entries) => entries.iter_mut().for_each(|entry| {
-            entry.place = place;
-            move_to(&mut entry.node, place);
+            entry.position = position;
+            move_to(&mut entry.node, position);
         }),
         _ => {}
     }
@@ -143,16 +143,16 @@ fn move_to(node: &mut Node, place: SourcePlace) {
 pub(super) fn resolve(root: &Node, key: &str) -> Result<KeyInfo, String> {
     let top = rows(SPEC, Spec::default);
     let segments: Vec<&str> = key.split('.').collect();
-    walk(&top, Some(root), &segments, "").map_err(|lost| {
-        let why = match lost {
-            PathError::InList(why) => return format!("{}: {why}", clip(key)),
-            PathError::Key(why) => why,
+    walk(&top, Some(root), &segments, "").map_err(|path_error| {
+        let reason = match path_error {
+            PathError::InList(reason) => return format!("{}: {reason}", clip(key)),
+            PathError::Key(reason) => reason,
         };
         let mut known = Vec::new();
         paths(&top, Some(root), "", &mut known);
-        let meant = nearest(key, known.iter().map(String::as_str))
+        let suggestion = nearest(key, known.iter().map(String::as_str))
             .map(|near| format!("; the nearest key here is `{near}`"));
-        format!("{}: {why}{}", clip(key), meant.unwrap_or_default())
+        format!("{}: {reason}{}", clip(key), suggestion.unwrap_or_default())
     })
 }
 
@@ -165,8 +165,8 @@ enum PathError {
 }
 
 impl From<String> for PathError {
-    fn from(why: String) -> Self {
-        Self::Key(why)
+    fn from(reason: String) -> Self {
+        Self::Key(reason)
     }
 }
 
@@ -176,7 +176,7 @@ fn walk(
     path: &[&str],
     walked: &str,
 ) -> Result<KeyInfo, PathError> {
-    let place = if walked.is_empty() {
+    let parent_path = if walked.is_empty() {
         "here".to_owned()
     } else {
         format!("in {walked}")
@@ -190,7 +190,7 @@ fn walk(
     };
     let Some(row) = rows.iter().find(|row| row.info.name == *name) else {
         return Err(format!(
-            "unknown key; keys {place}: {}",
+            "unknown key; keys {parent_path}: {}",
             join_words(rows.iter().map(|row| row.info.name))
         )
         .into());
@@ -205,10 +205,10 @@ fn walk(
             "{walked} is a table of named elements; add the name of one and a key"
         )
         .into()),
-        (Kind::Things, [thing, rest @ ..]) => {
-            let Some(found) = below.and_then(|below| below.get(thing)) else {
-                let there = below.and_then(Node::entries).unwrap_or_default();
-                let names = join_words(there.iter().map(|entry| entry.name.as_str()));
+        (Kind::Things, [element, rest @ ..]) => {
+            let Some(child) = below.and_then(|below| below.get(element)) else {
+                let entries = below.and_then(Node::entries).unwrap_or_default();
+                let names = join_words(entries.iter().map(|entry| entry.name.as_str()));
                 let names = if names.is_empty() {
                     "none".to_owned()
                 } else {
@@ -216,11 +216,11 @@ fn walk(
                 };
                 return Err(format!(
                     "this file has no [{walked}.{}]; it has: {names}",
-                    clip(thing)
+                    clip(element)
                 )
                 .into());
             };
-            walk(&row.inner, Some(&found.node), rest, &join(&walked, thing))
+            walk(&row.inner, Some(&child.node), rest, &join(&walked, element))
         }
         (Kind::NamedQuantities(_) | Kind::NamedNumbers, [_]) => Ok(row.info),
         (Kind::Numbers, [number]) => in_list(row.info, below, number, &walked),
@@ -249,15 +249,13 @@ fn in_list(
         Some(Value::List(items)) if items.is_empty() => {
             Err(PathError::InList(format!("{walked} is empty")))
         }
-        Some(Value::List(items)) => {
-            match place_in_list(number).filter(|place| *place < items.len()) {
-                Some(_) => Ok(KeyInfo {
-                    kind: Kind::Number,
-                    ..info
-                }),
-                None => Err(PathError::InList(beyond(walked, items.len()))),
-            }
-        }
+        Some(Value::List(items)) => match list_index(number).filter(|index| *index < items.len()) {
+            Some(_) => Ok(KeyInfo {
+                kind: Kind::Number,
+                ..info
+            }),
+            None => Err(PathError::InList(beyond(walked, items.len()))),
+        },
         Some(_) => Err(PathError::InList(format!(
             "{walked} is not a list of numbers in this file"
         ))),

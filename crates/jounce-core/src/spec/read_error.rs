@@ -80,11 +80,11 @@ pub(super) fn read_text(path: &Path) -> Result<String, ReadError> {
 fn wrong_byte(error: &std::string::FromUtf8Error) -> Fault {
     let at = error.utf8_error().valid_up_to();
     let valid = String::from_utf8_lossy(&error.as_bytes()[..at]);
-    let (line, column) = Lines::new(&valid).place(at);
+    let (line, column) = Lines::new(&valid).line_and_column(at);
     let message = format!("the byte 0x{:02x} is not UTF-8", error.as_bytes()[at]);
     Fault {
         line,
         column,
-        ..Fault::without_place("", message)
+        ..Fault::without_position("", message)
     }
 }

@@ -130,18 +130,18 @@ impl DriveKind {
 /// The named channel does not exist, or no channel fits, or several do.
 pub fn driving_channel(
     (recording, heads, findings): (&str, &[ChannelHead<'_>], &[Issue]),
-    wanted: Option<&str>,
+    channel: Option<&str>,
     quantity: Quantity,
 ) -> Result<usize, RecordingError> {
-    if let Some(wanted) = wanted {
-        return Ok(named(recording, heads, wanted)?);
+    if let Some(channel) = channel {
+        return Ok(named(recording, heads, channel)?);
     }
-    let is_still = |name: &str| {
+    let is_constant = |name: &str| {
         findings
             .iter()
             .any(|f| f.kind == IssueKind::Constant && f.channel.as_deref() == Some(name))
     };
-    let moves = |k: &usize| !is_still(heads[*k].name);
+    let moves = |k: &usize| !is_constant(heads[*k].name);
     let measuring: Vec<usize> = (0..heads.len())
         .filter(|k| heads[*k].quantity == quantity)
         .filter(moves)
@@ -229,8 +229,8 @@ impl Recording {
         let of_another = |name: &String| {
             *name != channel.name && measured.channels.iter().any(|other| other.name == *name)
         };
-        let is_own = |finding: &&Issue| !finding.channel.as_ref().is_some_and(of_another);
-        let mut findings: Vec<Issue> = measured.findings.iter().filter(is_own).cloned().collect();
+        let belongs = |finding: &&Issue| !finding.channel.as_ref().is_some_and(of_another);
+        let mut findings: Vec<Issue> = measured.findings.iter().filter(belongs).cloned().collect();
         if offset.abs() > CONSTANT_ROUNDOFF * largest {
             let about = format!(
                 "its mean of {:.5} {} is removed",
@@ -265,8 +265,8 @@ impl Recording {
         else {
             return Err(("signal", "the signal is not a recording".to_owned()));
         };
-        let shown = path.display();
-        let of_file = |error: &dyn std::fmt::Display| ("file", format!("{shown}: {error}"));
+        let path_text = path.display();
+        let of_file = |error: &dyn std::fmt::Display| ("file", format!("{path_text}: {error}"));
         let quantity = drive.kind.measured();
         let mut survey = survey(path, *sample_rate_hz).map_err(|error| match error {
             ReadError::NoTime { .. } | ReadError::StampUnit { .. } => (
@@ -281,14 +281,14 @@ impl Recording {
             quantity,
         )
         .map_err(|error| of_file(&error))?;
-        if let Some(wanted_hz) = sample_rate_hz
-            .filter(|wanted_hz| (wanted_hz / survey.rate() - 1.0).abs() > MAX_RATE_ERROR)
+        if let Some(requested_hz) = sample_rate_hz
+            .filter(|requested_hz| (requested_hz / survey.rate() - 1.0).abs() > MAX_RATE_ERROR)
         {
-            let told = format!(
-                "{shown} is sampled at {:.6} Hz, not at `sample_rate` = {wanted_hz} Hz; correct one of them",
+            let message = format!(
+                "{path_text} is sampled at {:.6} Hz, not at `sample_rate` = {requested_hz} Hz; correct one of them",
                 survey.rate()
             );
-            return Err(("sample_rate", told));
+            return Err(("sample_rate", message));
         }
         let head = survey.channels[number].head();
         let assumed = if unit.is_none() {
@@ -303,7 +303,7 @@ impl Recording {
         let mut measured = measured.into_even().map_err(|error| of_file(&error))?;
         let channel = &mut measured.channels[0];
         if let Some(unit) = unit {
-            in_unit(channel, unit, quantity).map_err(|told| ("unit", told))?;
+            in_unit(channel, unit, quantity).map_err(|message| ("unit", message))?;
             measured
                 .findings
                 .retain(|finding| finding.kind != IssueKind::RawCounts);

@@ -57,21 +57,21 @@ impl Spec {
 /// Prints one element under its header; `always` prints the header of an empty element too.
 pub(super) fn write_keys<T>(
     keys: &[Key<T>],
-    thing: &T,
+    element: &T,
     path: &str,
     always: bool,
     out: &mut String,
 ) {
-    let mut own = String::new();
+    let mut key_lines = String::new();
     let mut below = String::new();
-    for key in keys.iter().filter(|key| applies(keys, thing, &key.info)) {
-        if let Some(value) = value(key, thing) {
-            line(&mut own, key.info.name, &value);
+    for key in keys.iter().filter(|key| applies(keys, element, &key.info)) {
+        if let Some(value) = value(key, element) {
+            line(&mut key_lines, key.info.name, &value);
         }
-        write_below(key, thing, path, &mut below);
+        write_below(key, element, path, &mut below);
     }
-    if always || !own.is_empty() {
-        out.push_str(&format!("\n[{path}]\n{own}"));
+    if always || !key_lines.is_empty() {
+        out.push_str(&format!("\n[{path}]\n{key_lines}"));
     }
     out.push_str(&below);
 }
@@ -80,20 +80,20 @@ fn line(out: &mut String, name: &str, value: &str) {
     out.push_str(&format!("{name} = {value}\n"));
 }
 
-fn value<T>(key: &Key<T>, thing: &T) -> Option<String> {
-    let number = |value: f64| match key.kind_in(thing) {
+fn value<T>(key: &Key<T>, element: &T) -> Option<String> {
+    let number = |value: f64| match key.kind_in(element) {
         Kind::Quantity(quantity) => quoted(&quantity.write(value)),
         _ => float(value),
     };
     match &key.slot {
-        Slot::Number { get, .. } => Some(number(get(thing))),
-        Slot::Optional { get, .. } => get(thing).map(number),
-        Slot::Count { get, .. } => Some(get(thing).to_string()),
-        Slot::Text { get, .. } => Some(get(thing))
+        Slot::Number { get, .. } => Some(number(get(element))),
+        Slot::Optional { get, .. } => get(element).map(number),
+        Slot::Count { get, .. } => Some(get(element).to_string()),
+        Slot::Text { get, .. } => Some(get(element))
             .filter(|text| !text.is_empty())
             .map(|text| quoted(&text)),
-        Slot::Texts { get, .. } => (!get(thing).is_empty()).then(|| texts(get(thing))),
-        Slot::Numbers { get, .. } => (!get(thing).is_empty()).then(|| list(get(thing))),
+        Slot::Texts { get, .. } => (!get(element).is_empty()).then(|| texts(get(element))),
+        Slot::Numbers { get, .. } => (!get(element).is_empty()).then(|| list(get(element))),
         Slot::Derived { .. }
         | Slot::NamedQuantities { .. }
         | Slot::NamedNumbers { .. }
@@ -101,12 +101,12 @@ fn value<T>(key: &Key<T>, thing: &T) -> Option<String> {
     }
 }
 
-fn write_below<T>(key: &Key<T>, thing: &T, path: &str, out: &mut String) {
+fn write_below<T>(key: &Key<T>, element: &T, path: &str, out: &mut String) {
     let path = format!("{path}.{}", key.info.name);
     let mut lines = String::new();
     match (&key.slot, key.info.kind) {
         (Slot::NamedQuantities { get, .. }, Kind::NamedQuantities(quantity)) => {
-            for (name, value) in get(thing) {
+            for (name, value) in get(element) {
                 line(
                     &mut lines,
                     &toml_edit::Key::new(name).to_string(),
@@ -115,7 +115,7 @@ fn write_below<T>(key: &Key<T>, thing: &T, path: &str, out: &mut String) {
             }
         }
         (Slot::NamedNumbers { get, .. }, _) => {
-            for (name, values) in get(thing) {
+            for (name, values) in get(element) {
                 line(
                     &mut lines,
                     &toml_edit::Key::new(name).to_string(),
@@ -123,7 +123,7 @@ fn write_below<T>(key: &Key<T>, thing: &T, path: &str, out: &mut String) {
                 );
             }
         }
-        (Slot::Inner(inner), _) => inner.write(thing, &path, out),
+        (Slot::Inner(inner), _) => inner.write(element, &path, out),
         _ => {}
     }
     if !lines.is_empty() {

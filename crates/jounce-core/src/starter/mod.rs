@@ -47,7 +47,7 @@ pub const STARTERS: &[Starter] = &[
 
 /// Unknown kind of starter.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error, serde::Serialize)]
-#[error("there is no starter of the kind \"{kind}\"{}; the kinds are {}", meant(.nearest), kinds())]
+#[error("there is no starter of the kind \"{kind}\"{}; the kinds are {}", suggestion(.nearest), kinds())]
 pub struct UnknownKind {
     /// The requested kind.
     pub kind: String,
@@ -63,7 +63,7 @@ impl Starter {
     pub fn of(kind: &str) -> Result<&'static Self, UnknownKind> {
         let kinds = || STARTERS.iter().map(|starter| starter.kind);
         // A part of a name, such as "bimorph", matches that name.
-        let meant = || {
+        let suggestion = || {
             nearest(kind, kinds())
                 .or_else(|| kinds().find(|known| kind.len() > 2 && known.contains(kind)))
         };
@@ -72,7 +72,7 @@ impl Starter {
             .find(|starter| starter.kind == kind)
             .ok_or_else(|| UnknownKind {
                 kind: kind.to_owned(),
-                nearest: meant(),
+                nearest: suggestion(),
             })
     }
 
@@ -90,7 +90,7 @@ impl Starter {
     }
 }
 
-fn meant(nearest: &Option<&str>) -> String {
+fn suggestion(nearest: &Option<&str>) -> String {
     nearest
         .map(|kind| format!(" (did you mean \"{kind}\"?)"))
         .unwrap_or_default()
@@ -140,12 +140,12 @@ mod tests {
     }
 
     #[test]
-    fn a_wrong_kind_is_told_with_the_nearest_one() {
+    fn unknown_kind_error_suggests_the_nearest() {
         assert_eq!(Starter::of("ball").unwrap().kind, "ball");
-        let told = Starter::of("two-beam").unwrap_err().to_string();
+        let message = Starter::of("two-beam").unwrap_err().to_string();
         assert!(
-            told.contains("did you mean \"two-beams\"") && told.contains("random-base"),
-            "{told}"
+            message.contains("did you mean \"two-beams\"") && message.contains("random-base"),
+            "{message}"
         );
         assert_eq!(
             Starter::of("bimorph").unwrap_err().nearest,

@@ -95,19 +95,19 @@ fn target_of(path: &Path) -> Result<PathBuf, StoreError> {
     if path.file_name().is_none() {
         return Err(StoreError::new(path, "it names no file"));
     }
-    let Ok(found) = fs::metadata(path) else {
+    let Ok(metadata) = fs::metadata(path) else {
         return Ok(path.to_owned());
     };
-    if found.is_dir() {
+    if metadata.is_dir() {
         return Err(StoreError::new(
             path,
             "it is a folder; give the name of a file in it",
         ));
     }
-    if !found.is_file() {
+    if !metadata.is_file() {
         return Err(StoreError::new(path, "it is not a regular file"));
     }
-    if found.permissions().readonly() {
+    if metadata.permissions().readonly() {
         return Err(StoreError::new(
             path,
             "it is read-only; make it writable or choose another name",
@@ -123,13 +123,13 @@ fn filled(
     fill: impl FnOnce(&mut File) -> io::Result<()>,
 ) -> Result<tempfile::NamedTempFile, StoreError> {
     let written = || -> io::Result<_> {
-        let mut beside = beside(folder)?;
+        let mut temporary = temporary_file(folder)?;
         // The lock protects the file from `clean`. On a file system without locks, `clean` removes
         // no file.
-        let _ = beside.as_file().try_lock();
-        fill(beside.as_file_mut())?;
-        beside.as_file().sync_all()?;
-        Ok(beside)
+        let _ = temporary.as_file().try_lock();
+        fill(temporary.as_file_mut())?;
+        temporary.as_file().sync_all()?;
+        Ok(temporary)
     };
     written().map_err(|fault| StoreError::new(path, fault))
 }
@@ -145,7 +145,7 @@ fn flush_name(target: &Path) {
 
 /// Creates a temporary file with the permissions of an ordinary new file (the process's mask
 /// applies).
-fn beside(folder: &Path) -> io::Result<tempfile::NamedTempFile> {
+fn temporary_file(folder: &Path) -> io::Result<tempfile::NamedTempFile> {
     let mut builder = tempfile::Builder::new();
     builder.prefix(PREFIX);
     #[cfg(unix)]
@@ -171,7 +171,7 @@ mod tests {
     }
 
     #[test]
-    fn a_file_is_created_then_replaced_and_nothing_else_is_left() {
+    fn file_is_created_then_replaced_without_leftovers() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("a.csv");
         write(&path, b"one").unwrap();
@@ -181,7 +181,7 @@ mod tests {
     }
 
     #[test]
-    fn what_cannot_be_written_is_an_error_with_path_and_reason() {
+    fn write_errors_name_path_and_reason() {
         let folder = tempfile::tempdir().unwrap();
         let missing = write(&folder.path().join("no/such.csv"), b"x")
             .unwrap_err()
@@ -202,7 +202,7 @@ mod tests {
     }
 
     #[test]
-    fn a_read_only_file_is_kept() {
+    fn read_only_file_is_not_replaced() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("kept");
         write(&path, b"old").unwrap();
@@ -219,14 +219,14 @@ mod tests {
     }
 
     #[test]
-    fn what_is_there_is_not_created_again() {
+    fn existing_file_is_not_created() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("a.toml");
         create(&path, b"one").unwrap();
-        let told = create(&path, b"two").unwrap_err().to_string();
+        let message = create(&path, b"two").unwrap_err().to_string();
         assert!(
-            told.contains("a.toml") && told.contains("it is there already"),
-            "{told}"
+            message.contains("a.toml") && message.contains("it is there already"),
+            "{message}"
         );
         assert_eq!(
             (fs::read(&path).unwrap(), names(folder.path())),

@@ -14,12 +14,12 @@ pub fn clean(folder: &Path) {
     let Ok(entries) = fs::read_dir(folder) else {
         return;
     };
-    for entry in entries.flatten().filter(is_left) {
+    for entry in entries.flatten().filter(is_leftover) {
         let _ = fs::remove_file(entry.path());
     }
 }
 
-fn is_left(entry: &DirEntry) -> bool {
+fn is_leftover(entry: &DirEntry) -> bool {
     let is_ours = entry.file_name().to_string_lossy().starts_with(PREFIX);
     let age = || entry.metadata().ok()?.modified().ok()?.elapsed().ok();
     let is_free = || File::open(entry.path()).is_ok_and(|file| file.try_lock().is_ok());
@@ -33,20 +33,20 @@ mod tests {
     use std::time::SystemTime;
 
     #[test]
-    fn only_what_nobody_writes_is_removed() {
+    fn only_abandoned_files_are_removed() {
         let folder = tempfile::tempdir().unwrap();
-        let made = |name: &str, age_s: u64| {
+        let create_aged = |name: &str, age_s: u64| {
             let file = File::create(folder.path().join(name)).unwrap();
             file.set_modified(SystemTime::now() - Duration::from_secs(age_s))
                 .unwrap();
             file
         };
         drop((
-            made(".jounce-left", 60),
-            made(".jounce-young", 0),
-            made("part.parquet", 60),
+            create_aged(".jounce-left", 60),
+            create_aged(".jounce-young", 0),
+            create_aged("part.parquet", 60),
         ));
-        let written = made(".jounce-written", 60);
+        let written = create_aged(".jounce-written", 60);
         written.lock().unwrap();
         clean(folder.path());
         let mut names: Vec<_> = fs::read_dir(folder.path())

@@ -33,17 +33,23 @@ pub(super) fn beam_shapes(
         let needed = solution.order.needed(part);
         for (index, name, beam) in assembly.body.beams() {
             let length_m = beam.length_m;
-            let place_m: Vec<f64> = (0..=intervals)
+            let position_m: Vec<f64> = (0..=intervals)
                 .map(|sample| length_m * sample as f64 / intervals as f64)
                 .collect();
-            let at = |place_m: &f64| {
+            let at = |position_m: &f64| {
                 solution.order.spread(
                     part,
-                    &reduced.modal(&assembly.displacement(index, *place_m), needed),
+                    &reduced.modal(&assembly.displacement(index, *position_m), needed),
                 )
             };
-            let shape = place_m.iter().map(at).collect();
-            shapes.insert(name.to_owned(), BeamShape { place_m, shape });
+            let shape = position_m.iter().map(at).collect();
+            shapes.insert(
+                name.to_owned(),
+                BeamShape {
+                    place_m: position_m,
+                    shape,
+                },
+            );
         }
     }
     shapes

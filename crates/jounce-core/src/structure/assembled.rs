@@ -4,7 +4,7 @@
 use super::assembly::{Assembly, Row};
 use super::damping::{MassMode, damping_ratios};
 use super::error::StructureError;
-use super::layout::{PatchedSegment, stretches};
+use super::layout::{PatchedSegment, patched_segments};
 use super::modes::{Modes, PatchModes};
 use super::section::{outer_lever_m, patch_moment_n_m_per_v};
 use super::solution::StructureSolution;
@@ -19,7 +19,7 @@ const STRAIN_POINTS: usize = 16;
 /// `MissingDamping`, `NotRepresentable`.
 pub(super) fn assembled_modes(
     spec: &Spec,
-    held: &[String],
+    fixed_masses: &[String],
     solution: &StructureSolution,
     discretisation_error: Vec<f64>,
 ) -> Result<Modes, StructureError> {
@@ -40,12 +40,12 @@ pub(super) fn assembled_modes(
         add(&mut modes.participation_sqrt_kg, &participation);
         let base = spec.base_under(assembly.body.support());
         if base != GROUND {
-            let still = || vec![0.0; participation.len()];
+            let zeros = || vec![0.0; participation.len()];
             add(
                 modes
                     .base_sqrt_kg
                     .entry(base.to_owned())
-                    .or_insert_with(still),
+                    .or_insert_with(zeros),
                 &participation,
             );
         }
@@ -64,7 +64,7 @@ pub(super) fn assembled_modes(
             modes.patch.insert(rows.name.to_owned(), patch);
         }
     }
-    for name in held {
+    for name in fixed_masses {
         modes.shape.insert(name.clone(), vec![0.0; modes.len()]);
     }
     Ok(modes)
@@ -85,10 +85,10 @@ fn point_rows(assembly: &Assembly) -> Vec<(String, Row)> {
         .map(|(part, name, _)| (name.to_owned(), assembly.root_displacement(part)))
         .collect();
     for (part, name, beam) in assembly.body.beams() {
-        rows.extend(beam.point.iter().map(|(point, place_m)| {
+        rows.extend(beam.point.iter().map(|(point, position_m)| {
             (
                 format!("{name}.{point}"),
-                assembly.displacement(part, *place_m),
+                assembly.displacement(part, *position_m),
             )
         }));
         rows.push((format!("{name}.root"), assembly.root_displacement(part)));
@@ -114,22 +114,22 @@ struct PatchRows<'a> {
 /// one pair of moments for each such segment.
 ///
 /// # Errors
-/// Errors of [`stretches`].
+/// Errors of [`patched_segments`].
 fn patch_rows<'a>(
     spec: &'a Spec,
     assembly: &Assembly,
 ) -> Result<Vec<PatchRows<'a>>, StructureError> {
-    let mut found: Vec<PatchRows> = Vec::new();
+    let mut all_rows: Vec<PatchRows> = Vec::new();
     for (part, beam_name, beam) in assembly.body.beams() {
         // Merges segments that only a named point separates.
         let mut runs: Vec<PatchedSegment<'a>> = Vec::new();
-        for stretch in stretches(spec, beam_name, beam)? {
+        for segment in patched_segments(spec, beam_name, beam)? {
             match runs
                 .last_mut()
-                .filter(|run| run.patches == stretch.patches && run.layers == stretch.layers)
+                .filter(|run| run.patches == segment.patches && run.layers == segment.layers)
             {
-                Some(run) => run.end_m = stretch.end_m,
-                None => runs.push(stretch),
+                Some(run) => run.end_m = segment.end_m,
+                None => runs.push(segment),
             }
         }
         for run in &runs {
@@ -141,39 +141,39 @@ fn patch_rows<'a>(
                     assembly.slope(part, run.start_m),
                     assembly.slope(part, run.end_m),
                 );
-                let turned = end
+                let rotation = end
                     .iter()
                     .zip(&start)
                     .map(|(end, start)| moment_n_m_per_v * (end - start));
                 let strain = (0..=STRAIN_POINTS).map(|k| {
                     // The end belongs to the next element, which may have another section.
                     let part_of = k as f64 / STRAIN_POINTS as f64 * (1.0 - 1e-9);
-                    let place_m = run.start_m + (run.end_m - run.start_m) * part_of;
+                    let position_m = run.start_m + (run.end_m - run.start_m) * part_of;
                     assembly
-                        .curvature(part, place_m)
+                        .curvature(part, position_m)
                         .iter()
                         .map(|curvature| -lever_m * curvature)
                         .collect::<Row>()
                 });
-                match found.iter_mut().find(|rows| rows.name == name) {
+                match all_rows.iter_mut().find(|rows| rows.name == name) {
                     Some(rows) => {
                         rows.coupling
                             .iter_mut()
-                            .zip(turned)
+                            .zip(rotation)
                             .for_each(|(sum, part)| *sum += part);
                         rows.strain.extend(strain);
                     }
-                    None => found.push(PatchRows {
+                    None => all_rows.push(PatchRows {
                         name,
                         patch,
-                        coupling: turned.collect(),
+                        coupling: rotation.collect(),
                         strain: strain.collect(),
                     }),
                 }
             }
         }
     }
-    Ok(found)
+    Ok(all_rows)
 }
 
 /// Assigns a retained mode to each sprung mass: the mode in which it has the greatest share of the
@@ -200,7 +200,12 @@ fn mass_modes(solution: &StructureSolution) -> Vec<MassMode> {
             if !masses.contains(&mass) && !modes.contains(&mode) {
                 masses.push(mass);
                 modes.push(mode);
-                of_masses.extend(solution.order.place(part, mode).map(|place| (place, ratio)));
+                of_masses.extend(
+                    solution
+                        .order
+                        .index_of(part, mode)
+                        .map(|mode_index| (mode_index, ratio)),
+                );
             }
         }
     }
@@ -241,14 +246,14 @@ mod tests {
         let structures = Structures::new(&spec, &[]).unwrap();
         let solution = structures.solve(&structures.spectral_mesh(1e-6)).unwrap();
         let rows = patch_rows(&spec, &solution.parts[0].0).unwrap();
-        let alone = CrossSection::covered(&beam, [&top].into_iter());
+        let covered_section = CrossSection::covered(&beam, [&top].into_iter());
         let both = CrossSection::covered(&beam, [&top, &bottom].into_iter());
         let energy = |section: &CrossSection, length_m: f64| {
             patch_moment_n_m_per_v(&beam, section, &top).powi(2) * length_m
                 / section.bending_stiffness_n_m2
         };
-        let exact = energy(&alone, 0.05 - 0.009) + energy(&both, 0.094 - 0.05);
-        let found: f64 = rows
+        let exact = energy(&covered_section, 0.05 - 0.009) + energy(&both, 0.094 - 0.05);
+        let moment: f64 = rows
             .iter()
             .find(|rows| rows.name == "top")
             .unwrap()
@@ -256,6 +261,6 @@ mod tests {
             .iter()
             .map(|value| value * value)
             .sum();
-        assert!((found / exact - 1.0).abs() < 1e-13, "{found:e} {exact:e}");
+        assert!((moment / exact - 1.0).abs() < 1e-13, "{moment:e} {exact:e}");
     }
 }

@@ -21,7 +21,7 @@
 use super::body::{Body, PartKind, Support};
 use super::element::Element;
 use super::error::StructureError;
-use super::placement::{BodyPart, PlaceMotion, PlacedElement, chained, clamped, placed_mass};
+use super::placement::{BodyPart, PlaceMotion, PlacedElement, chained, clamped, mass_part};
 use faer::Mat;
 
 /// Displacement or slope per unit of each strain coordinate.
@@ -36,25 +36,25 @@ pub(super) struct Assembly<'a> {
     /// The first coordinate is a rigid-body motion.
     pub rigid: bool,
     /// One per part of the body.
-    placed: Vec<BodyPart>,
+    parts: Vec<BodyPart>,
 }
 
 impl<'a> Assembly<'a> {
     /// Places every part on its support; `elements` are those of each beam, by its index among the
     /// parts.
     pub fn new(body: Body<'a>, elements: Vec<Vec<Element>>) -> Self {
-        let has_coordinate = |thing: &PartKind, on: &Support| match thing {
+        let has_coordinate = |kind: &PartKind, on: &Support| match kind {
             PartKind::Mass(mass) => {
                 usize::from(mass.stiffness_n_m.is_some() || *on == Support::Nothing)
             }
             PartKind::Beam(beam) => usize::from(beam.root_stiffness_n_m_rad.is_some()),
         };
-        let own: usize = body
+        let coordinates: usize = body
             .parts
             .iter()
-            .map(|part| has_coordinate(&part.thing, &part.on))
+            .map(|part| has_coordinate(&part.kind, &part.on))
             .sum();
-        let columns = own
+        let columns = coordinates
             + elements
                 .iter()
                 .flatten()
@@ -67,80 +67,84 @@ impl<'a> Assembly<'a> {
         let mut assembly = Self {
             columns,
             rigid,
-            placed: Vec::with_capacity(body.parts.len()),
+            parts: Vec::with_capacity(body.parts.len()),
             body,
         };
         let mut next_column = 0;
         for (index, chain) in elements.into_iter().enumerate() {
             let part = assembly.body.parts[index];
             let support = assembly.motion_of(part.on);
-            let placed = match part.thing {
-                PartKind::Mass(mass) => placed_mass(mass, part.on, support, &mut next_column),
+            let body_part = match part.kind {
+                PartKind::Mass(mass) => mass_part(mass, part.on, support, &mut next_column),
                 PartKind::Beam(beam) => BodyPart::Beam(chained(
                     chain,
                     clamped(beam, support, &mut next_column),
                     &mut next_column,
                 )),
             };
-            assembly.placed.push(placed);
+            assembly.parts.push(body_part);
         }
         assembly
     }
 
     /// Returns the displacement of the mass or of the clamped root that is part `part`.
     pub fn root_displacement(&self, part: usize) -> Row {
-        match &self.placed[part] {
+        match &self.parts[part] {
             BodyPart::Mass { motion, .. } => motion.displacement.clone(),
             BodyPart::Beam(chain) => chain.first().map_or_else(
                 || vec![0.0; self.columns],
-                |placed| placed.start.displacement.clone(),
+                |body_part| body_part.start.displacement.clone(),
             ),
         }
     }
 
-    /// Returns the displacement of the beam that is part `part` at `place_m` from the root.
-    pub fn displacement(&self, part: usize, place_m: f64) -> Row {
-        let Some(placed) = self.element_at(part, place_m) else {
+    /// Returns the displacement of the beam that is part `part` at `position_m` from the root.
+    pub fn displacement(&self, part: usize, position_m: f64) -> Row {
+        let Some(body_part) = self.element_at(part, position_m) else {
             return self.root_displacement(part);
         };
-        let offset_m = place_m - placed.element.start_m;
-        let start = &placed.start;
+        let offset_m = position_m - body_part.element.start_m;
+        let start = &body_part.start;
         let mut row: Row = start
             .displacement
             .iter()
             .zip(&start.slope)
             .map(|(w, slope)| w + offset_m * slope)
             .collect();
-        placed.add(&mut row, &placed.element.displacement(offset_m));
+        body_part.add(&mut row, &body_part.element.displacement(offset_m));
         row
     }
 
-    /// Returns the slope of the beam that is part `part` at `place_m` from the root; for a mass,
+    /// Returns the slope of the beam that is part `part` at `position_m` from the root; for a mass,
     /// the slope of its support.
-    pub fn slope(&self, part: usize, place_m: f64) -> Row {
-        let Some(placed) = self.element_at(part, place_m) else {
-            return if let BodyPart::Mass { motion, .. } = &self.placed[part] {
+    pub fn slope(&self, part: usize, position_m: f64) -> Row {
+        let Some(body_part) = self.element_at(part, position_m) else {
+            return if let BodyPart::Mass { motion, .. } = &self.parts[part] {
                 motion.slope.clone()
             } else {
                 vec![0.0; self.columns]
             };
         };
-        let mut row = placed.start.slope.clone();
-        placed.add(
+        let mut row = body_part.start.slope.clone();
+        body_part.add(
             &mut row,
-            &placed.element.slope(place_m - placed.element.start_m),
+            &body_part
+                .element
+                .slope(position_m - body_part.element.start_m),
         );
         row
     }
 
-    /// Returns the curvature of the beam that is part `part` at `place_m` from the root, 1/m per
+    /// Returns the curvature of the beam that is part `part` at `position_m` from the root, 1/m per
     /// coordinate.
-    pub fn curvature(&self, part: usize, place_m: f64) -> Row {
+    pub fn curvature(&self, part: usize, position_m: f64) -> Row {
         let mut row = vec![0.0; self.columns];
-        if let Some(placed) = self.element_at(part, place_m) {
-            placed.add(
+        if let Some(body_part) = self.element_at(part, position_m) {
+            body_part.add(
                 &mut row,
-                &placed.element.curvature(place_m - placed.element.start_m),
+                &body_part
+                    .element
+                    .curvature(position_m - body_part.element.start_m),
             );
         }
         row
@@ -169,12 +173,12 @@ impl<'a> Assembly<'a> {
     /// # Errors
     /// `NotRepresentable` if an entry is not finite.
     pub fn mass_factor(&self) -> Result<Mat<f64>, StructureError> {
-        let rows = self.placed.iter().map(BodyPart::mass_rows).sum::<usize>();
+        let rows = self.parts.iter().map(BodyPart::mass_rows).sum::<usize>();
         let mut factor = Mat::zeros(rows, self.columns);
         let mut row = 0;
-        for placed in &self.placed {
-            placed.add_mass(&mut factor, row);
-            row += placed.mass_rows();
+        for body_part in &self.parts {
+            body_part.add_mass(&mut factor, row);
+            row += body_part.mass_rows();
         }
         let finite = factor
             .col_iter()
@@ -196,7 +200,7 @@ impl<'a> Assembly<'a> {
     /// As [`Assembly::mass_factor`].
     pub fn translated_mass(&self) -> Result<Row, StructureError> {
         let factor = self.mass_factor()?;
-        let translation: Vec<f64> = self.placed.iter().flat_map(BodyPart::translation).collect();
+        let translation: Vec<f64> = self.parts.iter().flat_map(BodyPart::translation).collect();
         Ok(factor
             .col_iter()
             .map(|column| {
@@ -219,18 +223,18 @@ impl<'a> Assembly<'a> {
                 displacement: self.root_displacement(part),
                 slope: self.slope(part, 0.0),
             },
-            Support::Point(part, place_m) => PlaceMotion {
-                displacement: self.displacement(part, place_m),
-                slope: self.slope(part, place_m),
+            Support::Point(part, position_m) => PlaceMotion {
+                displacement: self.displacement(part, position_m),
+                slope: self.slope(part, position_m),
             },
         }
     }
 
-    fn element_at(&self, part: usize, place_m: f64) -> Option<&PlacedElement> {
-        let BodyPart::Beam(chain) = &self.placed[part] else {
+    fn element_at(&self, part: usize, position_m: f64) -> Option<&PlacedElement> {
+        let BodyPart::Beam(chain) = &self.parts[part] else {
             return None;
         };
-        let after = chain.partition_point(|placed| placed.element.start_m <= place_m);
+        let after = chain.partition_point(|body_part| body_part.element.start_m <= position_m);
         chain.get(after.saturating_sub(1))
     }
 }
@@ -308,8 +312,8 @@ mod tests {
             assert!((square(&assembly.displacement(1, 0.3)) / exact - 1.0).abs() < 1e-14);
             let inside = 1.0 / 400.0 + 0.1_f64.powi(3) / (3.0 * 0.2);
             assert!((square(&assembly.displacement(1, 0.1)) / inside - 1.0).abs() < 1e-14);
-            let turned = 0.15 / 0.2 + 0.15 / 0.1;
-            assert!((square(&assembly.slope(1, 0.3)) / turned - 1.0).abs() < 1e-14);
+            let rotation = 0.15 / 0.2 + 0.15 / 0.1;
+            assert!((square(&assembly.slope(1, 0.3)) / rotation - 1.0).abs() < 1e-14);
         }
     }
 

@@ -22,7 +22,7 @@ pub(super) struct Body<'a> {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Part<'a> {
     pub name: &'a str,
-    pub thing: PartKind<'a>,
+    pub kind: PartKind<'a>,
     pub on: Support,
 }
 
@@ -54,7 +54,7 @@ impl<'a> Body<'a> {
 
     /// Returns the support of the body: a base, a held mass, or no support.
     pub fn support(&self) -> &'a str {
-        match self.parts.first().map(|part| part.thing) {
+        match self.parts.first().map(|part| part.kind) {
             Some(PartKind::Beam(beam)) => &beam.root,
             Some(PartKind::Mass(mass)) => &mass.on,
             None => NO_SUPPORT,
@@ -65,7 +65,7 @@ impl<'a> Body<'a> {
     pub fn beams(&self) -> Vec<(usize, &'a str, &'a Beam)> {
         let mut beams: Vec<_> = (self.parts.iter().enumerate())
             .filter_map(|(part, it)| {
-                if let PartKind::Beam(beam) = it.thing {
+                if let PartKind::Beam(beam) = it.kind {
                     Some((part, it.name, beam))
                 } else {
                     None
@@ -79,7 +79,7 @@ impl<'a> Body<'a> {
     /// Returns the masses with their indices among the parts.
     pub fn masses(&self) -> impl Iterator<Item = (usize, &'a str, &'a Mass)> {
         self.parts.iter().enumerate().filter_map(|(part, it)| {
-            if let PartKind::Mass(mass) = it.thing {
+            if let PartKind::Mass(mass) = it.kind {
                 Some((part, it.name, mass))
             } else {
                 None
@@ -89,13 +89,13 @@ impl<'a> Body<'a> {
 
     /// Adds a part, then all parts that it supports: masses first, then beams, each in the order of
     /// their names.
-    fn grow(&mut self, spec: &'a Spec, name: &'a str, thing: PartKind<'a>, on: Support) {
-        let place = self.parts.len();
-        self.parts.push(Part { name, thing, on });
-        let support = |text: &str| match (thing, text.split_once('.')) {
-            (PartKind::Mass(_), None) if text == name => Some(Support::Mass(place)),
+    fn add_part(&mut self, spec: &'a Spec, name: &'a str, kind: PartKind<'a>, on: Support) {
+        let index = self.parts.len();
+        self.parts.push(Part { name, kind, on });
+        let support = |text: &str| match (kind, text.split_once('.')) {
+            (PartKind::Mass(_), None) if text == name => Some(Support::Mass(index)),
             (PartKind::Beam(beam), Some((of, point))) if of == name => {
-                Some(Support::Point(place, place_m(beam, point)?))
+                Some(Support::Point(index, position_m(beam, point)?))
             }
             _ => None,
         };
@@ -111,33 +111,42 @@ impl<'a> Body<'a> {
             .collect();
         masses
             .into_iter()
-            .for_each(|(key, mass, on)| self.grow(spec, key, PartKind::Mass(mass), on));
+            .for_each(|(key, mass, on)| self.add_part(spec, key, PartKind::Mass(mass), on));
         beams
             .into_iter()
-            .for_each(|(key, beam, on)| self.grow(spec, key, PartKind::Beam(beam), on));
+            .for_each(|(key, beam, on)| self.add_part(spec, key, PartKind::Beam(beam), on));
     }
 }
 
-/// Returns the connected structures of a spec with the masses `held` fixed.
+/// Returns the connected structures of a spec with the masses `fixed_masses` fixed.
 ///
 /// # Errors
 /// `UnknownSupport`, `UnknownBeam`, `SupportCycle`, `CannotHold`, `CannotHoldGiven`, `OutOfRange`.
-pub(super) fn bodies<'a>(spec: &'a Spec, held: &[String]) -> Result<Vec<Body<'a>>, StructureError> {
+pub(super) fn bodies<'a>(
+    spec: &'a Spec,
+    fixed_masses: &[String],
+) -> Result<Vec<Body<'a>>, StructureError> {
     check_references(spec)?;
     spec.mass
         .iter()
         .try_for_each(|(name, mass)| check_mass(spec, name, mass))?;
-    held.iter().try_for_each(|name| check_held(spec, name))?;
+    fixed_masses
+        .iter()
+        .try_for_each(|name| check_fixable(spec, name))?;
     let mut bodies = Vec::new();
-    let mut rooted = |name: &'a str, thing, on| {
+    let mut rooted = |name: &'a str, kind, on| {
         let mut body = Body { parts: Vec::new() };
-        body.grow(spec, name, thing, on);
+        body.add_part(spec, name, kind, on);
         bodies.push(body);
     };
-    for (name, mass) in spec.mass.iter().filter(|(name, _)| !held.contains(name)) {
+    for (name, mass) in spec
+        .mass
+        .iter()
+        .filter(|(name, _)| !fixed_masses.contains(name))
+    {
         match mass.on.as_str() {
             NO_SUPPORT => rooted(name.as_str(), PartKind::Mass(mass), Support::Nothing),
-            on if spec.is_base(on) || held.iter().any(|held| held == on) => {
+            on if spec.is_base(on) || fixed_masses.iter().any(|mass| mass == on) => {
                 rooted(name.as_str(), PartKind::Mass(mass), Support::Ground)
             }
             _ => {}
@@ -146,20 +155,20 @@ pub(super) fn bodies<'a>(spec: &'a Spec, held: &[String]) -> Result<Vec<Body<'a>
     for (name, beam) in spec
         .beam
         .iter()
-        .filter(|(_, beam)| spec.is_base(&beam.root) || held.contains(&beam.root))
+        .filter(|(_, beam)| spec.is_base(&beam.root) || fixed_masses.contains(&beam.root))
     {
         rooted(name.as_str(), PartKind::Beam(beam), Support::Ground);
     }
-    let placed: BTreeSet<&str> = bodies
+    let reached: BTreeSet<&str> = bodies
         .iter()
         .flat_map(|body| body.parts.iter().map(|part| part.name))
         .collect();
-    let masses = spec.mass.keys().filter(|name| !held.contains(name));
+    let masses = spec.mass.keys().filter(|name| !fixed_masses.contains(name));
     match spec
         .beam
         .keys()
         .chain(masses)
-        .find(|name| !placed.contains(name.as_str()))
+        .find(|name| !reached.contains(name.as_str()))
     {
         None => Ok(bodies),
         Some(name) => Err(StructureError::SupportCycle { name: name.clone() }),
@@ -167,7 +176,7 @@ pub(super) fn bodies<'a>(spec: &'a Spec, held: &[String]) -> Result<Vec<Body<'a>
 }
 
 /// Returns the distance of a point from the root of its beam, m.
-fn place_m(beam: &Beam, point: &str) -> Option<f64> {
+fn position_m(beam: &Beam, point: &str) -> Option<f64> {
     match point {
         "root" => Some(0.0),
         "end" => Some(beam.length_m),
@@ -183,7 +192,7 @@ fn check_references(spec: &Spec) -> Result<(), StructureError> {
         Some((name, point)) => spec
             .beam
             .get(name)
-            .is_some_and(|beam| place_m(beam, point).is_some()),
+            .is_some_and(|beam| position_m(beam, point).is_some()),
     };
     let roots = spec
         .beam
@@ -196,7 +205,7 @@ fn check_references(spec: &Spec) -> Result<(), StructureError> {
             &[GROUND, NO_SUPPORT][..],
         )
     });
-    if let Some((place, found, words)) = roots
+    if let Some((index, found, words)) = roots
         .chain(feet)
         .find(|(_, support, words)| !stands(support, words))
     {
@@ -207,7 +216,7 @@ fn check_references(spec: &Spec) -> Result<(), StructureError> {
                 .chain(spec.mass.keys().map(String::as_str)),
         );
         return Err(StructureError::UnknownSupport {
-            place,
+            place: index,
             found: found.clone(),
             known,
         });
@@ -225,10 +234,10 @@ fn check_references(spec: &Spec) -> Result<(), StructureError> {
         .find(|(_, on)| !spec.beam.contains_key(*on))
     {
         None => Ok(()),
-        Some((place, on)) => {
+        Some((index, on)) => {
             let beams = listed(spec.beam.keys().map(String::as_str));
             Err(StructureError::UnknownBeam {
-                place,
+                place: index,
                 beam: on.clone(),
                 beams,
             })
@@ -260,13 +269,13 @@ fn check_mass(spec: &Spec, name: &str, mass: &Mass) -> Result<(), StructureError
 
 /// A mass on the ground or free can be held; holding a mass on a beam or on another mass would make
 /// the structure statically indeterminate.
-fn check_held(spec: &Spec, name: &str) -> Result<(), StructureError> {
-    let given = name
+fn check_fixable(spec: &Spec, name: &str) -> Result<(), StructureError> {
+    let is_user_mode = name
         .split('.')
         .next()
         .is_some_and(|first| spec.modal.contains_key(first));
     let can = |mass: &Mass| spec.is_base(&mass.on) || mass.on == NO_SUPPORT;
-    match (spec.mass.get(name).is_some_and(can), given) {
+    match (spec.mass.get(name).is_some_and(can), is_user_mode) {
         (true, _) => Ok(()),
         (false, true) => Err(StructureError::CannotHoldGiven { name: name.into() }),
         (false, false) => {

@@ -8,7 +8,7 @@ use crate::spec::{Beam, Face, Layer, Patch, Section, Spec};
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Covering<'a> {
     name: &'a str,
-    thing: CoveringKind<'a>,
+    kind: CoveringKind<'a>,
     pub start_m: f64,
     pub end_m: f64,
     pub section: Section,
@@ -24,7 +24,7 @@ enum CoveringKind<'a> {
 impl<'a> Covering<'a> {
     /// Key path, `"patch.mfc"`.
     pub fn key(&self) -> String {
-        match self.thing {
+        match self.kind {
             CoveringKind::Layer(_) => format!("layer.{}", self.name),
             CoveringKind::Patch(_) => format!("patch.{}", self.name),
         }
@@ -32,7 +32,7 @@ impl<'a> Covering<'a> {
 
     /// Returns the layer, if the cover is one.
     pub fn layer(&self) -> Option<&'a Layer> {
-        if let CoveringKind::Layer(layer) = self.thing {
+        if let CoveringKind::Layer(layer) = self.kind {
             Some(layer)
         } else {
             None
@@ -41,7 +41,7 @@ impl<'a> Covering<'a> {
 
     /// Returns name and patch, if the cover is a patch.
     pub fn patch(&self) -> Option<(&'a str, &'a Patch)> {
-        if let CoveringKind::Patch(patch) = self.thing {
+        if let CoveringKind::Patch(patch) = self.kind {
             Some((self.name, patch))
         } else {
             None
@@ -66,7 +66,7 @@ pub(super) fn covers<'a>(
         .filter(|(_, layer)| layer.on == name)
         .map(|(key, layer)| Covering {
             name: key,
-            thing: CoveringKind::Layer(layer),
+            kind: CoveringKind::Layer(layer),
             start_m: layer.start_m,
             end_m: layer.start_m + layer.length_m,
             section: layer.section,
@@ -78,7 +78,7 @@ pub(super) fn covers<'a>(
         .filter(|(_, patch)| patch.on == name)
         .map(|(key, patch)| Covering {
             name: key,
-            thing: CoveringKind::Patch(patch),
+            kind: CoveringKind::Patch(patch),
             start_m: patch.start_m,
             end_m: patch.start_m + patch.length_m,
             section: patch.section,
@@ -92,8 +92,8 @@ pub(super) fn covers<'a>(
                 .iter()
                 .filter(move |cover| cover.face == face && cover.layer().is_some() == is_layer)
         };
-        check_beside(of(true).collect(), beam)?;
-        check_beside(of(false).collect(), beam)?;
+        check_adjacent(of(true).collect(), beam)?;
+        check_adjacent(of(false).collect(), beam)?;
         let slack_m = MIN_CUT_DISTANCE * beam.length_m;
         let cut = |layer: &Covering, patch: &Covering| {
             let meets =
@@ -117,7 +117,7 @@ pub(super) fn covers<'a>(
     Ok(covers)
 }
 
-fn check_beside(mut row: Vec<&Covering>, beam: &Beam) -> Result<(), StructureError> {
+fn check_adjacent(mut row: Vec<&Covering>, beam: &Beam) -> Result<(), StructureError> {
     row.sort_by(|one, other| one.start_m.total_cmp(&other.start_m));
     match row
         .windows(2)
@@ -135,7 +135,7 @@ fn check_beside(mut row: Vec<&Covering>, beam: &Beam) -> Result<(), StructureErr
 
 fn check(cover: &Covering, beam: &Beam) -> Result<(), StructureError> {
     let key = cover.key();
-    match cover.thing {
+    match cover.kind {
         CoveringKind::Layer(layer) => {
             let quantities = [
                 layer.length_m,

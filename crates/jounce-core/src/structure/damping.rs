@@ -24,14 +24,14 @@ pub(super) fn damping_ratios(
     let mass_ratio = |mode: usize| {
         of_masses
             .iter()
-            .find(|(place, _)| *place == mode)
+            .find(|(index, _)| *index == mode)
             .map(|(_, ratio)| *ratio)
     };
     let is_flexible = |mode: usize| frequency_rad_s[mode] > 0.0 && mass_ratio(mode).is_none();
     let flexible = (0..frequency_rad_s.len())
         .filter(|mode| is_flexible(*mode))
         .count();
-    let mut left = damping
+    let mut remaining = damping
         .ratios
         .iter()
         .copied()
@@ -39,7 +39,7 @@ pub(super) fn damping_ratios(
     let mut ratio = |mode: usize| match (frequency_rad_s[mode] > 0.0, mass_ratio(mode)) {
         (false, _) => Some(0.0),
         (true, Some(ratio)) => Some(ratio),
-        (true, None) => left.next(),
+        (true, None) => remaining.next(),
     };
     let ratios: Option<Vec<f64>> = (0..frequency_rad_s.len()).map(&mut ratio).collect();
     ratios.ok_or(StructureError::MissingDamping {

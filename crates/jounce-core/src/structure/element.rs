@@ -82,7 +82,7 @@ impl Element {
     pub fn slope(&self, offset_m: f64) -> Vec<f64> {
         let legendre = legendre(offset_m / self.half_m() - 1.0, self.terms + 1);
         let integral = |j: usize| {
-            once_integrated(j)
+            integral(j)
                 .iter()
                 .map(|(order, weight)| weight * legendre[*order])
                 .sum::<f64>()
@@ -113,7 +113,7 @@ fn order_weight(j: usize) -> f64 {
 }
 
 /// Returns `I[P_j]` as a sum of Legendre polynomials.
-fn once_integrated(j: usize) -> [(usize, f64); 2] {
+fn integral(j: usize) -> [(usize, f64); 2] {
     match j {
         0 => [(0, 1.0), (1, 1.0)],
         _ => [

@@ -211,36 +211,36 @@ pub enum StructureError {
 
 impl StructureError {
     /// Refuses a value unless it is finite and greater than zero.
-    pub(super) fn positive(place: String, value: f64) -> Result<(), Self> {
-        Self::require(value > 0.0, place, value, "finite and greater than 0")
+    pub(super) fn positive(name: String, value: f64) -> Result<(), Self> {
+        Self::require(value > 0.0, name, value, "finite and greater than 0")
     }
 
     /// Refuses a value unless it is finite and not negative.
-    pub(super) fn not_negative(place: String, value: f64) -> Result<(), Self> {
-        Self::require(value >= 0.0, place, value, "finite and at least 0")
+    pub(super) fn not_negative(name: String, value: f64) -> Result<(), Self> {
+        Self::require(value >= 0.0, name, value, "finite and at least 0")
     }
 
     /// Refuses a value unless it is finite.
-    pub(super) fn finite(place: String, value: f64) -> Result<(), Self> {
-        Self::require(true, place, value, "finite")
+    pub(super) fn finite(name: String, value: f64) -> Result<(), Self> {
+        Self::require(true, name, value, "finite")
     }
 
     /// Refuses a tolerance that is looser than useful or below the accuracy of double precision.
-    pub(super) fn tolerance(place: String, value: f64) -> Result<(), Self> {
+    pub(super) fn tolerance(name: String, value: f64) -> Result<(), Self> {
         Self::require(
             (1e-13..=0.1).contains(&value),
-            place,
+            name,
             value,
             "between 1e-13 and 0.1",
         )
     }
 
-    fn require(within: bool, place: String, value: f64, allowed: &'static str) -> Result<(), Self> {
+    fn require(within: bool, name: String, value: f64, allowed: &'static str) -> Result<(), Self> {
         if within && value.is_finite() {
             Ok(())
         } else {
             Err(Self::OutOfRange {
-                place,
+                place: name,
                 value,
                 allowed,
             })

@@ -53,12 +53,12 @@ pub(super) fn segments(
     name: &str,
     beam: &Beam,
 ) -> Result<Vec<BeamSegment>, StructureError> {
-    let segment = |stretch: PatchedSegment| BeamSegment {
-        start_m: stretch.start_m,
-        length_m: stretch.end_m - stretch.start_m,
-        section: stretch.section(beam),
+    let segment = |patched: PatchedSegment| BeamSegment {
+        start_m: patched.start_m,
+        length_m: patched.end_m - patched.start_m,
+        section: patched.section(beam),
     };
-    Ok(stretches(spec, name, beam)?
+    Ok(patched_segments(spec, name, beam)?
         .into_iter()
         .map(segment)
         .collect())
@@ -69,7 +69,7 @@ pub(super) fn segments(
 ///
 /// # Errors
 /// Every variant that names a beam or a patch.
-pub(super) fn stretches<'a>(
+pub(super) fn patched_segments<'a>(
     spec: &'a Spec,
     name: &str,
     beam: &Beam,
@@ -89,33 +89,39 @@ pub(super) fn stretches<'a>(
     cuts_m.sort_by(f64::total_cmp);
     cuts_m
         .windows(2)
-        .map(|ends| stretch(&covers, ends[0], ends[1]))
+        .map(|ends| patched_segment(&covers, ends[0], ends[1]))
         .collect()
 }
 
-fn stretch<'a>(
+fn patched_segment<'a>(
     covers: &[Covering<'a>],
     start_m: f64,
     end_m: f64,
 ) -> Result<PatchedSegment<'a>, StructureError> {
     let middle_m = (start_m + end_m) / 2.0;
-    let here: Vec<&Covering> = covers
+    let covers_here: Vec<&Covering> = covers
         .iter()
         .filter(|cover| cover.start_m < middle_m && middle_m < cover.end_m)
         .collect();
-    let section = here
+    let section = covers_here
         .first()
         .map_or(Section::default(), |cover| cover.section);
-    match here.iter().find(|cover| cover.section != section) {
+    match covers_here.iter().find(|cover| cover.section != section) {
         Some(other) => Err(StructureError::SectionsDiffer {
-            first: here[0].key(),
+            first: covers_here[0].key(),
             second: other.key(),
         }),
         None => Ok(PatchedSegment {
             start_m,
             end_m,
-            layers: here.iter().filter_map(|cover| cover.layer()).collect(),
-            patches: here.iter().filter_map(|cover| cover.patch()).collect(),
+            layers: covers_here
+                .iter()
+                .filter_map(|cover| cover.layer())
+                .collect(),
+            patches: covers_here
+                .iter()
+                .filter_map(|cover| cover.patch())
+                .collect(),
         }),
     }
 }
@@ -137,13 +143,13 @@ fn check_beam(name: &str, beam: &Beam) -> Result<(), StructureError> {
     match beam
         .point
         .iter()
-        .find(|(_, place_m)| !(0.0..=beam.length_m).contains(*place_m))
+        .find(|(_, position_m)| !(0.0..=beam.length_m).contains(*position_m))
     {
         None => Ok(()),
-        Some((point, &place_m)) => Err(StructureError::PointOutside {
+        Some((point, &position_m)) => Err(StructureError::PointOutside {
             beam: name.into(),
             point: point.clone(),
-            place_m,
+            place_m: position_m,
             length_m: beam.length_m,
         }),
     }

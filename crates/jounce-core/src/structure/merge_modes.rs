@@ -39,7 +39,7 @@ impl ModeOrder {
     }
 
     /// Returns the index of a mode of a part among the merged modes.
-    pub fn place(&self, part: usize, mode: usize) -> Option<usize> {
+    pub fn index_of(&self, part: usize, mode: usize) -> Option<usize> {
         self.0.iter().position(|entry| *entry == (part, mode))
     }
 
@@ -140,7 +140,10 @@ mod tests {
             modes.patch["two"].coupling_n_per_v,
             [1.0, 0.0, 0.0, 2.0, 0.0]
         );
-        assert_eq!((order.place(1, 1), order.place(1, 2)), (Some(3), None));
+        assert_eq!(
+            (order.index_of(1, 1), order.index_of(1, 2)),
+            (Some(3), None)
+        );
         let first = order.first(3);
         assert_eq!((first.len(), first.needed(0), first.needed(1)), (3, 2, 1));
     }

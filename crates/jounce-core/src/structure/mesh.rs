@@ -114,9 +114,9 @@ mod tests {
 
     #[test]
     fn terms_follow_the_wave_phase() {
-        let stretches = [segment(0.1), segment(0.9)];
-        let mesh = Mesh::spectral(8, 1e-9, stretches.iter());
-        let [short, long] = stretches.map(|stretch| mesh.elements(&stretch));
+        let segments = [segment(0.1), segment(0.9)];
+        let mesh = Mesh::spectral(8, 1e-9, segments.iter());
+        let [short, long] = segments.map(|beam_segment| mesh.elements(&beam_segment));
         assert_eq!((short.len(), short[0].terms), (1, 11));
         assert_eq!((long.len(), long[0].terms), (2, 21));
         assert!((long[1].start_m - 0.55).abs() < 1e-15 && long[0].terms <= MAX_CURVATURE_TERMS);

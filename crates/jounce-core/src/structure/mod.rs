@@ -72,11 +72,11 @@ pub fn modes(spec: &Spec) -> Result<Modes, StructureError> {
 /// # Errors
 /// As [`modes`]; `CannotHold` for a name that is not a mass, `CannotHoldGiven` for a structure
 /// defined by its modes.
-pub fn modes_holding(spec: &Spec, held: &[String]) -> Result<Modes, StructureError> {
-    let structures = Structures::new(spec, held)?;
+pub fn modes_holding(spec: &Spec, fixed_masses: &[String]) -> Result<Modes, StructureError> {
+    let structures = Structures::new(spec, fixed_masses)?;
     let (solution, error) = refined(&structures, spec.reduction.mesh_tolerance)?;
-    let assembled = assembled::assembled_modes(spec, held, &solution, error)?;
-    with_given(spec, assembled).map(|(_, modes)| modes)
+    let assembled = assembled::assembled_modes(spec, fixed_masses, &solution, error)?;
+    with_user_modes(spec, assembled).map(|(_, modes)| modes)
 }
 
 /// Returns the modes on a plain mesh of cubic elements of at most `longest_element_m`, as most
@@ -88,15 +88,15 @@ pub fn modes_holding(spec: &Spec, held: &[String]) -> Result<Modes, StructureErr
 /// modes.
 pub fn modes_on_cubic_mesh(
     spec: &Spec,
-    held: &[String],
+    fixed_masses: &[String],
     longest_element_m: f64,
 ) -> Result<Modes, StructureError> {
-    let structures = Structures::new(spec, held)?;
+    let structures = Structures::new(spec, fixed_masses)?;
     let (converged, _) = refined(&structures, spec.reduction.mesh_tolerance)?;
     let solution = structures.solve(&structures.cubic_mesh(longest_element_m)?)?;
     let error = relative_change(&solution.frequency_rad_s(), &converged.frequency_rad_s());
-    let assembled = assembled::assembled_modes(spec, held, &solution, error)?;
-    with_given(spec, assembled).map(|(_, modes)| modes)
+    let assembled = assembled::assembled_modes(spec, fixed_masses, &solution, error)?;
+    with_user_modes(spec, assembled).map(|(_, modes)| modes)
 }
 
 /// Returns the mode shapes along every beam at `samples` equidistant places, with the modes in the
@@ -106,14 +106,14 @@ pub fn modes_on_cubic_mesh(
 /// As [`modes_holding`].
 pub fn shapes_along_beams(
     spec: &Spec,
-    held: &[String],
+    fixed_masses: &[String],
     samples: usize,
 ) -> Result<BTreeMap<String, BeamShape>, StructureError> {
-    let structures = Structures::new(spec, held)?;
+    let structures = Structures::new(spec, fixed_masses)?;
     let (solution, error) = refined(&structures, spec.reduction.mesh_tolerance)?;
     let mut shapes = along::beam_shapes(&solution, samples);
-    let assembled = assembled::assembled_modes(spec, held, &solution, error)?;
-    let (order, _) = with_given(spec, assembled)?;
+    let assembled = assembled::assembled_modes(spec, fixed_masses, &solution, error)?;
+    let (order, _) = with_user_modes(spec, assembled)?;
     for shape in shapes.values_mut() {
         shape.shape = shape
             .shape
@@ -125,13 +125,13 @@ pub fn shapes_along_beams(
 }
 
 /// Merges the assembled modes (part 0) with the modes of every `[modal.NAME]`.
-fn with_given(
+fn with_user_modes(
     spec: &Spec,
     assembled: Modes,
 ) -> Result<(merge_modes::ModeOrder, Modes), StructureError> {
     let mut parts = vec![assembled];
     for (name, modal) in &spec.modal {
-        parts.push(user_modes::given_modes(name, modal)?);
+        parts.push(user_modes::user_modes(name, modal)?);
     }
     Ok(merge_modes::merged(&parts))
 }

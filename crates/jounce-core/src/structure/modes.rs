@@ -73,7 +73,12 @@ impl Modes {
                 .cloned()
                 .unwrap_or_else(|| vec![0.0; self.len()]);
         }
-        let others = |mode: usize| self.base_sqrt_kg.values().map(|own| own[mode]).sum::<f64>();
+        let others = |mode: usize| {
+            self.base_sqrt_kg
+                .values()
+                .map(|participation| participation[mode])
+                .sum::<f64>()
+        };
         self.participation_sqrt_kg
             .iter()
             .enumerate()

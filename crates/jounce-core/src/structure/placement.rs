@@ -67,9 +67,9 @@ impl BodyPart {
             }
             Self::Beam(chain) => {
                 let mut row = row;
-                for placed in chain {
-                    placed.add_mass(factor, row);
-                    row += placed.mass_rows();
+                for element in chain {
+                    element.add_mass(factor, row);
+                    row += element.mass_rows();
                 }
             }
         }
@@ -82,9 +82,9 @@ impl BodyPart {
                 .chain(std::iter::repeat_n(0.0, self.mass_rows() - 1))
                 .collect(),
             Self::Beam(chain) => {
-                let of = |placed: &PlacedElement| {
-                    std::iter::once(placed.element.mass_weight(0))
-                        .chain(std::iter::repeat_n(0.0, placed.mass_rows() - 1))
+                let of = |element: &PlacedElement| {
+                    std::iter::once(element.element.mass_weight(0))
+                        .chain(std::iter::repeat_n(0.0, element.mass_rows() - 1))
                 };
                 chain.iter().flat_map(of).collect()
             }
@@ -94,18 +94,18 @@ impl BodyPart {
 
 /// A mass on its support. On a spring it has its own coordinate and does not rotate; free, it has
 /// only that coordinate.
-pub(super) fn placed_mass(
+pub(super) fn mass_part(
     mass: &Mass,
     on: Support,
     support: PlaceMotion,
     next_column: &mut usize,
 ) -> BodyPart {
-    let own = mass
+    let row_of_element = mass
         .stiffness_n_m
         .map(|stiffness_n_m| 1.0 / stiffness_n_m.sqrt())
         .or((on == Support::Nothing).then_some(1.0));
     let mut motion = support;
-    if let Some(displacement) = own {
+    if let Some(displacement) = row_of_element {
         motion.displacement[*next_column] += displacement;
         motion.slope.fill(0.0);
         *next_column += 1;
@@ -149,8 +149,8 @@ pub(super) fn chained(
                 slope: slope.clone(),
             },
         });
-        for (w, turned) in displacement.iter_mut().zip(&slope) {
-            *w += element.length_m * turned;
+        for (w, rotation) in displacement.iter_mut().zip(&slope) {
+            *w += element.length_m * rotation;
         }
         let [by_mean, by_gradient] = element.end_displacement();
         displacement[first_column] += by_mean;
@@ -167,8 +167,8 @@ impl PlacedElement {
     }
 
     /// Adds the contribution of an element to a row.
-    pub fn add(&self, row: &mut Row, own: &[f64]) {
-        for (entry, value) in row[self.first_column..].iter_mut().zip(own) {
+    pub fn add(&self, row: &mut Row, row_of_element: &[f64]) {
+        for (entry, value) in row[self.first_column..].iter_mut().zip(row_of_element) {
             *entry += value;
         }
     }

@@ -38,7 +38,7 @@ impl AssemblyModes {
         let reduced = if assembly.rigid {
             Self::free(factor)
         } else {
-            Self::held(factor.as_ref())
+            Self::with_fixed_root(factor.as_ref())
         };
         reduced.ok_or_else(|| StructureError::NotRepresentable {
             body: assembly.body.name().into(),
@@ -79,7 +79,7 @@ impl AssemblyModes {
         }
     }
 
-    fn held(factor: MatRef<f64>) -> Option<Self> {
+    fn with_fixed_root(factor: MatRef<f64>) -> Option<Self> {
         let (singular, mut coordinates) = right_singular(factor)?;
         let frequency_rad_s: Vec<f64> = singular.iter().map(|value| 1.0 / value).collect();
         for (mode, frequency) in frequency_rad_s.iter().enumerate() {
@@ -105,8 +105,8 @@ impl AssemblyModes {
             .iter()
             .map(|entry| entry / root_mass)
             .collect();
-        let mut carried = vec![0.0; columns];
-        for (column, carried) in carried.iter_mut().enumerate().skip(1) {
+        let mut rigid_shares = vec![0.0; columns];
+        for (column, rigid_share) in rigid_shares.iter_mut().enumerate().skip(1) {
             let share: f64 = factor
                 .col(column)
                 .iter()
@@ -118,10 +118,10 @@ impl AssemblyModes {
                 .iter_mut()
                 .zip(&rigid)
                 .for_each(|(entry, unit)| *entry -= share * unit);
-            *carried = share / root_mass;
+            *rigid_share = share / root_mass;
         }
         let flexible = if columns > 1 {
-            Self::held(factor.get(0..rows, 1..columns))?
+            Self::with_fixed_root(factor.get(0..rows, 1..columns))?
         } else {
             Self::none()
         };
@@ -130,7 +130,7 @@ impl AssemblyModes {
         for mode in 1..columns {
             for column in 1..columns {
                 coordinates[(column, mode)] = flexible.coordinates[(column - 1, mode - 1)];
-                coordinates[(0, mode)] -= carried[column] * coordinates[(column, mode)];
+                coordinates[(0, mode)] -= rigid_shares[column] * coordinates[(column, mode)];
             }
         }
         let frequency_rad_s = std::iter::once(0.0)
@@ -243,12 +243,12 @@ mod tests {
             let spec = spec(stiffness_n_m);
             let assembly = assembly(&spec);
             let reduced = AssemblyModes::new(&assembly).unwrap();
-            let moved = assembly.mass_factor().unwrap() * &reduced.coordinates;
+            let weighted = assembly.mass_factor().unwrap() * &reduced.coordinates;
             let strained = reduced.coordinates.get(usize::from(assembly.rigid).., ..);
             for (i, w_i) in reduced.frequency_rad_s.iter().enumerate() {
                 for (j, w_j) in reduced.frequency_rad_s.iter().enumerate() {
                     let same = f64::from(u8::from(i == j));
-                    let kinetic = moved.col(i).transpose() * moved.col(j);
+                    let kinetic = weighted.col(i).transpose() * weighted.col(j);
                     let strain = strained.col(i).transpose() * strained.col(j);
                     let scale = (w_i * w_j / reduced.frequency_rad_s[1].powi(2)).max(1.0);
                     assert!((kinetic - same).abs() < 1e-12 * scale, "{i} {j}: {kinetic}");

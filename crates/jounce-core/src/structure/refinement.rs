@@ -107,7 +107,7 @@ mod tests {
     }
 
     #[test]
-    fn a_tolerance_below_roundoff_is_refused_with_what_was_reached() {
+    fn tolerance_below_roundoff_is_refused_with_the_reached_error() {
         let spec = cantilever(2);
         let error = refined(&Structures::new(&spec, &[]).unwrap(), 1e-17).unwrap_err();
         let StructureError::NotConverged {

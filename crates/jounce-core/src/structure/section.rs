@@ -81,11 +81,11 @@ impl CrossSection {
             coated_m,
             ..Self::of_plies(&plies)
         };
-        let thin = layers
+        let thin_layers = layers
             .map(|layer| layer.section)
             .chain(patches.map(|patch| patch.section))
             .any(|section| section == Section::ThinSkin);
-        if !thin {
+        if !thin_layers {
             return laminate;
         }
         let bare = Self::bare(beam);

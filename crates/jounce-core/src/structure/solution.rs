@@ -40,35 +40,40 @@ impl<'a> Structures<'a> {
     /// # Errors
     /// Every variant of [`StructureError`] that names a key of the spec, `CannotHold`,
     /// `CannotHoldGiven`, `NoModes`, `TooManyModes`.
-    pub fn new(spec: &'a Spec, held: &[String]) -> Result<Self, StructureError> {
-        let bodies = bodies(spec, held)?;
+    pub fn new(spec: &'a Spec, fixed_masses: &[String]) -> Result<Self, StructureError> {
+        let bodies = bodies(spec, fixed_masses)?;
         let cut = |(name, beam): (&'a String, _)| Ok((name.as_str(), segments(spec, name, beam)?));
         let segments = spec
             .beam
             .iter()
             .map(cut)
             .collect::<Result<BTreeMap<_, _>, StructureError>>()?;
-        let held = spec.mass.keys().filter(|name| held.contains(name)).count();
-        let own = |mass: &Mass| usize::from(mass.stiffness_n_m.is_some() || mass.on == "nothing");
+        let fixed_count = spec
+            .mass
+            .keys()
+            .filter(|name| fixed_masses.contains(name))
+            .count();
+        let own_coordinates =
+            |mass: &Mass| usize::from(mass.stiffness_n_m.is_some() || mass.on == "nothing");
         let available = match segments.is_empty() {
             true => bodies
                 .iter()
                 .flat_map(Body::masses)
-                .map(|(_, _, mass)| own(mass))
+                .map(|(_, _, mass)| own_coordinates(mass))
                 .sum(),
             false => MAX_MODES,
         };
         // The default number never exceeds the available number.
         let is_default = spec.reduction.modes == Reduction::default().modes;
-        let modes = match spec.reduction.modes.saturating_sub(held) {
+        let modes = match spec.reduction.modes.saturating_sub(fixed_count) {
             _ if bodies.is_empty() => 0,
-            wanted if is_default && segments.is_empty() => wanted.min(available),
-            wanted => wanted,
+            requested if is_default && segments.is_empty() => requested.min(available),
+            requested => requested,
         };
         if !bodies.is_empty() && modes == 0 {
             return Err(StructureError::NoModes {
                 wanted: spec.reduction.modes,
-                held,
+                held: fixed_count,
             });
         }
         if modes > available {
@@ -141,7 +146,7 @@ impl<'a> Structures<'a> {
     }
 
     fn assembled(&self, body: &Body<'a>, mesh: &Mesh) -> Assembly<'a> {
-        let elements = |part: &Part| match part.thing {
+        let elements = |part: &Part| match part.kind {
             PartKind::Beam(_) => self.segments[part.name]
                 .iter()
                 .flat_map(|segment| mesh.elements(segment))

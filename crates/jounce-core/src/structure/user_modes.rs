@@ -10,13 +10,13 @@ use std::f64::consts::TAU;
 ///
 /// # Errors
 /// `WrongLength`; `OutOfRange` for a frequency or a damping ratio that is negative or not finite.
-pub(super) fn given_modes(name: &str, modal: &Modal) -> Result<Modes, StructureError> {
+pub(super) fn user_modes(name: &str, modal: &Modal) -> Result<Modes, StructureError> {
     let count = modal.frequency_hz.len();
-    let full = |place: String, values: &Vec<f64>| match values.len() {
-        found if found == count => Ok(values.clone()),
-        found => Err(StructureError::WrongLength {
-            place,
-            found,
+    let full = |key: String, values: &Vec<f64>| match values.len() {
+        length if length == count => Ok(values.clone()),
+        length => Err(StructureError::WrongLength {
+            place: key,
+            found: length,
             expected: count,
         }),
     };
@@ -48,8 +48,8 @@ pub(super) fn given_modes(name: &str, modal: &Modal) -> Result<Modes, StructureE
         );
     }
     for (patch, modal_patch) in &modal.patch {
-        let place = format!("modal.{name}.patch.{patch}.coupling_n_per_v");
-        let coupling_n_per_v = full(place, &modal_patch.coupling_n_per_v)?;
+        let key = format!("modal.{name}.patch.{patch}.coupling_n_per_v");
+        let coupling_n_per_v = full(key, &modal_patch.coupling_n_per_v)?;
         modes.patch.insert(
             format!("{name}.{patch}"),
             PatchModes {

@@ -26,12 +26,12 @@ pub struct Design {
 }
 
 impl Design {
-    /// Creates a design of `drawn` points; a grid or a list has the points of its values.
-    pub fn new(varied: Vec<Varied>, sampling: Sampling, drawn: usize, seed: u64) -> Self {
+    /// Creates a design of `sample_count` points; a grid or a list has the points of its values.
+    pub fn new(varied: Vec<Varied>, sampling: Sampling, sample_count: usize, seed: u64) -> Self {
         let points = match sampling {
             Sampling::Grid => varied.iter().map(|varied| varied.values.len()).product(),
             Sampling::List => varied.first().map_or(0, |varied| varied.values.len()),
-            Sampling::Random | Sampling::LatinHypercube | Sampling::Sobol => drawn,
+            Sampling::Random | Sampling::LatinHypercube | Sampling::Sobol => sample_count,
         };
         let draw = CubePoints::new(sampling, varied.len(), points, seed);
         Self {
@@ -57,13 +57,13 @@ impl Design {
         let mut rest = index;
         let value = |(dimension, varied): (usize, &Varied)| match self.sampling {
             Sampling::Grid => {
-                let place = rest % varied.values.len();
+                let value_index = rest % varied.values.len();
                 rest /= varied.values.len();
-                varied.values[place]
+                varied.values[value_index]
             }
             Sampling::List => varied.values[index],
             Sampling::Random | Sampling::LatinHypercube | Sampling::Sobol => {
-                varied.between(self.draw.place(index, dimension))
+                varied.between(self.draw.coordinate(index, dimension))
             }
         };
         self.varied.iter().enumerate().map(value).collect()
@@ -72,12 +72,12 @@ impl Design {
 
 impl Varied {
     /// Returns the value at a relative position between the two ends.
-    fn between(&self, place: f64) -> f64 {
+    fn between(&self, fraction: f64) -> f64 {
         let (low, high) = (self.values[0], self.values[1]);
         let value = if self.logarithmic {
-            low * (high / low).powf(place)
+            low * (high / low).powf(fraction)
         } else {
-            low + (high - low) * place
+            low + (high - low) * fraction
         };
         value.clamp(low, high)
     }

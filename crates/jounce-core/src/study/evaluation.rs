@@ -18,44 +18,34 @@ use std::path::Path;
 /// The reason as text: a failed point is a row of the table.
 pub(super) fn evaluate(
     quantity: &Quantity,
-    prepared: &Model,
+    model: &Model,
     folder: &Path,
 ) -> Result<Vec<f64>, String> {
     match quantity {
-        Quantity::Run => run(prepared, folder).map_err(|error| error.to_string()),
-        Quantity::Modes { count } => Ok(modes(prepared, *count)),
+        Quantity::Run => run(model, folder).map_err(|error| error.to_string()),
+        Quantity::Modes { count } => Ok(modes(model, *count)),
         Quantity::Frf {
             range_hz, points, ..
-        } => frf(prepared, *range_hz, *points),
+        } => frf(model, *range_hz, *points),
         Quantity::Sweep {
             over,
             values,
             direction,
             fixed_duration,
-        } => sweep(
-            prepared,
-            (over, values),
-            (*direction, *fixed_duration),
-            folder,
-        ),
+        } => sweep(model, (over, values), (*direction, *fixed_duration), folder),
         Quantity::Diagram {
             over,
             values,
             order,
             tolerance,
-        } => diagram(prepared, (over, values), *order, *tolerance),
+        } => diagram(model, (over, values), *order, *tolerance),
         Quantity::Jumps {
             keys,
             ranges,
             seeds,
             longest_period,
             tolerance,
-        } => jumps(
-            prepared,
-            keys,
-            *ranges,
-            (*seeds, *longest_period, *tolerance),
-        ),
+        } => jumps(model, keys, *ranges, (*seeds, *longest_period, *tolerance)),
         Quantity::Basins {
             starts,
             seed,
@@ -67,7 +57,7 @@ pub(super) fn evaluate(
                 seed: *seed,
                 spread: *spread,
             };
-            basins(prepared, cloud, *recognition).map_err(|error| error.to_string())
+            basins(model, cloud, *recognition).map_err(|error| error.to_string())
         }
         Quantity::Branch {
             over,
@@ -76,46 +66,36 @@ pub(super) fn evaluate(
             longest_period,
             tolerance,
         } => {
-            let key = NumericKey::find(&prepared.spec, over).map_err(|fault| fault.to_string())?;
-            branch(
-                prepared,
-                &key,
-                (*range, *seeds, *longest_period, *tolerance),
-            )
+            let key = NumericKey::find(&model.spec, over).map_err(|fault| fault.to_string())?;
+            branch(model, &key, (*range, *seeds, *longest_period, *tolerance))
         }
         Quantity::Ensemble { members, seed } => {
-            ensemble(prepared, (*members, *seed), folder).map_err(|error| error.to_string())
+            ensemble(model, (*members, *seed), folder).map_err(|error| error.to_string())
         }
-        Quantity::Noise => noise(prepared).map_err(|error| error.to_string()),
+        Quantity::Noise => noise(model).map_err(|error| error.to_string()),
     }
 }
 
 /// Returns the frequency of the only drive, for a study of basins.
-pub(super) fn drive_key(prepared: &Model) -> Result<(NumericKey, f64), StudyError> {
-    let found = prepared
+pub(super) fn drive_key(model: &Model) -> Result<(NumericKey, f64), StudyError> {
+    let noise_drive = model
         .spec
         .drive
         .iter()
         .find_map(|(name, drive)| Some((name, drive.frequency_hz()?)));
     let aperiodic = || AnalysisError::Aperiodic {
-        drive: prepared
-            .spec
-            .drive
-            .keys()
-            .next()
-            .cloned()
-            .unwrap_or_default(),
+        drive: model.spec.drive.keys().next().cloned().unwrap_or_default(),
     };
-    let (name, value) = found.ok_or_else(aperiodic)?;
+    let (name, value) = noise_drive.ok_or_else(aperiodic)?;
     Ok((
-        NumericKey::find(&prepared.spec, &format!("drive.{name}.frequency"))
+        NumericKey::find(&model.spec, &format!("drive.{name}.frequency"))
             .map_err(AnalysisError::from)?,
         value,
     ))
 }
 
 /// Returns the excitation of a harvester: its first force, or else its base.
-pub(super) fn shaken(spec: &Spec) -> Option<FrfInput> {
+pub(super) fn default_excitation(spec: &Spec) -> Option<FrfInput> {
     let force = spec
         .drive
         .values()
@@ -130,8 +110,8 @@ pub(super) fn shaken(spec: &Spec) -> Option<FrfInput> {
 }
 
 /// Returns the largest voltage of the frequency response, and its frequency.
-fn frf(prepared: &Model, (low_hz, high_hz): (f64, f64), points: usize) -> Result<Vec<f64>, String> {
-    let plant = &prepared.kernel.plant;
+fn frf(model: &Model, (low_hz, high_hz): (f64, f64), points: usize) -> Result<Vec<f64>, String> {
+    let plant = &model.kernel.plant;
     if let Some(bridge) = plant.system.bridges.first() {
         return Err(format!(
             "circuit.{}.interface is not linear, so that it has no frequency response",
@@ -155,44 +135,44 @@ fn frf(prepared: &Model, (low_hz, high_hz): (f64, f64), points: usize) -> Result
     let response = load
         .or_else(patch)
         .ok_or("the harvester has no patch, so that there is no voltage")?;
-    let input =
-        shaken(&prepared.spec).ok_or("the harvester has no drive, so that nothing shakes it")?;
+    let input = default_excitation(&model.spec)
+        .ok_or("the harvester has no drive, so that nothing shakes it")?;
     let ratio = (high_hz / low_hz).ln() / (points - 1) as f64;
     let frequency_hz: Vec<f64> = (0..points)
         .map(|k| (low_hz * (ratio * k as f64).exp()).min(high_hz))
         .collect();
-    let found = linear::frf(plant, &input, &[response], &frequency_hz)
+    let results = linear::frf(plant, &input, &[response], &frequency_hz)
         .map_err(|error| error.to_string())?;
-    let sizes = found[0].value.iter().map(|value| value.norm());
+    let sizes = results[0].value.iter().map(|value| value.norm());
     let highest = sizes.zip(&frequency_hz).max_by(|a, b| a.0.total_cmp(&b.0));
-    Ok(highest.map_or_else(Vec::new, |(size, place_hz)| vec![size, *place_hz]))
+    Ok(highest.map_or_else(Vec::new, |(size, peak_hz)| vec![size, *peak_hz]))
 }
 
-fn run(prepared: &Model, folder: &Path) -> Result<Vec<f64>, AnalysisError> {
-    let run = &prepared.spec.run;
-    let start = prepared.start(folder)?;
+fn run(model: &Model, folder: &Path) -> Result<Vec<f64>, AnalysisError> {
+    let run = &model.spec.run;
+    let start = model.start(folder)?;
     let plan = RunPlan::of(run, 0.0);
-    let kernel = prepared.from_state(&start)?;
-    let answer = simulate(&kernel, &start, &plan)?;
+    let kernel = model.from_state(&start)?;
+    let result = simulate(&kernel, &start, &plan)?;
     Ok(vec![
-        answer.mean_power_w,
-        answer.voltage_rms_v().unwrap_or(f64::NAN),
-        answer.max_penetration_m,
-        answer.max_contact_force_n,
-        answer.contacts as f64 / plan.average_over_s,
-        answer.contact_duty,
+        result.mean_power_w,
+        result.voltage_rms_v().unwrap_or(f64::NAN),
+        result.max_penetration_m,
+        result.max_contact_force_n,
+        result.contacts as f64 / plan.average_over_s,
+        result.contact_duty,
         f64::from(u8::from(
-            answer.settlement.is_some_and(|found| found.settled),
+            result.settlement.is_some_and(|found| found.settled),
         )),
-        answer
+        result
             .settlement
             .map_or(0.0, |found| f64::from(found.period_cycles)),
-        answer.energies.residual_relative(),
+        result.energies.residual_relative(),
     ])
 }
 
-fn modes(prepared: &Model, count: usize) -> Vec<f64> {
-    let modes = &prepared.kernel.plant.system.modes;
+fn modes(model: &Model, count: usize) -> Vec<f64> {
+    let modes = &model.kernel.plant.system.modes;
     let each = |values: &[f64], mode: usize| values.get(mode).copied().unwrap_or(f64::NAN);
     (0..count)
         .flat_map(|mode| {
@@ -204,47 +184,43 @@ fn modes(prepared: &Model, count: usize) -> Vec<f64> {
         .collect()
 }
 
-fn basins(
-    prepared: &Model,
-    cloud: Cloud,
-    recognition: Recognition,
-) -> Result<Vec<f64>, StudyError> {
-    let (key, value) = drive_key(prepared)?;
-    let parameter = Parameter::new(prepared, &key, value);
+fn basins(model: &Model, cloud: Cloud, recognition: Recognition) -> Result<Vec<f64>, StudyError> {
+    let (key, value) = drive_key(model)?;
+    let parameter = Parameter::new(model, &key, value);
     let study = Basins {
-        base: prepared,
+        base: model,
         parameter: &parameter,
         value,
         starts: InitialStates::Cloud(cloud),
         recognition,
     };
-    let found = study.run(&|| ())?;
+    let result = study.run(&|| ())?;
     let (undecided, attractors): (Vec<_>, Vec<_>) =
-        found.attractors.iter().partition(|one| one.is_undecided());
+        result.attractors.iter().partition(|one| one.is_undecided());
     let highest = attractors
         .iter()
         .max_by(|a, b| a.mean_power_w.total_cmp(&b.mean_power_w));
     Ok(vec![
-        found.expected_power_w,
-        found.expected_power_low_w,
-        found.expected_power_high_w,
+        result.expected_power_w,
+        result.expected_power_low_w,
+        result.expected_power_high_w,
         attractors.len() as f64,
         highest.map_or(f64::NAN, |one| one.mean_power_w),
         highest.map_or(f64::NAN, |one| one.share.fraction),
         undecided.iter().map(|one| one.share.fraction).sum(),
-        found.lost.len() as f64,
+        result.lost.len() as f64,
     ])
 }
 
 fn branch(
-    prepared: &Model,
+    model: &Model,
     key: &NumericKey,
     (range, seeds, longest_period, tolerance): ((f64, f64), usize, u32, f64),
 ) -> Result<Vec<f64>, String> {
-    let parameter = Parameter::new(prepared, key, range.1 - range.0);
+    let parameter = Parameter::new(model, key, range.1 - range.0);
     let method = OrbitMethodKind::Shooting;
     let search = BranchSearch {
-        base: prepared,
+        base: model,
         parameter: &parameter,
         range,
         method,
@@ -256,8 +232,8 @@ fn branch(
     if branches.is_empty() {
         return Err("no periodic orbit was found".to_owned());
     }
-    let together = BandwidthSearch {
-        base: prepared,
+    let bandwidths = BandwidthSearch {
+        base: model,
         parameter: &parameter,
         range,
         tolerance,
@@ -265,7 +241,7 @@ fn branch(
     .run(&branches)
     .together;
     let of =
-        |value: fn(&crate::analysis::Bandwidth) -> f64| together.as_ref().map_or(f64::NAN, value);
+        |value: fn(&crate::analysis::Bandwidth) -> f64| bandwidths.as_ref().map_or(f64::NAN, value);
     let bifurcations: usize = branches
         .iter()
         .map(|branch| branch.bifurcations.len())
@@ -280,13 +256,13 @@ fn branch(
 }
 
 fn ensemble(
-    prepared: &Model,
+    model: &Model,
     (members, seed): (usize, u64),
     folder: &Path,
 ) -> Result<Vec<f64>, AnalysisError> {
-    let start = prepared.start(folder)?;
-    let found = Ensemble {
-        base: prepared,
+    let start = model.start(folder)?;
+    let result = Ensemble {
+        base: model,
         start,
         members,
         seed,
@@ -295,25 +271,25 @@ fn ensemble(
         with_spectrum: false,
     }
     .run(&|_| ())?;
-    let residual = found.members.iter().fold(0.0_f64, |worst, member| {
+    let residual = result.members.iter().fold(0.0_f64, |worst, member| {
         worst.max(member.energy_residual_relative.abs())
     });
     Ok(vec![
-        found.power_w.mean,
-        found.power_w.half_width,
-        found.contact_rate_hz.mean,
-        found.max_impact_velocity_m_s,
+        result.power_w.mean,
+        result.power_w.half_width,
+        result.contact_rate_hz.mean,
+        result.max_impact_velocity_m_s,
         residual,
     ])
 }
 
 /// Evaluates the noise response at the first load and the first stop; NaN if there is none.
-fn noise(prepared: &Model) -> Result<Vec<f64>, RandomError> {
-    let found = Random::new(&prepared.spec)?.answer()?;
-    let of_load = |value: fn(&RandomLoad) -> f64| found.loads.first().map_or(f64::NAN, value);
-    let of_stop = |value: fn(&RandomStop) -> f64| found.stops.first().map_or(f64::NAN, value);
+fn noise(model: &Model) -> Result<Vec<f64>, RandomError> {
+    let response = Random::new(&model.spec)?.answer()?;
+    let of_load = |value: fn(&RandomLoad) -> f64| response.loads.first().map_or(f64::NAN, value);
+    let of_stop = |value: fn(&RandomStop) -> f64| response.stops.first().map_or(f64::NAN, value);
     Ok(vec![
-        found.mean_power_w,
+        response.mean_power_w,
         of_load(|load| load.voltage_rms_v),
         of_load(|load| load.statistical_bandwidth_hz),
         of_stop(|stop| stop.reached_hz.unwrap_or(f64::NAN)),

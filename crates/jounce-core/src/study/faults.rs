@@ -110,7 +110,7 @@ impl<'t> FaultCollector<'t> {
     }
 
     /// Returns an integer within limits, or its default.
-    pub(super) fn whole(
+    pub(super) fn integer(
         &mut self,
         path: &str,
         item: Option<&Item>,
@@ -118,22 +118,22 @@ impl<'t> FaultCollector<'t> {
         default: u64,
     ) -> u64 {
         let Some(item) = item else { return default };
-        let found = item
+        let value = item
             .as_integer()
             .and_then(|number| u64::try_from(number).ok())
             .filter(|n| (limits.0..=limits.1).contains(n));
-        if found.is_none() {
-            let shown = format!(" is {}; it", self.bare(item));
+        if value.is_none() {
+            let message = format!(" is {}; it", self.bare(item));
             self.fault(
                 path,
                 item.span(),
                 format!(
-                    "{path}{shown} must be a whole number from {} to {}",
+                    "{path}{message} must be a whole number from {} to {}",
                     limits.0, limits.1
                 ),
             );
         }
-        found.unwrap_or(default)
+        value.unwrap_or(default)
     }
 
     /// Returns a number above 0, or its default.
@@ -144,11 +144,11 @@ impl<'t> FaultCollector<'t> {
             .or(item.as_integer().map(|number| number as f64))
             .filter(|number| *number > 0.0 && number.is_finite());
         if number.is_none() {
-            let shown = format!(" is {}; it", self.bare(item));
+            let message = format!(" is {}; it", self.bare(item));
             self.fault(
                 path,
                 item.span(),
-                format!("{path}{shown} must be a number greater than 0"),
+                format!("{path}{message} must be a number greater than 0"),
             );
         }
         number.unwrap_or(default)

@@ -69,10 +69,10 @@ impl Folder {
             parts: study.parts(),
         };
         match Self::open(path) {
-            Ok(found) if found.card == card => Ok(found),
-            Ok(found) => Err(StudyError::OtherStudy {
+            Ok(folder) if folder.card == card => Ok(folder),
+            Ok(folder) => Err(StudyError::OtherStudy {
                 folder: path.to_owned(),
-                found: short(&found.card.study_sha256),
+                found: short(&folder.card.study_sha256),
                 wanted: short(&card.study_sha256),
             }),
             Err(StudyError::NoStudy { .. }) => {
@@ -121,10 +121,10 @@ impl Folder {
     ) -> Result<(), StudyError> {
         let _lock = Lock::take(&self.path, shard)?;
         self.clean();
-        let own: Vec<usize> = (0..self.card.parts)
+        let shard_parts: Vec<usize> = (0..self.card.parts)
             .filter(|part| shard.takes(*part))
             .collect();
-        let missing: Vec<usize> = own
+        let missing: Vec<usize> = shard_parts
             .iter()
             .copied()
             .filter(|part| self.part(*part).is_err())
@@ -136,7 +136,7 @@ impl Folder {
                 .sum::<usize>()
         };
         control.expect(points(&missing));
-        done(points(&own) - points(&missing));
+        done(points(&shard_parts) - points(&missing));
         // One part at a time for each thread: parts are few and long.
         missing
             .into_par_iter()
@@ -255,7 +255,7 @@ impl Folder {
             manifest
                 .options
                 .get(option)
-                .is_some_and(|found| found == value)
+                .is_some_and(|stored| stored == value)
         };
         if says("study_sha256", &self.card.study_sha256) && says("part", &part.to_string()) {
             Ok(table)

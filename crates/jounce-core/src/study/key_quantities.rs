@@ -13,21 +13,21 @@ const APERIODIC_CYCLES: u32 = 1;
 
 /// Evaluates the highest and average power of a sweep, and its points that had not settled.
 pub(super) fn sweep(
-    prepared: &Model,
+    model: &Model,
     (over, values): (&str, &str),
     (direction, fixed_duration): (SweepOrder, bool),
     folder: &Path,
 ) -> Result<Vec<f64>, String> {
-    let range = KeyRange::parse(key(prepared, over)?, values).map_err(|fault| fault.to_string())?;
+    let range = KeyRange::parse(key(model, over)?, values).map_err(|fault| fault.to_string())?;
     let study = Sweep {
-        spec: &prepared.spec,
+        spec: &model.spec,
         range: &range,
         direction,
         fixed_duration,
         folder: folder.to_path_buf(),
     };
     let points = study
-        .run(None, &prepared.kernel.control, &|_| ())
+        .run(None, &model.kernel.control, &|_| ())
         .map_err(|error| error.to_string())?;
     let highest = points
         .iter()
@@ -45,18 +45,18 @@ pub(super) fn sweep(
 
 /// Evaluates the highest power, longest period and non-periodic fraction of the motions over a key.
 pub(super) fn diagram(
-    prepared: &Model,
+    model: &Model,
     (over, values): (&str, &[f64]),
     order: DiagramOrder,
     tolerance: f64,
 ) -> Result<Vec<f64>, String> {
-    if prepared.kernel.plant.period_s().is_none() {
-        let frequencies = prepared.kernel.plant.tones.len();
+    if model.kernel.plant.period_s().is_none() {
+        let frequencies = model.kernel.plant.tones.len();
         return Err(OrbitError::<AnalysisError>::Frequencies { frequencies }.to_string());
     }
-    let (key, width) = (key(prepared, over)?, values[values.len() - 1] - values[0]);
+    let (key, width) = (key(model, over)?, values[values.len() - 1] - values[0]);
     let parameter = Parameter::new(
-        prepared,
+        model,
         &key,
         if width > 0.0 {
             width
@@ -65,7 +65,7 @@ pub(super) fn diagram(
         },
     );
     let study = Diagram {
-        base: prepared,
+        base: model,
         parameter: &parameter,
         values,
         order,
@@ -75,41 +75,41 @@ pub(super) fn diagram(
     let visits = study
         .run(None, &|_| ())
         .map_err(|error| error.to_string())?;
-    let found: Vec<_> = visits
+    let points: Vec<_> = visits
         .iter()
         .filter(|visit| visit.motion != AttractorKind::Lost)
         .collect();
-    let highest = found
+    let highest = points
         .iter()
         .max_by(|a, b| a.mean_power_w.total_cmp(&b.mean_power_w))
         .ok_or("every march failed")?;
-    let aperiodic = found
+    let aperiodic = points
         .iter()
         .filter(|visit| visit.motion != AttractorKind::Orbit)
         .count();
     Ok(vec![
         highest.mean_power_w,
         highest.parameter,
-        found
+        points
             .iter()
             .map(|visit| visit.period_cycles)
             .max()
             .map_or(0.0, f64::from),
-        aperiodic as f64 / found.len() as f64,
-        (visits.len() - found.len()) as f64,
+        aperiodic as f64 / points.len() as f64,
+        (visits.len() - points.len()) as f64,
     ])
 }
 
 /// Evaluates the number of bifurcation curves over two keys, and the range of the folds.
 pub(super) fn jumps(
-    prepared: &Model,
+    model: &Model,
     keys: &[String; 2],
     ranges: [(f64, f64); 2],
     (seeds, longest_period, tolerance): (usize, u32, f64),
 ) -> Result<Vec<f64>, String> {
-    let [first, second] = [key(prepared, &keys[0])?, key(prepared, &keys[1])?];
+    let [first, second] = [key(model, &keys[0])?, key(model, &keys[1])?];
     let search = BifurcationSearch {
-        base: prepared,
+        base: model,
         keys: [&first, &second],
         ranges,
         tolerance,
@@ -122,7 +122,7 @@ pub(super) fn jumps(
         .iter()
         .filter(|curve| curve.kind == CurveKind::Bifurcation(BranchKind::Fold))
         .collect();
-    let places = || {
+    let positions = || {
         folds
             .iter()
             .flat_map(|curve| &curve.points)
@@ -130,12 +130,12 @@ pub(super) fn jumps(
     };
     // Without a fold both ends are NaN.
     let (low, high) = (
-        places().fold(f64::NAN, f64::min),
-        places().fold(f64::NAN, f64::max),
+        positions().fold(f64::NAN, f64::min),
+        positions().fold(f64::NAN, f64::max),
     );
     Ok(vec![curves.len() as f64, folds.len() as f64, low, high])
 }
 
-fn key(prepared: &Model, path: &str) -> Result<NumericKey, String> {
-    NumericKey::find(&prepared.spec, path).map_err(|fault| fault.to_string())
+fn key(model: &Model, path: &str) -> Result<NumericKey, String> {
+    NumericKey::find(&model.spec, path).map_err(|fault| fault.to_string())
 }

@@ -46,8 +46,8 @@ impl Study {
     /// # Errors
     /// As [`Study::read`].
     pub fn parse(text: &str, folder: &Path) -> Result<Self, StudyError> {
-        let mut beside = folder.to_path_buf();
-        let said = read(text, |named| {
+        let mut sibling_folder = folder.to_path_buf();
+        let parsed = read(text, |named| {
             let Some(named) = named else {
                 let path = folder.join("spec");
                 return Err(StudyError::Unreadable {
@@ -56,10 +56,10 @@ impl Study {
                 });
             };
             let path = folder.join(named);
-            beside = path.parent().map_or_else(PathBuf::new, Path::to_path_buf);
+            sibling_folder = path.parent().map_or_else(PathBuf::new, Path::to_path_buf);
             Ok(SpecFile::read(&path)?)
         })?;
-        Self::of(said, beside)
+        Self::of(parsed, sibling_folder)
     }
 
     /// Creates a study from its text and a separate spec.
@@ -67,25 +67,25 @@ impl Study {
     /// # Errors
     /// As [`Study::read`], and a text that names a spec.
     pub fn with_spec(file: SpecFile, folder: &Path, text: &str) -> Result<Self, StudyError> {
-        let said = read(text, |named| match named {
+        let parsed = read(text, |named| match named {
             None => Ok(file),
             Some(named) => Err(StudyError::Unreadable {
                 path: named.into(),
                 reason: "the spec of this study is given beside it".to_owned(),
             }),
         })?;
-        Self::of(said, folder.to_path_buf())
+        Self::of(parsed, folder.to_path_buf())
     }
 
-    fn of(said: StudyText, folder: PathBuf) -> Result<Self, StudyError> {
-        let spec = said.file.spec().map_err(StudyError::Spec)?;
-        let hash_hex = digest(&spec, &said);
+    fn of(parsed: StudyText, folder: PathBuf) -> Result<Self, StudyError> {
+        let spec = parsed.file.spec().map_err(StudyError::Spec)?;
+        let hash_hex = digest(&spec, &parsed);
         let StudyText {
             design,
             quantity,
             points_per_part,
             ..
-        } = said;
+        } = parsed;
         Ok(Self {
             spec,
             design,
@@ -139,7 +139,7 @@ impl Study {
         let mut rows: Vec<Result<Vec<f64>, String>> = Vec::with_capacity(points.len());
         let mut last: Option<Model> = None;
         for (_, values) in &points {
-            rows.push(self.answer(values, &mut last, &control.apart()));
+            rows.push(self.evaluate_point(values, &mut last, &control.apart()));
             if control.is_stopped() {
                 return Ok(None);
             }
@@ -175,7 +175,7 @@ impl Study {
                 ),
             );
         }
-        let why = rows
+        let reason = rows
             .into_iter()
             .map(|row| row.err().unwrap_or_default())
             .collect::<Vec<String>>();
@@ -183,13 +183,13 @@ impl Study {
             "failure",
             "",
             "why there is no answer; empty where there is one",
-            why,
+            reason,
         ));
         Ok(Some(Table::new(columns)?))
     }
 
     /// Evaluates the numbers at one point; neighbouring points share their common computations.
-    fn answer(
+    fn evaluate_point(
         &self,
         values: &[f64],
         last: &mut Option<Model>,
@@ -202,21 +202,21 @@ impl Study {
                 .set(&mut spec, *value)
                 .map_err(|fault| fault.to_string())?;
         }
-        let made = match last {
+        let variant = match last {
             Some(before) => before.changed(spec),
             None => Model::watched(spec, control),
         };
-        let prepared = made.map_err(|error: AnalysisError| error.to_string())?;
-        let answer = evaluate(&self.quantity, &prepared, &self.folder);
-        *last = Some(prepared);
-        answer
+        let model = variant.map_err(|error: AnalysisError| error.to_string())?;
+        let result = evaluate(&self.quantity, &model, &self.folder);
+        *last = Some(model);
+        result
     }
 }
 
 /// Returns the digest of everything that determines the bits of the table.
-fn digest(spec: &Spec, said: &StudyText) -> String {
+fn digest(spec: &Spec, parsed: &StudyText) -> String {
     let mut all = format!("jounce {}\n{}\n", env!("CARGO_PKG_VERSION"), spec.to_toml());
-    for varied in &said.design.varied {
+    for varied in &parsed.design.varied {
         let values = varied
             .values
             .iter()
@@ -225,15 +225,15 @@ fn digest(spec: &Spec, said: &StudyText) -> String {
             .join(" ");
         all += &format!("{} {} {values}\n", varied.key.path(), varied.logarithmic);
     }
-    let place = (0..said.design.len().min(3))
-        .map(|index| said.design.point(index))
+    let position = (0..parsed.design.len().min(3))
+        .map(|index| parsed.design.point(index))
         .collect::<Vec<_>>();
     all += &format!(
-        "{} {} {place:?} {} {:?}",
-        said.design.sampling.name(),
-        said.design.len(),
-        said.points_per_part,
-        said.quantity
+        "{} {} {position:?} {} {:?}",
+        parsed.design.sampling.name(),
+        parsed.design.len(),
+        parsed.points_per_part,
+        parsed.quantity
     );
     Sha256::digest(all.as_bytes())
         .iter()

@@ -71,8 +71,8 @@ pub(super) fn read(
     file.spec().map_err(StudyError::Spec)?;
     let sampling = sampling(&mut reader, root.get("sampling"));
     let varied = varied(&mut reader, root.get("vary"), &file, sampling);
-    let seed = reader.whole("seed", root.get("seed"), (0, 1 << 53), 1);
-    let points = drawn(&mut reader, root, sampling);
+    let seed = reader.integer("seed", root.get("seed"), (0, 1 << 53), 1);
+    let points = number_of_samples(&mut reader, root, sampling);
     let quantity = quantity(&mut reader, root.get("quantity"), &file);
     check_sides(&mut reader, root.get("vary"), sampling, &varied);
     if !reader.faults.is_empty() {
@@ -83,7 +83,7 @@ pub(super) fn read(
         .len()
         .div_ceil(DEFAULT_PARTS)
         .clamp(1, MAX_POINTS_PER_PART) as u64;
-    let points_per_part = reader.whole(
+    let points_per_part = reader.integer(
         "points_per_part",
         root.get("points_per_part"),
         (1, 1_000_000),
@@ -125,10 +125,10 @@ fn sampling(reader: &mut FaultCollector, item: Option<&Item>) -> Sampling {
     let Some(name) = reader.text("sampling", item) else {
         return Sampling::Grid;
     };
-    let found = Sampling::ALL
+    let choice = Sampling::ALL
         .into_iter()
         .find(|sampling| sampling.name() == name);
-    if found.is_none() {
+    if choice.is_none() {
         let names = Sampling::ALL.map(Sampling::name).join(", ");
         reader.fault(
             "sampling",
@@ -136,10 +136,10 @@ fn sampling(reader: &mut FaultCollector, item: Option<&Item>) -> Sampling {
             format!("sampling is \"{name}\"; it must be one of {names}"),
         );
     }
-    found.unwrap_or(Sampling::Grid)
+    choice.unwrap_or(Sampling::Grid)
 }
 
-fn drawn(reader: &mut FaultCollector, root: &Table, sampling: Sampling) -> usize {
+fn number_of_samples(reader: &mut FaultCollector, root: &Table, sampling: Sampling) -> usize {
     let item = root.get("points");
     match (item, sampling.draws()) {
         (None, true) => reader.fault(
@@ -151,15 +151,15 @@ fn drawn(reader: &mut FaultCollector, root: &Table, sampling: Sampling) -> usize
             ),
         ),
         (Some(item), false) => {
-            let why = format!(
+            let reason = format!(
                 "points does not go with sampling = \"{}\", whose values say how many there are",
                 sampling.name()
             );
-            reader.fault("points", item.span(), why);
+            reader.fault("points", item.span(), reason);
         }
         (Some(_), true) | (None, false) => {}
     }
-    reader.whole("points", item, (1, MAX_DRAWN_POINTS), 1) as usize
+    reader.integer("points", item, (1, MAX_DRAWN_POINTS), 1) as usize
 }
 
 /// Hint for a drawn key without the ends of its range.
@@ -182,7 +182,7 @@ fn varied(
         );
         return Vec::new();
     };
-    let mut found = Vec::new();
+    let mut entries = Vec::new();
     for (key, item) in table {
         let Some(text) = item.as_str() else {
             reader.fault(key, item.span(), format!("vary.{key} must be a text, as in \"0.5mm:1.5mm:3x\", under the whole path as one key"));
@@ -211,7 +211,7 @@ fn varied(
             Ok(numeric) => match KeyRange::parse(numeric, &range) {
                 Err(fault) => vec![fault],
                 Ok(range) => {
-                    found.push(Varied {
+                    entries.push(Varied {
                         key: range.key().clone(),
                         values: range.values().to_vec(),
                         logarithmic,
@@ -224,7 +224,7 @@ fn varied(
             .into_iter()
             .for_each(|fault| reader.fault(key, item.span(), fault.message));
     }
-    found
+    entries
 }
 
 /// Checks that the values are compatible.
@@ -247,7 +247,7 @@ fn check_sides(
             );
         }
         if sampling == Sampling::List && one.values.len() != count {
-            let why = format!(
+            let reason = format!(
                 "has {} values where {} has {count}; a list takes them side by side",
                 one.values.len(),
                 varied[0].key.path()
@@ -255,7 +255,7 @@ fn check_sides(
             reader.fault(
                 one.key.path(),
                 span.clone(),
-                format!("{} {why}", one.key.path()),
+                format!("{} {reason}", one.key.path()),
             );
         }
     }

@@ -1,7 +1,7 @@
 //! Reads the quantity of a study from its table `[quantity]`.
 
 use super::Quantity;
-use super::evaluation::shaken;
+use super::evaluation::default_excitation;
 use super::faults::FaultCollector;
 use crate::analysis::{DiagramOrder, Recognition, SweepOrder};
 use crate::linear::FrfResponse;
@@ -27,7 +27,7 @@ pub(super) fn quantity(
 ) -> Quantity {
     let empty = Table::new();
     let table = reader.table("quantity", item).unwrap_or(&empty);
-    let asked = QuantityTable { table, file };
+    let request = QuantityTable { table, file };
     let command = reader
         .text("quantity.command", table.get("command"))
         .unwrap_or("run");
@@ -55,30 +55,30 @@ pub(super) fn quantity(
     match command {
         "run" => Quantity::Run,
         "modes" => Quantity::Modes {
-            count: asked.whole(reader, "count", 200, 3) as usize,
+            count: request.integer(reader, "count", 200, 3) as usize,
         },
-        "frf" => asked.frf(reader),
-        "sweep" => asked.sweep(reader),
-        "diagram" => asked.diagram(reader),
-        "branch" => asked.branch(reader),
-        "jumps" => asked.jumps(reader),
+        "frf" => request.frf(reader),
+        "sweep" => request.sweep(reader),
+        "diagram" => request.diagram(reader),
+        "branch" => request.branch(reader),
+        "jumps" => request.jumps(reader),
         "basins" => Quantity::Basins {
-            starts: asked.whole(reader, "starts", 1_000_000, 50) as usize,
-            seed: asked.whole(reader, "seed", 1 << 53, 1),
+            starts: request.integer(reader, "starts", 1_000_000, 50) as usize,
+            seed: request.integer(reader, "seed", 1 << 53, 1),
             spread: reader.positive("quantity.spread", table.get("spread"), 10.0),
-            recognition: asked.recognition(reader),
+            recognition: request.recognition(reader),
         },
         "ensemble" => Quantity::Ensemble {
-            members: asked.whole(reader, "members", 1_000_000, 16) as usize,
-            seed: asked.whole(reader, "seed", 1 << 53, 1),
+            members: request.integer(reader, "members", 1_000_000, 16) as usize,
+            seed: request.integer(reader, "seed", 1 << 53, 1),
         },
-        "noise" => asked.noise(reader),
+        "noise" => request.noise(reader),
         other => {
-            let why = format!(
+            let reason = format!(
                 "quantity.command is \"{other}\"; it must be one of {}",
                 COMMANDS.join(", ")
             );
-            reader.fault("quantity.command", asked.span("command"), why);
+            reader.fault("quantity.command", request.span("command"), reason);
             Quantity::Run
         }
     }
@@ -91,19 +91,19 @@ impl QuantityTable<'_> {
             self.frequency(reader, "to", 1000.0),
         );
         if range_hz.0 >= range_hz.1 {
-            let why = format!(
+            let reason = format!(
                 "quantity.from is {} Hz and quantity.to {} Hz; from must be below to",
                 range_hz.0, range_hz.1
             );
-            reader.fault("quantity.from", self.span("from"), why);
+            reader.fault("quantity.from", self.span("from"), reason);
         }
-        let points = reader.whole(
+        let points = reader.integer(
             "quantity.points",
             self.table.get("points"),
             (2, 1_000_000),
             2000,
         ) as usize;
-        let input = self.file.spec().ok().as_ref().and_then(shaken);
+        let input = self.file.spec().ok().as_ref().and_then(default_excitation);
         if input.is_none() {
             reader.fault(
                 "quantity.command",
@@ -129,8 +129,8 @@ impl QuantityTable<'_> {
             .spec()
             .is_ok_and(|spec| !spec.drive.values().any(noisy))
         {
-            let why = "noise needs a drive with signal = \"noise\"; \"run\" and \"frf\" tell what other drives do";
-            reader.fault("quantity.command", self.span("command"), why);
+            let reason = "noise needs a drive with signal = \"noise\"; \"run\" and \"frf\" tell what other drives do";
+            reader.fault("quantity.command", self.span("command"), reason);
         }
         Quantity::Noise
     }
@@ -202,7 +202,7 @@ impl QuantityTable<'_> {
             over,
             range,
             seeds: self.seeds(reader),
-            longest_period: self.whole(reader, "longest_period", 1000, 4) as u32,
+            longest_period: self.integer(reader, "longest_period", 1000, 4) as u32,
             tolerance: self.tolerance(reader, 5e-10),
         }
     }
@@ -214,13 +214,13 @@ impl QuantityTable<'_> {
             keys: [over.0, against.0],
             ranges: [over.1, against.1],
             seeds: self.seeds(reader),
-            longest_period: self.whole(reader, "longest_period", 1000, 4) as u32,
+            longest_period: self.integer(reader, "longest_period", 1000, 4) as u32,
             tolerance: self.tolerance(reader, 1e-8),
         }
     }
 
-    fn whole(&self, reader: &mut FaultCollector, key: &str, most: u64, default: u64) -> u64 {
-        reader.whole(
+    fn integer(&self, reader: &mut FaultCollector, key: &str, most: u64, default: u64) -> u64 {
+        reader.integer(
             &format!("quantity.{key}"),
             self.table.get(key),
             (1, most),
@@ -229,7 +229,7 @@ impl QuantityTable<'_> {
     }
 
     fn seeds(&self, reader: &mut FaultCollector) -> usize {
-        reader.whole("quantity.seeds", self.table.get("seeds"), (0, 100_000), 4) as usize
+        reader.integer("quantity.seeds", self.table.get("seeds"), (0, 100_000), 4) as usize
     }
 
     fn tolerance(&self, reader: &mut FaultCollector, default: f64) -> f64 {
@@ -237,17 +237,18 @@ impl QuantityTable<'_> {
     }
 
     fn recognition(&self, reader: &mut FaultCollector) -> Recognition {
-        let given = Recognition::at(self.tolerance(reader, 1e-8));
+        let defaults = Recognition::at(self.tolerance(reader, 1e-8));
         let most = u64::from(u32::MAX);
         Recognition {
-            longest_period: self.whole(
+            longest_period: self.integer(
                 reader,
                 "longest_period",
                 most,
-                u64::from(given.longest_period),
+                u64::from(defaults.longest_period),
             ) as u32,
-            max_cycles: self.whole(reader, "max_cycles", most, u64::from(given.max_cycles)) as u32,
-            ..given
+            max_cycles: self.integer(reader, "max_cycles", most, u64::from(defaults.max_cycles))
+                as u32,
+            ..defaults
         }
     }
 
@@ -258,20 +259,20 @@ impl QuantityTable<'_> {
     /// Reads one word of a list, by default the first.
     fn one_of<T: Copy>(&self, reader: &mut FaultCollector, key: &str, known: &[(&str, T)]) -> T {
         let path = format!("quantity.{key}");
-        let said = reader.text(&path, self.table.get(key));
-        let found = said.map_or(known.first(), |said| {
-            known.iter().find(|(word, _)| *word == said)
+        let text = reader.text(&path, self.table.get(key));
+        let choice = text.map_or(known.first(), |text| {
+            known.iter().find(|(word, _)| *word == text)
         });
-        if found.is_none() {
+        if choice.is_none() {
             let words: Vec<&str> = known.iter().map(|(word, _)| *word).collect();
-            let why = format!(
+            let reason = format!(
                 "{path} is \"{}\"; it must be one of {}",
-                said.unwrap_or_default(),
+                text.unwrap_or_default(),
                 words.join(", ")
             );
-            reader.fault(&path, self.span(key), why);
+            reader.fault(&path, self.span(key), reason);
         }
-        found.unwrap_or(&known[0]).1
+        choice.unwrap_or(&known[0]).1
     }
 
     /// Reads a frequency above 0, Hz.
@@ -283,18 +284,18 @@ impl QuantityTable<'_> {
         let read = Kind::Frequency
             .read(text)
             .map_err(|error| error.to_string());
-        let found = read.and_then(|value| {
+        let frequency_hz = read.and_then(|value| {
             if value > 0.0 && value.is_finite() {
                 Ok(value)
             } else {
                 Err("it must be above 0 Hz".to_owned())
             }
         });
-        found.unwrap_or_else(|why| {
+        frequency_hz.unwrap_or_else(|reason| {
             reader.fault(
                 &path,
                 self.span(key),
-                format!("{path} is \"{text}\": {why}"),
+                format!("{path} is \"{text}\": {reason}"),
             );
             default_hz
         })

@@ -59,7 +59,7 @@ pub(super) struct CubePoints {
 
 impl CubePoints {
     pub(super) fn new(sampling: Sampling, dimensions: usize, points: usize, seed: u64) -> Self {
-        let each = |wanted: bool| if wanted { dimensions } else { 0 };
+        let each = |is_used: bool| if is_used { dimensions } else { 0 };
         let cells = (0..each(sampling == Sampling::LatinHypercube))
             .map(|dimension| shuffled(points, seed, dimension as u64))
             .collect();
@@ -75,7 +75,7 @@ impl CubePoints {
     }
 
     /// Returns the position of a point along a dimension, in [0, 1).
-    pub(super) fn place(&self, index: usize, dimension: usize) -> f64 {
+    pub(super) fn coordinate(&self, index: usize, dimension: usize) -> f64 {
         match self.sampling {
             Sampling::Sobol => sobol(dimension, index as u32, self.shifts[dimension]),
             Sampling::LatinHypercube => {
@@ -113,7 +113,7 @@ mod tests {
         let draw = CubePoints::new(Sampling::LatinHypercube, 3, 100, 7);
         for dimension in 0..3 {
             let mut cells: Vec<usize> = (0..100)
-                .map(|index| (100.0 * draw.place(index, dimension)) as usize)
+                .map(|index| (100.0 * draw.coordinate(index, dimension)) as usize)
                 .collect();
             assert!(!cells.iter().copied().eq(0..100), "the order is drawn");
             cells.sort_unstable();
@@ -127,7 +127,12 @@ mod tests {
     fn random_points_fill_the_cube() {
         let draw = CubePoints::new(Sampling::Random, 2, 20_000, 1);
         let points: Vec<[f64; 2]> = (0..20_000)
-            .map(|index| [draw.place(index, 0) - 0.5, draw.place(index, 1) - 0.5])
+            .map(|index| {
+                [
+                    draw.coordinate(index, 0) - 0.5,
+                    draw.coordinate(index, 1) - 0.5,
+                ]
+            })
             .collect();
         let mean =
             |value: &dyn Fn(&[f64; 2]) -> f64| points.iter().map(value).sum::<f64>() / 20_000.0;
@@ -141,13 +146,13 @@ mod tests {
     #[test]
     fn another_seed_gives_other_points() {
         for sampling in [Sampling::Random, Sampling::LatinHypercube, Sampling::Sobol] {
-            let places = |seed| {
+            let coordinates = |seed| {
                 (0..8)
-                    .map(|index| CubePoints::new(sampling, 2, 8, seed).place(index, 1))
+                    .map(|index| CubePoints::new(sampling, 2, 8, seed).coordinate(index, 1))
                     .collect::<Vec<f64>>()
             };
-            assert_eq!(places(1), places(1));
-            assert_ne!(places(1), places(2), "{}", sampling.name());
+            assert_eq!(coordinates(1), coordinates(1));
+            assert_ne!(coordinates(1), coordinates(2), "{}", sampling.name());
         }
     }
 }

@@ -66,7 +66,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_shard_is_told() {
+    fn invalid_shards_are_refused() {
         assert_eq!("3/8".parse::<Shard>().unwrap(), Shard { index: 3, of: 8 });
         for wrong in ["0/8", "9/8", "3", "3/0", "a/b", "-1/2", "1/2/3", ""] {
             assert!(

@@ -39,7 +39,7 @@ fn directions(dimension: usize) -> [u32; BITS] {
     let mut v = [0; BITS];
     let Some(&(degree, coefficients, first)) = dimension
         .checked_sub(1)
-        .and_then(|place| DIRECTION_NUMBERS.get(place))
+        .and_then(|index| DIRECTION_NUMBERS.get(index))
     else {
         return std::array::from_fn(|k| 1 << (BITS - 1 - k));
     };
@@ -64,7 +64,7 @@ mod tests {
     /// `scipy.stats.qmc.Sobol(10, scramble=False)`.
     #[test]
     fn points_are_those_of_scipy() {
-        let wanted: [(u32, [f64; 10]); 6] = [
+        let expected: [(u32, [f64; 10]); 6] = [
             (1, [0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5]),
             (
                 2,
@@ -102,7 +102,7 @@ mod tests {
                 ],
             ),
         ];
-        for (index, point) in wanted {
+        for (index, point) in expected {
             for (dimension, x) in point.into_iter().enumerate() {
                 assert_eq!(
                     sobol(dimension, index, 0),

@@ -33,26 +33,26 @@ pub(super) fn join<W: Write, E>(
     failed: impl Fn(String) -> E,
 ) -> Result<(), E> {
     let mut writer = csv::Writer::from_writer(BufWriter::new(target));
-    let told = |fault: csv::Error| failed(fault.to_string());
+    let to_error = |fault: csv::Error| failed(fault.to_string());
     let mut names = None;
     for table in tables {
         let table = table?;
-        let own: Vec<String> = table
+        let columns: Vec<String> = table
             .columns()
             .iter()
             .map(|column| column.name.clone())
             .collect();
         match &names {
             None => {
-                heads(&mut writer, &table).map_err(told)?;
-                names = Some(own);
+                heads(&mut writer, &table).map_err(to_error)?;
+                names = Some(columns);
             }
-            Some(names) if *names != own => {
+            Some(names) if *names != columns => {
                 return Err(failed("the tables have different columns".to_owned()));
             }
             Some(_) => {}
         }
-        rows(&mut writer, &table).map_err(told)?;
+        rows(&mut writer, &table).map_err(to_error)?;
     }
     match names {
         Some(_) => writer.flush().map_err(|fault| failed(fault.to_string())),
@@ -114,7 +114,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_text_is_what_a_spreadsheet_expects() {
+    fn csv_matches_spreadsheet_conventions() {
         let columns = vec![
             Column::new(
                 "frequency_hz",

@@ -329,7 +329,7 @@ mod tests {
     }
 
     #[test]
-    fn a_place_that_cannot_be_written_or_read_is_an_error() {
+    fn unwritable_or_unreadable_path_is_an_error() {
         let folder = tempfile::tempdir().unwrap();
         let at = |name: &str| folder.path().join(name);
         assert!(matches!(

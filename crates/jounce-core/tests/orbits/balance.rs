@@ -248,7 +248,7 @@ fn the_number_of_harmonics_has_two_ends() {
         Some(64)
     );
     assert!(method(1000).finer().is_none() && method(20).coarser().is_none());
-    assert_eq!(method(16).carried(&[1.0; 65]), [1.0; 33]);
+    assert_eq!(method(16).resampled(&[1.0; 65]), [1.0; 33]);
 }
 
 #[test]

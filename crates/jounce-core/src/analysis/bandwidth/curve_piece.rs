@@ -56,7 +56,7 @@ impl PiecePoint {
 /// Zero of a function on a piece, and the remaining value there.
 #[derive(Debug)]
 pub struct PieceZero {
-    pub place: PiecePoint,
+    pub point: PiecePoint,
     pub value: f64,
 }
 
@@ -65,7 +65,7 @@ pub struct CurvePiece<'h, H> {
     shooting: Shooting<'h, H>,
     corrector: Corrector,
     metric: Metric,
-    ahead: Direction,
+    direction: Direction,
     /// Length of the chord.
     length: f64,
     /// Start of the piece.
@@ -89,25 +89,25 @@ impl<'h, H: ParametricModel> CurvePiece<'h, H> {
         };
         let (from, to) = (position(a), position(b));
         let metric = Metric::at(&from, parameter_scale);
-        let ahead = metric.unit(from.to(&to));
+        let direction = metric.unit(from.to(&to));
         let step = |guess: Position| {
-            let found = correct(&shooting, &corrector, &metric, &ahead, guess.clone());
+            let corrected = correct(&shooting, &corrector, &metric, &direction, guess.clone());
             // Where the curve is cut at an edge of the range, the hyperplane across the chord may
             // not intersect it.
-            let found = found
+            let corrected = corrected
                 .or_else(|_| correct_at(&shooting, &corrector, &metric, guess))
                 .ok()?;
-            let tangent = tangent(&found.local, &metric, &ahead)?;
+            let tangent = tangent(&corrected.local, &metric, &direction)?;
             Some(Rc::new(CurvePoint {
-                position: found.position,
+                position: corrected.position,
                 tangent,
-                local: found.local,
-                error: found.error,
+                local: corrected.local,
+                error: corrected.error,
             }))
         };
         let (start, end) = (step(from)?, step(to)?);
         let from = start.position.clone();
-        let length = metric.inner(&ahead, &from.to(&end.position));
+        let length = metric.inner(&direction, &from.to(&end.position));
         let known = RefCell::new(vec![
             PiecePoint {
                 x: 0.0,
@@ -119,7 +119,7 @@ impl<'h, H: ParametricModel> CurvePiece<'h, H> {
             shooting,
             corrector,
             metric,
-            ahead,
+            direction,
             length,
             from,
             known,
@@ -132,30 +132,30 @@ impl<'h, H: ParametricModel> CurvePiece<'h, H> {
             .known
             .borrow()
             .iter()
-            .find(|place| place.x == x)
+            .find(|point| point.x == x)
             .cloned();
         if known.is_some() {
             return known;
         }
-        let found = correct(
+        let corrected = correct(
             &self.shooting,
             &self.corrector,
             &self.metric,
-            &self.ahead,
+            &self.direction,
             self.guess(x),
         )
         .ok()?;
-        let tangent = tangent(&found.local, &self.metric, &self.ahead)?;
+        let tangent = tangent(&corrected.local, &self.metric, &self.direction)?;
         let step = Rc::new(CurvePoint {
-            position: found.position,
+            position: corrected.position,
             tangent,
-            local: found.local,
-            error: found.error,
+            local: corrected.local,
+            error: corrected.error,
         });
-        let (place, mut known) = (PiecePoint { x, step }, self.known.borrow_mut());
+        let (point, mut known) = (PiecePoint { x, step }, self.known.borrow_mut());
         let next = known.partition_point(|other| other.x < x);
-        known.insert(next, place.clone());
-        Some(place)
+        known.insert(next, point.clone());
+        Some(point)
     }
 
     /// Predicts the position at a fraction of the chord: on the Hermite cubic between the known
@@ -163,7 +163,7 @@ impl<'h, H: ParametricModel> CurvePiece<'h, H> {
     fn guess(&self, x: f64) -> Position {
         let known = self.known.borrow();
         let next = known
-            .partition_point(|place| place.x < x)
+            .partition_point(|point| point.x < x)
             .clamp(1, known.len() - 1);
         let (a, b) = (&known[next - 1], &known[next]);
         let cubic = HermiteSegment::between(
@@ -172,14 +172,14 @@ impl<'h, H: ParametricModel> CurvePiece<'h, H> {
             (&b.step.position, &b.step.tangent),
         );
         let guess = cubic.at((x - a.x) / (b.x - a.x) * cubic.length);
-        let off = x * self.length - self.metric.inner(&self.ahead, &self.from.to(&guess));
-        guess.moved(&self.ahead, off)
+        let distance = x * self.length - self.metric.inner(&self.direction, &self.from.to(&guess));
+        guess.offset_along(&self.direction, distance)
     }
 
     /// Returns the orbit at a point, with its multipliers and its error.
-    pub fn orbit(&self, place: &PiecePoint) -> Option<Orbit> {
+    pub fn orbit(&self, point: &PiecePoint) -> Option<Orbit> {
         self.shooting
-            .orbit(&place.step.local, place.step.error)
+            .orbit(&point.step.local, point.step.error)
             .ok()
     }
 
@@ -193,13 +193,13 @@ impl<'h, H: ParametricModel> CurvePiece<'h, H> {
         )
     }
 
-    /// Returns the error of the key at a point whose fraction has the error `off`, with the
+    /// Returns the error of the key at a point whose fraction has the error `x_error`, with the
     /// residual error of Newton's method.
-    pub fn parameter_error(&self, place: &PiecePoint, off: f64) -> Option<f64> {
-        let slope = (self.at(place.x + DIFFERENCE_WIDTH)?.parameter()
-            - self.at(place.x - DIFFERENCE_WIDTH)?.parameter())
+    pub fn parameter_error(&self, point: &PiecePoint, x_error: f64) -> Option<f64> {
+        let slope = (self.at(point.x + DIFFERENCE_WIDTH)?.parameter()
+            - self.at(point.x - DIFFERENCE_WIDTH)?.parameter())
             / (2.0 * DIFFERENCE_WIDTH);
-        Some(off * slope.abs() + self.metric.parameter * place.step.error)
+        Some(x_error * slope.abs() + self.metric.parameter * point.step.error)
     }
 
     /// Returns the point of maximum power between two fractions, if power rises inwards from both
@@ -207,7 +207,7 @@ impl<'h, H: ParametricModel> CurvePiece<'h, H> {
     pub fn maximum(&self, (from, to): (f64, f64), noise_w: f64) -> Option<PieceZero> {
         let rises = self.power_slope_w(from)? > 0.0 && self.power_slope_w(to)? < 0.0;
         rises
-            .then(|| self.zero((from, to), noise_w, |place| self.power_slope_w(place.x)))
+            .then(|| self.zero((from, to), noise_w, |point| self.power_slope_w(point.x)))
             .flatten()
     }
 
@@ -219,12 +219,12 @@ impl<'h, H: ParametricModel> CurvePiece<'h, H> {
         noise: f64,
         value: impl Fn(&PiecePoint) -> Option<f64>,
     ) -> Option<PieceZero> {
-        let look = |x: f64| {
-            let place = self.at(x)?;
-            let value = value(&place)?;
-            Some(PieceZero { place, value })
+        let sample = |x: f64| {
+            let point = self.at(x)?;
+            let value = value(&point)?;
+            Some(PieceZero { point, value })
         };
-        let (low, high) = (look(from)?, look(to)?);
+        let (low, high) = (sample(from)?, sample(to)?);
         if (low.value > 0.0) == (high.value > 0.0) {
             return None;
         }
@@ -237,9 +237,9 @@ impl<'h, H: ParametricModel> CurvePiece<'h, H> {
         };
         for _ in 0..MAX_TRIALS {
             let x = bracket.next(MIN_BRACKET);
-            best = look(x)?;
-            let moved = bracket.put(x, best.value);
-            if best.value.abs() <= enough || moved.min(bracket.length()) <= MIN_BRACKET {
+            best = sample(x)?;
+            let progress = bracket.put(x, best.value);
+            if best.value.abs() <= enough || progress.min(bracket.length()) <= MIN_BRACKET {
                 break;
             }
         }

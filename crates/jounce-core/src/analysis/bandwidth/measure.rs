@@ -61,27 +61,25 @@ impl<'s> BandwidthSearch<'s> {
             .par_iter()
             .map(|branch| self.stable(branch))
             .collect();
-        let own = |found: &Option<StablePart>| {
-            found
-                .as_ref()
-                .map(|found| self.above_half((found.peak, found.power_error), &found.segments))
+        let band = |part: &Option<StablePart>| {
+            part.as_ref()
+                .map(|part| self.above_half((part.peak, part.power_error), &part.segments))
         };
-        let own: Vec<Option<Bandwidth>> = stable.iter().map(own).collect();
-        if let [only] = &own[..] {
+        let band: Vec<Option<Bandwidth>> = stable.iter().map(band).collect();
+        if let [only] = &band[..] {
             return Bandwidths {
                 together: only.clone(),
-                branches: own,
+                branches: band,
             };
         }
         let all: Vec<StablePart> = stable.into_iter().flatten().collect();
         let highest = all
             .iter()
-            .map(|found| (found.peak, found.power_error))
+            .map(|part| (part.peak, part.power_error))
             .max_by(|a, b| a.0.mean_power_w.total_cmp(&b.0.mean_power_w));
-        let segments: Vec<StableSegment> =
-            all.into_iter().flat_map(|found| found.segments).collect();
+        let segments: Vec<StableSegment> = all.into_iter().flat_map(|part| part.segments).collect();
         Bandwidths {
-            branches: own,
+            branches: band,
             together: highest.map(|peak| self.above_half(peak, &segments)),
         }
     }
@@ -169,7 +167,7 @@ impl<'s> BandwidthSearch<'s> {
             [false, false] => return None,
             _ if points.iter().all(|point| point.orbit.mean_power_w < low_w) => return None,
             [first, _] => {
-                let found = self.stability_edge(
+                let edge = self.stability_edge(
                     &segment,
                     if first {
                         -NEIGHBOUR_DISTANCE
@@ -178,11 +176,11 @@ impl<'s> BandwidthSearch<'s> {
                     },
                 );
                 let stable = usize::from(!first);
-                let lost = found
+                let segment_end = edge
                     .or_else(|| self.located(&segment, branch, stable))
-                    .unwrap_or_else(|| segment.lost(stable));
-                segment.ends[usize::from(first)] = lost;
-                segment.turn_back(stable, lost.edge);
+                    .unwrap_or_else(|| segment.unresolved_end(stable));
+                segment.ends[usize::from(first)] = segment_end;
+                segment.turn_back(stable, segment_end.edge);
             }
         }
         Some(segment)
@@ -192,26 +190,26 @@ impl<'s> BandwidthSearch<'s> {
     /// stable side.
     fn stability_edge(&self, segment: &StableSegment, inwards: f64) -> Option<SegmentEnd> {
         let piece = self.piece(segment)?;
-        let margin = |place: &PiecePoint| Some(1.0 - place.floquet_max_abs()?);
-        let found = piece.zero((0.0, 1.0), self.tolerance, margin)?;
-        let beside = piece.at(found.place.x + inwards)?;
-        let slope = (margin(&beside)? - found.value) / inwards;
-        let off = (found.value.abs() + MULTIPLIER_ERROR_FACTOR * self.tolerance) / slope.abs();
+        let margin = |point: &PiecePoint| Some(1.0 - point.floquet_max_abs()?);
+        let zero = piece.zero((0.0, 1.0), self.tolerance, margin)?;
+        let neighbour = piece.at(zero.point.x + inwards)?;
+        let slope = (margin(&neighbour)? - zero.value) / inwards;
+        let x_error = (zero.value.abs() + MULTIPLIER_ERROR_FACTOR * self.tolerance) / slope.abs();
         // At a fold the key is stationary, so the second-order term counts.
-        let parameter_error =
-            piece.parameter_error(&found.place, off)? + off * off * (self.range.1 - self.range.0);
+        let parameter_error = piece.parameter_error(&zero.point, x_error)?
+            + x_error * x_error * (self.range.1 - self.range.0);
         // The boundary lies between the two points, even where the multiplier passes modulus one
         // slowly.
-        let parameter_error = parameter_error.min(segment.farthest(found.place.parameter()));
+        let parameter_error = parameter_error.min(segment.largest_distance(zero.point.parameter()));
         let edge = IntervalEdge {
-            parameter: found.place.parameter(),
+            parameter: zero.point.parameter(),
             parameter_error,
             at: BandLimit::Stability,
         };
-        let power_error = 2.0 * piece.orbit(&found.place)?.error_estimate;
+        let power_error = 2.0 * piece.orbit(&zero.point)?.error_estimate;
         Some(SegmentEnd {
-            x: found.place.x,
-            power_w: found.place.mean_power_w(),
+            x: zero.point.x,
+            power_w: zero.point.mean_power_w(),
             power_error,
             edge,
         })
@@ -226,20 +224,20 @@ impl<'s> BandwidthSearch<'s> {
         stable: usize,
     ) -> Option<SegmentEnd> {
         let [a, b] = segment.points;
-        let told = branch.bifurcation_between([a, b])?;
-        let off = MULTIPLIER_ERROR_FACTOR * self.tolerance
+        let event = branch.bifurcation_between([a, b])?;
+        let x_error = MULTIPLIER_ERROR_FACTOR * self.tolerance
             / (a.orbit.floquet_max_abs() - b.orbit.floquet_max_abs()).abs();
-        let parameter_error =
-            off * (a.parameter - b.parameter).abs() + RESOLUTION * (self.range.1 - self.range.0);
+        let parameter_error = x_error * (a.parameter - b.parameter).abs()
+            + RESOLUTION * (self.range.1 - self.range.0);
         let edge = IntervalEdge {
-            parameter: told.parameter,
+            parameter: event.parameter,
             parameter_error,
             at: BandLimit::Stability,
         };
-        let power_error = 2.0 * told.orbit.error_estimate;
+        let power_error = 2.0 * event.orbit.error_estimate;
         Some(SegmentEnd {
             edge,
-            power_w: told.orbit.mean_power_w,
+            power_w: event.orbit.mean_power_w,
             power_error,
             ..segment.ends[stable]
         })
@@ -251,7 +249,7 @@ impl<'s> BandwidthSearch<'s> {
         let highest = ends().max_by(|a, b| a.power_w.total_cmp(&b.power_w))?;
         let worth = |segment: &&StableSegment| {
             segment
-                .tops(segments)
+                .highest_end_power(segments)
                 .is_some_and(|power_w| power_w >= MIN_PEAK_SHARE * highest.power_w)
         };
         let maxima: Vec<SegmentEnd> = segments
@@ -284,21 +282,21 @@ impl<'s> BandwidthSearch<'s> {
         let piece = self.piece(segment)?;
         let [from, to] = segment.ends.map(|end| end.x);
         let noise_w = self.tolerance / NEIGHBOUR_DISTANCE * segment.ends[0].power_w;
-        let found = piece.maximum((from, to), noise_w)?;
-        let beside = |step: f64| piece.power_slope_w(found.place.x + step);
-        let second = (beside(NEIGHBOUR_DISTANCE)? - beside(-NEIGHBOUR_DISTANCE)?)
+        let top = piece.maximum((from, to), noise_w)?;
+        let neighbour = |step: f64| piece.power_slope_w(top.point.x + step);
+        let second = (neighbour(NEIGHBOUR_DISTANCE)? - neighbour(-NEIGHBOUR_DISTANCE)?)
             / (2.0 * NEIGHBOUR_DISTANCE);
-        let power_w = found.place.mean_power_w();
-        let power_error = 2.0 * piece.orbit(&found.place)?.error_estimate;
-        let off = (found.value.abs() + power_error * power_w / NEIGHBOUR_DISTANCE) / second.abs();
-        let parameter_error = piece.parameter_error(&found.place, off)?;
+        let power_w = top.point.mean_power_w();
+        let power_error = 2.0 * piece.orbit(&top.point)?.error_estimate;
+        let x_error = (top.value.abs() + power_error * power_w / NEIGHBOUR_DISTANCE) / second.abs();
+        let parameter_error = piece.parameter_error(&top.point, x_error)?;
         let edge = IntervalEdge {
-            parameter: found.place.parameter(),
+            parameter: top.point.parameter(),
             parameter_error,
             at: BandLimit::Maximum,
         };
         Some(SegmentEnd {
-            x: found.place.x,
+            x: top.point.x,
             power_w,
             power_error,
             edge,
@@ -342,15 +340,15 @@ impl<'s> BandwidthSearch<'s> {
     fn half_power(&self, segment: &StableSegment, half_w: f64, error: f64) -> Option<IntervalEdge> {
         let piece = self.piece(segment)?;
         let [from, to] = segment.ends.map(|end| end.x);
-        let found = piece.zero((from, to), 0.1 * self.tolerance * half_w, |place| {
-            Some(place.mean_power_w() - half_w)
+        let zero = piece.zero((from, to), 0.1 * self.tolerance * half_w, |point| {
+            Some(point.mean_power_w() - half_w)
         })?;
-        let left_w =
-            found.value.abs() + (2.0 * piece.orbit(&found.place)?.error_estimate + error) * half_w;
-        let off = left_w / piece.power_slope_w(found.place.x)?.abs();
-        let parameter_error = piece.parameter_error(&found.place, off)?;
+        let residual_w =
+            zero.value.abs() + (2.0 * piece.orbit(&zero.point)?.error_estimate + error) * half_w;
+        let x_error = residual_w / piece.power_slope_w(zero.point.x)?.abs();
+        let parameter_error = piece.parameter_error(&zero.point, x_error)?;
         Some(IntervalEdge {
-            parameter: found.place.parameter(),
+            parameter: zero.point.parameter(),
             parameter_error,
             at: BandLimit::HalfPower,
         })

@@ -11,8 +11,8 @@ pub fn merged(peak: PowerPeak, mut ranges: Vec<BandInterval>) -> Bandwidth {
             Some(last) if range.from.parameter <= last.to.parameter => {
                 // An edge at a point inside a branch has no known cause; it yields to an edge with
                 // a cause.
-                let knows = |own: &IntervalEdge, other: &IntervalEdge| {
-                    own.parameter == other.parameter && other.at == BandLimit::End
+                let knows = |edge: &IntervalEdge, other: &IntervalEdge| {
+                    edge.parameter == other.parameter && other.at == BandLimit::End
                 };
                 if range.to.parameter > last.to.parameter || knows(&range.to, &last.to) {
                     last.to = range.to;
@@ -64,9 +64,9 @@ mod tests {
             mean_power_w: 1.0,
             at: BandLimit::Maximum,
         };
-        let found = merged(peak, vec![range(1.0, 2.0), range(6.0, 6.0)]);
+        let result = merged(peak, vec![range(1.0, 2.0), range(6.0, 6.0)]);
         assert_eq!(
-            (found.intervals.len(), found.width, found.width_error),
+            (result.intervals.len(), result.width, result.width_error),
             (1, 1.0, 1.0)
         );
     }
@@ -88,7 +88,7 @@ mod tests {
             mean_power_w: 1.0,
             at: BandLimit::Maximum,
         };
-        let found = merged(
+        let result = merged(
             peak,
             vec![
                 range(5.0, 6.0),
@@ -97,16 +97,16 @@ mod tests {
                 range(1.5, 1.7),
             ],
         );
-        let ends: Vec<(f64, f64)> = found
+        let ends: Vec<(f64, f64)> = result
             .intervals
             .iter()
             .map(|one| (one.from.parameter, one.to.parameter))
             .collect();
         assert_eq!(ends, [(1.0, 3.0), (5.0, 6.0)]);
         assert!(
-            found.width == 3.0
-                && found.width_error == 2.0
-                && found.intervals[0].to.at == BandLimit::Stability
+            result.width == 3.0
+                && result.width_error == 2.0
+                && result.intervals[0].to.at == BandLimit::Stability
         );
     }
 }

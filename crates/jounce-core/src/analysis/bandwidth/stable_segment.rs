@@ -29,7 +29,7 @@ pub struct StableSegment<'b> {
 impl StableSegment<'_> {
     /// Returns the larger power of the two ends if no neighbouring segment rises further from
     /// there.
-    pub fn tops(&self, all: &[StableSegment]) -> Option<f64> {
+    pub fn highest_end_power(&self, all: &[StableSegment]) -> Option<f64> {
         let top = usize::from(self.ends[1].power_w > self.ends[0].power_w);
         let power_w = self.ends[top].power_w;
         let rises = |other: &StableSegment| {
@@ -43,7 +43,7 @@ impl StableSegment<'_> {
     }
 
     /// Returns the distance of a value of the key from the farther one of the two points.
-    pub fn farthest(&self, parameter: f64) -> f64 {
+    pub fn largest_distance(&self, parameter: f64) -> f64 {
         self.points
             .iter()
             .map(|point| (point.parameter - parameter).abs())
@@ -52,7 +52,7 @@ impl StableSegment<'_> {
 
     /// Returns the stability boundary beyond a stable end, known only to the width of the piece,
     /// where the curve between its points cannot be computed.
-    pub fn lost(&self, stable: usize) -> SegmentEnd {
+    pub fn unresolved_end(&self, stable: usize) -> SegmentEnd {
         let [a, b] = self.points;
         let parameter_error = (b.parameter - a.parameter).abs();
         let edge = IntervalEdge {
@@ -68,16 +68,16 @@ impl StableSegment<'_> {
 
     /// Sets the end of the stable part at a fold close to the stable end. The key may reach beyond
     /// the fold there by less than the error; the edge is then the stable end.
-    pub fn turn_back(&mut self, stable: usize, lost: IntervalEdge) {
-        let [own, other] = [
+    pub fn turn_back(&mut self, stable: usize, edge: IntervalEdge) {
+        let [stable_parameter, other] = [
             self.points[stable].parameter,
             self.points[1 - stable].parameter,
         ];
-        let way = (own - lost.parameter).abs();
-        if way < HARD_STABILITY_CHANGE * (other - lost.parameter).abs() {
-            let parameter_error = lost.parameter_error + way;
+        let distance = (stable_parameter - edge.parameter).abs();
+        if distance < HARD_STABILITY_CHANGE * (other - edge.parameter).abs() {
+            let parameter_error = edge.parameter_error + distance;
             self.ends[stable].edge = IntervalEdge {
-                parameter: own,
+                parameter: stable_parameter,
                 parameter_error,
                 at: BandLimit::Stability,
             };
@@ -88,11 +88,11 @@ impl StableSegment<'_> {
     /// computed.
     pub fn between(&self, half_w: f64) -> IntervalEdge {
         let [a, b] = self.ends;
-        let way = b.edge.parameter - a.edge.parameter;
+        let width = b.edge.parameter - a.edge.parameter;
         let share = (half_w - a.power_w) / (b.power_w - a.power_w);
         IntervalEdge {
-            parameter: a.edge.parameter + share * way,
-            parameter_error: way.abs(),
+            parameter: a.edge.parameter + share * width,
+            parameter_error: width.abs(),
             at: BandLimit::HalfPower,
         }
     }

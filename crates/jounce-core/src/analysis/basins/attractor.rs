@@ -120,26 +120,26 @@ pub(super) fn counted(
         SteadyState::Failed(reason) => Some((*index, reason.clone())),
         SteadyState::Periodic(_) | SteadyState::Aperiodic(_) => None,
     };
-    let lost: Vec<(usize, String)> = ends.iter().filter_map(failed).collect();
-    let of = ends.len() - lost.len();
+    let failures: Vec<(usize, String)> = ends.iter().filter_map(failed).collect();
+    let of = ends.len() - failures.len();
     let mut attractors: Vec<Attractor> = Vec::new();
     let orbits = orbits(ends);
-    for (k, (found, starts)) in orbits.iter().enumerate() {
-        let orbit = &found.orbit;
-        let place = attractors
+    for (k, (attracting, starts)) in orbits.iter().enumerate() {
+        let orbit = &attracting.orbit;
+        let number = attractors
             .iter()
             .filter(|known| known.period_cycles == orbit.period_cycles)
             .count();
-        let id = format!("{}{}", orbit.period_cycles, letters(place));
-        let alike = |(j, (other, _)): &(usize, &(Arc<AttractingOrbit>, Vec<usize>))| {
+        let id = format!("{}{}", orbit.period_cycles, letters(number));
+        let is_same_kind = |(j, (other, _)): &(usize, &(Arc<AttractingOrbit>, Vec<usize>))| {
             other.orbit.period_cycles == orbit.period_cycles
                 && attractors[*j].mirror_of.is_none()
-                && mirrored(other, found)
+                && mirrored(other, attracting)
         };
         let mirror_of = orbits[..k]
             .iter()
             .enumerate()
-            .find(alike)
+            .find(is_same_kind)
             .map(|(j, _)| attractors[j].id.clone());
         attractors.push(Attractor {
             period_cycles: orbit.period_cycles,
@@ -172,7 +172,7 @@ pub(super) fn counted(
         expected_power_w,
         expected_power_low_w,
         expected_power_high_w,
-        lost,
+        lost: failures,
     }
 }
 
@@ -201,11 +201,11 @@ fn expected(attractors: &[Attractor]) -> [f64; 3] {
 
 /// Collects all starts that end on aperiodic motions of one kind.
 fn aperiodic(kind: AttractorKind, ends: &[(usize, SteadyState)], of: usize) -> Option<Attractor> {
-    let own = |(index, end): &'_ (usize, SteadyState)| match end {
+    let of_kind = |(index, end): &'_ (usize, SteadyState)| match end {
         SteadyState::Aperiodic(found) if found.kind == kind => Some((*index, found.clone())),
         _ => None,
     };
-    let found: Vec<(usize, Aperiodic)> = ends.iter().filter_map(own).collect();
+    let found: Vec<(usize, Aperiodic)> = ends.iter().filter_map(of_kind).collect();
     let count = found.len() as f64;
     let mean_power_w = found
         .iter()
@@ -216,18 +216,18 @@ fn aperiodic(kind: AttractorKind, ends: &[(usize, SteadyState)], of: usize) -> O
         .iter()
         .filter_map(|(_, found)| found.exponent)
         .collect();
-    let taken = exponents.len() as f64;
+    let exponent_count = exponents.len() as f64;
     let exponent = exponents
         .iter()
         .map(|exponent| exponent.exponent_per_s)
         .sum::<f64>()
-        / taken;
+        / exponent_count;
     let error = exponents
         .iter()
         .map(|exponent| exponent.error_per_s)
         .sum::<f64>()
-        / taken
-        / taken.sqrt();
+        / exponent_count
+        / exponent_count.sqrt();
     let starts: Vec<usize> = found.iter().map(|(index, _)| *index).collect();
     (!found.is_empty()).then(|| Attractor {
         lyapunov: (!exponents.is_empty()).then_some((exponent, error)),
@@ -263,21 +263,21 @@ mod tests {
             |_, _| false,
         );
         assert_eq!(decided.attractors.len(), 1);
-        let found = counted(
+        let result = counted(
             &ends(&[torus, torus, torus, (AttractorKind::Undecided, 1.0)]),
             |_, _| false,
         );
-        let ids: Vec<&str> = found.attractors.iter().map(|a| a.id.as_str()).collect();
+        let ids: Vec<&str> = result.attractors.iter().map(|a| a.id.as_str()).collect();
         assert_eq!(ids, ["torus", "undecided"]);
         assert!(
-            (found.expected_power_w - 1.75).abs() < 1e-12 && found.expected_power_high_w == 2.0
+            (result.expected_power_w - 1.75).abs() < 1e-12 && result.expected_power_high_w == 2.0
         );
         let with_nothing = expected_power_w(&[(3, 2.0), (1, 0.0)]);
-        assert!((found.expected_power_low_w - with_nothing[1]).abs() < 1e-12);
+        assert!((result.expected_power_low_w - with_nothing[1]).abs() < 1e-12);
         assert_eq!(
             (
-                found.attractors[1].starts.as_slice(),
-                found.attractors[1].share.fraction
+                result.attractors[1].starts.as_slice(),
+                result.attractors[1].share.fraction
             ),
             (&[3][..], 0.25)
         );

@@ -4,7 +4,7 @@
 use super::InitialStates;
 use super::attractor::{Attractor, BasinsResult, counted, orbits};
 use super::mirror::mirrored_states;
-use crate::analysis::orbit_limits::{passed_by_orbit, passed_over};
+use crate::analysis::orbit_limits::{exceeded_by_orbit, exceeded_over_cycles};
 use crate::analysis::{
     AnalysisError, AttractingOrbit, Model, Parameter, Recognition, Recognizer, SteadyState,
 };
@@ -52,9 +52,9 @@ impl Basins<'_> {
             mirrored_states(&kernel, &one.orbit, &scale, self.recognition.tolerance)
                 .is_ok_and(|states| two.passes(&states))
         };
-        let mut answer = counted(&ends, mirrored);
+        let mut result = counted(&ends, mirrored);
         let limits = Limits::of(&self.base.spec, &kernel.plant);
-        for attractor in answer
+        for attractor in result
             .attractors
             .iter_mut()
             .filter(|_| !limits.is_empty() && !self.base.kernel.control.is_stopped())
@@ -64,10 +64,10 @@ impl Basins<'_> {
                 .find(|(index, _)| attractor.starts.first() == Some(index))
                 .map(|(_, end)| end);
             attractor.exceeded = self
-                .passed(&limits, &kernel, attractor, end)
+                .exceeded_limits(&limits, &kernel, attractor, end)
                 .map_err(RunError::from)?;
         }
-        Ok(answer)
+        Ok(result)
     }
 
     /// Returns the index and the steady state of each start.
@@ -111,7 +111,7 @@ impl Basins<'_> {
 
     /// Returns the limits that an attractor exceeds: over its period, or, if aperiodic, over
     /// further cycles from the end of its first start.
-    fn passed(
+    fn exceeded_limits(
         &self,
         limits: &Limits,
         kernel: &Kernel,
@@ -120,9 +120,11 @@ impl Basins<'_> {
     ) -> Result<Vec<ExceededLimit>, IntegrationError> {
         let tolerance = self.recognition.tolerance;
         match (&attractor.orbit, end) {
-            (Some(orbit), _) => passed_by_orbit(limits, (self.parameter, kernel), orbit, tolerance),
+            (Some(orbit), _) => {
+                exceeded_by_orbit(limits, (self.parameter, kernel), orbit, tolerance)
+            }
             (None, Some(SteadyState::Aperiodic(end))) => {
-                passed_over(limits, kernel, &end.state, LATE_CYCLES, tolerance)
+                exceeded_over_cycles(limits, kernel, &end.state, LATE_CYCLES, tolerance)
             }
             (None, _) => Ok(Vec::new()),
         }

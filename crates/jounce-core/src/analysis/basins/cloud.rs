@@ -68,13 +68,13 @@ fn mirror(plant: &Plant, displacement: &mut [f64]) {
         .collect();
     for _ in 0..MAX_REFLECTIONS {
         let depth_m = |(index, stop): (usize, &Stop)| {
-            let own_m: f64 = stop
+            let modal_m: f64 = stop
                 .shape
                 .iter()
                 .zip(&*displacement)
                 .map(|(s, q)| s * q)
                 .sum();
-            own_m + plant.approached_m(index, 0.0) - stop.gap_m
+            modal_m + plant.approached_m(index, 0.0) - stop.gap_m
         };
         let depths = rigid
             .iter()

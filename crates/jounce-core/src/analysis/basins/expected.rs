@@ -22,12 +22,12 @@ const MAX_HALVINGS: usize = 200;
 
 /// Returns the expected power and the ends of its 95 % interval, W, from the number of starts and
 /// the power of each attractor.
-pub fn expected_power_w(seen: &[(usize, f64)]) -> [f64; 3] {
-    let of: usize = seen.iter().map(|(count, _)| count).sum();
+pub fn expected_power_w(observed: &[(usize, f64)]) -> [f64; 3] {
+    let of: usize = observed.iter().map(|(count, _)| count).sum();
     if of == 0 {
         return [0.0; 3];
     }
-    let shares: Vec<(f64, f64)> = seen
+    let shares: Vec<(f64, f64)> = observed
         .iter()
         .map(|(count, power)| (*count as f64 / of as f64, *power))
         .collect();
@@ -122,18 +122,18 @@ mod tests {
     use super::*;
 
     #[test]
-    fn of_two_answers_it_is_the_interval_of_wilson() {
+    fn two_outcomes_give_the_wilson_interval() {
         for (hits, misses) in [(1, 9), (7, 13), (60, 140), (19, 1)] {
             let [expected, low, high] = expected_power_w(&[(hits, 1.0), (misses, 0.0)]);
             let share = wilson(hits, hits + misses);
-            for (own, exact) in [
+            for (computed, exact) in [
                 (expected, share.fraction),
                 (low, share.low),
                 (high, share.high),
             ] {
                 assert!(
-                    (own - exact).abs() < 1e-12,
-                    "{hits} of {}: {own} {exact}",
+                    (computed - exact).abs() < 1e-12,
+                    "{hits} of {}: {computed} {exact}",
                     hits + misses
                 );
             }
@@ -141,7 +141,7 @@ mod tests {
     }
 
     #[test]
-    fn one_answer_alone_leaves_room_for_an_unseen_one_that_gives_nothing() {
+    fn one_outcome_allows_an_unobserved_outcome_of_zero_power() {
         let [expected, low, high] = expected_power_w(&[(20, 3.0)]);
         assert!(
             expected == 3.0 && high == 3.0 && (low - 3.0 * wilson(20, 20).low).abs() < 1e-12,
@@ -153,21 +153,21 @@ mod tests {
 
     /// Evaluates all fractions on a fine lattice that the counts do not reject.
     #[test]
-    fn of_three_answers_it_is_the_extreme_of_all_shares_that_are_not_rejected() {
-        let seen = [(30_usize, 1.0), (10, 4.0), (2, 9.0)];
-        let [_, low, high] = expected_power_w(&seen);
+    fn three_outcomes_give_the_extreme_of_all_accepted_fractions() {
+        let observed = [(30_usize, 1.0), (10, 4.0), (2, 9.0)];
+        let [_, low, high] = expected_power_w(&observed);
         let (of, steps) = (42.0, 1500_u32);
         let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
         for i in 1..steps {
             for j in 1..steps - i {
                 let shares = [i, j, steps - i - j].map(|part| f64::from(part) / f64::from(steps));
-                let score: f64 = seen
+                let score: f64 = observed
                     .iter()
                     .zip(&shares)
                     .map(|((n, _), p)| (*n as f64 - of * p).powi(2) / (of * p))
                     .sum();
                 if score <= QUANTILE_95.powi(2) {
-                    let mean: f64 = seen
+                    let mean: f64 = observed
                         .iter()
                         .zip(&shares)
                         .map(|((_, power), p)| p * power)

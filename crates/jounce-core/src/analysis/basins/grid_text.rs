@@ -66,9 +66,9 @@ impl Grid {
 }
 
 fn side(text: &str) -> Result<GridSide, GridError> {
-    let wrong = |why: &str| GridError::Side {
+    let wrong = |reason: &str| GridError::Side {
         text: text.to_owned(),
-        why: why.to_owned(),
+        why: reason.to_owned(),
     };
     let (name, range) = text
         .split_once('=')

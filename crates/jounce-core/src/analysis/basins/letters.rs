@@ -1,11 +1,11 @@
 //! Names by rank.
 
 /// Returns `a`, `b`, .., `z`, `aa`, ..
-pub fn letters(place: usize) -> String {
-    let last = char::from(b'a' + (place % 26) as u8);
-    if place < 26 {
+pub fn letters(index: usize) -> String {
+    let last = char::from(b'a' + (index % 26) as u8);
+    if index < 26 {
         last.to_string()
     } else {
-        format!("{}{last}", letters(place / 26 - 1))
+        format!("{}{last}", letters(index / 26 - 1))
     }
 }

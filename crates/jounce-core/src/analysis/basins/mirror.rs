@@ -16,8 +16,8 @@ pub fn mirrored_states(
     tolerance: f64,
 ) -> Result<Vec<Vec<f64>>, IntegrationError> {
     let cycle_s = kernel.plant.period_s().unwrap_or(1.0);
-    let state = |look: &Vec<f64>| {
-        let physical: Vec<f64> = look.iter().zip(scale).map(|(u, w)| u / w).collect();
+    let state = |strobe_state: &Vec<f64>| {
+        let physical: Vec<f64> = strobe_state.iter().zip(scale).map(|(u, w)| u / w).collect();
         let mut integrator = Integrator::new(
             kernel,
             &kernel.plant.from_physical(&physical, 0.0),

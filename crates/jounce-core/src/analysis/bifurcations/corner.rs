@@ -28,21 +28,21 @@ const MAX_RESTART_DISTANCE: f64 = 0.2;
 
 /// Returns a point of the curve beyond the grazing, ahead of `position`, with its tangent; `None`
 /// where there is no grazing within the limit.
-pub fn round(
+pub fn beyond_grazing(
     tracking: &ExtendedProblem<KeyPlane>,
     corrector: &Corrector,
     scale_2: f64,
-    (position, ahead): (&Position, &Direction),
+    (position, heading): (&Position, &Direction),
 ) -> Option<(CorrectedPoint<ExtendedEvaluation>, Direction)> {
     if matches!(tracking.condition, Condition::Touching(_)) {
         return None;
     }
     let metric = Metric::at(position, scale_2);
-    let ahead = metric.unit(ahead.clone());
+    let heading = metric.unit(heading.clone());
     let past = tracking
         .past(&position.unknown, position.parameter)
         .ok()??;
-    let own = tracking.place_of_parameter();
+    let parameter_index = tracking.parameter_index();
     let along = |direction: &Direction| {
         let by_state: f64 = past
             .by_unknown
@@ -51,15 +51,15 @@ pub fn round(
             .map(|(a, b)| a * b)
             .sum();
         by_state
-            + past.by_parameters[0] * tracking.unit * direction.unknown[own]
+            + past.by_parameters[0] * tracking.unit * direction.unknown[parameter_index]
             + past.by_parameters[1] * direction.parameter
     };
-    let (way, sense) = (-past.value / along(&ahead), along(&ahead).signum());
-    if way.is_nan() || way.abs() > MAX_GRAZING_DISTANCE {
+    let (step, sense) = (-past.value / along(&heading), along(&heading).signum());
+    if step.is_nan() || step.abs() > MAX_GRAZING_DISTANCE {
         return None;
     }
     // Just past a grazing the distance is zero.
-    let to_grazing = way.max(0.0);
+    let to_grazing = step.max(0.0);
     let mut by_unknown = past.by_unknown.clone();
     by_unknown.push(tracking.unit * past.by_parameters[0]);
     by_unknown.resize(position.unknown.len(), 0.0);
@@ -72,11 +72,11 @@ pub fn round(
         parameter: sense * past.by_parameters[1] * metric.parameter * metric.parameter,
     };
     SEARCH_DISTANCES.into_iter().find_map(|beyond| {
-        let guess = position.moved(&ahead, to_grazing + beyond);
-        let found = correct(tracking, corrector, &metric, &across, guess).ok()?;
-        let tangent = tangent(&found.local, &metric, &across)?;
-        let way = position.to(&found.position);
-        (metric.length(&way) < MAX_RESTART_DISTANCE && along(&way) * sense > 0.0)
-            .then_some((found, tangent))
+        let guess = position.offset_along(&heading, to_grazing + beyond);
+        let corrected = correct(tracking, corrector, &metric, &across, guess).ok()?;
+        let tangent = tangent(&corrected.local, &metric, &across)?;
+        let step = position.to(&corrected.position);
+        (metric.length(&step) < MAX_RESTART_DISTANCE && along(&step) * sense > 0.0)
+            .then_some((corrected, tangent))
     })
 }

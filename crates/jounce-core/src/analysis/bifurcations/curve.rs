@@ -77,8 +77,8 @@ impl BifurcationCurve {
     /// Cuts at half its length a curve that turned back over its own points, which happens at a
     /// missed corner. `came_back` states that it did; otherwise it must end exactly on its start.
     /// The widths are those of the ranges of the keys.
-    pub(super) fn end_where_it_turned(&mut self, came_back: bool, widths: [f64; 2]) {
-        let way = |a: &BifurcationCurvePoint, b: &BifurcationCurvePoint| {
+    pub(super) fn truncate_at_turn(&mut self, came_back: bool, widths: [f64; 2]) {
+        let distance = |a: &BifurcationCurvePoint, b: &BifurcationCurvePoint| {
             ((b.parameter - a.parameter) / widths[0])
                 .hypot((b.parameter_2 - a.parameter_2) / widths[1])
         };
@@ -86,7 +86,7 @@ impl BifurcationCurve {
             [first, .., last] => {
                 let power_w = (last.mean_power_w - first.mean_power_w).abs();
                 self.points.len() > 4
-                    && way(first, last) < CLOSED_CURVE_SHARE
+                    && distance(first, last) < CLOSED_CURVE_SHARE
                     && power_w <= CLOSED_CURVE_SHARE * first.mean_power_w.abs()
             }
             _ => false,
@@ -94,15 +94,15 @@ impl BifurcationCurve {
         if !(came_back || ends_on_start) {
             return;
         }
-        let mut left = 0.5
+        let mut remaining = 0.5
             * self
                 .points
                 .windows(2)
-                .map(|pair| way(&pair[0], &pair[1]))
+                .map(|pair| distance(&pair[0], &pair[1]))
                 .sum::<f64>();
         let is_before = |pair: &[BifurcationCurvePoint]| {
-            left -= way(&pair[0], &pair[1]);
-            left > 0.0
+            remaining -= distance(&pair[0], &pair[1]);
+            remaining > 0.0
         };
         let turn = self
             .points

@@ -53,25 +53,25 @@ enum CurveClosure {
 impl BifurcationSearch<'_> {
     /// Continues a curve from its first point in a direction until it ends; `curve` has no points
     /// yet.
-    pub(super) fn walk(
+    pub(super) fn trace(
         &self,
         tracking: &ExtendedProblem<KeyPlane>,
         corrector: Corrector,
-        (first, ahead): (CorrectedPoint<ExtendedEvaluation>, Direction),
+        (first, direction): (CorrectedPoint<ExtendedEvaluation>, Direction),
         mut curve: BifurcationCurve,
     ) -> BifurcationCurve {
         curve
             .points
             .push(point(tracking, &first.position, &first.local));
-        let (origin, outset) = (first.position.clone(), ahead.clone());
-        let mut walk = self.walk_from(tracking, corrector, first.position, ahead);
-        let (mut here, mut came_back) = (first.local, false);
+        let (origin, outset) = (first.position.clone(), direction.clone());
+        let mut walk = self.continuation_from(tracking, corrector, first.position, direction);
+        let (mut current, mut came_back) = (first.local, false);
         loop {
             let (mark, before) = (walk.mark(), walk.position.clone());
-            let (position, local) = match self.advance(tracking, corrector, &mut walk, &here) {
+            let (position, local) = match self.advance(tracking, corrector, &mut walk, &current) {
                 Some(Ok(found)) => found,
-                Some(Err(why)) => {
-                    curve.failures.push(why);
+                Some(Err(reason)) => {
+                    curve.failures.push(reason);
                     break;
                 }
                 None => break,
@@ -105,29 +105,29 @@ impl BifurcationSearch<'_> {
                 break;
             }
             curve.points.push(point(tracking, &position, &local));
-            let way = (&before, &position);
-            let home = (curve.points.len() > 4)
-                .then(|| comes_home(tracking.condition, &metric, (&origin, &outset), way))
+            let ends = (&before, &position);
+            let closure = (curve.points.len() > 4)
+                .then(|| closure_of(tracking.condition, &metric, (&origin, &outset), ends))
                 .flatten();
-            came_back = home == Some(CurveClosure::Backwards);
-            if home.is_some()
+            came_back = closure == Some(CurveClosure::Backwards);
+            if closure.is_some()
                 || is_born(&local, POINT_BRANCH_SHARE)
-                || is_left(&mut curve, position.parameter)
+                || exceeds_point_limit(&mut curve, position.parameter)
             {
                 break;
             }
-            here = local;
+            current = local;
         }
-        curve.end_where_it_turned(came_back, self.ranges.map(|(low, high)| high - low));
+        curve.truncate_at_turn(came_back, self.ranges.map(|(low, high)| high - low));
         curve
     }
 
-    fn walk_from<'t, 'p>(
+    fn continuation_from<'t, 'p>(
         &self,
         tracking: &'t ExtendedProblem<'p, KeyPlane<'p>>,
         corrector: Corrector,
         position: Position,
-        ahead: Direction,
+        direction: Direction,
     ) -> Continuation<'t, ExtendedProblem<'p, KeyPlane<'p>>> {
         let control = StepControl {
             shortest: MIN_STEP_GOALS * corrector.goal,
@@ -139,30 +139,34 @@ impl BifurcationSearch<'_> {
             control,
             self.scale_2(),
             position,
-            ahead,
+            direction,
         )
     }
 
-    /// Returns the next point after `here`: one step further, or a restart beyond a corner or a
+    /// Returns the next point after `current`: one step further, or a restart beyond a corner or a
     /// cusp; `None` where the curve ends.
     fn advance<'t, 'p>(
         &self,
         tracking: &'t ExtendedProblem<'p, KeyPlane<'p>>,
         corrector: Corrector,
         walk: &mut Continuation<'t, ExtendedProblem<'p, KeyPlane<'p>>>,
-        here: &ExtendedEvaluation,
+        current: &ExtendedEvaluation,
     ) -> Option<Result<(Position, ExtendedEvaluation), String>> {
         let before = walk.position.clone();
         match walk.next()? {
             Ok(step) => Some(Ok((step.position, step.local))),
-            Err(_) if is_born(here, NEAR_POINT_BRANCH_SHARE) => None,
+            Err(_) if is_born(current, NEAR_POINT_BRANCH_SHARE) => None,
             Err(error) => {
-                let Some(RestartPoint { found, ahead, step }) =
-                    self.beyond(tracking, &corrector, (&before, here, &walk.tangent))
+                let Some(RestartPoint {
+                    found,
+                    tangent: direction,
+                    step,
+                }) = self.beyond(tracking, &corrector, (&before, current, &walk.tangent))
                 else {
                     return Some(Err(error.to_string()));
                 };
-                *walk = self.walk_from(tracking, corrector, found.position.clone(), ahead);
+                *walk =
+                    self.continuation_from(tracking, corrector, found.position.clone(), direction);
                 walk.length = step;
                 Some(Ok((found.position, found.local)))
             }
@@ -174,20 +178,21 @@ impl BifurcationSearch<'_> {
         &self,
         tracking: &ExtendedProblem<KeyPlane>,
         corrector: &Corrector,
-        (position, local, ahead): (&Position, &ExtendedEvaluation, &Direction),
+        (position, local, direction): (&Position, &ExtendedEvaluation, &Direction),
     ) -> Option<RestartPoint> {
-        let corner = corner::round(tracking, corrector, self.scale_2(), (position, ahead));
-        let onward = corner.map(|(found, ahead)| RestartPoint {
+        let corner =
+            corner::beyond_grazing(tracking, corrector, self.scale_2(), (position, direction));
+        let restart = corner.map(|(found, direction)| RestartPoint {
             found,
-            ahead,
+            tangent: direction,
             step: StepControl::default().first,
         });
-        onward.or_else(|| {
-            cusp::ahead(
+        restart.or_else(|| {
+            cusp::restart_beyond(
                 tracking,
                 corrector,
                 self.scale_2(),
-                (position, local, ahead),
+                (position, local, direction),
             )
         })
     }
@@ -198,20 +203,20 @@ impl BifurcationSearch<'_> {
         &self,
         tracking: &ExtendedProblem<KeyPlane>,
         corrector: Corrector,
-        way: (&Position, &Position),
+        ends: (&Position, &Position),
         edge: PlaneEdge,
         curve: &mut BifurcationCurve,
     ) -> bool {
-        let Some(found) = self.cut(tracking, corrector, way, edge) else {
+        let Some(edge_point) = self.correct_on_edge(tracking, corrector, ends, edge) else {
             return false;
         };
-        let mut found = point(tracking, &found.position, &found.local);
+        let mut edge_point = point(tracking, &edge_point.position, &edge_point.local);
         *(if edge.is_first {
-            &mut found.parameter
+            &mut edge_point.parameter
         } else {
-            &mut found.parameter_2
+            &mut edge_point.parameter_2
         }) = edge.value;
-        curve.points.push(found);
+        curve.points.push(edge_point);
         true
     }
 
@@ -225,7 +230,7 @@ impl BifurcationSearch<'_> {
         let keys =
             |position: &Position| [tracking.parameter(&position.unknown), position.parameter];
         let (from, to) = (keys(before), keys(after));
-        let passed = |k: usize| {
+        let crossed_edge = |k: usize| {
             let (low, high) = self.ranges[k];
             let value = if to[k] < low { low } else { high };
             let share = ((value - from[k]) / (to[k] - from[k])).clamp(0.0, 1.0);
@@ -235,21 +240,21 @@ impl BifurcationSearch<'_> {
                 share,
             })
         };
-        [passed(0), passed(1)]
+        [crossed_edge(0), crossed_edge(1)]
             .into_iter()
             .flatten()
             .min_by(|a, b| a.share.total_cmp(&b.share))
     }
 
     /// Returns the point exactly on an edge.
-    fn cut(
+    fn correct_on_edge(
         &self,
         tracking: &ExtendedProblem<KeyPlane>,
         corrector: Corrector,
         (before, outside): (&Position, &Position),
         edge: PlaneEdge,
     ) -> Option<CorrectedPoint<ExtendedEvaluation>> {
-        let mut guess = before.moved(&before.to(outside), edge.share);
+        let mut guess = before.offset_along(&before.to(outside), edge.share);
         if !edge.is_first {
             guess.parameter = edge.value;
             return correct_at(
@@ -261,22 +266,22 @@ impl BifurcationSearch<'_> {
             .ok();
         }
         let n = guess.unknown.len();
-        let own = tracking.place_of_parameter();
-        guess.unknown[own] = (edge.value - tracking.origin) / tracking.unit;
+        let parameter_index = tracking.parameter_index();
+        guess.unknown[parameter_index] = (edge.value - tracking.origin) / tracking.unit;
         let metric = Metric::at(&guess, self.scale_2());
         // Correction across the first key only, which remains fixed.
         let mut across = Direction {
             unknown: vec![0.0; n],
             parameter: 0.0,
         };
-        across.unknown[own] = metric.unknown;
+        across.unknown[parameter_index] = metric.unknown;
         correct(tracking, &corrector, &metric, &across, guess).ok()
     }
 }
 
 /// Returns how a curve passes its origin again, if it does. A curve of folds that passes it in the
 /// opposite direction is on the other side of a cusp.
-fn comes_home(
+fn closure_of(
     condition: Condition,
     metric: &Metric,
     (origin, outset): (&Position, &Direction),
@@ -292,7 +297,7 @@ fn comes_home(
 }
 
 /// True for a curve that has reached the limit of points; adds the message.
-fn is_left(curve: &mut BifurcationCurve, parameter_2: f64) -> bool {
+fn exceeds_point_limit(curve: &mut BifurcationCurve, parameter_2: f64) -> bool {
     let is_long = curve.points.len() >= MAX_CURVE_POINTS;
     if is_long {
         curve.failures.push(format!(
@@ -304,7 +309,10 @@ fn is_left(curve: &mut BifurcationCurve, parameter_2: f64) -> bool {
 
 /// True for a peak where its branch begins, within a fraction.
 fn is_born(local: &ExtendedEvaluation, share: f64) -> bool {
-    local.power_curvature.is_some() && local.share_of_branch().is_some_and(|own| own < share)
+    local.power_curvature.is_some()
+        && local
+            .share_of_branch()
+            .is_some_and(|own_share| own_share < share)
 }
 
 /// Converts a position on a curve into a result.
@@ -316,7 +324,11 @@ fn point(
     BifurcationCurvePoint {
         parameter: tracking.parameter(&position.unknown),
         parameter_2: position.parameter,
-        mean_power_w: local.shot.loads_w.iter().fold(0.0, |sum, own| sum + own),
+        mean_power_w: local
+            .shot
+            .loads_w
+            .iter()
+            .fold(0.0, |sum, load_w| sum + load_w),
         stable: local
             .power_curvature
             .and_then(|_| Some(multipliers(&local.shot.block_map)?.first()?.norm() < 1.0)),

@@ -47,87 +47,91 @@ pub struct RestartPoint {
     /// Corrected point.
     pub found: CorrectedPoint<ExtendedEvaluation>,
     /// Tangent in the direction of the continuation.
-    pub ahead: Direction,
+    pub tangent: Direction,
     /// Length of the first step from there.
     pub step: f64,
 }
 
 /// Returns the cusp ahead of a position on the curve, or a point beyond a cusp just behind; `None`
 /// where there is no cusp within the limit.
-pub fn ahead(
+pub fn restart_beyond(
     tracking: &ExtendedProblem<KeyPlane>,
     corrector: &Corrector,
     scale_2: f64,
-    (position, local, ahead): (&Position, &ExtendedEvaluation, &Direction),
+    (position, local, direction): (&Position, &ExtendedEvaluation, &Direction),
 ) -> Option<RestartPoint> {
     if tracking.condition != Condition::Multiplier(1.0) {
         return None;
     }
     let metric = Metric::at(position, scale_2);
-    let across = eigenvector(&metric, local, ahead);
-    let own = tracking.place_of_parameter();
-    let keys = |way: &Direction| {
+    let across = eigenvector(&metric, local, direction);
+    let parameter_index = tracking.parameter_index();
+    let keys = |direction: &Direction| {
         [
-            way.unknown[own] / metric.unknown,
-            way.parameter / metric.parameter,
+            direction.unknown[parameter_index] / metric.unknown,
+            direction.parameter / metric.parameter,
         ]
     };
     let speeds =
         |tangent: &Direction| keys(tangent).map(|key| key / metric.inner(tangent, &across));
     // Returns the point at a distance along the eigenvector, with its tangent.
-    let place = |way: f64| {
-        let found = correct(
+    let corrected_at = |step: f64| {
+        let corrected = correct(
             tracking,
             corrector,
             &metric,
             &across,
-            position.moved(&across, way),
+            position.offset_along(&across, step),
         )
         .ok()?;
-        let tangent = tangent(&found.local, &metric, &across)?;
-        Some((found, tangent))
+        let tangent = tangent(&corrected.local, &metric, &across)?;
+        Some((corrected, tangent))
     };
-    let before = speeds(ahead);
-    let is_past = |way: f64, (found, tangent): &(CorrectedPoint<ExtendedEvaluation>, Direction)| {
-        let whole = position.to(&found.position);
-        let (moved, after) = (keys(&whole), speeds(tangent));
-        let off = [0, 1].map(|k| moved[k] - 0.5 * way * (before[k] + after[k]));
-        let is_fast = length(after) > length(before).max(MIN_KEY_SPEED);
-        is_fast
-            && metric.length(&whole) < MAX_RESTART_DISTANCE
-            && length(off) < MAX_PARABOLA_DISTANCE * way * length(after)
-    };
-    let (beyond, (found, tangent)) = SEARCH_DISTANCES
-        .into_iter()
-        .find_map(|way| Some((way, place(way).filter(|found| is_past(way, found))?)))?;
+    let before = speeds(direction);
+    let is_past =
+        |step: f64, (corrected, tangent): &(CorrectedPoint<ExtendedEvaluation>, Direction)| {
+            let displacement = position.to(&corrected.position);
+            let (key_change, after) = (keys(&displacement), speeds(tangent));
+            let residual = [0, 1].map(|k| key_change[k] - 0.5 * step * (before[k] + after[k]));
+            let is_fast = length(after) > length(before).max(MIN_KEY_SPEED);
+            is_fast
+                && metric.length(&displacement) < MAX_RESTART_DISTANCE
+                && length(residual) < MAX_PARABOLA_DISTANCE * step * length(after)
+        };
+    let (beyond, (corrected, tangent)) = SEARCH_DISTANCES.into_iter().find_map(|step| {
+        Some((
+            step,
+            corrected_at(step).filter(|corrected| is_past(step, corrected))?,
+        ))
+    })?;
     // Speed in the direction of the keys before the turn.
-    let onward =
+    let forward_speed =
         |speeds: [f64; 2]| (speeds[0] * before[0] + speeds[1] * before[1]) / length(before);
-    let after = onward(speeds(&tangent));
+    let after = forward_speed(speeds(&tangent));
     if length(before) < MAX_CUSP_KEY_SPEED || after > 0.0 {
         return Some(RestartPoint {
-            found,
-            ahead: tangent,
+            found: corrected,
+            tangent,
             step: beyond,
         });
     }
     let mut turn = Bracket::between((0.0, length(before)), (beyond, after));
     for _ in 0..MAX_TRIALS {
-        let way = turn.next(MIN_END_DISTANCE * beyond);
-        let (found, tangent) = place(way)?;
-        let here = speeds(&tangent);
-        if length(here) < MAX_CUSP_KEY_SPEED {
+        let step = turn.next(MIN_END_DISTANCE * beyond);
+        let (corrected, tangent) = corrected_at(step)?;
+        let key_speeds = speeds(&tangent);
+        if length(key_speeds) < MAX_CUSP_KEY_SPEED {
             return Some(RestartPoint {
-                found,
-                ahead: tangent,
-                step: beyond - way,
+                found: corrected,
+                tangent,
+                step: beyond - step,
             });
         }
-        turn.put(way, onward(here));
+        turn.put(step, forward_speed(key_speeds));
     }
     Some(RestartPoint {
-        found,
-        ahead: tangent,
+        found: corrected,
+        tangent,
         step: beyond,
     })
 }
@@ -138,18 +142,18 @@ fn length([first, second]: [f64; 2]) -> f64 {
 
 /// Returns the unit direction of the state alone along the critical eigenvector, in the direction
 /// of the curve.
-fn eigenvector(metric: &Metric, local: &ExtendedEvaluation, ahead: &Direction) -> Direction {
+fn eigenvector(metric: &Metric, local: &ExtendedEvaluation, direction: &Direction) -> Direction {
     let map = local.shot.map();
     let mut unknown = null_vector(&Mat::from_fn(map.nrows(), map.ncols(), |i, j| {
         map[(i, j)] - f64::from(u8::from(i == j))
     }));
-    unknown.resize(ahead.unknown.len(), 0.0);
-    let mut found = metric.unit(Direction {
+    unknown.resize(direction.unknown.len(), 0.0);
+    let mut vector = metric.unit(Direction {
         unknown,
         parameter: 0.0,
     });
-    if metric.inner(&found, ahead) < 0.0 {
-        found.unknown.iter_mut().for_each(|d| *d = -*d);
+    if metric.inner(&vector, direction) < 0.0 {
+        vector.unknown.iter_mut().for_each(|d| *d = -*d);
     }
-    found
+    vector
 }

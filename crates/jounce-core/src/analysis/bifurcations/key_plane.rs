@@ -30,7 +30,7 @@ pub struct KeyPlane<'s> {
 #[derive(Debug)]
 pub struct KeyLine<'s> {
     /// Model at that value.
-    pub prepared: Model,
+    pub model: Model,
     key: &'s NumericKey,
     width: f64,
 }
@@ -42,7 +42,7 @@ impl<'s> TwoParameterProblem for KeyPlane<'s> {
         let mut spec = self.base.spec.clone();
         self.keys[1].set(&mut spec, parameter_2)?;
         Ok(KeyLine {
-            prepared: self.base.changed(spec)?,
+            model: self.base.changed(spec)?,
             key: self.keys[0],
             width: self.widths[0],
         })
@@ -57,7 +57,7 @@ impl ParametricModel for KeyLine<'_> {
     type Error = AnalysisError;
 
     fn at(&self, parameter: f64) -> Result<ModelInstance, AnalysisError> {
-        Parameter::new(&self.prepared, self.key, self.width).at(parameter)
+        Parameter::new(&self.model, self.key, self.width).at(parameter)
     }
 
     fn difference(&self) -> f64 {

@@ -69,15 +69,18 @@ impl BifurcationSearch<'_> {
             widths: self.ranges.map(|(low, high)| high - low),
         };
         let (low, high) = self.ranges[1];
-        let own = self.keys[1]
+        let second_value = self.keys[1]
             .get(&self.base.spec)
             .ok()
-            .filter(|own| *own > low && *own < high);
+            .filter(|second_value| *second_value > low && *second_value < high);
         let mut curves: Vec<BifurcationCurve> = Vec::new();
-        let of_second = own.into_iter().chain([low, high]).map(|value| (1, value));
+        let of_second = second_value
+            .into_iter()
+            .chain([low, high])
+            .map(|value| (1, value));
         let of_first = <[f64; 2]>::from(self.ranges[0]).map(|value| (0, value));
-        for (held, value) in of_second.chain(of_first) {
-            let found = if held == 1 {
+        for (fixed_key, value) in of_second.chain(of_first) {
+            let outcome = if fixed_key == 1 {
                 self.through(&plane, (value, options), &mut curves)
             } else {
                 self.across(&plane, (value, options), &mut curves)
@@ -85,7 +88,7 @@ impl BifurcationSearch<'_> {
             if self.base.kernel.control.is_stopped() {
                 break;
             }
-            found?;
+            outcome?;
         }
         Ok(curves)
     }
@@ -102,17 +105,19 @@ impl BifurcationSearch<'_> {
         self.keys[0]
             .set(&mut spec, parameter)
             .map_err(|fault| OrbitError::Harvester(fault.into()))?;
-        let prepared = self.base.changed(spec).map_err(OrbitError::Harvester)?;
-        let branches = self.branches(&prepared, 1, options)?;
-        for (branch, found) in branches
-            .iter()
-            .flat_map(|branch| branch.bifurcations.iter().map(move |found| (branch, found)))
-        {
+        let model = self.base.changed(spec).map_err(OrbitError::Harvester)?;
+        let branches = self.branches(&model, 1, options)?;
+        for (branch, bifurcation) in branches.iter().flat_map(|branch| {
+            branch
+                .bifurcations
+                .iter()
+                .map(move |bifurcation| (branch, bifurcation))
+        }) {
             let seed = CurveSeed {
                 parameter,
-                ..CurveSeed::bifurcation(branch, found, &options.levels)
+                ..CurveSeed::bifurcation(branch, bifurcation, &options.levels)
             };
-            let parameter_2 = found.at.parameter;
+            let parameter_2 = bifurcation.at.parameter;
             if !curves.iter().any(|curve| {
                 self.holds(curve, &seed, parameter_2) || self.ends_at(curve, &seed, parameter_2)
             }) {
@@ -122,15 +127,15 @@ impl BifurcationSearch<'_> {
         Ok(())
     }
 
-    /// Returns the branches over one key, at the value of the other in `prepared`.
+    /// Returns the branches over one key, at the value of the other in `model`.
     fn branches(
         &self,
-        prepared: &Model,
+        model: &Model,
         key: usize,
         options: &BranchOptions,
     ) -> Result<Vec<Branch>, Failure> {
         let range = self.ranges[key];
-        let parameter = Parameter::new(prepared, self.keys[key], range.1 - range.0);
+        let parameter = Parameter::new(model, self.keys[key], range.1 - range.0);
         let (method, tolerance, seeds, longest_period) = (
             OrbitMethodKind::Shooting,
             self.tolerance,
@@ -138,7 +143,7 @@ impl BifurcationSearch<'_> {
             self.longest_period,
         );
         BranchSearch {
-            base: prepared,
+            base: model,
             parameter: &parameter,
             range,
             method,
@@ -176,13 +181,13 @@ impl BifurcationSearch<'_> {
     ) -> Result<Vec<CurveSeed>, Failure> {
         let line = plane.line(parameter_2).map_err(OrbitError::Harvester)?;
         let range = self.ranges[0];
-        let parameter = Parameter::new(&line.prepared, self.keys[0], range.1 - range.0);
-        let branches = self.branches(&line.prepared, 0, options)?;
+        let parameter = Parameter::new(&line.model, self.keys[0], range.1 - range.0);
+        let branches = self.branches(&line.model, 0, options)?;
         let bifurcations = branches.iter().flat_map(|branch| {
             branch
                 .bifurcations
                 .iter()
-                .map(|found| CurveSeed::bifurcation(branch, found, &options.levels))
+                .map(|bifurcation| CurveSeed::bifurcation(branch, bifurcation, &options.levels))
         });
         let corrector = Corrector {
             goal: (10.0 * self.tolerance).clamp(1e-11, 1e-6),
@@ -192,7 +197,7 @@ impl BifurcationSearch<'_> {
             let shooting = || {
                 Shooting::new(
                     &parameter,
-                    &line.prepared.kernel,
+                    &line.model.kernel,
                     branch.period_cycles,
                     self.tolerance,
                 )
@@ -205,24 +210,24 @@ impl BifurcationSearch<'_> {
     }
 
     /// Adds a curve. An incomplete curve may be a part of a complete one with another start.
-    fn add(&self, found: Option<BifurcationCurve>, curves: &mut Vec<BifurcationCurve>) {
-        let Some(found) = found else { return };
-        if found.failures.is_empty() {
-            curves.retain(|known| known.failures.is_empty() || !self.is_part(known, &found));
+    fn add(&self, curve: Option<BifurcationCurve>, curves: &mut Vec<BifurcationCurve>) {
+        let Some(curve) = curve else { return };
+        if curve.failures.is_empty() {
+            curves.retain(|known| known.failures.is_empty() || !self.is_part(known, &curve));
         } else if curves
             .iter()
-            .any(|whole| whole.failures.is_empty() && self.is_part(&found, whole))
+            .any(|complete| complete.failures.is_empty() && self.is_part(&curve, complete))
         {
             return;
         }
-        curves.push(found);
+        curves.push(curve);
     }
 
     /// True when a curve lies on another, by its first point and two inner ones.
-    fn is_part(&self, part: &BifurcationCurve, whole: &BifurcationCurve) -> bool {
+    fn is_part(&self, part: &BifurcationCurve, complete: &BifurcationCurve) -> bool {
         let count = part.points.len();
-        let passes = |k: usize| self.passes(whole, &part.points[k]);
-        part.is_alike(whole) && [0, count / 2, 3 * count / 4].into_iter().all(passes)
+        let passes = |k: usize| self.passes(complete, &part.points[k]);
+        part.is_alike(complete) && [0, count / 2, 3 * count / 4].into_iter().all(passes)
     }
 
     /// True when a point lies on a known curve.
@@ -293,10 +298,10 @@ impl BifurcationSearch<'_> {
                 unknown: vec![0.0; position.unknown.len()],
                 parameter: sign,
             };
-            let Some(ahead) = tangent(&first.local, &metric, &up) else {
+            let Some(direction) = tangent(&first.local, &metric, &up) else {
                 return Ok(None);
             };
-            ways.push(self.walk(&tracking, corrector, (first, ahead), seed.curve()));
+            ways.push(self.trace(&tracking, corrector, (first, direction), seed.curve()));
         }
         let up = ways.pop();
         Ok(ways.pop().zip(up).map(|(down, up)| down.joined(up)))

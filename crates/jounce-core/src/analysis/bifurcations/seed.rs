@@ -28,17 +28,17 @@ pub struct CurveSeed {
 
 impl CurveSeed {
     /// Creates the seed of a bifurcation of a branch; a level crossing finds its level in `levels`.
-    pub fn bifurcation(branch: &Branch, found: &Bifurcation, levels: &[QuantityLevel]) -> Self {
+    pub fn bifurcation(branch: &Branch, event: &Bifurcation, levels: &[QuantityLevel]) -> Self {
         Self {
-            kind: CurveKind::Bifurcation(found.kind),
+            kind: CurveKind::Bifurcation(event.kind),
             level: levels
                 .iter()
-                .find(|level| found.level.as_ref() == Some(&level.text))
+                .find(|level| event.level.as_ref() == Some(&level.text))
                 .cloned(),
             cycles: branch.period_cycles,
-            state: found.at.orbit.start().to_vec(),
-            parameter: found.at.parameter,
-            mean_power_w: found.at.orbit.mean_power_w,
+            state: event.at.orbit.start().to_vec(),
+            parameter: event.at.parameter,
+            mean_power_w: event.at.orbit.mean_power_w,
         }
     }
 
@@ -52,7 +52,7 @@ impl CurveSeed {
         let inner = 1..branch.points.len().saturating_sub(1);
         let highest =
             inner.filter(|k| power_w(*k) >= power_w(k - 1) && power_w(*k) > power_w(k + 1));
-        let around = |k: usize| {
+        let zero_near = |k: usize| {
             [k - 1, k].into_iter().find_map(|k| {
                 piece([&branch.points[k], &branch.points[k + 1]])?.maximum(
                     (0.0, 1.0),
@@ -60,15 +60,15 @@ impl CurveSeed {
                 )
             })
         };
-        let seed = |found: PieceZero| Self {
+        let seed = |zero: PieceZero| Self {
             kind: CurveKind::Peak,
             level: None,
             cycles: branch.period_cycles,
-            state: found.place.start().to_vec(),
-            parameter: found.place.parameter(),
-            mean_power_w: found.place.mean_power_w(),
+            state: zero.point.start().to_vec(),
+            parameter: zero.point.parameter(),
+            mean_power_w: zero.point.mean_power_w(),
         };
-        highest.filter_map(around).map(seed).collect()
+        highest.filter_map(zero_near).map(seed).collect()
     }
 
     /// Returns the curve from this seed, without points.
@@ -100,14 +100,14 @@ impl CurveSeed {
 
     /// Returns the condition that is zero on the curve, given its first orbit; `None` for a kind
     /// that is not followed.
-    pub fn condition(&self, shot: &ShootingEvaluation) -> Option<Condition> {
+    pub fn condition(&self, evaluation: &ShootingEvaluation) -> Option<Condition> {
         Some(match self.kind {
             CurveKind::Peak => Condition::Peak,
             CurveKind::Bifurcation(BranchKind::Fold) => Condition::Multiplier(1.0),
             CurveKind::Bifurcation(BranchKind::PeriodDoubling) => Condition::Multiplier(-1.0),
             CurveKind::Bifurcation(BranchKind::NeimarkSacker) => Condition::Circle,
             CurveKind::Bifurcation(BranchKind::Grazing) => {
-                Condition::Touching(GrazingPoint::of(shot)?)
+                Condition::Touching(GrazingPoint::of(evaluation)?)
             }
             CurveKind::Bifurcation(BranchKind::Level) => {
                 let level = self.level.as_ref()?;

@@ -26,13 +26,13 @@ const STRICT_GOAL_FACTOR: f64 = 0.01;
 impl BranchTracer {
     /// Returns the point after more Newton iterations, if these bring it within the accuracy;
     /// otherwise the point itself.
-    pub(super) fn polished<M: OrbitMethod>(
+    pub(super) fn refined_point<M: OrbitMethod>(
         &self,
         method: &M,
-        place: CurvePoint<M::Evaluation>,
+        point: CurvePoint<M::Evaluation>,
     ) -> Result<CurvePoint<M::Evaluation>, M::Error> {
-        if method.error_ratio(&place.local, self.parameter_scale())? <= 1.0 {
-            return Ok(place);
+        if method.error_ratio(&point.local, self.parameter_scale())? <= 1.0 {
+            return Ok(point);
         }
         let closer = BranchTracer {
             corrector: Corrector {
@@ -41,12 +41,15 @@ impl BranchTracer {
             },
             ..self.clone()
         };
-        let fits = |there: &CurvePoint<M::Evaluation>| {
+        let fits = |corrected: &CurvePoint<M::Evaluation>| {
             method
-                .error_ratio(&there.local, self.parameter_scale())
+                .error_ratio(&corrected.local, self.parameter_scale())
                 .is_ok_and(|excess| excess <= 1.0)
         };
-        Ok(closer.carried(method, &place).filter(fits).unwrap_or(place))
+        Ok(closer
+            .resampled(method, &point)
+            .filter(fits)
+            .unwrap_or(point))
     }
 
     /// Returns a method fine enough for the orbit at `rough`, where this one is too coarse and a
@@ -58,25 +61,25 @@ impl BranchTracer {
         from: &CurvePoint<M::Evaluation>,
     ) -> Result<Other<M>, M::Error> {
         let mut excess = method.error_ratio(&rough.local, self.parameter_scale())?;
-        let mut found: Other<M> = None;
+        let mut candidate: Other<M> = None;
         let mut next = method.finer();
         while let Some(finer) = next.filter(|_| excess > 1.0) {
-            let (Some(there), Some(back)) =
-                (self.carried(&finer, rough), self.carried(&finer, from))
+            let (Some(corrected), Some(back)) =
+                (self.resampled(&finer, rough), self.resampled(&finer, from))
             else {
                 break;
             };
             let before = std::mem::replace(
                 &mut excess,
-                finer.error_ratio(&there.local, self.parameter_scale())?,
+                finer.error_ratio(&corrected.local, self.parameter_scale())?,
             );
             if excess > MIN_ERROR_REDUCTION * before {
                 break;
             }
             next = finer.finer();
-            found = Some((finer, back));
+            candidate = Some((finer, back));
         }
-        Ok(found)
+        Ok(candidate)
     }
 
     /// Returns a coarser method that is fine enough for the orbit at a point, with the point in its
@@ -85,24 +88,24 @@ impl BranchTracer {
     pub(super) fn coarser<M: OrbitMethod>(
         &self,
         method: &M,
-        place: &CurvePoint<M::Evaluation>,
+        point: &CurvePoint<M::Evaluation>,
         spare: &mut f64,
     ) -> Result<Other<M>, M::Error> {
         let Some(coarser) = method.coarser() else {
             return Ok(None);
         };
-        let excess = method.error_ratio(&place.local, self.parameter_scale())?;
+        let excess = method.error_ratio(&point.local, self.parameter_scale())?;
         if excess > *spare {
             return Ok(None);
         }
-        let there = self.carried(&coarser, place);
-        let fits = |there: &CurvePoint<M::Evaluation>| {
+        let corrected = self.resampled(&coarser, point);
+        let fits = |corrected: &CurvePoint<M::Evaluation>| {
             coarser
-                .error_ratio(&there.local, self.parameter_scale())
+                .error_ratio(&corrected.local, self.parameter_scale())
                 .is_ok_and(|excess| excess < MAX_COARSER_ERROR)
         };
-        match there.filter(fits) {
-            Some(there) => Ok(Some((coarser, there))),
+        match corrected.filter(fits) {
+            Some(corrected) => Ok(Some((coarser, corrected))),
             None => {
                 *spare = 0.3 * excess;
                 Ok(None)
@@ -111,40 +114,44 @@ impl BranchTracer {
     }
 
     /// Converts a point of another method and corrects it with this one.
-    fn carried<M: OrbitMethod>(
+    fn resampled<M: OrbitMethod>(
         &self,
         method: &M,
         step: &CurvePoint<M::Evaluation>,
     ) -> Option<CurvePoint<M::Evaluation>> {
         let guess = Position {
-            unknown: method.carried(&step.position.unknown),
+            unknown: method.resampled(&step.position.unknown),
             parameter: step.position.parameter,
         };
         let metric = Metric::at(&guess, self.parameter_scale());
-        let ahead = Direction {
-            unknown: method.carried(&step.tangent.unknown),
+        let direction = Direction {
+            unknown: method.resampled(&step.tangent.unknown),
             parameter: step.tangent.parameter,
         };
         // A point on an edge of the range remains there.
         let at_edge = guess.parameter == self.range.0 || guess.parameter == self.range.1;
-        let upright = Direction {
+        let parameter_direction = Direction {
             unknown: vec![0.0; guess.unknown.len()],
             parameter: metric.parameter,
         };
-        let found = correct(
+        let corrected = correct(
             method,
             &self.corrector,
             &metric,
-            if at_edge { &upright } else { &ahead },
+            if at_edge {
+                &parameter_direction
+            } else {
+                &direction
+            },
             guess,
         )
         .ok()?;
-        let tangent = tangent(&found.local, &metric, &ahead)?;
+        let tangent = tangent(&corrected.local, &metric, &direction)?;
         Some(CurvePoint {
-            position: found.position,
+            position: corrected.position,
             tangent,
-            local: found.local,
-            error: found.error,
+            local: corrected.local,
+            error: corrected.error,
         })
     }
 }

@@ -112,9 +112,9 @@ fn between(a: &BranchPoint, b: &BranchPoint, share: f64) -> Vec<f64> {
 
 impl Bifurcation {
     /// Creates a grazing at the stop whose surface is nearest to a turning point.
-    pub(super) fn grazing(at: BranchPoint, shot: &ShootingEvaluation) -> Self {
-        let stops = &shot.kernel.plant.system.stops;
-        let stop = nearest_turn(shot)
+    pub(super) fn grazing(at: BranchPoint, evaluation: &ShootingEvaluation) -> Self {
+        let stops = &evaluation.kernel.plant.system.stops;
+        let stop = nearest_turn(evaluation)
             .and_then(|turn| stops.get(turn.port))
             .map(|stop| stop.name.clone());
         Self {
@@ -206,20 +206,21 @@ impl Branch {
     ) -> Option<&BranchPoint> {
         let [from, to] = [a, b].map(|point| ColRef::from_slice(point.orbit.start()));
         let chord = to - from;
-        let off = |at: &BranchPoint| {
-            let way = ColRef::from_slice(at.orbit.start()) - from;
-            let share = (chord.transpose() * &way) / chord.squared_norm_l2();
-            let off = (way - faer::Scale(share) * &chord).norm_l2();
-            ((0.0..=1.0).contains(&share) && off < chord.norm_l2()).then_some(off)
+        let distance = |at: &BranchPoint| {
+            let offset = ColRef::from_slice(at.orbit.start()) - from;
+            let share = (chord.transpose() * &offset) / chord.squared_norm_l2();
+            let distance = (offset - faer::Scale(share) * &chord).norm_l2();
+            ((0.0..=1.0).contains(&share) && distance < chord.norm_l2()).then_some(distance)
         };
-        let found = self.bifurcations.iter().filter(|found| {
+        let candidates = self.bifurcations.iter().filter(|candidate| {
             !matches!(
-                found.kind,
+                candidate.kind,
                 BranchKind::Grazing | BranchKind::Sticking | BranchKind::Level
             )
         });
-        let found = found.filter_map(|found| Some((off(&found.at)?, &found.at)));
-        found
+        let candidates =
+            candidates.filter_map(|candidate| Some((distance(&candidate.at)?, &candidate.at)));
+        candidates
             .min_by(|one, two| one.0.total_cmp(&two.0))
             .map(|(_, at)| at)
     }

@@ -67,7 +67,7 @@ impl BranchUpdate<'_> {
             goal: self.accuracy,
             most: 6,
         };
-        let following = BranchTracer {
+        let tracer = BranchTracer {
             range: self.range,
             corrector,
             control: StepControl::default(),
@@ -76,22 +76,30 @@ impl BranchUpdate<'_> {
             resolution: self.resolution,
             levels: Vec::new(),
         };
-        let mut carried = UpdatedBranches::default();
+        let mut updated = UpdatedBranches::default();
         for (index, branch) in known.iter().enumerate() {
             // After a branch was cut or lost, the indices do not match.
-            let trend = self.trend.filter(|trend| trend.before.len() == known.len());
-            let likely = trend.and_then(|trend| trend.likely(index, branch));
-            self.carry(&following, branch, likely.as_deref(), &mut carried);
+            let extrapolation = self
+                .trend
+                .filter(|extrapolation| extrapolation.before.len() == known.len());
+            let predicted_positions =
+                extrapolation.and_then(|extrapolation| extrapolation.likely(index, branch));
+            self.update_branch(
+                &tracer,
+                branch,
+                predicted_positions.as_deref(),
+                &mut updated,
+            );
         }
-        carried
+        updated
     }
 
-    fn carry(
+    fn update_branch(
         &self,
-        following: &BranchTracer,
+        tracer: &BranchTracer,
         branch: &Branch,
-        likely: Option<&[Position]>,
-        carried: &mut UpdatedBranches,
+        predicted_positions: Option<&[Position]>,
+        updated: &mut UpdatedBranches,
     ) {
         let shooting = Shooting::new(
             self.harvester,
@@ -104,58 +112,68 @@ impl BranchUpdate<'_> {
             .iter()
             .any(|point| point.orbit.start().len() != shooting.scale.len())
         {
-            carried.lost += branch.points.len();
+            updated.lost += branch.points.len();
             return;
         }
-        let place = |index: usize, guess: Option<Position>| {
-            self.place(following, &shooting, &branch.points, (index, guess))
+        let corrected = |index: usize, guess: Option<Position>| {
+            self.corrected(tracer, &shooting, &branch.points, (index, guess))
         };
         let count = branch.points.len();
         let first = |index: usize| {
-            likely
-                .and_then(|likely| place(index, Some(likely[index].clone())))
-                .or_else(|| place(index, None))
+            predicted_positions
+                .and_then(|predicted_positions| {
+                    corrected(index, Some(predicted_positions[index].clone()))
+                })
+                .or_else(|| corrected(index, None))
         };
-        let mut found: Vec<_> = (0..count).into_par_iter().map(first).collect();
+        let mut updated_points: Vec<_> = (0..count).into_par_iter().map(first).collect();
         // A point with a failed correction, for example near a fold, is moved as its neighbours
         // were.
         loop {
-            let again = |index: usize| {
-                let beside = [index.wrapping_sub(1), index + 1]
+            let retry = |index: usize| {
+                let neighbours = [index.wrapping_sub(1), index + 1]
                     .into_iter()
                     .filter(|other| *other < count);
-                let (other, moved) = beside
-                    .filter(|_| found[index].is_none())
-                    .find_map(|other| Some((other, found[other].as_ref()?)))?;
-                let guess = at(&branch.points[index])
-                    .moved(&at(&branch.points[other]).to(&moved.step.position), 1.0);
-                Some((index, place(index, Some(guess))?))
+                let (other, neighbour_point) = neighbours
+                    .filter(|_| updated_points[index].is_none())
+                    .find_map(|other| Some((other, updated_points[other].as_ref()?)))?;
+                let guess = at(&branch.points[index]).offset_along(
+                    &at(&branch.points[other]).to(&neighbour_point.step.position),
+                    1.0,
+                );
+                Some((index, corrected(index, Some(guess))?))
             };
-            let more: Vec<_> = (0..count).into_par_iter().filter_map(again).collect();
+            let more: Vec<_> = (0..count).into_par_iter().filter_map(retry).collect();
             if more.is_empty() {
                 break;
             }
             more.into_iter()
-                .for_each(|(index, place)| found[index] = Some(place));
+                .for_each(|(index, corrected)| updated_points[index] = Some(corrected));
         }
-        carried.lost += found.iter().filter(|place| place.is_none()).count();
+        updated.lost += updated_points
+            .iter()
+            .filter(|corrected| corrected.is_none())
+            .count();
         let is_inside = |value: f64| (self.range.0..=self.range.1).contains(&value);
-        let ends = |place: &Option<_>| {
-            !place
-                .as_ref()
-                .is_some_and(|place: &OrbitPoint<_>| is_inside(place.step.position.parameter))
+        let ends = |corrected: &Option<_>| {
+            !corrected.as_ref().is_some_and(|corrected: &OrbitPoint<_>| {
+                is_inside(corrected.step.position.parameter)
+            })
         };
-        for run in found.split(ends).filter(|run| run.len() > 1) {
-            let places: Vec<_> = run.iter().flatten().collect();
-            let between = places.par_windows(2).map(|pair| {
-                following
+        for run in updated_points.split(ends).filter(|run| run.len() > 1) {
+            let orbit_points: Vec<_> = run.iter().flatten().collect();
+            let between = orbit_points.par_windows(2).map(|pair| {
+                tracer
                     .between(&shooting, pair[0], pair[1])
                     .unwrap_or_default()
             });
             let bifurcations: Vec<Vec<Bifurcation>> = between.collect();
-            carried.branches.push(Branch {
+            updated.branches.push(Branch {
                 period_cycles: branch.period_cycles,
-                points: places.iter().map(|place| place.point.clone()).collect(),
+                points: orbit_points
+                    .iter()
+                    .map(|corrected| corrected.point.clone())
+                    .collect(),
                 bifurcations: bifurcations.into_iter().flatten().collect(),
                 not_proved: Vec::new(),
                 endings: branch.endings.clone(),
@@ -165,42 +183,46 @@ impl BranchUpdate<'_> {
     }
 
     /// Returns the corrected point, from a guess or from its old position.
-    fn place<M: OrbitMethod>(
+    fn corrected<M: OrbitMethod>(
         &self,
-        following: &BranchTracer,
+        tracer: &BranchTracer,
         method: &M,
         points: &[BranchPoint],
         (index, guess): (usize, Option<Position>),
     ) -> Option<OrbitPoint<M>> {
-        let here = at(&points[index]);
-        let metric = Metric::at(&here, following.parameter_scale());
+        let position = at(&points[index]);
+        let metric = Metric::at(&position, tracer.parameter_scale());
         let chord = metric.unit(
             at(&points[index.saturating_sub(1)])
                 .to(&at(&points[(index + 1).min(points.len() - 1)])),
         );
-        let at_edge = here.parameter == self.range.0 || here.parameter == self.range.1;
-        let upright = Direction {
-            unknown: vec![0.0; here.unknown.len()],
+        let at_edge = position.parameter == self.range.0 || position.parameter == self.range.1;
+        let parameter_direction = Direction {
+            unknown: vec![0.0; position.unknown.len()],
             parameter: metric.parameter,
         };
-        let mut guess = guess.unwrap_or_else(|| here.clone());
+        let mut guess = guess.unwrap_or_else(|| position.clone());
         if at_edge {
-            guess.parameter = here.parameter;
+            guess.parameter = position.parameter;
         }
-        let found = correct(
+        let corrected_point = correct(
             method,
-            &following.corrector,
+            &tracer.corrector,
             &metric,
-            if at_edge { &upright } else { &chord },
+            if at_edge {
+                &parameter_direction
+            } else {
+                &chord
+            },
             guess,
         )
         .ok()?;
-        let tangent = tangent(&found.local, &metric, &chord)?;
+        let tangent = tangent(&corrected_point.local, &metric, &chord)?;
         let step = CurvePoint {
-            position: found.position,
+            position: corrected_point.position,
             tangent,
-            local: found.local,
-            error: found.error,
+            local: corrected_point.local,
+            error: corrected_point.error,
         };
         OrbitPoint::new(method, step).ok()
     }
@@ -216,7 +238,9 @@ impl Extrapolation<'_> {
         let pairs = before.points.iter().zip(&branch.points);
         Some(
             pairs
-                .map(|(before, point)| at(point).moved(&at(before).to(&at(point)), self.reach))
+                .map(|(before, point)| {
+                    at(point).offset_along(&at(before).to(&at(point)), self.reach)
+                })
                 .collect(),
         )
     }

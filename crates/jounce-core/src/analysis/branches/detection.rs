@@ -50,7 +50,7 @@ impl BranchTracer {
         Ok(self
             .on_the_way(method, a, b)?
             .into_iter()
-            .map(|(_, found)| found)
+            .map(|(_, event)| event)
             .collect())
     }
 
@@ -65,19 +65,19 @@ impl BranchTracer {
         end: &Position,
     ) -> Result<Vec<Bifurcation>, M::Error> {
         let end = self.along(&a.step, &b.step, end);
-        let found = self
+        let events = self
             .on_the_way(method, a, b)?
             .into_iter()
             .filter(|(along, _)| *along <= end);
-        Ok(found.map(|(_, found)| found).collect())
+        Ok(events.map(|(_, events)| events).collect())
     }
 
     /// Returns the distance of a position along the chord of a step, in the metric.
-    fn along<L>(&self, from: &CurvePoint<L>, to: &CurvePoint<L>, place: &Position) -> f64 {
+    fn along<L>(&self, from: &CurvePoint<L>, to: &CurvePoint<L>, position: &Position) -> f64 {
         let metric = Metric::at(&from.position, self.parameter_scale());
         metric.inner(
             &metric.unit(from.position.to(&to.position)),
-            &from.position.to(place),
+            &from.position.to(position),
         )
     }
 
@@ -89,23 +89,26 @@ impl BranchTracer {
     ) -> Result<Vec<(f64, Bifurcation)>, M::Error> {
         let turns = a.step.tangent.parameter * b.step.tangent.parameter < 0.0;
         let length = self.along(&a.step, &b.step, &b.step.position);
-        let mut found = Vec::new();
-        for passed in passed(&a.point.orbit, &b.point.orbit, turns)
+        let mut events = Vec::new();
+        for event in crossed_events(&a.point.orbit, &b.point.orbit, turns)
             .into_iter()
             .chain(self.read_between(method, a, b))
         {
             let share = |step: &CurvePoint<M::Evaluation>| {
                 self.along(&a.step, &b.step, &step.position) / length
             };
-            let value = |step: &CurvePoint<M::Evaluation>| match (passed, method.shot(&step.local))
-            {
+            let value = |step: &CurvePoint<M::Evaluation>| match (event, method.shot(&step.local)) {
                 (DetectedEvent::Fold, _) => step.tangent.parameter,
                 (_, Err(_)) => 0.0,
-                (DetectedEvent::Grazing(turn), Ok(shot)) => turn.past_m(shot, share(step)),
-                (DetectedEvent::Level(number), Ok(shot)) => self.levels[number].off(shot),
-                (_, Ok(shot)) => of_multipliers(passed, step, (shot, &a.point.orbit)),
+                (DetectedEvent::Grazing(turn), Ok(evaluation)) => {
+                    turn.past_m(evaluation, share(step))
+                }
+                (DetectedEvent::Level(number), Ok(evaluation)) => {
+                    self.levels[number].relative_difference(evaluation)
+                }
+                (_, Ok(evaluation)) => of_multipliers(event, step, (evaluation, &a.point.orbit)),
             };
-            let place = locate(
+            let located = locate(
                 method,
                 &self.corrector,
                 self.parameter_scale(),
@@ -113,8 +116,8 @@ impl BranchTracer {
                 self.resolution,
                 value,
             );
-            let Some(place) = place else { continue };
-            let at = point(method, &place)?;
+            let Some(located) = located else { continue };
+            let at = point(method, &located)?;
             // Two real multipliers that meet outside the unit circle are no Neimark-Sacker
             // bifurcation.
             let on_circle = at
@@ -122,11 +125,11 @@ impl BranchTracer {
                 .multipliers
                 .iter()
                 .any(|value| value.im > 1e-9 && (value.norm() - 1.0).abs() < 1e-4);
-            if passed == DetectedEvent::NeimarkSacker && !on_circle {
+            if event == DetectedEvent::NeimarkSacker && !on_circle {
                 continue;
             }
-            let stops = &method.shot(&place.local)?.kernel.plant.system.stops;
-            let (level, stop) = match passed {
+            let stops = &method.shot(&located.local)?.kernel.plant.system.stops;
+            let (level, stop) = match event {
                 DetectedEvent::Level(number) => (Some(self.levels[number].text.clone()), None),
                 DetectedEvent::Grazing(turn) => (
                     None,
@@ -134,10 +137,10 @@ impl BranchTracer {
                 ),
                 _ => (None, None),
             };
-            found.push((
-                self.along(&a.step, &b.step, &place.position),
+            events.push((
+                self.along(&a.step, &b.step, &located.position),
                 Bifurcation {
-                    kind: passed.kind(),
+                    kind: event.kind(),
                     level,
                     stop,
                     at,
@@ -145,8 +148,8 @@ impl BranchTracer {
             ));
         }
         // Near a fold the key alone gives no order.
-        found.sort_by(|x, y| x.0.total_cmp(&y.0));
-        Ok(found)
+        events.sort_by(|x, y| x.0.total_cmp(&y.0));
+        Ok(events)
     }
 
     /// Returns grazings and level crossings between two points, by the signs of their test
@@ -160,7 +163,7 @@ impl BranchTracer {
         let Some(ends) = self.ends(method, a, b) else {
             return Vec::new();
         };
-        let [one, two] = ends.map(|end| &end.readings.here.levels);
+        let [one, two] = ends.map(|end| &end.readings.current.levels);
         let levels = (0..self.levels.len())
             .filter(|k| (one[*k] > 0.0) != (two[*k] > 0.0))
             .map(DetectedEvent::Level);
@@ -175,12 +178,12 @@ impl BranchTracer {
 
 /// Adds the bifurcations between the last point of a branch and another one. The methods may
 /// disagree on the side of a bifurcation nearer than the accuracy.
-pub(super) fn add_passed(turns: bool, at: &BranchPoint, branch: &mut Branch) {
+pub(super) fn add_crossings(turns: bool, at: &BranchPoint, branch: &mut Branch) {
     let Some(last) = branch.points.last() else {
         return;
     };
     let grazes = (last.orbit.contacts != at.orbit.contacts).then_some(BranchKind::Grazing);
-    let kinds = passed(&last.orbit, &at.orbit, turns)
+    let kinds = crossed_events(&last.orbit, &at.orbit, turns)
         .into_iter()
         .map(DetectedEvent::kind)
         .chain(grazes);
@@ -193,9 +196,9 @@ pub(super) fn add_passed(turns: bool, at: &BranchPoint, branch: &mut Branch) {
 }
 
 /// Returns the events implied by two orbits; `turns` is true where the branch turns between them.
-fn passed(one: &Orbit, two: &Orbit, turns: bool) -> Vec<DetectedEvent> {
+fn crossed_events(one: &Orbit, two: &Orbit, turns: bool) -> Vec<DetectedEvent> {
     let passes = |s: f64| one.determinant_at(s) * two.determinant_at(s) < 0.0;
-    let found = [
+    let candidates = [
         (DetectedEvent::Fold, turns),
         (DetectedEvent::BranchPoint, passes(1.0) != turns),
         (DetectedEvent::PeriodDoubling, passes(-1.0)),
@@ -204,21 +207,21 @@ fn passed(one: &Orbit, two: &Orbit, turns: bool) -> Vec<DetectedEvent> {
             one.pairs_outside() != two.pairs_outside(),
         ),
     ];
-    found
+    candidates
         .into_iter()
         .filter(|(_, is_there)| *is_there)
-        .map(|(passed, _)| passed)
+        .map(|(event, _)| event)
         .collect()
 }
 
 /// Returns the function of the multipliers that is zero at a bifurcation between two points.
 fn of_multipliers<L>(
-    passed: DetectedEvent,
+    event: DetectedEvent,
     step: &CurvePoint<L>,
-    (shot, before): (&ShootingEvaluation, &Orbit),
+    (evaluation, before): (&ShootingEvaluation, &Orbit),
 ) -> f64 {
-    let map = &shot.block_map;
-    match passed {
+    let map = &evaluation.block_map;
+    match event {
         DetectedEvent::PeriodDoubling => determinant_at(map, -1.0),
         DetectedEvent::NeimarkSacker => {
             // The number of pairs outside gives the sign: where real multipliers meet, the sign of

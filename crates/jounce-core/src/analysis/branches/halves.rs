@@ -36,7 +36,8 @@ enum HalfPeriods {
 
 impl HalfPeriods {
     fn between(one: &Orbit, two: &Orbit) -> Self {
-        let (Some(from), Some(to)) = (one.halves_apart(), two.halves_apart()) else {
+        let (Some(from), Some(to)) = (one.half_period_difference(), two.half_period_difference())
+        else {
             return Self::Apart;
         };
         if inner(&from, &to) >= 0.0 {
@@ -69,7 +70,7 @@ pub(super) fn merge<M: OrbitMethod>(
 ) -> Option<Position> {
     let (from, to) = (&before.step.position, &after.step.position);
     match HalfPeriods::between(&before.point.orbit, &after.point.orbit) {
-        HalfPeriods::PassThrough(share) => Some(from.moved(&from.to(to), share)),
+        HalfPeriods::PassThrough(share) => Some(from.offset_along(&from.to(to), share)),
         HalfPeriods::Apart | HalfPeriods::TurnRound => None,
     }
 }
@@ -78,12 +79,12 @@ pub(super) fn merge<M: OrbitMethod>(
 /// through each other.
 pub(super) fn turns_round<M: OrbitMethod>(
     before: &OrbitPoint<M>,
-    places: &[OrbitPoint<M>],
+    points: &[OrbitPoint<M>],
 ) -> bool {
     let orbits: Vec<&Orbit> = [before]
         .into_iter()
-        .chain(places)
-        .map(|place| &place.point.orbit)
+        .chain(points)
+        .map(|point| &point.point.orbit)
         .collect();
     orbits
         .windows(2)
@@ -94,23 +95,26 @@ pub(super) fn turns_round<M: OrbitMethod>(
 /// passes zero. There a doubled branch meets its parent and turns; the square of the distance is a
 /// factor of its distance from +1.
 pub(super) fn meets_halves(one: &Orbit, two: &Orbit) -> bool {
-    let (Some(one), Some(two)) = (one.halves_apart(), two.halves_apart()) else {
+    let (Some(one), Some(two)) = (one.half_period_difference(), two.half_period_difference())
+    else {
         return false;
     };
-    let [from, to] = [&one, &two].map(|apart| inner(apart, apart).sqrt());
+    let [from, to] = [&one, &two].map(|difference| inner(difference, difference).sqrt());
     inner(&one, &two) <= 0.0 || from.min(to) < 0.5 * from.max(to)
 }
 
 /// Removes the last labels of a doubled branch that merged with its parent. There it turns and
 /// meets its own copy; the parent reports this event as the period doubling.
 pub(super) fn drop_doubling(branch: &mut Branch) {
-    let is_doubling = |found: &Bifurcation| {
-        let orbit = &found.at.orbit;
-        let apart = orbit.halves_apart().map_or(f64::INFINITY, |apart| {
-            apart.iter().map(|d| d * d).sum::<f64>().sqrt()
-        });
-        matches!(found.kind, BranchKind::Fold | BranchKind::BranchPoint)
-            && apart < MAX_HALF_DISTANCE * orbit.size()
+    let is_doubling = |bifurcation: &Bifurcation| {
+        let orbit = &bifurcation.at.orbit;
+        let difference = orbit
+            .half_period_difference()
+            .map_or(f64::INFINITY, |difference| {
+                difference.iter().map(|d| d * d).sum::<f64>().sqrt()
+            });
+        matches!(bifurcation.kind, BranchKind::Fold | BranchKind::BranchPoint)
+            && difference < MAX_HALF_DISTANCE * orbit.size()
     };
     while branch.bifurcations.last().is_some_and(is_doubling) {
         branch.bifurcations.pop();
@@ -121,10 +125,10 @@ pub(super) fn drop_doubling(branch: &mut Branch) {
 mod tests {
     use super::*;
 
-    fn orbit(apart: [f64; 2]) -> Orbit {
-        let looks = vec![vec![0.0; 2], apart.to_vec(), vec![0.0; 2]];
+    fn orbit(difference: [f64; 2]) -> Orbit {
+        let states = vec![vec![0.0; 2], difference.to_vec(), vec![0.0; 2]];
         Orbit {
-            strobe_states: looks,
+            strobe_states: states,
             ..Orbit::of_cycles(2)
         }
     }

@@ -37,7 +37,7 @@ struct Chord {
     metric: Metric,
     from: Position,
     /// Unit vector to the other point.
-    ahead: Direction,
+    direction: Direction,
     length: f64,
 }
 
@@ -55,29 +55,29 @@ impl Chord {
     fn between(a: &BranchPoint, b: &BranchPoint, parameter_scale: f64) -> Self {
         let [from, to] = [a, b].map(position);
         let metric = Metric::at(&from, parameter_scale);
-        let way = from.to(&to);
-        let length = metric.length(&way);
+        let step = from.to(&to);
+        let length = metric.length(&step);
         Self {
             metric,
             from,
-            ahead: metric.unit(way),
+            direction: metric.unit(step),
             length,
         }
     }
 
     /// Returns the projection of an orbit that may lie on this part of the curve. At an end of the
     /// branch the projection may lie one chord beyond.
-    fn foot(&self, orbit: Position, is_first: bool, is_last: bool) -> Option<ChordProjection> {
-        let along = self.metric.inner(&self.ahead, &self.from.to(&orbit));
+    fn project(&self, orbit: Position, is_first: bool, is_last: bool) -> Option<ChordProjection> {
+        let along = self.metric.inner(&self.direction, &self.from.to(&orbit));
         let slack = MAX_DISTANCE_FROM_CHORD * self.length;
         let low = if is_first { -self.length } else { -slack };
         let high = self.length + if is_last { self.length } else { slack };
-        let at = self.from.moved(&self.ahead, along);
-        let off = self.metric.length(&at.to(&orbit));
-        ((low..=high).contains(&along) && off <= slack).then_some(ChordProjection {
+        let at = self.from.offset_along(&self.direction, along);
+        let distance = self.metric.length(&at.to(&orbit));
+        ((low..=high).contains(&along) && distance <= slack).then_some(ChordProjection {
             at,
             orbit,
-            off,
+            off: distance,
         })
     }
 }
@@ -96,8 +96,8 @@ fn compared_positions(orbit: &Orbit, parameter: f64) -> impl Iterator<Item = Pos
         .strobe_states
         .iter()
         .take(cycles)
-        .map(move |look| Position {
-            unknown: look.clone(),
+        .map(move |candidate| Position {
+            unknown: candidate.clone(),
             parameter,
         })
 }
@@ -106,63 +106,65 @@ impl Branch {
     /// True when an orbit lies on the branch, shifted by any number of drive cycles; `shooting` has the period of the orbit.
     pub(super) fn holds<H: ParametricModel>(
         &self,
-        following: &BranchTracer,
+        tracer: &BranchTracer,
         shooting: &Shooting<'_, H>,
         (orbit, parameter): (&Orbit, f64),
     ) -> bool {
         if self.period_cycles != orbit.period_cycles {
             return false;
         }
-        let same = (SAME_ORBIT_GOALS * following.corrector.goal).max(SAME_ORBIT_DISTANCE);
+        let same = (SAME_ORBIT_GOALS * tracer.corrector.goal).max(SAME_ORBIT_DISTANCE);
         if let [only] = &self.points[..] {
             let only = position(only);
-            let metric = Metric::at(&only, following.parameter_scale());
+            let metric = Metric::at(&only, tracer.parameter_scale());
             return compared_positions(orbit, parameter)
-                .any(|look| metric.length(&only.to(&look)) < same);
+                .any(|candidate| metric.length(&only.to(&candidate)) < same);
         }
         let last = self.points.len().saturating_sub(2);
-        let mut feet: Vec<(Rc<Chord>, ChordProjection)> = Vec::new();
+        let mut projections: Vec<(Rc<Chord>, ChordProjection)> = Vec::new();
         for (k, pair) in self.points.windows(2).enumerate() {
-            let chord = Rc::new(Chord::between(
-                &pair[0],
-                &pair[1],
-                following.parameter_scale(),
-            ));
+            let chord = Rc::new(Chord::between(&pair[0], &pair[1], tracer.parameter_scale()));
             let near = compared_positions(orbit, parameter)
-                .filter_map(|look| chord.foot(look, k == 0, k == last));
-            feet.extend(near.map(|foot| (Rc::clone(&chord), foot)));
+                .filter_map(|candidate| chord.project(candidate, k == 0, k == last));
+            projections.extend(near.map(|projection| (Rc::clone(&chord), projection)));
         }
-        feet.sort_by(|one, two| (one.1.off / one.0.length).total_cmp(&(two.1.off / two.0.length)));
-        feet.into_iter().any(|(chord, foot)| {
-            let found = correct(
+        projections
+            .sort_by(|one, two| (one.1.off / one.0.length).total_cmp(&(two.1.off / two.0.length)));
+        projections.into_iter().any(|(chord, projection)| {
+            let corrected = correct(
                 shooting,
-                &following.corrector,
+                &tracer.corrector,
                 &chord.metric,
-                &chord.ahead,
-                foot.at,
+                &chord.direction,
+                projection.at,
             );
-            found.is_ok_and(|found| chord.metric.length(&found.position.to(&foot.orbit)) < same)
+            corrected.is_ok_and(|corrected| {
+                chord
+                    .metric
+                    .length(&corrected.position.to(&projection.orbit))
+                    < same
+            })
         })
     }
 
     /// True when a branch lies entirely on another one.
     pub(super) fn is_part_of<H: ParametricModel>(
         &self,
-        whole: &Branch,
-        following: &BranchTracer,
+        complete: &Branch,
+        tracer: &BranchTracer,
         shooting: &Shooting<'_, H>,
     ) -> bool {
         let last = self.points.len() - 1;
         let mut compared =
             (0..COMPARED_POINTS).map(|k| &self.points[k * last / (COMPARED_POINTS - 1)]);
-        self.period_cycles == whole.period_cycles
+        self.period_cycles == complete.period_cycles
             && compared
-                .all(|point| whole.holds(following, shooting, (&point.orbit, point.parameter)))
+                .all(|point| complete.holds(tracer, shooting, (&point.orbit, point.parameter)))
     }
 
     /// Returns the ends at which the branch merges with one of half its period, each with the last
     /// chord.
-    fn merged(&self, following: &BranchTracer) -> Vec<(Chord, Position)> {
+    fn merged(&self, tracer: &BranchTracer) -> Vec<(Chord, Position)> {
         let count = self.points.len();
         let ends = match (&self.endings[..], count) {
             (_, ..2) => Vec::new(),
@@ -175,18 +177,23 @@ impl Branch {
         let merged = ends
             .into_iter()
             .filter(|(ending, _)| **ending == Termination::Merged);
-        let place = |(_, pair): (&Termination, [usize; 2])| {
+        let point = |(_, pair): (&Termination, [usize; 2])| {
             let [a, b] = pair.map(|k| &self.points[k]);
-            let (from, to) = (a.orbit.halves_apart()?, b.orbit.halves_apart()?);
+            let (from, to) = (
+                a.orbit.half_period_difference()?,
+                b.orbit.half_period_difference()?,
+            );
             let inner =
                 |one: &[f64], two: &[f64]| one.iter().zip(two).map(|(x, y)| x * y).sum::<f64>();
             // The distance of the halves is linear along the curve near its zero.
             let share = inner(&from, &from) / (inner(&from, &from) - inner(&from, &to));
-            let chord = Chord::between(a, b, following.parameter_scale());
-            let at = chord.from.moved(&chord.ahead, share * chord.length);
+            let chord = Chord::between(a, b, tracer.parameter_scale());
+            let at = chord
+                .from
+                .offset_along(&chord.direction, share * chord.length);
             share.is_finite().then_some((chord, at))
         };
-        merged.filter_map(place).collect()
+        merged.filter_map(point).collect()
     }
 }
 
@@ -194,28 +201,28 @@ impl Branch {
 pub(super) fn is_end_of_one(
     branches: &[Branch],
     doubling: &BranchPoint,
-    following: &BranchTracer,
+    tracer: &BranchTracer,
 ) -> bool {
     let cycles = doubling.orbit.period_cycles;
     let ends = branches
         .iter()
         .filter(|branch| branch.period_cycles == 2 * cycles)
-        .flat_map(|branch| branch.merged(following));
+        .flat_map(|branch| branch.merged(tracer));
     let parents = branches
         .iter()
         .filter(|branch| branch.period_cycles == cycles);
     let doublings = parents
         .flat_map(|branch| &branch.bifurcations)
-        .filter(|found| found.kind == BranchKind::PeriodDoubling);
-    let doublings: Vec<&BranchPoint> = doublings.map(|found| &found.at).collect();
+        .filter(|bifurcation| bifurcation.kind == BranchKind::PeriodDoubling);
+    let doublings: Vec<&BranchPoint> = doublings.map(|bifurcation| &bifurcation.at).collect();
     let away = |(chord, end): &(Chord, Position), at: &BranchPoint| {
         compared_positions(&at.orbit, at.parameter)
-            .map(|look| chord.metric.length(&end.to(&look)))
+            .map(|candidate| chord.metric.length(&end.to(&candidate)))
             .fold(f64::INFINITY, f64::min)
     };
     ends.into_iter().any(|end| {
-        let own = away(&end, doubling);
-        own < MAX_DISTANCE_AT_MERGE * end.0.length
-            && doublings.iter().all(|other| own <= away(&end, other))
+        let distance = away(&end, doubling);
+        distance < MAX_DISTANCE_AT_MERGE * end.0.length
+            && doublings.iter().all(|other| distance <= away(&end, other))
     })
 }

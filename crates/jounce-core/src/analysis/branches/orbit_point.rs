@@ -27,13 +27,13 @@ impl<M: OrbitMethod> OrbitPoint<M> {
     }
 
     /// Returns the data of its test functions, here and ahead; computed on first use.
-    pub fn readings(&self, method: &M, following: &BranchTracer) -> Option<&TestDataPair> {
+    pub fn readings(&self, method: &M, tracer: &BranchTracer) -> Option<&TestDataPair> {
         let make = || {
             TestDataPair::of(
                 method,
                 (&self.step, &self.point.orbit),
-                following.parameter_scale(),
-                &following.levels,
+                tracer.parameter_scale(),
+                &tracer.levels,
             )
         };
         self.readings.get_or_init(make).as_ref()

@@ -15,7 +15,7 @@ const CYCLES_PER_STEP: u32 = 30;
 /// returns the physical state. A strong drive may leave only the large response, and the
 /// integration stays on it as long as it exists. Starts under the final drive may not lead there.
 /// `None` where an integration fails.
-pub fn eased(kernel: &Kernel, tolerance: f64) -> Option<Vec<f64>> {
+pub fn ramped_down_start(kernel: &Kernel, tolerance: f64) -> Option<Vec<f64>> {
     let cycle_s = kernel.plant.period_s()?;
     let mut state = vec![0.0; kernel.plant.len()];
     for step in 0..RAMP_STEPS {

@@ -41,28 +41,28 @@ impl BranchTracer {
         step: &CurvePoint<M::Evaluation>,
         branch: &mut Branch,
     ) -> Result<RangeCrossing, M::Error> {
-        let beyond = self.beyond(method, &before.step, step);
+        let point_beyond = self.beyond(method, &before.step, step);
         if let Some(outside) = if self.is_outside(step.position.parameter) {
             Some(step)
         } else {
-            beyond.as_ref()
+            point_beyond.as_ref()
         } {
             let Some(last) = self.on_edge(method, &before.step, outside) else {
                 return Ok(RangeCrossing::Lost);
             };
-            let places = self.resolved(
+            let points = self.resolved(
                 method,
                 before,
                 OrbitPoint::new(method, last)?,
                 &mut branch.not_proved,
             )?;
-            for (index, after) in places.iter().enumerate() {
+            for (index, after) in points.iter().enumerate() {
                 branch.bifurcations.extend(self.between(
                     method,
                     if index == 0 {
                         before
                     } else {
-                        &places[index - 1]
+                        &points[index - 1]
                     },
                     after,
                 )?);
@@ -149,18 +149,18 @@ impl BranchTracer {
             parameter: edge,
             ..near.position.clone()
         };
-        let found = correct_at(method, &self.corrector, &metric, guess).ok()?;
-        let ahead = tangent(&found.local, &metric, &near.tangent)?;
+        let corrected = correct_at(method, &self.corrector, &metric, guess).ok()?;
+        let direction = tangent(&corrected.local, &metric, &near.tangent)?;
         let length = metric.length(&before.position.to(&outside.position));
         let is_near =
-            metric.length(&near.position.to(&found.position)) <= MAX_DISTANCE_TO_ORBIT * length;
+            metric.length(&near.position.to(&corrected.position)) <= MAX_DISTANCE_TO_ORBIT * length;
         // On the other side of a fold the curve has the opposite direction.
-        let is_same_side = ahead.parameter * near.tangent.parameter > 0.0;
+        let is_same_side = direction.parameter * near.tangent.parameter > 0.0;
         (is_near && is_same_side).then(|| CurvePoint {
-            position: found.position,
-            tangent: ahead,
-            local: found.local,
-            error: found.error,
+            position: corrected.position,
+            tangent: direction,
+            local: corrected.local,
+            error: corrected.error,
         })
     }
 }

@@ -10,7 +10,7 @@
 use super::branch::{Branch, BranchKind, BranchPoint};
 use super::known::is_end_of_one;
 use super::options::BranchOptions;
-use super::tracer::{BranchTracer, RESOLUTION, newton_goal};
+use super::tracer::{BranchTracer, RESOLUTION, newton_tolerance};
 use crate::analysis::{AnalysisError, Model, Parameter};
 use crate::continuation::{
     CorrectedPoint, Corrector, Direction, Metric, Position, Problem, StepControl, correct, tangent,
@@ -69,7 +69,7 @@ impl BranchSearch<'_> {
         BranchTracer {
             range: self.range,
             corrector: Corrector {
-                goal: newton_goal(self.tolerance),
+                goal: newton_tolerance(self.tolerance),
                 most: 8,
             },
             control: StepControl {
@@ -100,12 +100,10 @@ impl BranchSearch<'_> {
     /// # Errors
     /// [`OrbitError`].
     pub fn run_with(&self, options: &BranchOptions) -> Result<Vec<Branch>, Failure> {
-        let following = self.following(options);
+        let tracer = self.following(options);
         match self.method {
-            OrbitMethodKind::Shooting => {
-                self.run_by(&following, |cycles| Ok(self.shooting(cycles)))
-            }
-            OrbitMethodKind::HarmonicBalance { harmonics } => self.run_by(&following, |cycles| {
+            OrbitMethodKind::Shooting => self.run_by(&tracer, |cycles| Ok(self.shooting(cycles))),
+            OrbitMethodKind::HarmonicBalance { harmonics } => self.run_by(&tracer, |cycles| {
                 let accuracy = POWER_ERROR_FACTOR * self.tolerance;
                 HarmonicBalance::new(
                     self.shooting(cycles),
@@ -119,7 +117,7 @@ impl BranchSearch<'_> {
 
     fn run_by<M: OrbitMethod<Fault = AnalysisError>>(
         &self,
-        following: &BranchTracer,
+        tracer: &BranchTracer,
         make: impl Fn(u32) -> Result<M, Failure>,
     ) -> Result<Vec<Branch>, Failure> {
         self.check_ends()?;
@@ -130,16 +128,16 @@ impl BranchSearch<'_> {
         control.expect(starts.len());
         for (orbit, parameter) in starts {
             if orbit.period_cycles <= self.longest_period
-                && !self.is_known(&branches, following, (&orbit, parameter))
+                && !self.is_known(&branches, tracer, (&orbit, parameter))
             {
-                match following.within(&branches, orbit.period_cycles) {
+                match tracer.within(&branches, orbit.period_cycles) {
                     Some(within) => {
-                        let found =
+                        let branch =
                             within.both_ways(&make(orbit.period_cycles)?, orbit.start(), parameter);
                         branches.extend(if control.is_stopped() {
-                            found.unwrap_or(None)
+                            branch.unwrap_or(None)
                         } else {
-                            found?
+                            branch?
                         });
                     }
                     None => branches.push(Branch::of_one(orbit, parameter)),
@@ -147,11 +145,11 @@ impl BranchSearch<'_> {
             }
             control.count();
         }
-        let doubled = self.doubled(following, &make, &mut branches);
+        let doubled = self.doubled(tracer, &make, &mut branches);
         if !control.is_stopped() {
             doubled?;
         }
-        Ok(self.each_once(following, branches))
+        Ok(self.without_duplicates(tracer, branches))
     }
 
     /// Checks that models exist at both ends of the range, and that their drives have a common
@@ -175,32 +173,27 @@ impl BranchSearch<'_> {
     }
 
     /// True when an orbit lies on one of the branches.
-    fn is_known(
-        &self,
-        branches: &[Branch],
-        following: &BranchTracer,
-        orbit: (&Orbit, f64),
-    ) -> bool {
+    fn is_known(&self, branches: &[Branch], tracer: &BranchTracer, orbit: (&Orbit, f64)) -> bool {
         let shooting = self.shooting(orbit.0.period_cycles);
         branches
             .iter()
-            .any(|branch| branch.holds(following, &shooting, orbit))
+            .any(|branch| branch.holds(tracer, &shooting, orbit))
     }
 
     /// Removes branches that are parts of others. Two continuations may have followed one curve
     /// from different points.
-    fn each_once(&self, following: &BranchTracer, mut branches: Vec<Branch>) -> Vec<Branch> {
+    fn without_duplicates(&self, tracer: &BranchTracer, mut branches: Vec<Branch>) -> Vec<Branch> {
         let mut k = 0;
         while k < branches.len() {
             let (part, shooting) = (&branches[k], self.shooting(branches[k].period_cycles));
             let is_longer =
                 |other: usize| (branches[other].points.len(), k) > (part.points.len(), other);
             let mut others = (0..branches.len()).filter(|other| *other != k && is_longer(*other));
-            let whole =
-                others.find(|other| part.is_part_of(&branches[*other], following, &shooting));
-            match whole {
-                Some(whole) => {
-                    branches[whole].not_followed += branches[k].not_followed;
+            let complete =
+                others.find(|other| part.is_part_of(&branches[*other], tracer, &shooting));
+            match complete {
+                Some(complete) => {
+                    branches[complete].not_followed += branches[k].not_followed;
                     branches.remove(k);
                 }
                 None => k += 1,
@@ -212,7 +205,7 @@ impl BranchSearch<'_> {
     /// Follows doubled branches until all are followed.
     fn doubled<M: OrbitMethod<Fault = AnalysisError>>(
         &self,
-        following: &BranchTracer,
+        tracer: &BranchTracer,
         make: &impl Fn(u32) -> Result<M, Failure>,
         branches: &mut Vec<Branch>,
     ) -> Result<(), Failure> {
@@ -226,21 +219,21 @@ impl BranchSearch<'_> {
                 .filter(|found| found.kind == BranchKind::PeriodDoubling);
             let doublings: Vec<BranchPoint> = doublings.map(|found| found.at.clone()).collect();
             for at in doublings {
-                if is_end_of_one(branches, &at, following) {
+                if is_end_of_one(branches, &at, tracer) {
                     continue;
                 }
-                let Some(within) = following.within(branches, cycles) else {
+                let Some(within) = tracer.within(branches, cycles) else {
                     branches[parent].not_followed += 1;
                     continue;
                 };
                 let method = make(cycles)?;
-                let Some((first, ahead)) = self.off(following, &method, &at) else {
+                let Some((first, direction)) = self.displaced_orbit(tracer, &method, &at) else {
                     branches[parent].not_followed += 1;
                     continue;
                 };
                 let orbit = method.orbit(&first.local, first.error)?;
-                if !self.is_known(branches, following, (&orbit, first.position.parameter)) {
-                    let found = within.walk(&method, first, ahead)?;
+                if !self.is_known(branches, tracer, (&orbit, first.position.parameter)) {
+                    let found = within.walk(&method, first, direction)?;
                     // A continuation of one point has fallen back to the parent.
                     if found.points.len() > 1 {
                         branches.push(found);
@@ -257,9 +250,9 @@ impl BranchSearch<'_> {
     /// Returns the branch whose doublings are followed next: of the shortest period, then of the
     /// largest area below its power.
     fn next_parent(&self, branches: &[Branch], entered: &[bool]) -> Option<usize> {
-        let left = (0..branches.len())
+        let remaining = (0..branches.len())
             .filter(|k| !entered[*k] && 2 * branches[*k].period_cycles <= self.longest_period);
-        left.min_by(|one, two| {
+        remaining.min_by(|one, two| {
             let [one, two] = [one, two].map(|k| &branches[*k]);
             one.period_cycles
                 .cmp(&two.period_cycles)
@@ -269,18 +262,18 @@ impl BranchSearch<'_> {
 
     /// Returns a first orbit on the doubled branch, displaced from the doubling along the
     /// eigenvector of the multiplier -1.
-    fn off<M: OrbitMethod<Fault = AnalysisError>>(
+    fn displaced_orbit<M: OrbitMethod<Fault = AnalysisError>>(
         &self,
-        following: &BranchTracer,
+        tracer: &BranchTracer,
         method: &M,
         at: &BranchPoint,
     ) -> Option<(CorrectedPoint<M::Evaluation>, Direction)> {
         let state = at.orbit.start();
-        let shot = self
+        let evaluation = self
             .shooting(method.cycles() / 2)
             .at(state, at.parameter)
             .ok()?;
-        let map = shot.map();
+        let map = evaluation.map();
         let n = state.len();
         let vector = null_vector(&Mat::from_fn(n, n, |i, j| {
             map[(i, j)] + if i == j { 1.0 } else { 0.0 }
@@ -290,28 +283,28 @@ impl BranchSearch<'_> {
             unknown: method.unknown_of(state, at.parameter).ok()?,
             parameter: at.parameter,
         };
-        let metric = Metric::at(&origin, following.parameter_scale());
+        let metric = Metric::at(&origin, tracer.parameter_scale());
         [1e-2, 3e-3, 3e-2].into_iter().find_map(|length| {
-            let moved: Vec<f64> = (0..n)
+            let shifted: Vec<f64> = (0..n)
                 .map(|i| state[i] + length * size * vector[i])
                 .collect();
             let guess = Position {
-                unknown: method.unknown_of(&moved, at.parameter).ok()?,
+                unknown: method.unknown_of(&shifted, at.parameter).ok()?,
                 parameter: at.parameter,
             };
-            let apart = guess
+            let difference = guess
                 .unknown
                 .iter()
                 .zip(&origin.unknown)
                 .map(|(a, b)| a - b)
                 .collect();
-            let ahead = metric.unit(Direction {
-                unknown: apart,
+            let direction = metric.unit(Direction {
+                unknown: difference,
                 parameter: 0.0,
             });
-            let found = correct(method, &following.corrector, &metric, &ahead, guess).ok()?;
-            let ahead = tangent(&found.local, &metric, &ahead)?;
-            Some((found, ahead))
+            let corrected = correct(method, &tracer.corrector, &metric, &direction, guess).ok()?;
+            let direction = tangent(&corrected.local, &metric, &direction)?;
+            Some((corrected, direction))
         })
     }
 }

@@ -12,7 +12,7 @@ impl BranchTracer {
     /// True for a longer step on which a multiplier passes +1 although the branch does not turn.
     /// Either there is a branch point, or the step ended beyond a fold on the returning sheet and
     /// the continuation would turn back. A shorter step decides.
-    pub(super) fn may_be_astray<M: OrbitMethod>(
+    pub(super) fn may_be_off_branch<M: OrbitMethod>(
         &self,
         before: &OrbitPoint<M>,
         after: &OrbitPoint<M>,

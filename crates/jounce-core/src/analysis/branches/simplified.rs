@@ -16,14 +16,14 @@ impl Branch {
     /// fraction of the height (Ramer 1972, Douglas and Peucker 1973).
     pub fn thinned(&self, share: f64) -> Branch {
         let x = self.scaled(|point| point.parameter);
-        let curves = SHOWN_QUANTITIES.map(|shown| self.scaled(shown));
-        let mut kept = vec![false; self.points.len()];
-        let mut stretches = Vec::new();
+        let curves = SHOWN_QUANTITIES.map(|quantity| self.scaled(quantity));
+        let mut selected = vec![false; self.points.len()];
+        let mut segments = Vec::new();
         if let Some(last) = self.points.len().checked_sub(1) {
-            (kept[0], kept[last]) = (true, true);
-            stretches.push((0, last));
+            (selected[0], selected[last]) = (true, true);
+            segments.push((0, last));
         }
-        while let Some((first, last)) = stretches.pop() {
+        while let Some((first, last)) = segments.pop() {
             let far = |k: usize| {
                 curves
                     .iter()
@@ -34,15 +34,15 @@ impl Branch {
                 .map(|k| (far(k), k))
                 .max_by(|a, b| a.0.total_cmp(&b.0));
             if let Some((_, k)) = farthest.filter(|(far, _)| *far > share) {
-                kept[k] = true;
-                stretches.extend([(first, k), (k, last)]);
+                selected[k] = true;
+                segments.extend([(first, k), (k, last)]);
             }
         }
         let points = self
             .points
             .iter()
-            .zip(kept)
-            .filter(|(_, kept)| *kept)
+            .zip(selected)
+            .filter(|(_, is_selected)| *is_selected)
             .map(|(point, _)| point.clone())
             .collect();
         Branch {
@@ -51,8 +51,8 @@ impl Branch {
         }
     }
 
-    fn scaled(&self, shown: fn(&BranchPoint) -> f64) -> Vec<f64> {
-        let values: Vec<f64> = self.points.iter().map(shown).collect();
+    fn scaled(&self, quantity: fn(&BranchPoint) -> f64) -> Vec<f64> {
+        let values: Vec<f64> = self.points.iter().map(quantity).collect();
         let (low, high) = values
             .iter()
             .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
@@ -65,15 +65,15 @@ impl Branch {
 
 /// Returns the distance of a point of a curve from the chord between two others.
 fn distance([x, y]: [&Vec<f64>; 2], (first, k, last): (usize, usize, usize)) -> f64 {
-    let (chord, way) = (
+    let (chord, offset) = (
         (x[last] - x[first], y[last] - y[first]),
         (x[k] - x[first], y[k] - y[first]),
     );
     let square = chord.0 * chord.0 + chord.1 * chord.1;
     let along = if square > 0.0 {
-        ((way.0 * chord.0 + way.1 * chord.1) / square).clamp(0.0, 1.0)
+        ((offset.0 * chord.0 + offset.1 * chord.1) / square).clamp(0.0, 1.0)
     } else {
         0.0
     };
-    (way.0 - along * chord.0).hypot(way.1 - along * chord.1)
+    (offset.0 - along * chord.0).hypot(offset.1 - along * chord.1)
 }

@@ -1,6 +1,6 @@
 //! Orbits on which integrations settle, from which branches are followed.
 
-use super::ramp_down::eased;
+use super::ramp_down::ramped_down_start;
 use super::search::BranchSearch;
 use crate::analysis::settled_orbits;
 use crate::orbit::{Orbit, ParametricModel};
@@ -50,19 +50,20 @@ impl BranchSearch<'_> {
             let (kinds, starts): (Vec<SearchStart>, Vec<Vec<f64>>) = starts.unzip();
             let orbits = settled_orbits(self.parameter, *value, &starts, self.tolerance);
             control.count();
-            let mut found: Vec<(SearchStart, (Orbit, f64))> = Vec::new();
+            let mut with_starts: Vec<(SearchStart, (Orbit, f64))> = Vec::new();
             for (kind, orbit) in kinds.into_iter().zip(orbits) {
                 let fresh =
-                    orbit.filter(|orbit| !found.iter().any(|(_, (known, _))| known == orbit));
-                found.extend(fresh.map(|orbit| (kind, (orbit, *value))));
+                    orbit.filter(|orbit| !with_starts.iter().any(|(_, (known, _))| known == orbit));
+                with_starts.extend(fresh.map(|orbit| (kind, (orbit, *value))));
             }
-            found
+            with_starts
         };
-        let mut found: Vec<(SearchStart, (Orbit, f64))> =
+        let mut with_starts: Vec<(SearchStart, (Orbit, f64))> =
             values.par_iter().flat_map_iter(settled).collect();
         // The ramped starts are last, so they only add to the others.
-        found.sort_by_key(|(kind, (orbit, _))| (orbit.period_cycles, *kind == SearchStart::Eased));
-        found.into_iter().map(|(_, found)| found).collect()
+        with_starts
+            .sort_by_key(|(kind, (orbit, _))| (orbit.period_cycles, *kind == SearchStart::Eased));
+        with_starts.into_iter().map(|(_, orbit)| orbit).collect()
     }
 
     /// Returns the physical state of a start.
@@ -72,7 +73,9 @@ impl BranchSearch<'_> {
         let mut state = vec![0.0; plant.len()];
         match start {
             SearchStart::Rest => {}
-            SearchStart::Eased => state = eased(&kernel, self.tolerance.max(COARSE_TOLERANCE))?,
+            SearchStart::Eased => {
+                state = ramped_down_start(&kernel, self.tolerance.max(COARSE_TOLERANCE))?
+            }
             SearchStart::Steady => state = plant.to_physical(&state, 0.0),
             SearchStart::Kicked => {
                 let w = plant.tones.first()?.angular_frequency_rad_s;

@@ -2,7 +2,7 @@
 
 use super::adapt_order::COARSER_BELOW_ERROR;
 use super::branch::{Bifurcation, Branch, BranchKind, BranchPoint, Termination};
-use super::detection::add_passed;
+use super::detection::add_crossings;
 use super::events::QuantityLevel;
 use super::halves::{drop_doubling, merge, turns_round};
 use super::noncontact::NoncontactEnd;
@@ -29,7 +29,7 @@ const NEWTON_GOAL_FACTOR: f64 = 50.0;
 const NEWTON_GOAL_LIMITS: (f64, f64) = (1e-11, 1e-6);
 
 /// Returns Newton's goal for a tolerance of integration.
-pub(super) fn newton_goal(tolerance: f64) -> f64 {
+pub(super) fn newton_tolerance(tolerance: f64) -> f64 {
     (NEWTON_GOAL_FACTOR * tolerance)
         .clamp(NEWTON_GOAL_LIMITS.0, NEWTON_GOAL_LIMITS.1.max(tolerance))
 }
@@ -57,10 +57,10 @@ impl BranchTracer {
     /// Returns the tracer for one more branch of a period, with as many points as the budget
     /// permits; `None` where it permits no step.
     pub(super) fn within(&self, branches: &[Branch], cycles: u32) -> Option<Self> {
-        let left = self
+        let remaining = self
             .budget
             .saturating_sub(branches.iter().map(Branch::work).sum());
-        let most_points = self.most_points.min(left / cycles as usize);
+        let most_points = self.most_points.min(remaining / cycles as usize);
         (most_points > 1).then(|| Self {
             most_points,
             ..self.clone()
@@ -103,16 +103,16 @@ impl BranchTracer {
             let Ok(first) = correct_at(method, &self.corrector, &metric, position.clone()) else {
                 return Ok(None);
             };
-            let Some(mut ahead) = tangent(&first.local, &metric, &up) else {
+            let Some(mut direction) = tangent(&first.local, &metric, &up) else {
                 return Ok(None);
             };
-            ahead.unknown.iter_mut().for_each(|d| *d *= sign);
-            ahead.parameter *= sign;
+            direction.unknown.iter_mut().for_each(|d| *d *= sign);
+            direction.parameter *= sign;
             let closed = ways
                 .last()
-                .is_some_and(|way: &Branch| way.endings.contains(&Termination::Closed));
+                .is_some_and(|branch: &Branch| branch.endings.contains(&Termination::Closed));
             if !at_edge && !closed {
-                ways.push(self.walk(method, first, ahead)?);
+                ways.push(self.walk(method, first, direction)?);
             }
         }
         let mut ways = ways.into_iter();
@@ -148,27 +148,27 @@ impl BranchTracer {
         if let Some((finer, start)) = self.finer(method, &start, &start)? {
             branch.points.push(point(&finer, &start)?);
             let beginning = TracerStart::of(&finer, &branch.points[0], sense)?;
-            self.walk_on(&finer, start, (beginning, None), &mut branch)?;
+            self.continue_branch(&finer, start, (beginning, None), &mut branch)?;
         } else {
             branch.points.push(point(method, &start)?);
             let beginning = TracerStart::of(method, &branch.points[0], sense)?;
-            self.walk_on(method, start, (beginning, None), &mut branch)?;
+            self.continue_branch(method, start, (beginning, None), &mut branch)?;
         }
         Ok(branch)
     }
 
     /// Continues from the last point of a branch, with the step size of the checkpoint.
-    fn walk_on<M: OrbitMethod>(
+    fn continue_branch<M: OrbitMethod>(
         &self,
         method: &M,
         start: CurvePoint<M::Evaluation>,
         (mut beginning, mark): (TracerStart, Option<Checkpoint>),
         branch: &mut Branch,
     ) -> Result<(), M::Error> {
-        let mut walk = self.resumed(method, &start, mark.as_ref());
+        let mut walk = self.resume_from(method, &start, mark.as_ref());
         let mut before = OrbitPoint::new(method, start)?;
         if let Some(mark) = &mark {
-            add_passed(
+            add_crossings(
                 mark.tangent().parameter * before.step.tangent.parameter < 0.0,
                 &before.point,
                 branch,
@@ -179,39 +179,39 @@ impl BranchTracer {
             let step = match next {
                 Ok(step) => step,
                 // Beyond the range a key may have no meaning at all.
-                Err(error) => return self.give_up(method, before, error, branch),
+                Err(error) => return self.end_with_failure(method, before, error, branch),
             };
             match self.leaves_range(method, &before, &step, branch)? {
                 RangeCrossing::Stays => {}
                 RangeCrossing::Left => return Ok(()),
                 RangeCrossing::Lost if walk.retreat(mark.clone()) => continue,
                 RangeCrossing::Lost => {
-                    branch.endings.push(lost_at_edge(before.point.parameter));
+                    branch.endings.push(failure_at_edge(before.point.parameter));
                     return Ok(());
                 }
             }
-            let step = self.polished(method, step)?;
+            let step = self.refined_point(method, step)?;
             if let Some((finer, start)) = self.finer(method, &step, &before.step)? {
-                return self.walk_on(
+                return self.continue_branch(
                     &finer,
                     start,
-                    (beginning.carried(&finer), Some(mark)),
+                    (beginning.resampled(&finer), Some(mark)),
                     branch,
                 );
             }
             let after = OrbitPoint::new(method, step)?;
-            if self.may_be_astray(&before, &after) && walk.retreat(mark.clone()) {
+            if self.may_be_off_branch(&before, &after) && walk.retreat(mark.clone()) {
                 continue;
             }
             let mut not_proved = Vec::new();
-            let places = match after.point.orbit.repeats_early() {
+            let points = match after.point.orbit.repeats_early() {
                 true => vec![after],
                 false => self.resolved(method, &before, after, &mut not_proved)?,
             };
             // Newton's method may have reached an orbit of fewer cycles; if a short step gets there
             // too, the branch ends on it.
-            let merges = places.iter().any(|place| place.point.orbit.repeats_early());
-            if (merges || turns_round(&before, &places)) && walk.retreat(mark.clone()) {
+            let merges = points.iter().any(|point| point.point.orbit.repeats_early());
+            if (merges || turns_round(&before, &points)) && walk.retreat(mark.clone()) {
                 continue;
             }
             if merges {
@@ -219,7 +219,7 @@ impl BranchTracer {
                 return Ok(());
             }
             branch.not_proved.extend(not_proved);
-            for after in places {
+            for after in points {
                 if self.ends_with(method, &mut beginning, (&before, &after), branch)? {
                     return Ok(());
                 }
@@ -227,10 +227,10 @@ impl BranchTracer {
             }
             mark = walk.mark();
             if let Some((coarser, start)) = self.coarser(method, &before.step, &mut spare)? {
-                return self.walk_on(
+                return self.continue_branch(
                     &coarser,
                     start,
-                    (beginning.carried(&coarser), Some(mark)),
+                    (beginning.resampled(&coarser), Some(mark)),
                     branch,
                 );
             }
@@ -239,7 +239,7 @@ impl BranchTracer {
     }
 
     /// Creates a continuation from a start, with the step size of the checkpoint.
-    fn resumed<'m, M: OrbitMethod>(
+    fn resume_from<'m, M: OrbitMethod>(
         &self,
         method: &'m M,
         start: &CurvePoint<M::Evaluation>,
@@ -255,7 +255,7 @@ impl BranchTracer {
             tangent,
         );
         if let Some(mark) = mark {
-            walk.resume(mark, |unknown| method.carried(unknown));
+            walk.resume(mark, |unknown| method.resampled(unknown));
         }
         walk
     }
@@ -268,31 +268,33 @@ impl BranchTracer {
         (before, after): (&OrbitPoint<M>, &OrbitPoint<M>),
         branch: &mut Branch,
     ) -> Result<bool, M::Error> {
-        beginning.left =
-            NoncontactEnd::between(&before.point, &after.point, branch).or(beginning.left);
+        beginning.noncontact =
+            NoncontactEnd::between(&before.point, &after.point, branch).or(beginning.noncontact);
         let points = branch.points.len() + 1;
-        let home = self.home(beginning, before, after, points);
-        let merge = if home.is_none() && points > 3 {
+        let return_point = self.return_point(beginning, before, after, points);
+        let merge = if return_point.is_none() && points > 3 {
             merge(before, after)
         } else {
             None
         };
-        branch.bifurcations.extend(match home.or(merge.as_ref()) {
-            // Events beyond the start were listed at the beginning; beyond a merge the other half
-            // repeats earlier events.
-            Some(end) => self.until(method, (before, after), end)?,
-            None => self.between(method, before, after)?,
-        });
+        branch
+            .bifurcations
+            .extend(match return_point.or(merge.as_ref()) {
+                // Events beyond the start were listed at the beginning; beyond a merge the other half
+                // repeats earlier events.
+                Some(end) => self.until(method, (before, after), end)?,
+                None => self.between(method, before, after)?,
+            });
         branch.points.push(after.point.clone());
-        if let Some((left, back_at)) = beginning
-            .left
-            .and_then(|left| Some((left, left.comes_back(branch)?)))
+        if let Some((noncontact, back_at)) = beginning
+            .noncontact
+            .and_then(|noncontact| Some((noncontact, noncontact.comes_back(branch)?)))
         {
-            left.end(branch, back_at);
+            noncontact.end(branch, back_at);
             return Ok(true);
         }
         let last = (points >= self.most_points).then_some(Termination::Points);
-        let ending = home
+        let ending = return_point
             .map(|_| Termination::Closed)
             .or(merge.map(|_| Termination::Merged))
             .or(last);
@@ -304,16 +306,16 @@ impl BranchTracer {
     /// Ends a branch whose continuation failed: with sticking where the smallest step leads to a
     /// motion that sticks, or at a grazing where the orbit touches the stop. On a stiff stop a
     /// branch turns there more sharply than any step can follow.
-    fn give_up<M: OrbitMethod>(
+    fn end_with_failure<M: OrbitMethod>(
         &self,
         method: &M,
         last: OrbitPoint<M>,
         error: ContinuationError<M::Error>,
         branch: &mut Branch,
     ) -> Result<(), M::Error> {
-        let shot = method.shot(&last.step.local)?;
-        let distance_m = nearest_extremum_m(shot).map_or(f64::INFINITY, f64::abs);
-        let (parameter, why) = (last.point.parameter, error.to_string());
+        let evaluation = method.shot(&last.step.local)?;
+        let distance_m = nearest_extremum_m(evaluation).map_or(f64::INFINITY, f64::abs);
+        let (parameter, reason) = (last.point.parameter, error.to_string());
         if let ContinuationError::Family(OrbitError::March(SensitivityError::Rests {
             stop, ..
         })) = error
@@ -324,22 +326,29 @@ impl BranchTracer {
                 stop: Some(stop),
                 at: last.point,
             });
-            branch
-                .endings
-                .push(Termination::Sticking { why, parameter });
-        } else if distance_m < GRAZING_DISTANCE * shot.kernel.plant.scale_m() {
+            branch.endings.push(Termination::Sticking {
+                why: reason,
+                parameter,
+            });
+        } else if distance_m < GRAZING_DISTANCE * evaluation.kernel.plant.scale_m() {
             branch
                 .bifurcations
-                .push(Bifurcation::grazing(last.point, shot));
-            branch.endings.push(Termination::Grazing { why, parameter });
+                .push(Bifurcation::grazing(last.point, evaluation));
+            branch.endings.push(Termination::Grazing {
+                why: reason,
+                parameter,
+            });
         } else {
-            branch.endings.push(Termination::Failed { why, parameter });
+            branch.endings.push(Termination::Failed {
+                why: reason,
+                parameter,
+            });
         }
         Ok(())
     }
 
     /// Returns the position of its start that a branch passes on a step.
-    fn home<'b, M: OrbitMethod>(
+    fn return_point<'b, M: OrbitMethod>(
         &self,
         beginning: &'b TracerStart,
         before: &OrbitPoint<M>,
@@ -360,9 +369,12 @@ impl BranchTracer {
     }
 }
 
-fn lost_at_edge(parameter: f64) -> Termination {
-    let why = "the branch leaves the range beyond this value, and no orbit was found on the edge; give a wider range".to_owned();
-    Termination::Failed { why, parameter }
+fn failure_at_edge(parameter: f64) -> Termination {
+    let reason = "the branch leaves the range beyond this value, and no orbit was found on the edge; give a wider range".to_owned();
+    Termination::Failed {
+        why: reason,
+        parameter,
+    }
 }
 
 fn end(ending: Termination, branch: &mut Branch) {
@@ -379,34 +391,34 @@ struct TracerStart {
     /// Direction of the parameter.
     sense: f64,
     /// Point where the continuation left the orbits without contact.
-    left: Option<NoncontactEnd>,
+    noncontact: Option<NoncontactEnd>,
 }
 
 impl TracerStart {
     fn of<M: OrbitMethod>(method: &M, first: &BranchPoint, sense: f64) -> Result<Self, M::Error> {
         let cycles = first.orbit.period_cycles as usize;
-        let looks = first.orbit.strobe_states.iter().take(cycles);
-        let origin = |look: &Vec<f64>| {
+        let strobe_states = first.orbit.strobe_states.iter().take(cycles);
+        let origin = |state: &Vec<f64>| {
             Ok(Position {
-                unknown: method.unknown_of(look, first.parameter)?,
+                unknown: method.unknown_of(state, first.parameter)?,
                 parameter: first.parameter,
             })
         };
         Ok(Self {
-            origins: looks.map(origin).collect::<Result<_, M::Error>>()?,
+            origins: strobe_states.map(origin).collect::<Result<_, M::Error>>()?,
             sense,
-            left: None,
+            noncontact: None,
         })
     }
 
     /// Converts to the unknown of another method.
-    fn carried<M: OrbitMethod>(self, method: &M) -> Self {
-        let carried = |origin: Position| Position {
-            unknown: method.carried(&origin.unknown),
+    fn resampled<M: OrbitMethod>(self, method: &M) -> Self {
+        let resampled = |origin: Position| Position {
+            unknown: method.resampled(&origin.unknown),
             ..origin
         };
         Self {
-            origins: self.origins.into_iter().map(carried).collect(),
+            origins: self.origins.into_iter().map(resampled).collect(),
             ..self
         }
     }

@@ -5,7 +5,7 @@
 //! are not found: [`BranchSearch`](super::BranchSearch) finds those.
 
 use super::branch::Branch;
-use super::tracer::{BranchTracer, newton_goal};
+use super::tracer::{BranchTracer, newton_tolerance};
 use crate::analysis::{AnalysisError, Parameter};
 use crate::continuation::{Corrector, Metric, Position, StepControl, correct_at};
 use crate::integrate::Kernel;
@@ -46,10 +46,13 @@ impl WarmStart<'_> {
     /// # Errors
     /// [`OrbitError`].
     pub fn run(&self, known: &[KnownOrbit]) -> Result<Vec<Branch>, OrbitError<AnalysisError>> {
-        let goal = newton_goal(self.tolerance);
-        let following = BranchTracer {
+        let target_residual = newton_tolerance(self.tolerance);
+        let tracer = BranchTracer {
             range: self.range,
-            corrector: Corrector { goal, most: 8 },
+            corrector: Corrector {
+                goal: target_residual,
+                most: 8,
+            },
             control: self.control,
             most_points: 2000,
             budget: usize::MAX,
@@ -72,23 +75,23 @@ impl WarmStart<'_> {
                 unknown: orbit.state.clone(),
                 parameter,
             };
-            let Ok(found) = correct_at(
+            let Ok(corrected) = correct_at(
                 &shooting,
-                &following.corrector,
-                &Metric::at(&position, following.parameter_scale()),
+                &tracer.corrector,
+                &Metric::at(&position, tracer.parameter_scale()),
                 position,
             ) else {
                 continue;
             };
-            let there = shooting.orbit(&found.local, found.error)?;
-            if there.repeats_early()
+            let corrected_orbit = shooting.orbit(&corrected.local, corrected.error)?;
+            if corrected_orbit.repeats_early()
                 || branches
                     .iter()
-                    .any(|branch| branch.holds(&following, &shooting, (&there, parameter)))
+                    .any(|branch| branch.holds(&tracer, &shooting, (&corrected_orbit, parameter)))
             {
                 continue;
             }
-            branches.extend(following.both_ways(&shooting, there.start(), parameter)?);
+            branches.extend(tracer.both_ways(&shooting, corrected_orbit.start(), parameter)?);
         }
         Ok(branches)
     }

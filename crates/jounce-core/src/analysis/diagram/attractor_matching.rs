@@ -50,13 +50,13 @@ impl Diagram<'_> {
         };
         let mut before: Vec<(VisitGroup, usize)> = Vec::new();
         for (step, value) in self.values.iter().enumerate() {
-            let mut here = groups(visits, *value);
-            let forward = self.followed(&before, *value)?;
+            let mut current = groups(visits, *value);
+            let forward = self.continued(&before, *value)?;
             for (visit, _) in &forward {
                 if visit.motion != AttractorKind::Lost
-                    && !here.iter().any(|group| group.first.is_of(visit))
+                    && !current.iter().any(|group| group.first.is_of(visit))
                 {
-                    here.push(VisitGroup {
+                    current.push(VisitGroup {
                         first: visit.clone(),
                         visits: Vec::new(),
                     });
@@ -64,11 +64,14 @@ impl Diagram<'_> {
             }
             let backward = match step {
                 0 => Vec::new(),
-                _ => self.reached(here.iter().map(|group| &group.first), self.values[step - 1])?,
+                _ => self.reached(
+                    current.iter().map(|group| &group.first),
+                    self.values[step - 1],
+                )?,
             };
             let lands =
-                |visit: &DiagramPoint| here.iter().position(|group| group.first.is_of(visit));
-            let ahead: Vec<(Option<usize>, bool)> = forward
+                |visit: &DiagramPoint| current.iter().position(|group| group.first.is_of(visit));
+            let next_groups: Vec<(Option<usize>, bool)> = forward
                 .iter()
                 .map(|(visit, bridged)| (lands(visit), *bridged))
                 .collect();
@@ -78,9 +81,9 @@ impl Diagram<'_> {
                     .position(|(group, _)| group.first.is_of(visit))
             };
             let behind: Vec<Option<usize>> = backward.iter().map(comes).collect();
-            let partners = partners(&before, &here, &ahead, &behind);
-            let mut homes = Vec::with_capacity(here.len());
-            for (j, group) in here.iter().enumerate() {
+            let partners = partners(&before, &current, &next_groups, &behind);
+            let mut homes = Vec::with_capacity(current.len());
+            for (j, group) in current.iter().enumerate() {
                 let other = || {
                     behind
                         .get(j)
@@ -88,7 +91,7 @@ impl Diagram<'_> {
                         .flatten()
                         .map(|i| history.attractors[before[i].1].id.clone())
                 };
-                let born = || {
+                let birth = || {
                     (step > 0).then(|| Transition {
                         parameter: *value,
                         other: other(),
@@ -98,16 +101,18 @@ impl Diagram<'_> {
                     .iter()
                     .find(|(_, partner)| *partner == j)
                     .map(|(i, _)| before[*i].1);
-                let born = if known.is_none() { born() } else { None };
-                homes.push(known.unwrap_or_else(|| history.begin(&group.first, born)));
+                let birth = if known.is_none() { birth() } else { None };
+                homes.push(known.unwrap_or_else(|| history.start_track(&group.first, birth)));
             }
-            for (i, (_, home)) in before
+            for (i, (_, track)) in before
                 .iter()
                 .enumerate()
-                .filter(|(_, (_, home))| !homes.contains(home))
+                .filter(|(_, (_, track))| !homes.contains(track))
             {
-                let other = ahead[i].0.map(|j| history.attractors[homes[j]].id.clone());
-                history.attractors[*home].died = Some(Transition {
+                let other = next_groups[i]
+                    .0
+                    .map(|j| history.attractors[homes[j]].id.clone());
+                history.attractors[*track].died = Some(Transition {
                     parameter: *value,
                     other,
                 });
@@ -116,39 +121,40 @@ impl Diagram<'_> {
                 .iter()
                 .filter(|visit| visit.parameter == *value && visit.motion != AttractorKind::Lost)
                 .count();
-            here.iter()
+            current
+                .iter()
                 .zip(&homes)
-                .for_each(|(group, home)| history.see(group, *home, of));
-            before = here.into_iter().zip(homes).collect();
+                .for_each(|(group, track)| history.record(group, *track, of));
+            before = current.into_iter().zip(homes).collect();
         }
         Ok(history)
     }
 
     /// Returns where attractors lead at the next value, and true where that took shorter steps
     /// because a single one failed.
-    fn followed(
+    fn continued(
         &self,
         before: &[(VisitGroup, usize)],
         value: f64,
     ) -> Result<Vec<(DiagramPoint, bool)>, AnalysisError> {
         let follow = |(group, _): &(VisitGroup, usize)| {
-            let at_once = self.bridge(&group.first, value, 1)?;
-            if let Some(visit) = at_once.1 {
+            let direct_bridge = self.continue_attractor(&group.first, value, 1)?;
+            if let Some(visit) = direct_bridge.1 {
                 return Ok((visit, false));
             }
             for steps in STEP_SUBDIVISIONS {
-                if let (_, Some(visit)) = self.bridge(&group.first, value, steps)? {
+                if let (_, Some(visit)) = self.continue_attractor(&group.first, value, steps)? {
                     return Ok((visit, true));
                 }
             }
-            Ok((at_once.0, false))
+            Ok((direct_bridge.0, false))
         };
         before.par_iter().map(follow).collect()
     }
 
     /// Follows an attractor to another value in `steps` steps. Returns the last point, and again
     /// the last point if every step stayed close.
-    fn bridge(
+    fn continue_attractor(
         &self,
         from: &DiagramPoint,
         value: f64,
@@ -169,8 +175,8 @@ impl Diagram<'_> {
             )?;
             if !alike(&last, &next)
                 || last
-                    .apart(&next)
-                    .is_none_or(|apart| apart >= MAX_SINGLE_STEP_DISTANCE)
+                    .distance(&next)
+                    .is_none_or(|distance| distance >= MAX_SINGLE_STEP_DISTANCE)
             {
                 return Ok((next, None));
             }
@@ -185,7 +191,7 @@ impl Diagram<'_> {
         from: impl Iterator<Item = &'v DiagramPoint>,
         value: f64,
     ) -> Result<Vec<DiagramPoint>, AnalysisError> {
-        let place = SectionState {
+        let state = SectionState {
             index: 0,
             parameter: value,
             direction: SweepDirection::Independent,
@@ -193,33 +199,33 @@ impl Diagram<'_> {
         };
         from.collect::<Vec<_>>()
             .into_par_iter()
-            .map(|visit| self.visit(place, &visit.end))
+            .map(|visit| self.visit(state, &visit.end))
             .collect()
     }
 }
 
 impl AttractorTracks {
-    fn begin(&mut self, first: &DiagramPoint, born: Option<Transition>) -> usize {
+    fn start_track(&mut self, first: &DiagramPoint, birth: Option<Transition>) -> usize {
         let id = AttractorTrack::name(&self.attractors, first);
         let (motion, period_cycles) = (first.motion, first.period_cycles);
         self.attractors.push(AttractorTrack {
             id,
             motion,
             period_cycles,
-            born,
+            born: birth,
             died: None,
             seen: Vec::new(),
         });
         self.attractors.len() - 1
     }
 
-    fn see(&mut self, group: &VisitGroup, home: usize, of: usize) {
+    fn record(&mut self, group: &VisitGroup, track: usize, of: usize) {
         group
             .visits
             .iter()
-            .for_each(|visit| self.homes[*visit] = Some(home));
+            .for_each(|visit| self.homes[*visit] = Some(track));
         let share = wilson(group.visits.len(), of);
-        self.attractors[home].seen.push(TrackPoint {
+        self.attractors[track].seen.push(TrackPoint {
             parameter: group.first.parameter,
             mean_power_w: group.first.mean_power_w,
             contacts_per_period: group.first.contacts_per_period,
@@ -239,27 +245,27 @@ fn alike(one: &DiagramPoint, other: &DiagramPoint) -> bool {
 /// one pair at most.
 fn partners(
     before: &[(VisitGroup, usize)],
-    here: &[VisitGroup],
-    ahead: &[(Option<usize>, bool)],
+    current: &[VisitGroup],
+    next_groups: &[(Option<usize>, bool)],
     behind: &[Option<usize>],
 ) -> Vec<(usize, usize)> {
     let mut pairs: Vec<(f64, usize, usize)> = Vec::new();
     for (i, (one, _)) in before.iter().enumerate() {
-        for (j, two) in here.iter().enumerate() {
-            let (lands, bridged) = (ahead[i].0 == Some(j), ahead[i].1);
-            let apart = match (lands, behind.get(j) == Some(&Some(i))) {
+        for (j, two) in current.iter().enumerate() {
+            let (lands, bridged) = (next_groups[i].0 == Some(j), next_groups[i].1);
+            let distance = match (lands, behind.get(j) == Some(&Some(i))) {
                 (true, true) => Some(0.0),
                 (true, false) if bridged => Some(0.0),
                 (true, false) | (false, true) => one
                     .first
-                    .apart(&two.first)
-                    .filter(|apart| *apart < MAX_SINGLE_STEP_DISTANCE),
+                    .distance(&two.first)
+                    .filter(|distance| *distance < MAX_SINGLE_STEP_DISTANCE),
                 (false, false) => None,
             };
             pairs.extend(
-                apart
+                distance
                     .filter(|_| alike(&one.first, &two.first))
-                    .map(|apart| (apart, i, j)),
+                    .map(|distance| (distance, i, j)),
             );
         }
     }
@@ -276,11 +282,11 @@ fn partners(
 /// Groups the points at a value by attractor, sorted by period and falling power.
 fn groups(visits: &[DiagramPoint], value: f64) -> Vec<VisitGroup> {
     let mut groups: Vec<VisitGroup> = Vec::new();
-    let own = visits
+    let at_value = visits
         .iter()
         .enumerate()
         .filter(|(_, visit)| visit.parameter == value && visit.motion != AttractorKind::Lost);
-    for (k, visit) in own {
+    for (k, visit) in at_value {
         match groups.iter_mut().find(|group| group.first.is_of(visit)) {
             Some(group) => group.visits.push(k),
             None => groups.push(VisitGroup {

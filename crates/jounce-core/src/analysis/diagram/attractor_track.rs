@@ -52,10 +52,10 @@ pub struct AttractorTrack {
 impl AttractorTrack {
     /// Returns an id that is not in use yet.
     pub(super) fn name(known: &[AttractorTrack], of: &DiagramPoint) -> String {
-        let alike = |known: &&AttractorTrack| {
+        let is_same_kind = |known: &&AttractorTrack| {
             known.motion == of.motion && known.period_cycles == of.period_cycles
         };
-        let letters = crate::analysis::basins::letters(known.iter().filter(alike).count());
+        let letters = crate::analysis::basins::letters(known.iter().filter(is_same_kind).count());
         match of.motion {
             AttractorKind::Orbit => format!("{}{letters}", of.period_cycles),
             other => format!("{}-{letters}", other.name()),

@@ -50,19 +50,19 @@ pub struct SectionState {
 
 impl DiagramPoint {
     /// Integrates from a physical start; an aperiodic motion has `cycles` section points.
-    pub(super) fn march(
+    pub(super) fn integrate(
         (base, parameter): (&Model, &Parameter),
-        place: SectionState,
+        section_state: SectionState,
         start: &[f64],
         (cycles, tolerance): (u32, f64),
     ) -> Result<Self, AnalysisError> {
-        let kernel = parameter.at(place.parameter)?.kernel;
+        let kernel = parameter.at(section_state.parameter)?.kernel;
         let SectionState {
             index,
             parameter: value,
             direction,
             start: number,
-        } = place;
+        } = section_state;
         let mut visit = Self {
             index,
             parameter: value,
@@ -76,17 +76,17 @@ impl DiagramPoint {
             end: vec![0.0; start.len()],
         };
         let options = Recognition::at(tolerance);
-        let found = Recognizer {
+        let steady_state = Recognizer {
             harvester: parameter,
             kernel: &kernel,
             parameter: value,
             options,
         }
         .settle(start, &[]);
-        visit.motion = found.kind();
-        match found {
-            SteadyState::Periodic(found) => {
-                let orbit = &found.orbit;
+        visit.motion = steady_state.kind();
+        match steady_state {
+            SteadyState::Periodic(steady_state) => {
+                let orbit = &steady_state.orbit;
                 let shooting = crate::orbit::Shooting::new(
                     parameter,
                     &base.kernel,
@@ -99,10 +99,10 @@ impl DiagramPoint {
                 visit.end = shooting.physical(orbit.start());
                 visit.section = SectionPoint::of_orbit(base, parameter, value, orbit)?;
             }
-            SteadyState::Aperiodic(found) => {
-                match strobe_states(&kernel, &found.state, cycles, tolerance) {
+            SteadyState::Aperiodic(steady_state) => {
+                match strobe_states(&kernel, &steady_state.state, cycles, tolerance) {
                     Ok(states) => {
-                        visit.mean_power_w = found.mean_power_w;
+                        visit.mean_power_w = steady_state.mean_power_w;
                         visit.section = states
                             .iter()
                             .map(|state| SectionPoint::of(&kernel.plant.system, state))
@@ -122,13 +122,13 @@ impl DiagramPoint {
         self.motion == other.motion
             && (self.motion != AttractorKind::Orbit
                 || self
-                    .apart(other)
-                    .is_some_and(|apart| apart < SAME_ORBIT_DISTANCE))
+                    .distance(other)
+                    .is_some_and(|distance| distance < SAME_ORBIT_DISTANCE))
     }
 
     /// Distance of the sections of two orbits of one period, relative to the larger section,
     /// minimised over the order of their points; `None` for an aperiodic motion.
-    pub(super) fn apart(&self, other: &DiagramPoint) -> Option<f64> {
+    pub(super) fn distance(&self, other: &DiagramPoint) -> Option<f64> {
         let cycles = self.section.len();
         if self.period_cycles == 0 || cycles == 0 || other.section.len() != cycles {
             return None;
@@ -148,12 +148,12 @@ impl DiagramPoint {
             ((a.displacement_m - b.displacement_m) / far_m)
                 .hypot((a.velocity_m_per_s - b.velocity_m_per_s) / fast_m_per_s)
         };
-        let turned = |by: usize| {
+        let rotated_distance = |by: usize| {
             (0..cycles)
                 .map(|k| between(&self.section[k], &other.section[(k + by) % cycles]))
                 .fold(0.0, f64::max)
         };
-        (0..cycles).map(turned).min_by(f64::total_cmp)
+        (0..cycles).map(rotated_distance).min_by(f64::total_cmp)
     }
 }
 

@@ -41,7 +41,7 @@ pub struct Diagram<'s> {
 impl Diagram<'_> {
     /// Number of integrations.
     pub fn len(&self) -> usize {
-        self.places().len()
+        self.start_states().len()
     }
 
     /// True for a diagram without integrations.
@@ -60,9 +60,9 @@ impl Diagram<'_> {
         journal: Option<&Journal<DiagramPoint>>,
         done: &(dyn Fn(&DiagramPoint) + Sync),
     ) -> Result<Vec<DiagramPoint>, AnalysisError> {
-        let found = journal.map(Journal::found).unwrap_or_default();
+        let completed = journal.map(Journal::found).unwrap_or_default();
         let control = &self.base.kernel.control;
-        control.expect(self.len() - found.len());
+        control.expect(self.len() - completed.len());
         let finish = |visit: DiagramPoint| {
             if let Some(journal) = journal {
                 journal.keep(&visit)?;
@@ -72,9 +72,9 @@ impl Diagram<'_> {
             Ok(visit)
         };
         let mut visits = match self.order {
-            DiagramOrder::Starts(cloud) => self.scattered(cloud, found, &finish)?,
+            DiagramOrder::Starts(cloud) => self.scattered(cloud, completed, &finish)?,
             DiagramOrder::Up | DiagramOrder::Down | DiagramOrder::Both => {
-                self.stepped(found, &finish)?
+                self.stepped(completed, &finish)?
             }
         };
         visits.sort_by_key(|visit| visit.index);
@@ -82,38 +82,39 @@ impl Diagram<'_> {
     }
 
     /// Returns a finished point; `None` where it was cancelled.
-    fn finished(
+    fn complete_point(
         &self,
-        place: SectionState,
+        state: SectionState,
         start: &[f64],
     ) -> Result<Option<DiagramPoint>, AnalysisError> {
         let stopped = || self.base.kernel.control.is_stopped();
         if stopped() {
             return Ok(None);
         }
-        let visit = self.visit(place, start)?;
+        let visit = self.visit(state, start)?;
         Ok((!stopped()).then_some(visit))
     }
 
     /// Integrates at a value from a physical start.
     pub(super) fn visit(
         &self,
-        place: SectionState,
+        state: SectionState,
         start: &[f64],
     ) -> Result<DiagramPoint, AnalysisError> {
-        DiagramPoint::march(
+        DiagramPoint::integrate(
             (self.base, self.parameter),
-            place,
+            state,
             start,
             (self.cycles, self.tolerance),
         )
     }
 
-    fn places(&self) -> Vec<SectionState> {
-        let way = |direction: SweepDirection| move |parameter: &f64| (*parameter, direction, 0);
+    fn start_states(&self) -> Vec<SectionState> {
+        let state_at =
+            |direction: SweepDirection| move |parameter: &f64| (*parameter, direction, 0);
         let (up, down) = (
-            self.values.iter().map(way(SweepDirection::Up)),
-            self.values.iter().rev().map(way(SweepDirection::Down)),
+            self.values.iter().map(state_at(SweepDirection::Up)),
+            self.values.iter().rev().map(state_at(SweepDirection::Down)),
         );
         let all: Vec<(f64, SweepDirection, usize)> = match self.order {
             DiagramOrder::Up => up.collect(),
@@ -128,24 +129,24 @@ impl Diagram<'_> {
                 self.values.iter().flat_map(starts).collect()
             }
         };
-        let place = |(index, (parameter, direction, start))| SectionState {
+        let state = |(index, (parameter, direction, start))| SectionState {
             index,
             parameter,
             direction,
             start,
         };
-        all.into_iter().enumerate().map(place).collect()
+        all.into_iter().enumerate().map(state).collect()
     }
 
     fn scattered(
         &self,
         cloud: Cloud,
-        found: &[DiagramPoint],
+        completed: &[DiagramPoint],
         finish: &(dyn Fn(DiagramPoint) -> Result<DiagramPoint, AnalysisError> + Sync),
     ) -> Result<Vec<DiagramPoint>, AnalysisError> {
-        (self.places().into_par_iter())
-            .map(|place| {
-                if let Some(visit) = found.iter().find(|visit| visit.index == place.index) {
+        (self.start_states().into_par_iter())
+            .map(|state| {
+                if let Some(visit) = completed.iter().find(|visit| visit.index == state.index) {
                     return Ok(Some(visit.clone()));
                 }
                 // Checked before the model is built, so that after cancellation the remaining
@@ -153,8 +154,8 @@ impl Diagram<'_> {
                 if self.base.kernel.control.is_stopped() {
                     return Ok(None);
                 }
-                let kernel = self.parameter.at(place.parameter)?.kernel;
-                self.finished(place, &cloud.start(&kernel.plant, place.start))?
+                let kernel = self.parameter.at(state.parameter)?.kernel;
+                self.complete_point(state, &cloud.start(&kernel.plant, state.start))?
                     .map(finish)
                     .transpose()
             })
@@ -164,18 +165,18 @@ impl Diagram<'_> {
 
     fn stepped(
         &self,
-        found: &[DiagramPoint],
+        completed: &[DiagramPoint],
         finish: &(dyn Fn(DiagramPoint) -> Result<DiagramPoint, AnalysisError> + Sync),
     ) -> Result<Vec<DiagramPoint>, AnalysisError> {
         let rest = vec![0.0; self.base.kernel.plant.len()];
-        let mut visits = found.to_vec();
-        for place in self.places().into_iter().skip(found.len()) {
+        let mut visits = completed.to_vec();
+        for state in self.start_states().into_iter().skip(completed.len()) {
             let start = visits
                 .last()
                 .filter(|last| last.motion != AttractorKind::Lost)
                 .map_or(&rest, |last| &last.end)
                 .clone();
-            let Some(visit) = self.finished(place, &start)? else {
+            let Some(visit) = self.complete_point(state, &start)? else {
                 break;
             };
             visits.push(finish(visit)?);

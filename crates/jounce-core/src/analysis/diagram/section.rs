@@ -45,12 +45,12 @@ impl SectionPoint {
     ) -> Result<Vec<Self>, AnalysisError> {
         let kernel = parameter.at(value)?.kernel;
         let shooting = Shooting::new(parameter, &base.kernel, orbit.period_cycles, 1e-9);
-        let looks = orbit
+        let strobe_states = orbit
             .strobe_states
             .iter()
             .take(orbit.period_cycles as usize);
-        Ok(looks
-            .map(|look| Self::of(&kernel.plant.system, &shooting.physical(look)))
+        Ok(strobe_states
+            .map(|strobe_state| Self::of(&kernel.plant.system, &shooting.physical(strobe_state)))
             .collect())
     }
 }

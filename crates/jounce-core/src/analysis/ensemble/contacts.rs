@@ -86,14 +86,14 @@ impl StopEstimates {
     /// Estimates of stop number `index`; a batch lasts `batch_s`.
     pub(super) fn of(name: &str, members: &[Member], index: usize, batch_s: f64) -> Self {
         let interval = IntervalOver::of(members.len());
-        let own = || members.iter().map(move |member| &member.stops[index]);
+        let stops = || members.iter().map(move |member| &member.stops[index]);
         let (counts, length_s): (Vec<ContactCount>, f64) = match interval {
             IntervalOver::Members => (
-                own().map(MemberStop::total).collect(),
+                stops().map(MemberStop::total).collect(),
                 batch_s * super::member::BATCHES as f64,
             ),
             IntervalOver::Batches => (
-                own()
+                stops()
                     .flat_map(|stop| stop.batches.iter().copied())
                     .collect(),
                 batch_s,
@@ -106,7 +106,7 @@ impl StopEstimates {
                 .collect();
             Estimate::of_ratio(&pairs, interval)
         };
-        let largest = |value: fn(&MemberStop) -> f64| own().map(value).fold(0.0, f64::max);
+        let largest = |value: fn(&MemberStop) -> f64| stops().map(value).fold(0.0, f64::max);
         Self {
             name: name.to_owned(),
             contact_rate_hz: over(|count| count.contacts as f64, |_, length_s| length_s),

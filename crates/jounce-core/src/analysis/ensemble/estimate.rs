@@ -117,11 +117,11 @@ impl Estimate {
             };
         }
         let (count, mean) = (pairs.len() as f64, above / below);
-        let left_out: Vec<f64> = pairs
+        let leave_one_out: Vec<f64> = pairs
             .iter()
             .map(|pair| count * mean - (count - 1.0) * (above - pair[0]) / (below - pair[1]))
             .collect();
-        let spread = Self::of(&left_out, interval);
+        let spread = Self::of(&leave_one_out, interval);
         let half_width = if spread.half_width.is_finite() {
             spread.half_width
         } else {

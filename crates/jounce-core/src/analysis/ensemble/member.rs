@@ -52,7 +52,7 @@ pub(super) struct Sampling {
 
 impl Member {
     /// Integrates a realisation and fills `sampling` where it is given.
-    pub(super) fn march(
+    pub(super) fn integrate(
         kernel: &Kernel,
         limits: &Limits,
         start: &StartState,
@@ -75,7 +75,7 @@ impl Member {
             kernel.plant.system.stops.len()
         ];
         let (mut batches_w, mut before_j) = (Vec::with_capacity(BATCHES), opened.delivered_j());
-        let mut passed: Vec<Vec<ExceededLimit>> = Vec::new();
+        let mut exceeded_per_batch: Vec<Vec<ExceededLimit>> = Vec::new();
         for batch in 1..=BATCHES {
             let end = |batch: usize| {
                 if batch == BATCHES {
@@ -91,7 +91,7 @@ impl Member {
             integrator.advance_to(end(batch))?;
             if records {
                 let record = integrator.take_record();
-                passed.push(limits.exceeded(kernel, &record));
+                exceeded_per_batch.push(limits.exceeded(kernel, &record));
                 if let Some(sampling) = sampling.as_deref_mut() {
                     sampling.read(kernel, &record, [end(batch - 1), end(batch)]);
                 }
@@ -108,23 +108,23 @@ impl Member {
         let counts = stops.into_iter().map(|(_, counts)| counts);
         let stops = counts
             .zip(integrator.statistics_by_stop())
-            .map(|(batches, own)| member_stop(batches, &own))
+            .map(|(batches, statistics)| member_stop(batches, &statistics))
             .collect();
-        let exceeded = WorstExcess::of(passed.iter().map(Vec::as_slice))
+        let exceeded = WorstExcess::of(exceeded_per_batch.iter().map(Vec::as_slice))
             .into_iter()
             .map(|worst| worst.exceeded)
             .collect();
-        let told = Self::told(
+        let member = Self::from_statistics(
             index,
             window_s,
             [&opened, &integrator.energies()],
             (batches_w, stops),
             &integrator.statistics(),
         );
-        Ok(Self { exceeded, ..told })
+        Ok(Self { exceeded, ..member })
     }
 
-    fn told(
+    fn from_statistics(
         index: usize,
         window_s: f64,
         [opened, energies]: [&Energies; 2],
@@ -135,7 +135,7 @@ impl Member {
             let rectified = energies
                 .rectified
                 .iter()
-                .map(|own| own.load_j + own.battery_j);
+                .map(|energy| energy.load_j + energy.battery_j);
             energies
                 .loads_j
                 .iter()
@@ -150,7 +150,7 @@ impl Member {
             .collect();
         Self {
             index,
-            mean_power_w: loads_w.iter().fold(0.0, |sum, own| sum + own),
+            mean_power_w: loads_w.iter().fold(0.0, |sum, energy| sum + energy),
             loads_w,
             batches_w,
             contacts: statistics.contacts,
@@ -166,13 +166,13 @@ impl Member {
     }
 }
 
-fn member_stop(batches: Vec<ContactCount>, own: &ContactStatistics) -> MemberStop {
+fn member_stop(batches: Vec<ContactCount>, statistics: &ContactStatistics) -> MemberStop {
     MemberStop {
         batches,
-        max_impact_velocity_m_s: own.max_impact_velocity_m_s,
-        max_contact_duration_s: own.max_contact_duration_s,
-        max_contact_force_n: own.max_force_n,
-        max_penetration_m: own.max_penetration_m,
+        max_impact_velocity_m_s: statistics.max_impact_velocity_m_s,
+        max_contact_duration_s: statistics.max_contact_duration_s,
+        max_contact_force_n: statistics.max_force_n,
+        max_penetration_m: statistics.max_penetration_m,
     }
 }
 
@@ -189,7 +189,7 @@ impl Sampling {
             self.voltages_v
                 .iter_mut()
                 .zip(voltages)
-                .for_each(|(own, voltage)| own.push(voltage));
+                .for_each(|(samples, voltage)| samples.push(voltage));
         }
     }
 }

@@ -94,21 +94,21 @@ impl Ensemble<'_> {
                     .zip(densities)
                     .for_each(|(sums, density)| sums.add(&density));
             }
-            let answer = self.answer(&members);
-            let reached = answer.reached && !control.is_stopped();
+            let result = self.result(&members);
+            let reached = result.reached && !control.is_stopped();
             if reached || members.len() >= self.members * self.most_rounds || control.is_stopped() {
                 let names = self.base.kernel.plant.system.modes.patch.keys().cloned();
                 let resolution_hz = 1.0 / self.base.spec.run.average_over_s;
                 let spectra = spectra
                     .iter()
                     .zip(names)
-                    .map(|(sums, name)| sums.told(name, resolution_hz))
+                    .map(|(sums, name)| sums.to_spectrum(name, resolution_hz))
                     .collect();
                 return Ok(EnsembleResult {
                     members,
                     spectra,
                     reached,
-                    ..answer
+                    ..result
                 });
             }
         }
@@ -139,7 +139,7 @@ impl Ensemble<'_> {
             per_batch,
             voltages_v,
         });
-        let member = match Member::march(
+        let member = match Member::integrate(
             &kernel,
             &limits,
             &self.start,
@@ -148,7 +148,7 @@ impl Ensemble<'_> {
             sampling.as_mut(),
         ) {
             Err(IntegrationError::Stopped { .. }) => return Ok(None),
-            marched => marched.map_err(RunError::from)?,
+            result => result.map_err(RunError::from)?,
         };
         kernel.control.count();
         done(&member);
@@ -194,7 +194,7 @@ impl Ensemble<'_> {
             .max(16.0) as usize
     }
 
-    fn answer(&self, members: &[Member]) -> EnsembleResult {
+    fn result(&self, members: &[Member]) -> EnsembleResult {
         let power_w = Estimate::of_power(members);
         let contacts = members
             .iter()

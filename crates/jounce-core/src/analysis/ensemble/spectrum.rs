@@ -28,7 +28,7 @@ struct PeriodogramSums {
     /// `sum G` and `sum G^2` at each line.
     lines: Vec<[f64; 2]>,
     /// `sum I` and `sum I^2`.
-    whole: [f64; 2],
+    total: [f64; 2],
 }
 
 impl PeriodogramSums {
@@ -37,8 +37,8 @@ impl PeriodogramSums {
         for ([sum, squares], g) in self.lines.iter_mut().zip(density) {
             (*sum, *squares) = (*sum + g, *squares + g * g);
         }
-        let whole: f64 = density.iter().sum();
-        self.whole = [self.whole[0] + whole, self.whole[1] + whole * whole];
+        let total: f64 = density.iter().sum();
+        self.total = [self.total[0] + total, self.total[1] + total * total];
     }
 
     fn merge(&mut self, other: &Self, sign: f64) {
@@ -46,16 +46,16 @@ impl PeriodogramSums {
         for (sums, others) in self.lines.iter_mut().zip(&other.lines) {
             (sums[0], sums[1]) = (sums[0] + sign * others[0], sums[1] + sign * others[1]);
         }
-        (self.whole[0], self.whole[1]) = (
-            self.whole[0] + sign * other.whole[0],
-            self.whole[1] + sign * other.whole[1],
+        (self.total[0], self.total[1]) = (
+            self.total[0] + sign * other.total[0],
+            self.total[1] + sign * other.total[1],
         );
     }
 
     /// Statistical bandwidth `B` in lines.
     fn bandwidth(&self) -> f64 {
-        let apart = |[sum, squares]: &[f64; 2]| sum * sum - squares;
-        apart(&self.whole) / self.lines.iter().map(apart).sum::<f64>()
+        let variance = |[sum, squares]: &[f64; 2]| sum * sum - squares;
+        variance(&self.total) / self.lines.iter().map(variance).sum::<f64>()
     }
 }
 
@@ -97,7 +97,7 @@ impl VoltagePeriodograms {
     }
 
     /// Returns the spectrum of all members; lines are `resolution_hz` apart.
-    pub fn told(&self, patch: String, resolution_hz: f64) -> VoltageSpectrum {
+    pub fn to_spectrum(&self, patch: String, resolution_hz: f64) -> VoltageSpectrum {
         let lines = self.groups.first().map_or(0, |group| group.lines.len());
         let per_bin = lines.div_ceil(MAX_BINS);
         let middle = |bin: usize| {
@@ -124,21 +124,21 @@ impl VoltagePeriodograms {
             .collect();
         let mut all = PeriodogramSums::default();
         groups.iter().for_each(|group| all.merge(group, 1.0));
-        let whole = all.bandwidth();
+        let total = all.bandwidth();
         let count = groups.len() as f64;
-        let left_out = groups.iter().map(|group| {
+        let leave_one_out = groups.iter().map(|group| {
             let mut rest = all.clone();
             rest.merge(group, -1.0);
-            resolution_hz * (count * whole - (count - 1.0) * rest.bandwidth())
+            resolution_hz * (count * total - (count - 1.0) * rest.bandwidth())
         });
-        let spread = Estimate::of(&left_out.collect::<Vec<f64>>(), IntervalOver::Members);
+        let spread = Estimate::of(&leave_one_out.collect::<Vec<f64>>(), IntervalOver::Members);
         let half_width = if spread.half_width.is_finite() {
             spread.half_width
         } else {
             f64::INFINITY
         };
         Estimate {
-            mean: resolution_hz * whole,
+            mean: resolution_hz * total,
             half_width,
             ..spread
         }

@@ -67,9 +67,9 @@ impl AdaptedNorm {
     }
 
     /// Returns the largest factor by which a map expands a vector; `None` where it is not finite.
-    pub fn stretch(&self, map: &Mat<f64>) -> Option<f64> {
-        let moved = &self.factor * map * &self.inverse;
-        moved
+    pub fn norm_of(&self, map: &Mat<f64>) -> Option<f64> {
+        let transformed = &self.factor * map * &self.inverse;
+        transformed
             .singular_values()
             .ok()?
             .first()
@@ -85,13 +85,13 @@ mod tests {
     /// A shear with multipliers 0.9 expands vectors a hundredfold in the Euclidean norm, and by
     /// less than 0.95 in the norm adapted to it.
     #[test]
-    fn a_stable_map_contracts_by_the_rate_asked_for() {
+    fn stable_map_contracts_at_the_requested_rate() {
         let map = Mat::from_fn(2, 2, |i, j| [[0.9, 100.0], [0.0, 0.9]][i][j]);
-        let euclidean = AdaptedNorm::euclidean(2).stretch(&map).unwrap_or(0.0);
+        let euclidean = AdaptedNorm::euclidean(2).norm_of(&map).unwrap_or(0.0);
         assert!((euclidean - 100.0).abs() < 0.1, "{euclidean}");
         let norm = AdaptedNorm::of(&map, 0.95).unwrap_or_else(|| AdaptedNorm::euclidean(2));
-        let stretch = norm.stretch(&map).unwrap_or(1.0);
-        assert!((0.9..0.95).contains(&stretch), "{stretch}");
+        let norm_of_map = norm.norm_of(&map).unwrap_or(1.0);
+        assert!((0.9..0.95).contains(&norm_of_map), "{norm_of_map}");
         assert!(norm.length(&[1.0, 2.0]) >= 5.0_f64.sqrt(), "V >= I");
     }
 

@@ -78,24 +78,27 @@ impl AttractingOrbit {
         displacement: &[f64],
         period: impl Fn(&[f64]) -> Result<PeriodRun, E>,
     ) -> Option<Self> {
-        let still = period(&vec![0.0; displacement.len()]).ok()?;
+        let at_rest = period(&vec![0.0; displacement.len()]).ok()?;
         let rate = 0.5 * (1.0 + orbit.floquet_max_abs());
-        let norm = AdaptedNorm::of(&still.derivative, rate)?;
-        let directions = directions(&norm, &still.derivative, displacement);
+        let norm = AdaptedNorm::of(&at_rest.derivative, rate)?;
+        let directions = directions(&norm, &at_rest.derivative, displacement);
         let bound = |radius: f64| -> Option<(f64, f64)> {
-            let mut worst = (norm.stretch(&still.derivative)?, norm.length(&still.error));
+            let mut worst = (
+                norm.norm_of(&at_rest.derivative)?,
+                norm.length(&at_rest.error),
+            );
             for direction in &directions {
                 let found =
                     period(&direction.iter().map(|d| radius * d).collect::<Vec<_>>()).ok()?;
                 worst = (
-                    worst.0.max(norm.stretch(&found.derivative)?),
+                    worst.0.max(norm.norm_of(&found.derivative)?),
                     worst.1.max(norm.length(&found.error)),
                 );
             }
             (worst.0 + worst.1 / radius < 1.0).then_some(worst)
         };
         let size = orbit.size().max(f64::MIN_POSITIVE);
-        let least = (norm.length(&still.error) / (1.0 - rate)).max(f64::EPSILON * size);
+        let least = (norm.length(&at_rest.error) / (1.0 - rate)).max(f64::EPSILON * size);
         let mut radius = norm
             .length(displacement)
             .max(2.0 * least)
@@ -171,9 +174,9 @@ impl AttractingOrbit {
             return false;
         }
         if self.keeps_charge && other.keeps_charge {
-            let apart_w = (one.mean_power_w - two.mean_power_w).abs();
+            let difference_w = (one.mean_power_w - two.mean_power_w).abs();
             return one.contacts == two.contacts
-                && apart_w
+                && difference_w
                     <= SAME_POWER_DISTANCE * one.mean_power_w.abs().max(two.mean_power_w.abs());
         }
         self.holds(two) || other.holds(one)

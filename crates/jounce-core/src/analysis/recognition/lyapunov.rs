@@ -67,16 +67,16 @@ pub fn largest_exponent(
                 &ParameterSensitivity::default(),
             )?;
             let n = y.len();
-            let moved: Vec<f64> = (0..n)
+            let perturbed: Vec<f64> = (0..n)
                 .map(|i| (0..n).map(|j| step.jacobian[(i, j)] * direction[j]).sum())
                 .collect();
-            let length = moved
+            let length = perturbed
                 .iter()
                 .map(|v| v * v)
                 .sum::<f64>()
                 .sqrt()
                 .max(f64::MIN_POSITIVE);
-            direction = moved.into_iter().map(|v| v / length).collect();
+            direction = perturbed.into_iter().map(|v| v / length).collect();
             growth += length.ln();
             y = step.end;
             energy_j += if block > 0 {

@@ -108,7 +108,7 @@ impl<H: ParametricModel> OrbitSearch<'_, H> {
         let start = orbit.start().to_vec();
         let period = |away: &[f64]| -> Result<PeriodRun, Failure<H>> {
             let from: Vec<f64> = start.iter().zip(away).map(|(x, d)| x + d).collect();
-            let (moved, _) = shooting
+            let (evaluation, _) = shooting
                 .shoot(&from, self.parameter)
                 .map_err(ContinuationError::Family)?;
             let ends = [tolerance, TOLERANCE_REDUCTION * tolerance]
@@ -118,7 +118,7 @@ impl<H: ParametricModel> OrbitSearch<'_, H> {
             });
             let error = coarse?.iter().zip(fine?).map(|(a, b)| a - b).collect();
             Ok(PeriodRun {
-                derivative: moved.map().clone(),
+                derivative: evaluation.map().clone(),
                 error,
             })
         };
@@ -145,10 +145,12 @@ impl<H: ParametricModel> OrbitSearch<'_, H> {
             most: MAX_EVALUATIONS,
         };
         let CorrectedPoint {
-            local: shot, error, ..
+            local: evaluation,
+            error,
+            ..
         } = correct_at(&shooting, &corrector, &metric, position)?;
         let orbit = shooting
-            .orbit(&shot, error)
+            .orbit(&evaluation, error)
             .map_err(ContinuationError::Family)?;
         if let Some(cycles) = orbit.shorter_period() {
             let shorter = Shooting {
@@ -159,13 +161,13 @@ impl<H: ParametricModel> OrbitSearch<'_, H> {
             };
             // Just after a period doubling both orbits are close to each other, and the shorter one
             // is unstable.
-            let found = self
+            let shorter_orbit = self
                 .newton(shorter, orbit.start())
                 .ok()
                 .filter(|(_, orbit, _)| orbit.is_stable());
-            return Ok(found.unwrap_or((shooting, orbit, shot)));
+            return Ok(shorter_orbit.unwrap_or((shooting, orbit, evaluation)));
         }
-        Ok((shooting, orbit, shot))
+        Ok((shooting, orbit, evaluation))
     }
 
     /// Integrates a period without its derivative, and returns the state in energy coordinates.
@@ -195,19 +197,20 @@ impl<H: ParametricModel> OrbitSearch<'_, H> {
         let [now, before] = [change(0)?, change(1)?];
         let rate = now / before;
         // The further changes are a geometric series, down to the error of the integration.
-        let left = if rate < 1.0 {
+        let remaining = if rate < 1.0 {
             now * rate / (1.0 - rate)
         } else {
             f64::INFINITY
         };
         if now > SETTLED_CHANGE * size
-            || left > SETTLED_CHANGE * size && now > SETTLED_CHANGE * TOLERANCE_REDUCTION * size
+            || remaining > SETTLED_CHANGE * size
+                && now > SETTLED_CHANGE * TOLERANCE_REDUCTION * size
         {
             return None;
         }
         let shooting = Shooting::new(self.harvester, self.kernel, cycles, motion.tolerance);
         let orbit = shooting
-            .marched_orbit(&motion.physical(), self.parameter)
+            .integrated_orbit(&motion.physical(), self.parameter)
             .ok()?;
         Some(AttractingOrbit::observed(orbit))
     }

@@ -95,7 +95,7 @@ impl<H: ParametricModel> Recognizer<'_, H> {
     ) -> Result<SteadyState, SensitivityError> {
         let Recognition {
             tolerance,
-            goal,
+            goal: target_residual,
             longest_period,
             max_cycles,
         } = self.options;
@@ -111,7 +111,7 @@ impl<H: ParametricModel> Recognizer<'_, H> {
             harvester: self.harvester,
             kernel: self.kernel,
             parameter: self.parameter,
-            goal,
+            goal: target_residual,
         };
         let mut orbits = known.to_vec();
         let (mut entry, mut next_search): (Option<BallEntry>, u32) = (None, FIRST_SEARCH_CYCLES);
@@ -190,12 +190,12 @@ fn arrived(
         }
     }
     // The latest first: it was found from this motion.
-    *entry = orbits.iter().enumerate().rev().find_map(|(orbit, own)| {
-        let distance = own.distance(&motion.state)?;
+    *entry = orbits.iter().enumerate().rev().find_map(|(orbit, known)| {
+        let distance = known.distance(&motion.state)?;
         Some(BallEntry {
             orbit,
             distance,
-            until: motion.cycles + own.orbit.period_cycles,
+            until: motion.cycles + known.orbit.period_cycles,
         })
     });
     None

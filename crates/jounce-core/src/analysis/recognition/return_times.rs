@@ -55,7 +55,7 @@ impl ReturnTimes {
             distances
                 .iter()
                 .position(|distance| *distance <= bound)
-                .map(|place| place as u32 + 1)
+                .map(|index| index as u32 + 1)
         };
         let mut periods: Vec<u32> = [first(COMPARABLE_RETURN_RATIO * nearest), first(nearest)]
             .into_iter()
@@ -72,7 +72,7 @@ mod tests {
 
     /// A spiral with multipliers `0.9 exp(+-2 pi i / 3)` about an orbit of one cycle is nearest to itself after three.
     #[test]
-    fn a_spiral_returns_after_a_whole_turn_but_the_shorter_period_is_tried_first() {
+    fn spiral_returns_after_a_full_turn_and_shorter_periods_come_first() {
         let mut times = ReturnTimes::up_to(12);
         for k in 0..40 {
             let (radius, angle) = (0.98_f64.powi(k), f64::from(k) * std::f64::consts::TAU / 3.0);
@@ -87,7 +87,7 @@ mod tests {
 
     /// Period 18, which divides 72: the shorter returns are far away.
     #[test]
-    fn a_long_period_is_found_at_once() {
+    fn long_period_is_found_first() {
         let mut times = ReturnTimes::up_to(64);
         (0..100).for_each(|k| {
             times.push(vec![

@@ -24,22 +24,22 @@ pub fn settled_orbit<H: ParametricModel>(
     parameter: f64,
     start: &[f64],
     tolerance: f64,
-    goal: f64,
+    target_residual: f64,
 ) -> Option<Orbit> {
-    let found = settled_orbits(harvester, parameter, &[start.to_vec()], tolerance).pop()??;
+    let orbit = settled_orbits(harvester, parameter, &[start.to_vec()], tolerance).pop()??;
     let setting = harvester.at(parameter).ok()?;
-    let physical = Shooting::new(harvester, &setting.kernel, 1, tolerance).physical(found.start());
-    let shooting = Shooting::new(harvester, &setting.kernel, found.period_cycles, tolerance)
+    let physical = Shooting::new(harvester, &setting.kernel, 1, tolerance).physical(orbit.start());
+    let shooting = Shooting::new(harvester, &setting.kernel, orbit.period_cycles, tolerance)
         .charged_as(&physical);
     let position = Position {
-        unknown: found.start().to_vec(),
+        unknown: orbit.start().to_vec(),
         parameter,
     };
     let metric = Metric::at(&position, 1.0);
     let corrected = correct_at(
         &shooting,
         &Corrector {
-            goal,
+            goal: target_residual,
             most: MAX_EVALUATIONS,
         },
         &metric,
@@ -77,11 +77,11 @@ pub fn settled_orbits<H: ParametricModel>(
     let mut known: Vec<Arc<AttractingOrbit>> = Vec::new();
     let mut settled = |start: &Vec<f64>| {
         let end = recognizer.settle(start, &known);
-        let found = end
+        let candidate = end
             .orbit()
-            .filter(|found| !known.iter().any(|known| known.is_same(found)))?;
-        known.push(Arc::clone(found));
-        Some(found.orbit.clone()).filter(|orbit| !orbit.multipliers.is_empty())
+            .filter(|candidate| !known.iter().any(|known| known.is_same(candidate)))?;
+        known.push(Arc::clone(candidate));
+        Some(candidate.orbit.clone()).filter(|orbit| !orbit.multipliers.is_empty())
     };
     starts.iter().map(&mut settled).collect()
 }

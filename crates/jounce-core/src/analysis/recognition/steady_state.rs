@@ -36,7 +36,7 @@ impl SteadyState {
     pub fn kind(&self) -> AttractorKind {
         match self {
             Self::Periodic(_) => AttractorKind::Orbit,
-            Self::Aperiodic(found) => found.kind,
+            Self::Aperiodic(aperiodic) => aperiodic.kind,
             Self::Failed(_) => AttractorKind::Lost,
         }
     }

@@ -23,8 +23,8 @@ pub fn weighted_average(samples: &[f64]) -> f64 {
             .iter()
             .enumerate()
             .fold((0.0, 0.0), |(sum, weights), (k, sample)| {
-                let own = weight(k);
-                (sum + own * sample, weights + own)
+                let weight_k = weight(k);
+                (sum + weight_k * sample, weights + weight_k)
             });
     sum / weights
 }

@@ -62,7 +62,7 @@ impl SpeedBound {
             return None;
         }
         let sizes = magnitudes(block, &plant.ports[port].velocity);
-        let pushed = |other: &Port| {
+        let response = |other: &Port| {
             sizes
                 .iter()
                 .zip(&other.force)
@@ -75,7 +75,7 @@ impl SpeedBound {
                 .iter()
                 .map(|tone| tone.displacement_m[port].norm() * tone.angular_frequency_rad_s)
                 .sum(),
-            per_impulse: plant.ports.iter().map(pushed).collect(),
+            per_impulse: plant.ports.iter().map(response).collect(),
         })
     }
 }

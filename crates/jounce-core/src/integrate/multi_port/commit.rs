@@ -9,7 +9,7 @@ use crate::integrate::joint_tables::{JointTables, StepLength};
 use crate::integrate::kernel::Kernel;
 use crate::integrate::port_state::ContactState;
 use crate::integrate::small_list::SmallList;
-use crate::integrate::state::pushed;
+use crate::integrate::state::add_force_response;
 use crate::integrate::step_size::LEVELS_PER_OCTAVE;
 use crate::integrate::trajectory::PortForce;
 use crate::simd::{F64x8, Simd};
@@ -18,7 +18,7 @@ impl Integrator<'_> {
     /// Accepts a solved step whose free motion is in `next`; the tables hold the effects of several
     /// ports on each other.
     #[inline(always)]
-    pub(super) fn take_joint<W: Simd>(
+    pub(super) fn accept_joint_step<W: Simd>(
         &mut self,
         w: W,
         length: StepLength,
@@ -26,14 +26,14 @@ impl Integrator<'_> {
         solved: &[SolvedStep],
         tables: Option<&JointTables>,
     ) {
-        w.apart(
+        w.out_of_line(
             #[inline(always)]
-            || self.take_all(w, length, steps, solved, tables),
+            || self.accept_steps(w, length, steps, solved, tables),
         );
     }
 
     #[inline(always)]
-    fn take_all<W: Simd>(
+    fn accept_steps<W: Simd>(
         &mut self,
         w: W,
         length: StepLength,
@@ -41,7 +41,10 @@ impl Integrator<'_> {
         solved: &[SolvedStep],
         tables: Option<&JointTables>,
     ) {
-        let forces: SmallList<F64x8> = solved.iter().map(|own| nodal(&own.force)).collect();
+        let forces: SmallList<F64x8> = solved
+            .iter()
+            .map(|solution| nodal(&solution.force))
+            .collect();
         if self.record.is_some() {
             let noted: Vec<PortForce> = steps
                 .iter()
@@ -63,40 +66,40 @@ impl Integrator<'_> {
             .pass(self.kernel, length.seconds(), self.time_s, &mut self.y);
         let first = steps[0].port;
         for tone in &mut self.tones {
-            tone.turn *= tone.swing[first].end();
+            tone.turn *= tone.samples[first].end();
         }
         for p in 0..self.kernel.plant.ports.len() {
             if self.ports[p].regime == ContactState::Flight && !self.ports[p].clearance.is_unseen {
                 self.update_port(w, p);
             }
         }
-        self.arrive_all(w, length.level(), steps, solved);
+        self.update_ports_in_contact(w, length.level(), steps, solved);
         self.work.contact_steps += 1;
     }
 
     /// Sets every port in contact to the end of the step.
     #[inline(always)]
-    fn arrive_all<W: Simd>(
+    fn update_ports_in_contact<W: Simd>(
         &mut self,
         w: W,
         level: i32,
         steps: &[ContactStep],
         solved: &[SolvedStep],
     ) {
-        let allowed = self.allowed_beside_n_s(steps, solved);
-        for (step, own) in steps.iter().zip(solved) {
+        let allowed = self.allowed_with_others_n_s(steps, solved);
+        for (step, solution) in steps.iter().zip(solved) {
             let p = step.port;
             if let Law::Rigid(_) = self.law(p) {
                 self.update_port(w, p);
-                self.observe_rest(p, step.table.length_s, &own.force);
-                self.put_back(p);
+                self.observe_rest(p, step.table.length_s, &solution.force);
+                self.reset_onto_stop(p);
                 self.ports[p].level = (level - LEVELS_PER_OCTAVE).max(Kernel::coarsest());
                 continue;
             }
-            self.arrive(w, self.law(p), step, own);
+            self.update_port_in_contact(w, self.law(p), step, solution);
             let entering = std::mem::take(&mut self.ports[p].entering);
             self.ports[p].level =
-                self.next_level(self.law(p), level, step, own, (allowed, entering));
+                self.next_level(self.law(p), level, step, solution, (allowed, entering));
         }
     }
 
@@ -104,22 +107,25 @@ impl Integrator<'_> {
     #[inline(always)]
     fn integrate_crossed<W: Simd>(&mut self, w: W, tables: &JointTables, forces: &[F64x8]) {
         for (from, force) in forces.iter().enumerate() {
-            for (to, felt) in forces.iter().enumerate() {
+            for (to, force_there) in forces.iter().enumerate() {
                 if from == to {
                     continue;
                 }
                 let cross = tables.cross(from, to);
                 for (sum, load) in self.integrals.loads_j.iter_mut().zip(&cross.loads) {
-                    *sum += work(w, load, force, felt);
+                    *sum += work(w, load, force, force_there);
                 }
-                self.integrals.damping_j += work(w, &cross.damping, force, felt);
+                self.integrals.damping_j += work(w, &cross.damping, force, force_there);
             }
         }
     }
 }
 
-/// Returns `felt . (push force)`.
+/// Returns `force_there . (push force)`.
 #[inline(always)]
-fn work<W: Simd>(w: W, push: &[F64x8; NODES], force: &F64x8, felt: &F64x8) -> f64 {
-    w.sum(w.mul(pushed(w, w.zero(), push, force), w.load(felt)))
+fn work<W: Simd>(w: W, push: &[F64x8; NODES], force: &F64x8, force_there: &F64x8) -> f64 {
+    w.sum(w.mul(
+        add_force_response(w, w.zero(), push, force),
+        w.load(force_there),
+    ))
 }

@@ -65,20 +65,20 @@ impl Integrator<'_> {
             match self.attempt_all(w, tight, length_s, landing) {
                 StepOutcome::Clear => {
                     let start_s = self.time_s;
-                    self.move_on(length_s, if landing { end_s } else { start_s + length_s });
+                    self.advance_state(length_s, if landing { end_s } else { start_s + length_s });
                     for port in self
                         .ports
                         .iter_mut()
                         .filter(|port| !port.clearance.is_unseen)
                     {
-                        [port.penetration_m, port.rate_m_s] = port.ahead;
+                        [port.penetration_m, port.rate_m_s] = port.motion_at_end;
                     }
                     self.work.flight_steps += 1;
                     self.flight_level = (level - grow).max(Kernel::coarsest());
                     grow = LEVELS_PER_OCTAVE;
                 }
                 StepOutcome::Strikes(strikes) => {
-                    self.strike_first(w, &strikes);
+                    self.advance_to_first_crossing(w, &strikes);
                     return Ok(());
                 }
                 StepOutcome::Unclear(down) => {
@@ -102,7 +102,7 @@ impl Integrator<'_> {
     }
 
     /// Evaluates a step: the state at its end is in `next`, the motion of each port there in
-    /// `ahead`.
+    /// `motion_at_end`.
     #[inline(always)]
     fn attempt_all<W: Simd>(
         &mut self,
@@ -132,9 +132,9 @@ impl Integrator<'_> {
                 dot(w, &rows.displacement, &self.next) + drive[0] - rows.gap_m,
                 dot(w, &rows.velocity, &self.next) + drive[1],
             ];
-            self.ports[p].ahead = motion;
+            self.ports[p].motion_at_end = motion;
             let step = self.step_of(w, p, level, length_s, motion, drive);
-            outcome = outcome.and(p, self.judge_beside(w, p, &step, motion[0]));
+            outcome = outcome.and(p, self.judge_with_others(w, p, &step, motion[0]));
         }
         outcome
     }
@@ -143,7 +143,7 @@ impl Integrator<'_> {
     /// displacement cannot be resolved: two bodies that touch far from the origin have neither gap
     /// nor relative motion as a scale.
     #[inline(always)]
-    pub(super) fn judge_beside<W: Simd>(
+    pub(super) fn judge_with_others<W: Simd>(
         &self,
         w: W,
         p: usize,
@@ -172,15 +172,15 @@ impl Integrator<'_> {
         let mut drive = self.excitation.motion_after(p, Kernel::length_s(level));
         for tone in &mut self.tones {
             let turn = tone.end(level);
-            let [place, speed] = tone.motion_after(p, turn);
-            drive = [drive[0] + place, drive[1] + speed];
+            let [displacement, speed] = tone.motion_after(p, turn);
+            drive = [drive[0] + displacement, drive[1] + speed];
         }
         drive
     }
 
     /// Advances to the first of several crossings.
     #[inline(always)]
-    fn strike_first<W: Simd>(&mut self, w: W, strikes: &[(usize, Crossing)]) {
+    fn advance_to_first_crossing<W: Simd>(&mut self, w: W, strikes: &[(usize, Crossing)]) {
         let mut first = (0, f64::INFINITY);
         for (p, crossing) in strikes {
             let (after_s, _) = self.locate(w, *p, *crossing);
@@ -192,7 +192,7 @@ impl Integrator<'_> {
         if strikes.len() > 1 {
             self.propagate_to(w, after_s);
         }
-        self.move_on(after_s, self.time_s + after_s);
+        self.advance_state(after_s, self.time_s + after_s);
         self.join(w, p);
     }
 }

@@ -11,28 +11,28 @@ use crate::integrate::integrator::Integrator;
 use crate::integrate::joint_tables::StepLength;
 use crate::integrate::port_state::ContactState;
 use crate::integrate::small_list::SmallList;
-use crate::integrate::state::{dot, pushed};
+use crate::integrate::state::{add_force_response, dot};
 use crate::simd::{F64x8, Simd};
 
 impl Integrator<'_> {
     /// Judges the flight of every other port over a solved step; the free motion to its end is left
     /// in `next`.
     #[inline(always)]
-    pub(super) fn watch<W: Simd>(
+    pub(super) fn check_free_ports<W: Simd>(
         &mut self,
         w: W,
         length: StepLength,
         steps: &[ContactStep],
         solved: &[SolvedStep],
     ) -> StepOutcome {
-        w.apart(
+        w.out_of_line(
             #[inline(always)]
-            || self.watch_all(w, length, steps, solved),
+            || self.check_free_ports_all(w, length, steps, solved),
         )
     }
 
     #[inline(always)]
-    fn watch_all<W: Simd>(
+    fn check_free_ports_all<W: Simd>(
         &mut self,
         w: W,
         length: StepLength,
@@ -40,12 +40,15 @@ impl Integrator<'_> {
         solved: &[SolvedStep],
     ) -> StepOutcome {
         steps[0].table.flow.apply(w, &self.y, &mut self.next);
-        let forces: SmallList<F64x8> = solved.iter().map(|own| nodal(&own.force)).collect();
+        let forces: SmallList<F64x8> = solved
+            .iter()
+            .map(|solution| nodal(&solution.force))
+            .collect();
         let mut outcome = StepOutcome::Clear;
         for p in 0..self.kernel.plant.ports.len() {
             if self.ports[p].regime == ContactState::Flight {
                 self.update_free_port(w, p);
-                outcome = outcome.and(p, self.watch_one(w, length, steps, &forces, p));
+                outcome = outcome.and(p, self.check_free_port(w, length, steps, &forces, p));
             }
         }
         outcome
@@ -53,7 +56,7 @@ impl Integrator<'_> {
 
     /// Returns the verdict on one port.
     #[inline(always)]
-    fn watch_one<W: Simd>(
+    fn check_free_port<W: Simd>(
         &self,
         w: W,
         length: StepLength,
@@ -65,7 +68,7 @@ impl Integrator<'_> {
         let flights: SmallList<_> = steps.iter().map(flight).collect();
         let mut forced = w.zero();
         for (flight, force) in flights.iter().zip(forces) {
-            forced = pushed(w, forced, &flight.end, force);
+            forced = add_force_response(w, forced, &flight.end, force);
         }
         let forced = w.store(forced).0;
         let [rest_m, rest_m_s] = rest_bounds(w, &flights, forces);
@@ -95,14 +98,14 @@ impl Integrator<'_> {
         if touches {
             FlightVerdict::Strike(now)
         } else {
-            self.judge_beside(w, p, &step, end_m)
+            self.judge_with_others(w, p, &step, end_m)
         }
     }
 
     /// Returns the motion of a port in flight at the end of a solved step: distance past the stop,
     /// m, and its rate, m/s.
     #[inline(always)]
-    pub(super) fn flown<W: Simd>(
+    pub(super) fn motion_at_end<W: Simd>(
         &mut self,
         w: W,
         joint: &JointStep,
@@ -111,22 +114,22 @@ impl Integrator<'_> {
     ) -> [f64; 2] {
         let table = joint.steps[0].table;
         table.flow.apply(w, &self.y, &mut self.next);
-        for (step, own) in joint.steps.iter().zip(solved) {
-            self.push_on(w, step, &nodal(&own.force));
+        for (step, solution) in joint.steps.iter().zip(solved) {
+            self.push_on(w, step, &nodal(&solution.force));
         }
         let (rows, drive) = (
             &self.ports[p].rows,
             self.drive_at_end(p, joint.steps[0].port, joint.tables.length),
         );
-        let at_once: f64 = joint
+        let immediate: f64 = joint
             .steps
             .iter()
             .zip(solved)
-            .map(|(step, own)| self.kernel.directly(step.port, p) * own.force.0[NODES])
+            .map(|(step, solution)| self.kernel.direct_gain(step.port, p) * solution.force.0[NODES])
             .sum();
         [
             dot(w, &rows.displacement, &self.next) + drive[0] - rows.gap_m,
-            dot(w, &rows.velocity, &self.next) + drive[1] + at_once,
+            dot(w, &rows.velocity, &self.next) + drive[1] + immediate,
         ]
     }
 
@@ -136,8 +139,8 @@ impl Integrator<'_> {
     fn drive_at_end(&self, p: usize, in_contact: usize, length: StepLength) -> [f64; 2] {
         let mut drive = self.excitation.motion_after(p, length.seconds());
         for tone in &self.tones {
-            let [place, speed] = tone.motion_after(p, tone.swing[in_contact].end());
-            drive = [drive[0] + place, drive[1] + speed];
+            let [displacement, speed] = tone.motion_after(p, tone.samples[in_contact].end());
+            drive = [drive[0] + displacement, drive[1] + speed];
         }
         drive
     }

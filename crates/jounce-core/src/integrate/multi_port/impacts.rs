@@ -27,10 +27,10 @@ impl Integrator<'_> {
     }
 
     fn moves_in(&self, p: usize) -> bool {
-        self.ports[p].rate_m_s > self.still_m_s(p)
+        self.ports[p].rate_m_s > self.rest_speed_m_s(p)
     }
 
-    fn still_m_s(&self, p: usize) -> f64 {
+    fn rest_speed_m_s(&self, p: usize) -> f64 {
         NEGLIGIBLE_SPEED * self.speed_m_s(p)
     }
 
@@ -45,24 +45,24 @@ impl Integrator<'_> {
             .filter(|p| self.is_rigid(*p))
             .collect();
         for _ in 0..MAX_IMPACTS_PER_INSTANT {
-            let struck: Vec<usize> = touching
+            let impacting: Vec<usize> = touching
                 .iter()
                 .copied()
                 .filter(|p| self.moves_in(*p))
                 .collect();
-            let Some(first) = struck.first() else {
+            let Some(first) = impacting.first() else {
                 self.settle(&touching);
                 return Ok(());
             };
-            let pushed = self
-                .impact_together(&struck)
-                .unwrap_or_else(|| self.impact_alone(*first));
-            for q in (0..self.kernel.plant.ports.len()).filter(|q| !pushed.contains(q)) {
+            let affected = self
+                .joint_impact(&impacting)
+                .unwrap_or_else(|| self.single_impact(*first));
+            for q in (0..self.kernel.plant.ports.len()).filter(|q| !affected.contains(q)) {
                 let touches =
                     self.ports[q].regime == ContactState::Contact || touching.contains(&q);
-                let kept_m = touches.then_some(self.ports[q].penetration_m);
+                let penetration_m = touches.then_some(self.ports[q].penetration_m);
                 self.update_port(w, q);
-                self.ports[q].penetration_m = kept_m.unwrap_or(self.ports[q].penetration_m);
+                self.ports[q].penetration_m = penetration_m.unwrap_or(self.ports[q].penetration_m);
             }
         }
         let stops = touching
@@ -77,7 +77,7 @@ impl Integrator<'_> {
     }
 
     /// Applies an impact on one stop; returns the affected ports.
-    fn impact_alone(&mut self, p: usize) -> Vec<usize> {
+    fn single_impact(&mut self, p: usize) -> Vec<usize> {
         if let Law::Rigid(law) = self.law(p) {
             self.impact(p, law);
         }
@@ -87,7 +87,7 @@ impl Integrator<'_> {
     /// Sets points that leave to flight, and the others to sticking.
     fn settle(&mut self, touching: &[usize]) {
         for p in touching {
-            let leaves = self.ports[*p].rate_m_s < -self.still_m_s(*p);
+            let leaves = self.ports[*p].rate_m_s < -self.rest_speed_m_s(*p);
             let port = &mut self.ports[*p];
             port.regime = if leaves {
                 ContactState::Flight

@@ -25,15 +25,22 @@ const LANDING_TOLERANCE: f64 = 1e-14;
 impl Integrator<'_> {
     /// Integrates until all ports fly, a rigid stop has an impact, or the end is reached.
     #[inline(always)]
-    pub(super) fn together<W: Simd>(&mut self, w: W, end_s: f64) -> Result<(), IntegrationError> {
+    pub(super) fn integrate_joint_contact<W: Simd>(
+        &mut self,
+        w: W,
+        end_s: f64,
+    ) -> Result<(), IntegrationError> {
         // On steps this short no second contact can follow the first.
         let safe = Kernel::level_within(1.0 / self.kernel.fastest_rad_s) + 3 * LEVELS_PER_OCTAVE;
-        while self.time_s < end_s && self.switching.met.is_none() && !self.hits_rigid_stop() {
-            self.let_go()?;
+        while self.time_s < end_s
+            && self.switching.pending_event.is_none()
+            && !self.hits_rigid_stop()
+        {
+            self.release()?;
             let ports = self.ports_with_bases();
             if let [(p, _)] = ports.as_slice()
                 && !self.is_rigid(*p)
-                && self.stay_alone(w, *p, end_s)?
+                && self.stay_single_port(w, *p, end_s)?
             {
                 continue;
             }
@@ -53,7 +60,7 @@ impl Integrator<'_> {
                 };
                 let outcome = match ports.as_slice() {
                     [(p, shape)] if !self.is_rigid(*p) => {
-                        self.attempt_alone(w, (*p, *shape), length, level >= safe)
+                        self.attempt_single_port(w, (*p, *shape), length, level >= safe)
                     }
                     several => self.joint_attempt(w, several, length, level >= safe),
                 };
@@ -65,7 +72,7 @@ impl Integrator<'_> {
                         break;
                     }
                     StepOutcome::Strikes(strikes)
-                        if self.land_on_first(w, &ports, &strikes, level) =>
+                        if self.end_at_first_impact(w, &ports, &strikes, level) =>
                     {
                         break;
                     }
@@ -121,37 +128,37 @@ impl Integrator<'_> {
         let joint = self.joint_step(w, &tables);
         let resting = StickingPorts::new(self, &tables);
         let solved = self.solve_joint(w, &joint, &resting);
-        let Some(solved) = solved.filter(|all| self.is_fine(&joint.steps, all, is_short)) else {
+        let Some(solved) = solved.filter(|all| self.is_accepted(&joint.steps, all, is_short))
+        else {
             return StepOutcome::Unclear(LEVELS_PER_OCTAVE);
         };
-        let outcome = self.watch(w, length, &joint.steps, &solved);
+        let outcome = self.check_free_ports(w, length, &joint.steps, &solved);
         if let StepOutcome::Clear = outcome {
             self.forget_clearances();
-            self.take_joint(w, length, &joint.steps, &solved, Some(&tables));
+            self.accept_joint_step(w, length, &joint.steps, &solved, Some(&tables));
         }
         outcome
     }
 
     /// True where the step is accurate and reliable at every port.
     #[inline(always)]
-    pub(super) fn is_fine(
+    pub(super) fn is_accepted(
         &self,
         steps: &[ContactStep],
         solved: &[SolvedStep],
         is_short: bool,
     ) -> bool {
-        let allowed_n_s = self.allowed_beside_n_s(steps, solved);
-        steps.iter().zip(solved).all(|(step, own)| {
-            let needs_no_look =
-                self.is_rigid(step.port) || self.law(step.port).acts_on_both_sides();
-            own.error_n_s <= share(step.shape) * allowed_n_s
-                && (needs_no_look || own.is_sound(step.shape, is_short))
+        let allowed_n_s = self.allowed_with_others_n_s(steps, solved);
+        steps.iter().zip(solved).all(|(step, solution)| {
+            let is_decided = self.is_rigid(step.port) || self.law(step.port).acts_on_both_sides();
+            solution.error_n_s <= share(step.shape) * allowed_n_s
+                && (is_decided || solution.is_sound(step.shape, is_short))
         })
     }
 
     /// Ends the step at the first of several impacts; false when that fails.
     #[inline(always)]
-    fn land_on_first<W: Simd>(
+    fn end_at_first_impact<W: Simd>(
         &mut self,
         w: W,
         ports: &[(usize, ForceBasis)],
@@ -178,14 +185,14 @@ impl Integrator<'_> {
             let Some(solved) = self.solve_joint(w, &joint, &resting) else {
                 return false;
             };
-            let [distance_m, speed_m_s] = self.flown(w, &joint, &solved, *striker);
+            let [distance_m, speed_m_s] = self.motion_at_end(w, &joint, &solved, *striker);
             let change_s = -distance_m / speed_m_s;
             // The roundoff of the distance limits the accuracy of the time.
             let roundoff_s = RESOLVED_DISTANCE * self.terms_m(w, *striker) / speed_m_s.abs();
             if change_s.abs() <= roundoff_s.max(LANDING_TOLERANCE * scale_s.max(length_s)) {
-                self.watch(w, length, &joint.steps, &solved);
+                self.check_free_ports(w, length, &joint.steps, &solved);
                 self.forget_clearances();
-                self.take_joint(w, length, &joint.steps, &solved, Some(&tables));
+                self.accept_joint_step(w, length, &joint.steps, &solved, Some(&tables));
                 self.join(w, *striker);
                 return true;
             }

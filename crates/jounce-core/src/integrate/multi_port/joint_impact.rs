@@ -55,17 +55,17 @@ impl JointImpact {
         let largest = (0..chosen.len()).map(|k| values[k]).fold(0.0, f64::max);
         let mut impulses = vec![0.0; self.speeds_m_s.len()];
         for k in (0..chosen.len()).filter(|k| values[*k] > MIN_RELATIVE_MOBILITY * largest) {
-            let wanted = chosen
+            let targets = chosen
                 .iter()
                 .enumerate()
                 .map(|(a, p)| vectors[(a, k)] * (1.0 + self.rebounds[*p]) * self.speeds_m_s[*p]);
-            let size = wanted.sum::<f64>() / values[k];
+            let size = targets.sum::<f64>() / values[k];
             chosen
                 .iter()
                 .enumerate()
                 .for_each(|(a, p)| impulses[*p] += size * vectors[(a, k)]);
         }
-        self.answers(&impulses, chosen).then(|| {
+        self.is_solution(&impulses, chosen).then(|| {
             impulses
                 .into_iter()
                 .map(|impulse: f64| impulse.max(0.0))
@@ -73,16 +73,16 @@ impl JointImpact {
         })
     }
 
-    fn answers(&self, impulses: &[f64], chosen: &[usize]) -> bool {
+    fn is_solution(&self, impulses: &[f64], chosen: &[usize]) -> bool {
         let fastest = self.speeds_m_s.iter().fold(0.0, |max: f64, v| max.max(*v));
         let strongest = impulses.iter().fold(0.0, |max: f64, p| max.max(p.abs()));
         (0..impulses.len()).all(|a| {
-            let lost: f64 = impulses
+            let speed_change: f64 = impulses
                 .iter()
                 .enumerate()
                 .map(|(b, p)| self.mobility[(a, b)] * p)
                 .sum();
-            let beyond = (1.0 + self.rebounds[a]) * self.speeds_m_s[a] - lost;
+            let beyond = (1.0 + self.rebounds[a]) * self.speeds_m_s[a] - speed_change;
             let meets = beyond <= IMPULSE_ROUNDOFF * fastest
                 && (!chosen.contains(&a) || beyond >= -IMPULSE_ROUNDOFF * fastest);
             meets && impulses[a] >= -IMPULSE_ROUNDOFF * strongest
@@ -93,8 +93,8 @@ impl JointImpact {
 impl Integrator<'_> {
     /// Applies simultaneous impacts; returns the ports with an impulse, or `None` for fewer than
     /// two stops, and without a solution.
-    pub(super) fn impact_together(&mut self, struck: &[usize]) -> Option<Vec<usize>> {
-        if !(2..=MAX_SIMULTANEOUS_IMPACTS).contains(&struck.len()) {
+    pub(super) fn joint_impact(&mut self, impacting: &[usize]) -> Option<Vec<usize>> {
+        if !(2..=MAX_SIMULTANEOUS_IMPACTS).contains(&impacting.len()) {
             return None;
         }
         let rebound = |p: &usize| {
@@ -104,26 +104,28 @@ impl Integrator<'_> {
                 0.0
             }
         };
-        let together = JointImpact {
-            speeds_m_s: struck.iter().map(|p| self.ports[*p].rate_m_s).collect(),
-            rebounds: struck.iter().map(rebound).collect(),
-            mobility: Mat::from_fn(struck.len(), struck.len(), |a, b| {
-                self.mobility_per_kg(struck[a], struck[b])
+        let problem = JointImpact {
+            speeds_m_s: impacting.iter().map(|p| self.ports[*p].rate_m_s).collect(),
+            rebounds: impacting.iter().map(rebound).collect(),
+            mobility: Mat::from_fn(impacting.len(), impacting.len(), |a, b| {
+                self.mobility_per_kg(impacting[a], impacting[b])
             }),
         };
-        let impulses = together.impulses_n_s()?;
-        let pushed: Vec<usize> = (0..struck.len()).filter(|a| impulses[*a] > 0.0).collect();
-        pushed
+        let impulses = problem.impulses_n_s()?;
+        let affected: Vec<usize> = (0..impacting.len())
+            .filter(|a| impulses[*a] > 0.0)
+            .collect();
+        affected
             .iter()
-            .for_each(|a| self.push_by(struck[*a], impulses[*a]));
-        for a in &pushed {
+            .for_each(|a| self.push_by(impacting[*a], impulses[*a]));
+        for a in &affected {
             let (before, after) = (
-                together.speeds_m_s[*a],
-                -together.rebounds[*a] * together.speeds_m_s[*a],
+                problem.speeds_m_s[*a],
+                -problem.rebounds[*a] * problem.speeds_m_s[*a],
             );
             self.integrals.loss_j += 0.5 * impulses[*a] * (before + after);
-            self.rebounds(struck[*a], after);
+            self.rebounds(impacting[*a], after);
         }
-        Some(pushed.into_iter().map(|a| struck[a]).collect())
+        Some(affected.into_iter().map(|a| impacting[a]).collect())
     }
 }

@@ -8,7 +8,7 @@ use crate::integrate::contact_step::{
 use crate::integrate::integrator::Integrator;
 use crate::integrate::joint_tables::{JointTables, StepLength};
 use crate::integrate::small_list::SmallList;
-use crate::integrate::state::{columns, pushed};
+use crate::integrate::state::{add_force_response, columns};
 use crate::simd::{F64x8, Simd};
 
 /// Step of all ports in contact.
@@ -53,7 +53,7 @@ impl<'k> Integrator<'k> {
     where
         'k: 't,
     {
-        w.apart(
+        w.out_of_line(
             #[inline(always)]
             || self.lay_out(w, tables),
         )
@@ -69,11 +69,11 @@ impl<'k> Integrator<'k> {
             matches!(tables.length, StepLength::Odd { .. }),
         );
         let mut steps = SmallList::new();
-        for (place, (port, shape)) in tables.ports.iter().enumerate() {
+        for (index, (port, shape)) in tables.ports.iter().enumerate() {
             steps.push(self.step_in_contact(
                 w,
                 self.law(*port),
-                (tables.own(place), *port),
+                (tables.table(index), *port),
                 *shape,
                 level,
                 odd,
@@ -91,7 +91,7 @@ impl<'k> Integrator<'k> {
         joint: &JointStep,
         resting: &StickingPorts,
     ) -> Option<SmallList<SolvedStep>> {
-        w.apart(
+        w.out_of_line(
             #[inline(always)]
             || self.iterate(w, joint, resting),
         )
@@ -105,14 +105,14 @@ impl<'k> Integrator<'k> {
         resting: &StickingPorts,
     ) -> Option<SmallList<SolvedStep>> {
         let mut iterates = self.first_guess(w, joint);
-        let goal = (0.1 * self.tolerance).clamp(4e-15, 1e-5);
+        let target = (0.1 * self.tolerance).clamp(4e-15, 1e-5);
         for iteration in 1..=MAX_FIXED_POINT_ITERATIONS {
             self.work.iterations += 1;
             resting.hold(&mut iterates);
             move_under_forces(w, joint, &mut iterates);
             let mut progress = Convergence::Converged;
-            for (place, iterate) in iterates.iter_mut().enumerate() {
-                progress = progress.max(iterate.renew(w, joint.tables, (place, iteration), goal));
+            for (index, iterate) in iterates.iter_mut().enumerate() {
+                progress = progress.max(iterate.renew(w, joint.tables, (index, iteration), target));
             }
             match progress {
                 Convergence::GoesOn => {}
@@ -121,8 +121,14 @@ impl<'k> Integrator<'k> {
                     resting.hold(&mut iterates);
                     move_under_forces(w, joint, &mut iterates);
                     let mut solved = SmallList::<SolvedStep>::new();
-                    for (step, own) in joint.steps.iter().zip(&iterates) {
-                        solved.push(judge(w, own.law, step, own.registers(w), own.at_start_n));
+                    for (step, solution) in joint.steps.iter().zip(&iterates) {
+                        solved.push(judge(
+                            w,
+                            solution.law,
+                            step,
+                            solution.registers(w),
+                            solution.at_start_n,
+                        ));
                     }
                     resting.judge(self, joint, &mut solved);
                     return Some(solved);
@@ -185,18 +191,18 @@ impl<'k> Integrator<'k> {
 /// Computes the motion of each port under the nodal forces of all.
 #[inline(always)]
 fn move_under_forces<W: Simd>(w: W, joint: &JointStep, iterates: &mut [PortIterate]) {
-    for place in 0..iterates.len() {
-        let own = &iterates[place];
-        let needs_rate = own.law.is_rate_dependent();
-        let (mut penetration, mut rate) = (w.load(&own.free), w.load(&own.free_rate));
+    for index in 0..iterates.len() {
+        let iterate = &iterates[index];
+        let needs_rate = iterate.law.is_rate_dependent();
+        let (mut penetration, mut rate) = (w.load(&iterate.free), w.load(&iterate.free_rate));
         for (from, other) in iterates.iter().enumerate() {
-            let [displacement, velocity] = joint.tables.answers(from, place);
-            penetration = pushed(w, penetration, displacement, &other.force);
+            let [displacement, velocity] = joint.tables.responses(from, index);
+            penetration = add_force_response(w, penetration, displacement, &other.force);
             if needs_rate {
-                rate = pushed(w, rate, velocity, &other.force);
+                rate = add_force_response(w, rate, velocity, &other.force);
             }
         }
-        (iterates[place].penetration, iterates[place].rate) = (w.store(penetration), w.store(rate));
+        (iterates[index].penetration, iterates[index].rate) = (w.store(penetration), w.store(rate));
     }
 }
 
@@ -217,8 +223,8 @@ impl PortIterate {
         &mut self,
         w: W,
         tables: &JointTables,
-        (place, iteration): (usize, u32),
-        goal: f64,
+        (index, iteration): (usize, u32),
+        target: f64,
     ) -> Convergence {
         if matches!(self.law, Law::Rigid(_)) {
             return Convergence::Converged;
@@ -234,16 +240,16 @@ impl PortIterate {
         // Remaining error: at most the contraction observed so far, or predicted by the slope of
         // the law.
         let slopes = self.law.steepest(self.deepest_m);
-        let foretold = slopes.stiffness_n_m * tables.reach_m_n(place)
-            + slopes.damping_n_s_m * tables.reach_m_n_s(place);
-        let seen = if iteration == 1 {
+        let predicted = slopes.stiffness_n_m * tables.reach_m_n(index)
+            + slopes.damping_n_s_m * tables.reach_m_n_s(index);
+        let contraction = if iteration == 1 {
             1.0
         } else {
             (change / self.last_change_n).min(1.0)
         };
         let diverges = iteration > 4 && change > self.last_change_n;
         self.last_change_n = change;
-        if change * foretold.min(seen) <= goal * size {
+        if change * predicted.min(contraction) <= target * size {
             Convergence::Converged
         } else if diverges || !change.is_finite() {
             Convergence::Diverges

@@ -69,16 +69,16 @@ impl Task for AdvanceMultiPort<'_, '_> {
     fn run<W: Simd>(self, w: W) -> Self::Output {
         let AdvanceMultiPort { integrator, end_s } = self;
         let mut rounds = ZenoGuard::default();
-        while integrator.time_s < end_s && integrator.switching.met.is_none() {
+        while integrator.time_s < end_s && integrator.switching.pending_event.is_none() {
             integrator.poll()?;
             rounds.count(&integrator.kernel.plant, integrator.time_s)?;
             let until_s = integrator.next_breakpoint(w, end_s);
             if integrator.hits_rigid_stop() {
                 integrator.collide(w)?;
                 // An impact that inverts the current of a patch is an extremum of its charge.
-                integrator.switching.met = integrator.passed();
+                integrator.switching.pending_event = integrator.crossed_event();
             } else if integrator.in_regime(ContactState::Contact).next().is_some() {
-                integrator.together(w, until_s)?;
+                integrator.integrate_joint_contact(w, until_s)?;
             } else {
                 integrator.fly(w, until_s)?;
             }
@@ -121,16 +121,16 @@ impl Integrator<'_> {
     /// Returns the impulse error of one step allowed at any port, N s: a weak contact need not be
     /// more accurate than a strong one.
     #[inline(always)]
-    fn allowed_beside_n_s(&self, steps: &[ContactStep], solved: &[SolvedStep]) -> f64 {
+    fn allowed_with_others_n_s(&self, steps: &[ContactStep], solved: &[SolvedStep]) -> f64 {
         let fastest = |port: &PortState| port.impact_velocity_m_s / port.rows.mobility_per_kg;
-        let struck = self.tolerance
+        let by_speed = self.tolerance
             * IMPULSE_ERROR_SHARE
             * self.ports.iter().map(fastest).fold(0.0, f64::max);
-        let own = steps
+        let by_port = steps
             .iter()
             .zip(solved)
-            .map(|(step, own)| self.allowed_n_s(self.law(step.port), step, Some(own)));
-        own.fold(struck, f64::max)
+            .map(|(step, solution)| self.allowed_n_s(self.law(step.port), step, Some(solution)));
+        by_port.fold(by_speed, f64::max)
     }
 
     /// Puts a port into contact at the current time, with every other one that touches and moves
@@ -138,7 +138,7 @@ impl Integrator<'_> {
     #[inline(always)]
     fn join<W: Simd>(&mut self, w: W, p: usize) {
         if self.is_guard(p) {
-            self.switching.met = Some(p);
+            self.switching.pending_event = Some(p);
             return;
         }
         for q in 0..self.kernel.plant.ports.len() {
@@ -149,7 +149,7 @@ impl Integrator<'_> {
         // A point that is past a rigid stop by roundoff and moves out has left it, unless it is
         // pressed back first.
         let motion = [self.ports[p].penetration_m, self.ports[p].rate_m_s];
-        if self.is_rigid(p) && motion[1] < 0.0 && !self.is_lost(p, motion) {
+        if self.is_rigid(p) && motion[1] < 0.0 && !self.is_suppressed_hop(p, motion) {
             return;
         }
         self.enter(p);
@@ -172,12 +172,12 @@ impl Integrator<'_> {
     fn enter(&mut self, p: usize) {
         // With a simultaneous impact on another stop, roundoff may release a port that returns
         // immediately: that is one contact.
-        let at_once_s = (SIMULTANEOUS_CONTACT * Kernel::length_s(self.ports[p].entry_level))
+        let window_s = (SIMULTANEOUS_CONTACT * Kernel::length_s(self.ports[p].entry_level))
             .max(RESOLVED_DISTANCE * self.time_s.abs());
-        if self.time_s - self.ports[p].entered_s <= at_once_s && !self.is_rigid(p) {
+        if self.time_s - self.ports[p].entered_s <= window_s && !self.is_rigid(p) {
             (self.ports[p].penetration_m, self.ports[p].regime) = (0.0, ContactState::Contact);
         } else {
-            self.struck(p);
+            self.enter_contact(p);
             self.ports[p].entered_s = self.time_s;
         }
         let port = &mut self.ports[p];

@@ -13,7 +13,7 @@ impl Integrator<'_> {
     /// Integrates as if there were no other port, as long as no other port must be monitored; false
     /// when that is less than a step.
     #[inline(always)]
-    pub(super) fn stay_alone<W: Simd>(
+    pub(super) fn stay_single_port<W: Simd>(
         &mut self,
         w: W,
         p: usize,
@@ -24,7 +24,7 @@ impl Integrator<'_> {
             return Ok(false);
         }
         let start = (port.level, port.entering && port.rate_m_s > 0.0);
-        let (level, entering) = w.apart(
+        let (level, entering) = w.out_of_line(
             #[inline(always)]
             || self.stay(w, self.law(p), (p, true), start, end_s),
         )?;
@@ -36,7 +36,7 @@ impl Integrator<'_> {
     /// Attempts a step, accepted when it is accurate for the port in contact and clear for all in
     /// flight.
     #[inline(always)]
-    pub(super) fn attempt_alone<W: Simd>(
+    pub(super) fn attempt_single_port<W: Simd>(
         &mut self,
         w: W,
         (p, shape): (usize, ForceBasis),
@@ -50,13 +50,13 @@ impl Integrator<'_> {
             return StepOutcome::Unclear(LEVELS_PER_OCTAVE);
         };
         let solved = [solved];
-        if !self.is_fine(&step, &solved, is_short) {
+        if !self.is_accepted(&step, &solved, is_short) {
             return StepOutcome::Unclear(LEVELS_PER_OCTAVE);
         }
-        let outcome = self.watch(w, length, &step, &solved);
+        let outcome = self.check_free_ports(w, length, &step, &solved);
         if let StepOutcome::Clear = outcome {
             self.forget_clearances();
-            self.take_joint(w, length, &step, &solved, None);
+            self.accept_joint_step(w, length, &step, &solved, None);
         }
         outcome
     }

@@ -34,12 +34,12 @@ pub(super) const MIN_RELATIVE_MOBILITY: f64 = 1e-10;
 /// Sticking ports on a step.
 pub struct StickingPorts {
     /// Indices among the ports of the step.
-    places: Vec<usize>,
+    positions: Vec<usize>,
     /// Free acceleration of each port at the nodes and the end, m/s^2.
     free: Vec<F64x8>,
     /// Response of each port to the force of each port in contact, without the direct effect at the
     /// nodes: `[sticking][contact][node of force]`.
-    answers: Vec<Vec<[F64x8; NODES]>>,
+    responses: Vec<Vec<[F64x8; NODES]>>,
     /// Mobility between each port and each port in contact, 1/kg.
     mobility: Vec<Vec<f64>>,
     /// Matrix from the nodal accelerations of all ports to their nodal forces, kg.
@@ -51,19 +51,19 @@ pub struct StickingPorts {
 impl StickingPorts {
     /// Prepares the sticking ports among those of a step.
     pub fn new(integrator: &Integrator, tables: &JointTables) -> Self {
-        let places: Vec<usize> = (0..tables.ports.len())
-            .filter(|place| integrator.is_rigid(tables.ports[*place].0))
+        let positions: Vec<usize> = (0..tables.ports.len())
+            .filter(|index| integrator.is_rigid(tables.ports[*index].0))
             .collect();
         let mut resting = Self {
             free: Vec::new(),
-            answers: Vec::new(),
+            responses: Vec::new(),
             mobility: Vec::new(),
             inverse: Mat::zeros(0, 0),
             allowed: integrator.tolerance.max(1e-12) * HOLDING_FORCE_TOLERANCE,
-            places,
+            positions,
         };
-        for place in resting.places.clone() {
-            let port = tables.ports[place].0;
+        for index in resting.positions.clone() {
+            let port = tables.ports[index].0;
             let odd;
             let sticking = match tables.length {
                 StepLength::Level(level) => integrator.kernel.sticking(port, level),
@@ -77,16 +77,16 @@ impl StickingPorts {
                 port,
                 tables.length.seconds(),
             ));
-            let answer = |from: usize| {
-                if from == place {
+            let response = |from: usize| {
+                if from == index {
                     sticking.acceleration.push
                 } else {
-                    tables.cross(from, place).acceleration
+                    tables.cross(from, index).acceleration
                 }
             };
             resting
-                .answers
-                .push((0..tables.ports.len()).map(answer).collect());
+                .responses
+                .push((0..tables.ports.len()).map(response).collect());
             resting.mobility.push(
                 tables
                     .ports
@@ -100,38 +100,38 @@ impl StickingPorts {
     }
 
     fn invert(&mut self) {
-        let count = self.places.len() * NODES;
+        let count = self.positions.len() * NODES;
         if count == 0 {
             return;
         }
         let entry = |row: usize, column: usize| {
             let ((a, i), (b, j)) = ((row / NODES, row % NODES), (column / NODES, column % NODES));
-            let place = self.places[b];
-            (if i == j { self.mobility[a][place] } else { 0.0 }) - self.answers[a][place][j].0[i]
+            let index = self.positions[b];
+            (if i == j { self.mobility[a][index] } else { 0.0 }) - self.responses[a][index][j].0[i]
         };
         self.inverse = Mat::from_fn(count, count, entry).partial_piv_lu().inverse();
     }
 
     /// Sets the forces of the sticking ports, given those of the others.
     pub fn hold(&self, iterates: &mut [PortIterate]) {
-        let mut right = Vec::with_capacity(self.places.len() * NODES);
+        let mut right = Vec::with_capacity(self.positions.len() * NODES);
         for (a, free) in self.free.iter().enumerate() {
             for i in 0..NODES {
                 let mut sum = free.0[i];
-                for (place, other) in iterates
+                for (index, other) in iterates
                     .iter()
                     .enumerate()
-                    .filter(|(place, _)| !self.places.contains(place))
+                    .filter(|(index, _)| !self.positions.contains(index))
                 {
-                    sum -= self.mobility[a][place] * other.force.0[i];
+                    sum -= self.mobility[a][index] * other.force.0[i];
                     sum += (0..NODES)
-                        .map(|j| self.answers[a][place][j].0[i] * other.force.0[j])
+                        .map(|j| self.responses[a][index][j].0[i] * other.force.0[j])
                         .sum::<f64>();
                 }
                 right.push(sum);
             }
         }
-        for (a, place) in self.places.iter().enumerate() {
+        for (a, index) in self.positions.iter().enumerate() {
             let force = |i: usize| {
                 right
                     .iter()
@@ -139,7 +139,7 @@ impl StickingPorts {
                     .map(|(k, right)| self.inverse[(a * NODES + i, k)] * right)
                     .sum()
             };
-            iterates[*place].force =
+            iterates[*index].force =
                 F64x8(std::array::from_fn(
                     |i| if i < NODES { force(i) } else { 0.0 },
                 ));
@@ -149,46 +149,47 @@ impl StickingPorts {
     /// Rejects a step on which a holding force misses the end of the step, or would have to pull
     /// for a significant time.
     pub fn judge(&self, integrator: &Integrator, joint: &JointStep, solved: &mut [SolvedStep]) {
-        if self.places.is_empty() {
+        if self.positions.is_empty() {
             return;
         }
         let at_end: Vec<f64> = solved
             .iter()
-            .map(|own| {
+            .map(|solution| {
                 (0..NODES)
-                    .map(|j| SMOOTH_BASIS.at_end.0[j] * own.force.0[j])
+                    .map(|j| SMOOTH_BASIS.at_end.0[j] * solution.force.0[j])
                     .sum()
             })
             .collect();
-        let allowed_n_s = integrator.allowed_beside_n_s(&joint.steps, solved);
-        for (a, place) in self.places.iter().enumerate() {
+        let allowed_n_s = integrator.allowed_with_others_n_s(&joint.steps, solved);
+        for (a, index) in self.positions.iter().enumerate() {
             let mut mismatch = self.free[a].0[NODES];
             for (from, other) in solved.iter().enumerate() {
                 mismatch -= self.mobility[a][from] * at_end[from];
                 mismatch += (0..NODES)
-                    .map(|j| self.answers[a][from][j].0[NODES] * other.force.0[j])
+                    .map(|j| self.responses[a][from][j].0[NODES] * other.force.0[j])
                     .sum::<f64>();
             }
             let (size, mobility) = (
-                integrator.largest(&solved[*place].force),
-                self.mobility[a][*place],
+                integrator.largest(&solved[*index].force),
+                self.mobility[a][*index],
             );
             let length_s = joint.tables.length.seconds();
-            let own_n_s = integrator.tolerance
+            let impulse_roundoff_n_s = integrator.tolerance
                 * IMPULSE_ERROR_SHARE
-                * integrator.speed_m_s(joint.tables.ports[*place].0)
+                * integrator.speed_m_s(joint.tables.ports[*index].0)
                 / mobility;
-            let negligible = size * length_s <= HOLDING_FORCE_TOLERANCE * allowed_n_s.max(own_n_s);
-            let pulls = solved[*place].force.0.iter().any(|force| *force < 0.0);
+            let negligible =
+                size * length_s <= HOLDING_FORCE_TOLERANCE * allowed_n_s.max(impulse_roundoff_n_s);
+            let pulls = solved[*index].force.0.iter().any(|force| *force < 0.0);
             let allowed = (self.allowed * mobility * size)
-                .max(integrator.acceleration_roundoff_m_s2(joint.tables.ports[*place].0));
+                .max(integrator.acceleration_roundoff_m_s2(joint.tables.ports[*index].0));
             let is_good = mismatch.abs() <= allowed && !pulls;
-            solved[*place].error_n_s = if is_good || negligible {
+            solved[*index].error_n_s = if is_good || negligible {
                 0.0
             } else {
                 f64::INFINITY
             };
-            solved[*place].force = F64x8(solved[*place].force.0.map(|force| force.max(0.0)));
+            solved[*index].force = F64x8(solved[*index].force.0.map(|force| force.max(0.0)));
         }
     }
 }
@@ -223,16 +224,16 @@ impl Integrator<'_> {
             w.zero(),
         ));
         for tone in &self.tones {
-            let swing = &tone.swing[port];
+            let samples = &tone.samples[port];
             for i in 0..LANES {
-                let turned = tone.displacement_m[port]
+                let phasor = tone.displacement_m[port]
                     * tone.turn
-                    * c64::new(swing.cos.0[i], swing.sin.0[i]);
-                free.0[i] += acceleration(turned, tone.angular_frequency_rad_s);
+                    * c64::new(samples.cos.0[i], samples.sin.0[i]);
+                free.0[i] += acceleration(phasor, tone.angular_frequency_rad_s);
             }
         }
-        for (free, place) in free.0.iter_mut().zip(SMOOTH_BASIS.places) {
-            *free += self.excitation.acceleration_after(port, place * length_s);
+        for (free, node) in free.0.iter_mut().zip(SMOOTH_BASIS.positions) {
+            *free += self.excitation.acceleration_after(port, node * length_s);
         }
         free
     }
@@ -241,7 +242,7 @@ impl Integrator<'_> {
     ///
     /// # Errors
     /// [`IntegrationError::RestsTwice`] where two stops constrain the same motion.
-    pub(super) fn let_go(&mut self) -> Result<(), IntegrationError> {
+    pub(super) fn release(&mut self) -> Result<(), IntegrationError> {
         loop {
             let resting: Vec<usize> = self
                 .in_regime(ContactState::Contact)
@@ -251,8 +252,8 @@ impl Integrator<'_> {
                 return Ok(());
             };
             let weakest = (0..resting.len()).min_by(|a, b| forces[*a].total_cmp(&forces[*b]));
-            match weakest.filter(|place| self.pulls(resting[*place], forces[*place])) {
-                Some(place) => self.ports[resting[place]].regime = ContactState::Flight,
+            match weakest.filter(|index| self.pulls(resting[*index], forces[*index])) {
+                Some(index) => self.ports[resting[index]].regime = ContactState::Flight,
                 None => return Ok(()),
             }
         }

@@ -44,26 +44,32 @@ impl ConductionRoute<'_> {
         let first = changes
             .first()
             .map_or(self.end_regime, |change| change.regime);
-        self.carry(&mut tangents, 0, first)?;
+        self.convert(&mut tangents, 0, first)?;
         let (mut from, mut cause) = (0, None);
         for (k, change) in changes.iter().enumerate() {
-            let own = self.kernel(change.regime)?;
-            let end = own.plant.from_physical(&change.state, change.time_s);
-            let passed =
-                self.stretch(own, (from, change.after), (change.time_s, &end), tangents)?;
+            let kernel = self.kernel(change.regime)?;
+            let end = kernel.plant.from_physical(&change.state, change.time_s);
+            let linearized = self.linearize(
+                kernel,
+                (from, change.after),
+                (change.time_s, &end),
+                tangents,
+            )?;
             // A change caused by an impact or a switch shares its delay.
-            let cause_s = passed.delay_s.or(cause.filter(|_| change.after == from));
+            let cause_s = linearized
+                .delay_s
+                .or(cause.filter(|_| change.after == from));
             let next = changes
                 .get(k + 1)
                 .map_or(self.end_regime, |next| next.regime);
-            (tangents, cause) = self.change(passed.tangents, cause_s, change, next)?;
+            (tangents, cause) = self.change(linearized.tangents, cause_s, change, next)?;
             from = change.after;
         }
-        let own = self.kernel(self.end_regime)?;
+        let kernel = self.kernel(self.end_regime)?;
         let all = self.trajectory.segments().len();
         let LinearizedSegment { mut tangents, .. } =
-            self.stretch(own, (from, all), (self.end_s, &self.end), tangents)?;
-        self.carry(&mut tangents, self.end_regime, 0)?;
+            self.linearize(kernel, (from, all), (self.end_s, &self.end), tangents)?;
+        self.convert(&mut tangents, self.end_regime, 0)?;
         Ok(tangents)
     }
 
@@ -75,7 +81,7 @@ impl ConductionRoute<'_> {
     }
 
     /// Converts between the block coordinates of two conduction states.
-    fn carry(
+    fn convert(
         &self,
         tangents: &mut Tangents,
         from: usize,
@@ -92,29 +98,33 @@ impl ConductionRoute<'_> {
     }
 
     /// Linearises the steps from one index to another in one conduction state.
-    fn stretch(
+    fn linearize(
         &self,
-        own: &Kernel,
+        kernel: &Kernel,
         (from, to): (usize, usize),
         (end_s, end): (f64, &[f64]),
         tangents: Tangents,
     ) -> Result<LinearizedSegment, SensitivityError> {
         let segments = &self.trajectory.segments()[from..to];
         // An impact that changed a bridge belongs to the steps before it.
-        let is_own = |impact: &&Impact| impact.after <= to && (impact.after > from || from == 0);
+        let belongs = |impact: &&Impact| impact.after <= to && (impact.after > from || from == 0);
         let impacts: Vec<Impact> = self
             .trajectory
             .impacts()
             .iter()
-            .filter(is_own)
+            .filter(belongs)
             .copied()
             .collect();
         let sizes = segments
             .first()
-            .map_or_else(|| sizes(own, end_s), |first| first.sizes.clone());
-        let held = own.plant.forced(&sizes, 0.0);
-        let end: Vec<f64> = end.iter().zip(held).map(|(y, held)| y - held).collect();
-        let stretch = ConductionSegment {
+            .map_or_else(|| sizes(kernel, end_s), |first| first.sizes.clone());
+        let forced = kernel.plant.forced(&sizes, 0.0);
+        let end: Vec<f64> = end
+            .iter()
+            .zip(forced)
+            .map(|(y, forced)| y - forced)
+            .collect();
+        let segment = ConductionSegment {
             segments,
             first: from,
             impacts: &impacts,
@@ -122,7 +132,7 @@ impl ConductionRoute<'_> {
             end: &end,
         };
         widest(Linearization::new(
-            own, self.drift, stretch, sizes, tangents,
+            kernel, self.drift, segment, sizes, tangents,
         ))
     }
 
@@ -137,32 +147,32 @@ impl ConductionRoute<'_> {
         next: usize,
     ) -> Result<(Tangents, Option<Vec<F64x8>>), SensitivityError> {
         if change.flipped.is_none() && cause_s.is_none() {
-            self.carry(&mut tangents, change.regime, next)?;
+            self.convert(&mut tangents, change.regime, next)?;
             return Ok((tangents, None));
         }
-        let (own, other) = (self.kernel(change.regime)?, self.kernel(next)?);
-        let before = rate(own, &change.state, change.time_s, &change.forces_n);
+        let (kernel, other) = (self.kernel(change.regime)?, self.kernel(next)?);
+        let before = rate(kernel, &change.state, change.time_s, &change.forces_n);
         let (mut state, mut slopes) = (
             change.state.clone(),
             Mat::identity(change.state.len(), change.state.len()),
         );
-        tangents.transform(own.plant.diagonal.to_physical.as_ref());
+        tangents.transform(kernel.plant.diagonal.to_physical.as_ref());
         let delay_s = cause_s.unwrap_or_else(|| {
             change
                 .flipped
                 .map_or_else(Vec::new, |bridge| self.delay_s(&tangents, bridge, &before))
         });
         if let Some(bridge) = change.flipped {
-            let flip = SwitchMap::of(&self.base.plant, bridge, &change.state);
-            flip.enter(&self.base.plant, bridge, &mut state);
-            slopes = self.slopes(bridge, &flip);
+            let switch_map = SwitchMap::of(&self.base.plant, bridge, &change.state);
+            switch_map.enter(&self.base.plant, bridge, &mut state);
+            slopes = self.slopes(bridge, &switch_map);
             tangents.transform(slopes.as_ref());
         }
         let after = rate(other, &state, change.time_s, &change.forces_n);
         let jump: Vec<f64> = product(&slopes, &before)
             .iter()
             .zip(after)
-            .map(|(carried, after)| carried - after)
+            .map(|(mapped, after)| mapped - after)
             .collect();
         tangents.add_product(Portable::new(), &jump, 1.0, &delay_s);
         tangents.transform(other.plant.diagonal.from_physical.as_ref());
@@ -185,16 +195,16 @@ impl ConductionRoute<'_> {
     }
 
     /// Returns `R'`.
-    fn slopes(&self, bridge: usize, flip: &SwitchMap) -> Mat<f64> {
+    fn slopes(&self, bridge: usize, switch_map: &SwitchMap) -> Mat<f64> {
         let (plant, nodes) = (&self.base.plant, self.base.plant.electrical.bridges[bridge]);
         let first = 2 * plant.system.modes.len();
-        let places =
+        let indices =
             [Some(nodes.terminal), nodes.storage].map(|node| node.map(|node| first + node));
         let mut slopes = Mat::identity(plant.len(), plant.len());
-        for (i, row) in places.iter().enumerate() {
-            for (j, column) in places.iter().enumerate() {
+        for (i, row) in indices.iter().enumerate() {
+            for (j, column) in indices.iter().enumerate() {
                 if let (Some(row), Some(column)) = (row, column) {
-                    slopes[(*row, *column)] = flip.slopes[i][j];
+                    slopes[(*row, *column)] = switch_map.slopes[i][j];
                 }
             }
         }

@@ -8,7 +8,7 @@ use crate::contact::{ContactLaw, Slopes};
 use crate::integrate::basis::NODES;
 use crate::integrate::joint_tables::{JointTables, StepLength};
 use crate::integrate::kernel::{ForceBasis, Kernel};
-use crate::integrate::state::{columns, pushed};
+use crate::integrate::state::{add_force_response, columns};
 use crate::integrate::trajectory::TrajectorySegment;
 use crate::simd::{F64x8, LANES, Simd};
 
@@ -55,15 +55,21 @@ impl Linearization<'_> {
         }
         kernel.layout.pack_into(&segment.state, &mut self.packed);
         let mut nodes: Vec<LawNodes> = Vec::with_capacity(ports.len());
-        for place in 0..ports.len() {
-            nodes.push(self.nodes(w, &tables, segment, place));
+        for index in 0..ports.len() {
+            nodes.push(self.nodes(w, &tables, segment, index));
         }
         // Contacts that start at the same instant share the shift of the first: see the limits of the module.
         let entering = ports.iter().find(|(_, shape)| *shape == ForceBasis::Onset);
         let shift_s = entering.and_then(|(port, _)| self.onset_shift(w, segment, *port));
-        for (place, own) in nodes.iter().enumerate() {
-            self.right_sides(w, &tables, place, own);
-            self.rows(w, &tables, (place, ports[place].0), own, shift_s.as_deref());
+        for (index, node_laws) in nodes.iter().enumerate() {
+            self.right_sides(w, &tables, index, node_laws);
+            self.rows(
+                w,
+                &tables,
+                (index, ports[index].0),
+                node_laws,
+                shift_s.as_deref(),
+            );
         }
         self.system.solve(w);
         self.advance(w, &tables);
@@ -79,7 +85,7 @@ impl Linearization<'_> {
         &mut self,
         w: W,
         tables: &JointTables,
-        (place, port): (usize, usize),
+        (index, port): (usize, usize),
         nodes: &LawNodes,
         shift_s: Option<&[F64x8]>,
     ) {
@@ -90,29 +96,29 @@ impl Linearization<'_> {
         );
         let force_relative = self.drift.force_relative_of(port);
         let by_force = w.mul(w.splat(force_relative), w.load(&nodes.force_n));
-        let moved = w.fma(stiffness, w.load(&driven.penetration_drift_m), by_force);
-        let own = w.store(w.fma(damping, w.load(&driven.rate_drift_m_s), moved));
-        let passed = w.fma(
+        let by_penetration = w.fma(stiffness, w.load(&driven.penetration_drift_m), by_force);
+        let right_sides = w.store(w.fma(damping, w.load(&driven.rate_drift_m_s), by_penetration));
+        let by_time = w.fma(
             stiffness,
             w.load(&driven.velocity_m_s),
             w.mul(damping, w.load(&driven.acceleration_m_s2)),
         );
-        let passed = w.store(passed);
+        let by_time = w.store(by_time);
         for i in 0..NODES {
-            let right = self.system.right(place * NODES + i);
-            self.tangents.drift(right, own.0[i]);
+            let right = self.system.right(index * NODES + i);
+            self.tangents.drift(right, right_sides.0[i]);
             if let Some(shift_s) = shift_s {
-                add_scaled(w, right, passed.0[i], shift_s);
+                add_scaled(w, right, by_time.0[i], shift_s);
             }
             for from in 0..tables.ports.len() {
                 let mut row = row(
-                    tables.answers(from, place),
+                    tables.responses(from, index),
                     i,
                     nodes.stiffness_n_m.0[i],
                     nodes.damping_n_s_m.0[i],
                 );
-                row.0[i] += if from == place { 1.0 } else { 0.0 };
-                *self.system.matrix(place * NODES + i, from) = row;
+                row.0[i] += if from == index { 1.0 } else { 0.0 };
+                *self.system.matrix(index * NODES + i, from) = row;
             }
         }
     }
@@ -124,14 +130,15 @@ impl Linearization<'_> {
         w: W,
         tables: &JointTables,
         segment: &TrajectorySegment,
-        place: usize,
+        index: usize,
     ) -> LawNodes {
         let (kernel, layout) = (self.kernel, self.kernel.layout);
-        let port = tables.ports[place].0;
-        let (law, table) = (self.law(port), tables.own(place));
-        let driven = self.driven(w, tables.ports[place], tables.length, segment);
-        let [held, carried] = self.held(tables.ports[place], segment.length_s);
-        let driven_m = w.add(w.load(&driven.displacement_m), w.load(&held));
+        let port = tables.ports[index].0;
+        let (law, table) = (self.law(port), tables.table(index));
+        let driven = self.driven(w, tables.ports[index], tables.length, segment);
+        let [prescribed, prescribed_rate] =
+            self.forced_motion(tables.ports[index], segment.length_s);
+        let driven_m = w.add(w.load(&driven.displacement_m), w.load(&prescribed));
         let start = w.sub(driven_m, w.splat(kernel.plant.system.stops[port].gap_m));
         let mut depth = columns(w, &layout, &self.packed, &table.displacement.columns, start);
         let mut rate = w.zero();
@@ -141,19 +148,19 @@ impl Linearization<'_> {
                 &layout,
                 &self.packed,
                 &table.velocity.columns,
-                w.add(w.load(&driven.velocity_m_s), w.load(&carried)),
+                w.add(w.load(&driven.velocity_m_s), w.load(&prescribed_rate)),
             );
         }
         let mut force_n = F64x8::ZERO;
         for (from, force) in segment.forces.iter().enumerate() {
             let mut nodal_n = F64x8::ZERO;
             nodal_n.0[..NODES].copy_from_slice(&force.nodal_n);
-            let [displacement, velocity] = tables.answers(from, place);
-            depth = pushed(w, depth, displacement, &nodal_n);
+            let [displacement, velocity] = tables.responses(from, index);
+            depth = add_force_response(w, depth, displacement, &nodal_n);
             if law.is_rate_dependent() {
-                rate = pushed(w, rate, velocity, &nodal_n);
+                rate = add_force_response(w, rate, velocity, &nodal_n);
             }
-            force_n = if from == place { nodal_n } else { force_n };
+            force_n = if from == index { nodal_n } else { force_n };
         }
         let (depth, rate) = (w.store(depth), w.store(rate));
         let mut nodes = LawNodes {
@@ -180,24 +187,24 @@ impl Linearization<'_> {
     /// of a step. They depend on the time from its start, so that a shift of that start does not
     /// change them.
     #[inline(always)]
-    fn held(&self, (port, shape): (usize, ForceBasis), length_s: f64) -> [F64x8; 2] {
-        let mut held = [F64x8::ZERO; 2];
+    fn forced_motion(&self, (port, shape): (usize, ForceBasis), length_s: f64) -> [F64x8; 2] {
+        let mut motion = [F64x8::ZERO; 2];
         let Some(series) = self.forced.get(port) else {
-            return held;
+            return motion;
         };
-        for (i, place) in self.kernel.basis(port, shape).places.iter().enumerate() {
-            [held[0].0[i], held[1].0[i]] = series.motion(place * length_s);
+        for (i, position) in self.kernel.basis(port, shape).positions.iter().enumerate() {
+            [motion[0].0[i], motion[1].0[i]] = series.motion(position * length_s);
         }
-        held
+        motion
     }
 
     /// Adds `J C dy + J' C' dy` of one port.
     #[inline(always)]
-    fn right_sides<W: Simd>(&mut self, w: W, tables: &JointTables, place: usize, nodes: &LawNodes) {
+    fn right_sides<W: Simd>(&mut self, w: W, tables: &JointTables, index: usize, nodes: &LawNodes) {
         let layout = self.kernel.layout;
         let (table, needs_rate) = (
-            tables.own(place),
-            self.law(tables.ports[place].0).is_rate_dependent(),
+            tables.table(index),
+            self.law(tables.ports[index].0).is_rate_dependent(),
         );
         let (stiffness, damping) = (w.load(&nodes.stiffness_n_m), w.load(&nodes.damping_n_s_m));
         for (state, factor) in self.factors.iter_mut().enumerate() {
@@ -215,7 +222,7 @@ impl Linearization<'_> {
                 sums(w, &self.factors, group, NODES_PER_PASS),
             ];
             for (i, sum) in sums.into_iter().flatten().take(NODES).enumerate() {
-                self.system.right(place * NODES + i)[lane] = w.store(sum);
+                self.system.right(index * NODES + i)[lane] = w.store(sum);
             }
         }
     }
@@ -223,43 +230,43 @@ impl Linearization<'_> {
     /// Computes `dy = e^{A h} dy + B X` of the first port, and adds `B X` of the others.
     #[inline(always)]
     fn advance<W: Simd>(&mut self, w: W, tables: &JointTables) {
-        let (layout, table) = (self.kernel.layout, tables.own(0));
-        let pushes = |place: usize| {
+        let (layout, table) = (self.kernel.layout, tables.table(0));
+        let pushes = |index: usize| {
             tables
-                .own(place)
-                .push(&self.kernel.vectors[tables.ports[place].0].column)
+                .table(index)
+                .push(&self.kernel.vectors[tables.ports[index].0].column)
         };
         let push = pushes(0);
         for (lane, group) in self.tangents.groups_mut().enumerate() {
             let solution = self.system.column(w, 0, lane);
             let (paired, reals) = group.split_at_mut(2 * layout.pairs);
             for (k, pair) in paired.chunks_exact_mut(2).enumerate() {
-                let ([a, b, c, d], place) = (table.flow.pair(k), k % LANES);
+                let ([a, b, c, d], index) = (table.flow.pair(k), k % LANES);
                 let (push_u, push_v) = (&push[k / LANES], &push[layout.pair_lanes + k / LANES]);
                 let (u, v) = (w.load(&pair[0]), w.load(&pair[1]));
                 let mut next_u = w.fma(w.splat(a), u, w.mul(w.splat(b), v));
                 let mut next_v = w.fma(w.splat(c), u, w.mul(w.splat(d), v));
                 for ((by_u, by_v), x) in push_u.iter().zip(push_v).zip(solution) {
-                    next_u = w.fma(w.splat(by_u.0[place]), x, next_u);
-                    next_v = w.fma(w.splat(by_v.0[place]), x, next_v);
+                    next_u = w.fma(w.splat(by_u.0[index]), x, next_u);
+                    next_v = w.fma(w.splat(by_v.0[index]), x, next_v);
                 }
                 (pair[0], pair[1]) = (w.store(next_u), w.store(next_v));
             }
             for (k, row) in reals.iter_mut().enumerate() {
-                let (push, place) = (&push[2 * layout.pair_lanes + k / LANES], k % LANES);
+                let (push, index) = (&push[2 * layout.pair_lanes + k / LANES], k % LANES);
                 let mut next = w.mul(w.splat(table.flow.real(k)), w.load(row));
                 for (by, x) in push.iter().zip(solution) {
-                    next = w.fma(w.splat(by.0[place]), x, next);
+                    next = w.fma(w.splat(by.0[index]), x, next);
                 }
                 *row = w.store(next);
             }
             for other in 1..tables.ports.len() {
                 let (push, solution) = (pushes(other), self.system.column(w, other, lane));
                 for (state, row) in group.iter_mut().enumerate() {
-                    let (at, place) = layout.place(state);
+                    let (at, index) = layout.locate(state);
                     let mut next = w.load(row);
                     for (by, x) in push[at].iter().zip(solution) {
-                        next = w.fma(w.splat(by.0[place]), x, next);
+                        next = w.fma(w.splat(by.0[index]), x, next);
                     }
                     *row = w.store(next);
                 }

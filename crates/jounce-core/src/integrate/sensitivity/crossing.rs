@@ -47,11 +47,11 @@ impl Linearization<'_> {
                 &plant.ports[force.port],
                 self.drift.driven(plant, force.port, time_s),
             );
-            let held_m = self
+            let forced_m = self
                 .forced
                 .get(force.port)
                 .map_or(0.0, |series| series.value(0.0));
-            let depth_m = dot(&port.displacement, state) + driven.displacement_m + held_m
+            let depth_m = dot(&port.displacement, state) + driven.displacement_m + forced_m
                 - plant.system.stops[force.port].gap_m;
             let force_n = self
                 .law(force.port)
@@ -76,11 +76,11 @@ impl Linearization<'_> {
         let row = &plant.ports[port];
         let driven = self.drift.driven(plant, port, time_s);
         let rate = dot(&row.velocity, before) + driven.velocity_m_s;
-        let struck = self
+        let delay = self
             .tangents
             .along(w, &row.displacement, driven.penetration_drift_m);
         self.tangents
-            .add_product(w, &row.force, law.force_n(0.0, rate) / rate, &struck);
+            .add_product(w, &row.force, law.force_n(0.0, rate) / rate, &delay);
     }
 
     /// Passes an impact on a rigid stop after a step, given the state that follows; returns the
@@ -111,12 +111,12 @@ impl Linearization<'_> {
             self.rate(time_s, &before, forces),
             self.rate(time_s, after, forces),
         );
-        let pushed = dot(&port.velocity, &rate_before);
-        let acceleration = pushed + driven.acceleration_m_s2;
-        let mut struck = self
+        let state_acceleration = dot(&port.velocity, &rate_before);
+        let acceleration = state_acceleration + driven.acceleration_m_s2;
+        let mut delay = self
             .tangents
             .along(w, &port.displacement, driven.penetration_drift_m);
-        let hastened = self
+        let phase_rate_change = self
             .tangents
             .along(w, &port.velocity, driven.rate_drift_m_s);
         let kicked = rate_after
@@ -129,10 +129,11 @@ impl Linearization<'_> {
             .zip(kicked)
             .map(|(b, kick)| -(b * gain * acceleration - kick) / fast)
             .collect();
-        self.tangents.add_product(w, &port.force, gain, &hastened);
-        self.tangents.add_product(w, &late, 1.0, &struck);
-        scale(w, &mut struck, -1.0 / fast);
-        struck
+        self.tangents
+            .add_product(w, &port.force, gain, &phase_rate_change);
+        self.tangents.add_product(w, &late, 1.0, &delay);
+        scale(w, &mut delay, -1.0 / fast);
+        delay
     }
 }
 

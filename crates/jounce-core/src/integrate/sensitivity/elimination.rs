@@ -44,8 +44,8 @@ impl NodeSystem {
     #[inline(always)]
     pub fn column<W: Simd>(&self, w: W, port: usize, lane: usize) -> [W::Register; NODES] {
         let mut column = [w.zero(); NODES];
-        for (node, own) in column.iter_mut().enumerate() {
-            *own = w.load(&self.rows[(port * NODES + node) * self.stride + self.ports + lane]);
+        for (node, entry) in column.iter_mut().enumerate() {
+            *entry = w.load(&self.rows[(port * NODES + node) * self.stride + self.ports + lane]);
         }
         column
     }
@@ -56,11 +56,11 @@ impl NodeSystem {
     pub fn solve<W: Simd>(&mut self, w: W) {
         let (stride, count) = (self.stride, self.ports * NODES);
         for k in 0..count {
-            let (at, place) = (k / NODES, k % NODES);
+            let (at, node) = (k / NODES, k % NODES);
             let mut pivot = k;
             for i in k + 1..count {
-                if self.rows[i * stride + at].0[place].abs()
-                    > self.rows[pivot * stride + at].0[place].abs()
+                if self.rows[i * stride + at].0[node].abs()
+                    > self.rows[pivot * stride + at].0[node].abs()
                 {
                     pivot = i;
                 }
@@ -69,15 +69,15 @@ impl NodeSystem {
                 let (low, high) = self.rows.split_at_mut(pivot * stride);
                 low[k * stride..(k + 1) * stride].swap_with_slice(&mut high[..stride]);
             }
-            let inverse = 1.0 / self.rows[k * stride + at].0[place];
+            let inverse = 1.0 / self.rows[k * stride + at].0[node];
             scale(w, &mut self.rows[k * stride..(k + 1) * stride], inverse);
             let (below, rest) = self.rows.split_at_mut(k * stride);
-            let (own, above) = rest.split_at_mut(stride);
+            let (pivot_rows, above) = rest.split_at_mut(stride);
             for row in below
                 .chunks_exact_mut(stride)
                 .chain(above.chunks_exact_mut(stride))
             {
-                add_scaled(w, row, -row[at].0[place], own);
+                add_scaled(w, row, -row[at].0[node], pivot_rows);
             }
         }
     }
@@ -109,14 +109,14 @@ mod tests {
         }
         system.solve(Portable::new());
         for j in 0..NODES {
-            let found = system.right(j)[0];
+            let computed = system.right(j)[0];
             assert!(
-                found
+                computed
                     .0
                     .iter()
                     .zip(solution(j).0)
                     .all(|(a, b)| (a - b).abs() < 1e-12),
-                "row {j}: {found:?}"
+                "row {j}: {computed:?}"
             );
         }
     }

@@ -31,7 +31,7 @@ pub struct ConductionSegment<'a> {
 pub struct Linearization<'a> {
     pub(super) kernel: &'a Kernel,
     pub(super) drift: &'a ParameterSensitivity,
-    stretch: ConductionSegment<'a>,
+    segment: ConductionSegment<'a>,
     pub(super) tangents: Tangents,
     /// System of the current contact step.
     pub(super) system: NodeSystem,
@@ -63,7 +63,7 @@ impl<'a> Linearization<'a> {
     pub fn new(
         kernel: &'a Kernel,
         drift: &'a ParameterSensitivity,
-        stretch: ConductionSegment<'a>,
+        segment: ConductionSegment<'a>,
         sizes: Vec<SignalSample>,
         tangents: Tangents,
     ) -> Self {
@@ -87,7 +87,7 @@ impl<'a> Linearization<'a> {
         Self {
             kernel,
             drift,
-            stretch,
+            segment,
             tangents,
             system,
             factors,
@@ -111,12 +111,12 @@ impl<'a> Linearization<'a> {
         if segment.forces.is_empty() {
             self.pending_s += segment.length_s;
         } else {
-            if let Some(held) = segment
+            if let Some(slot) = segment
                 .forces
                 .iter()
                 .find(|force| matches!(self.law(force.port), Law::Rigid(_)))
             {
-                let stop = self.kernel.plant.system.stops[held.port].name.clone();
+                let stop = self.kernel.plant.system.stops[slot.port].name.clone();
                 return Err(SensitivityError::Rests {
                     stop,
                     time_s: segment.start_s,
@@ -178,21 +178,21 @@ impl<'a> Linearization<'a> {
         time_s: f64,
         after: &[f64],
     ) -> Result<Option<Vec<F64x8>>, SensitivityError> {
-        let mut own = self
-            .stretch
+        let mut impacts = self
+            .segment
             .impacts
             .iter()
             .filter(|impact| impact.after == index);
-        let Some(impact) = own.next() else {
+        let Some(impact) = impacts.next() else {
             return Ok(None);
         };
-        if own.next().is_some() {
+        if impacts.next().is_some() {
             return Err(SensitivityError::StruckTogether { time_s });
         }
         self.fly(w);
         let earlier = index
-            .checked_sub(self.stretch.first + 1)
-            .and_then(|before| self.stretch.segments.get(before));
+            .checked_sub(self.segment.first + 1)
+            .and_then(|before| self.segment.segments.get(before));
         Ok(Some(self.impact(w, impact, earlier, (time_s, after))))
     }
 }
@@ -208,7 +208,7 @@ impl Task for Linearization<'_> {
             end_s,
             end,
             ..
-        } = self.stretch;
+        } = self.segment;
         for (index, segment) in segments.iter().enumerate() {
             self.impacts(w, first + index, segment.start_s, &segment.state)?;
             let next = segments.get(index + 1);

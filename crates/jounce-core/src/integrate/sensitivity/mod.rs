@@ -120,7 +120,7 @@ impl FlowSensitivity {
         let rectified = energies
             .rectified
             .iter()
-            .map(|own| own.load_j + own.battery_j);
+            .map(|energy| energy.load_j + energy.battery_j);
         let delivered_j = energies.loads_j.iter().copied().chain(rectified).collect();
         let rate = conduction_states::rate(
             integrator.kernel,
@@ -129,10 +129,10 @@ impl FlowSensitivity {
             &integrator.forces_n(),
         );
         let rate = kernel.plant.moving(&rate, integrator.time_s());
-        let (end_s, end_regime, own_end) = (
+        let (end_s, end_regime, block_end) = (
             integrator.time_s(),
             integrator.switching.regime,
-            integrator.own_state(),
+            integrator.block_state(),
         );
         let trajectory = integrator.take_record();
         let route = ConductionRoute {
@@ -141,7 +141,7 @@ impl FlowSensitivity {
             trajectory: &trajectory,
             end_s,
             end_regime,
-            end: own_end,
+            end: block_end,
         };
         let tangents = route.tangents()?;
         let n = end.len();

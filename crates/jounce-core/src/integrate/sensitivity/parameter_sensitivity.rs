@@ -58,7 +58,7 @@ impl Linearization<'_> {
         let basis = kernel.basis(port, shape);
         let time_s = w.fma(
             w.splat(segment.length_s),
-            w.load(&F64x8(basis.places)),
+            w.load(&F64x8(basis.positions)),
             w.splat(segment.start_s),
         );
         let (mut displacement, mut velocity, mut acceleration) = (w.zero(), w.zero(), w.zero());
@@ -69,24 +69,24 @@ impl Linearization<'_> {
             match length {
                 StepLength::Level(level) => tone.swing_over(kernel, port, shape, level),
                 StepLength::Odd { length_s, .. } => {
-                    tone.swing[port] = PhasorSamples::over(frequency, basis, length_s)
+                    tone.samples[port] = PhasorSamples::over(frequency, basis, length_s)
                 }
             }
-            let (swing, i) = (tone.swing[port], c64::new(0.0, 1.0));
+            let (samples, i) = (tone.samples[port], c64::new(0.0, 1.0));
             let z = tone.displacement_m[port] * tone.turn;
-            displacement = swing.real(w, z, displacement);
-            velocity = swing.real(w, z * i * frequency, velocity);
-            acceleration = swing.real(w, -z * frequency * frequency, acceleration);
+            displacement = samples.real(w, z, displacement);
+            velocity = samples.real(w, z * i * frequency, velocity);
+            acceleration = samples.real(w, -z * frequency * frequency, acceleration);
             if let Some((ds, dw)) = self.drift.tone_of(k, port) {
                 let change = ds * tone.turn;
                 let later = w.mul(w.splat(dw), time_s);
-                penetration_drift = swing.real(
+                penetration_drift = samples.real(
                     w,
                     change,
-                    w.fma(later, swing.real(w, z * i, w.zero()), penetration_drift),
+                    w.fma(later, samples.real(w, z * i, w.zero()), penetration_drift),
                 );
-                rate_drift = swing.real(w, change * i * frequency + z * i * dw, rate_drift);
-                rate_drift = w.fma(later, swing.real(w, -z * frequency, w.zero()), rate_drift);
+                rate_drift = samples.real(w, change * i * frequency + z * i * dw, rate_drift);
+                rate_drift = w.fma(later, samples.real(w, -z * frequency, w.zero()), rate_drift);
             }
         }
         DrivenNodeMotion {
@@ -135,15 +135,15 @@ impl ParameterSensitivity {
         {
             let w = tone.angular_frequency_rad_s;
             let turn = c64::cis(w * time_s);
-            let turned = s * turn;
-            driven.displacement_m += turned.re;
-            driven.velocity_m_s -= w * turned.im;
-            driven.acceleration_m_s2 -= w * w * turned.re;
+            let phasor = s * turn;
+            driven.displacement_m += phasor.re;
+            driven.velocity_m_s -= w * phasor.im;
+            driven.acceleration_m_s2 -= w * w * phasor.re;
             if let Some((ds, dw)) = self.tone_of(k, port) {
                 let change = ds + s * c64::new(0.0, time_s * dw);
-                let hastened = change * c64::new(0.0, w) + s * c64::new(0.0, dw);
+                let phase_rate_change = change * c64::new(0.0, w) + s * c64::new(0.0, dw);
                 driven.penetration_drift_m += (change * turn).re;
-                driven.rate_drift_m_s += (hastened * turn).re;
+                driven.rate_drift_m_s += (phase_rate_change * turn).re;
             }
         }
         driven

@@ -70,8 +70,8 @@ impl Tangents {
     pub fn add_product<W: Simd>(&mut self, w: W, column: &[f64], factor: f64, row: &[F64x8]) {
         for (group, lane) in self.lanes.chunks_exact_mut(self.states.max(1)).zip(row) {
             let lane = w.mul(w.splat(factor), w.load(lane));
-            for (own, entry) in group.iter_mut().zip(column) {
-                *own = w.store(w.fma(w.splat(*entry), lane, w.load(own)));
+            for (sum, entry) in group.iter_mut().zip(column) {
+                *sum = w.store(w.fma(w.splat(*entry), lane, w.load(sum)));
             }
         }
     }
@@ -97,10 +97,10 @@ impl Tangents {
         let mut before = vec![F64x8::ZERO; self.states];
         for group in self.lanes.chunks_exact_mut(self.states.max(1)) {
             before.copy_from_slice(group);
-            for (i, own) in group.iter_mut().enumerate() {
+            for (i, lane_sum) in group.iter_mut().enumerate() {
                 let add =
                     |sum: F64x8, (j, lane): (usize, &F64x8)| sum.add_scaled(matrix[(i, j)], lane);
-                *own = before.iter().enumerate().fold(F64x8::ZERO, add);
+                *lane_sum = before.iter().enumerate().fold(F64x8::ZERO, add);
             }
         }
     }

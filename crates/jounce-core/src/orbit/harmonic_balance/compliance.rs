@@ -61,7 +61,7 @@ impl PortCompliance {
         forces: &[Vec<c64>],
         factor: impl Fn(&TransferFunction, usize) -> c64,
     ) -> Vec<f64> {
-        let mut moved = Vec::with_capacity(self.count * (2 * self.harmonics + 1));
+        let mut derivative = Vec::with_capacity(self.count * (2 * self.harmonics + 1));
         for a in 0..self.count {
             let mut sum = vec![c64::new(0.0, 0.0); self.harmonics + 1];
             for (b, force) in forces.iter().enumerate() {
@@ -71,9 +71,9 @@ impl PortCompliance {
                     .enumerate()
                     .for_each(|(n, (sum, f))| *sum += factor(transfer, n) * f);
             }
-            moved.extend(real(&sum));
+            derivative.extend(real(&sum));
         }
-        moved
+        derivative
     }
 
     /// Applies the transpose of [`Self::apply`]: the `c_n` that a row over all displacements gives

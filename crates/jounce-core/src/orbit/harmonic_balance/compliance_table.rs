@@ -21,7 +21,7 @@ const SERIES_TERMS: usize = 6;
 pub struct ComplianceTable {
     /// Coefficients of the series in powers of the distance by the grid width, at each point; the
     /// first point is repeated at the end.
-    places: Vec<[f64; SERIES_TERMS]>,
+    points: Vec<[f64; SERIES_TERMS]>,
     /// Grid points per radian.
     per_radian: f64,
 }
@@ -32,28 +32,28 @@ impl ComplianceTable {
         let width = TAU / grid.samples as f64;
         let mut spectrum = compliance.to_vec();
         spectrum.resize(grid.samples / 2 + 1, c64::new(0.0, 0.0));
-        let mut places = vec![[0.0; SERIES_TERMS]; grid.samples + 1];
+        let mut points = vec![[0.0; SERIES_TERMS]; grid.samples + 1];
         for term in 0..SERIES_TERMS {
             let values = grid.values(&spectrum);
-            places
+            points
                 .iter_mut()
                 .zip(values)
-                .for_each(|(place, value)| place[term] = value);
+                .for_each(|(point, value)| point[term] = value);
             let share = width / (term + 1) as f64;
             spectrum
                 .iter_mut()
                 .enumerate()
                 .for_each(|(n, g)| *g *= c64::new(0.0, n as f64 * share));
         }
-        places[grid.samples] = places[0];
+        points[grid.samples] = points[0];
         Self {
-            places,
+            points,
             per_radian: 1.0 / width,
         }
     }
 
     /// Converts an angle to grid points within the period.
-    pub fn place(&self, angle: f64) -> f64 {
+    pub fn point_index(&self, angle: f64) -> f64 {
         (angle / TAU).rem_euclid(1.0) * self.count()
     }
 
@@ -69,21 +69,21 @@ impl ComplianceTable {
     }
 
     fn count(&self) -> f64 {
-        (self.places.len() - 1) as f64
+        (self.points.len() - 1) as f64
     }
 
     /// Returns the series of the nearest grid point, and the distance from there in grid widths.
     #[inline(always)]
-    fn near(&self, apart: f64) -> (&[f64; SERIES_TERMS], f64) {
-        let apart = if apart < 0.0 {
-            apart + self.count()
+    fn near(&self, distance: f64) -> (&[f64; SERIES_TERMS], f64) {
+        let distance = if distance < 0.0 {
+            distance + self.count()
         } else {
-            apart
+            distance
         };
-        let nearest = (apart + 0.5) as u32 as usize;
+        let nearest = (distance + 0.5) as u32 as usize;
         (
-            &self.places[nearest.min(self.places.len() - 1)],
-            apart - nearest as f64,
+            &self.points[nearest.min(self.points.len() - 1)],
+            distance - nearest as f64,
         )
     }
 }
@@ -120,10 +120,10 @@ impl Task for ComplianceColumn<'_> {
             nodes,
             column,
         } = self;
-        for ((entry, place), stiffness_n_m) in
+        for ((entry, point), stiffness_n_m) in
             column.iter_mut().zip(&nodes.at).zip(&nodes.stiffness_n_m)
         {
-            let ([a, b, c, d, e, f], x) = response.near(place - force);
+            let ([a, b, c, d, e, f], x) = response.near(point - force);
             // In pairs, which shortens the chain of dependent operations.
             let (first, second, third) = (
                 w.fma_one(*b, x, *a),
@@ -135,10 +135,10 @@ impl Task for ComplianceColumn<'_> {
                 * stiffness_n_m
                 * w.fma_one(third, square * square, w.fma_one(second, square, first));
         }
-        for ((entry, place), damping_n_m) in
+        for ((entry, point), damping_n_m) in
             column.iter_mut().zip(&nodes.at).zip(&nodes.damping_n_m)
         {
-            let (series, x) = response.near(place - force);
+            let (series, x) = response.near(point - force);
             let mut slope = 0.0;
             for r in (1..SERIES_TERMS).rev() {
                 slope = w.fma_one(slope, x, r as f64 * series[r]);
@@ -160,13 +160,13 @@ mod tests {
         let response = ComplianceTable::new(&compliance, &FourierGrid::new(4 * 64));
         for (force, displacement) in [(0.3, 1.1), (5.9, 0.2), (0.2, 7.0), (2.0, 2.0)] {
             let nodes = |stiffness: f64, damping: Vec<f64>| NodePlaces {
-                at: vec![response.place(displacement)],
+                at: vec![response.point_index(displacement)],
                 stiffness_n_m: vec![stiffness],
                 damping_n_m: damping,
             };
             let [value, slope] = [nodes(1.0, Vec::new()), nodes(0.0, vec![1.0])].map(|nodes| {
                 let mut column = [f64::NAN];
-                response.column(response.place(force), 1.0, &nodes, &mut column);
+                response.column(response.point_index(force), 1.0, &nodes, &mut column);
                 column[0]
             });
             let x: f64 = displacement - force;

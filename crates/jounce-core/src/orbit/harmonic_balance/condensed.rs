@@ -2,7 +2,7 @@
 
 use super::compliance::PortCompliance;
 use super::compliance_table::{ComplianceTable, NodePlaces};
-use super::motion::{complex, turned};
+use super::motion::{complex, rotated};
 use super::nodes::ContactQuadrature;
 use crate::orbit::border::{Border, BorderedSolution};
 use crate::orbit::lu_factors::LuFactors;
@@ -38,32 +38,34 @@ impl CoupledNodes<'_> {
     }
 
     /// Returns the forces at the nodes for harmonics of the displacements, `J phi + J' phi'`.
-    fn felt(&self, harmonics: &[f64]) -> Vec<f64> {
-        let mut felt = Vec::with_capacity(self.count());
-        for (side, own) in self
+    fn node_forces(&self, harmonics: &[f64]) -> Vec<f64> {
+        let mut node_forces = Vec::with_capacity(self.count());
+        for (side, block) in self
             .each
             .iter()
             .zip(harmonics.chunks_exact(self.between.size()))
         {
-            let own = complex(own);
+            let block = complex(block);
             let (values, rates) = if is_damped(side) {
-                let [values, rates] = side.angles.values([&own, &turned(&own, self.step_rad_s)]);
+                let [values, rates] = side
+                    .angles
+                    .values([&block, &rotated(&block, self.step_rad_s)]);
                 (values, rates)
             } else {
-                let [values] = side.angles.values([&own]);
+                let [values] = side.angles.values([&block]);
                 let none = vec![0.0; values.len()];
                 (values, none)
             };
             let forces = values.iter().zip(&rates).zip(&side.nodes);
-            felt.extend(forces.map(|((value, rate), node)| {
+            node_forces.extend(forces.map(|((value, rate), node)| {
                 node.slopes.stiffness_n_m * value + node.slopes.damping_n_s_m * rate
             }));
         }
-        felt
+        node_forces
     }
 
     /// Returns the nodes of a stop in grid points of a response.
-    fn places(&self, side: &ContactQuadrature, response: &ComplianceTable) -> NodePlaces {
+    fn node_positions(&self, side: &ContactQuadrature, response: &ComplianceTable) -> NodePlaces {
         let damped = if is_damped(side) {
             &side.nodes[..]
         } else {
@@ -73,7 +75,7 @@ impl CoupledNodes<'_> {
             at: side
                 .nodes
                 .iter()
-                .map(|node| response.place(node.angle))
+                .map(|node| response.point_index(node.angle))
                 .collect(),
             stiffness_n_m: side
                 .nodes
@@ -89,7 +91,7 @@ impl CoupledNodes<'_> {
 
     /// Returns the harmonics of the displacements for forces at the nodes, `G phi^T w`.
     fn apply(&self, mut forces_n: impl Iterator<Item = f64>) -> Vec<f64> {
-        let mut own = |side: &ContactQuadrature| {
+        let mut add_block = |side: &ContactQuadrature| {
             let weights: Vec<f64> = side
                 .nodes
                 .iter()
@@ -99,7 +101,7 @@ impl CoupledNodes<'_> {
             side.gathered(&weights, self.between.harmonics())
         };
         self.between
-            .apply(&self.each.iter().map(&mut own).collect::<Vec<_>>())
+            .apply(&self.each.iter().map(&mut add_block).collect::<Vec<_>>())
     }
 
     /// Applies the transpose of [`Self::apply`].
@@ -135,35 +137,36 @@ impl Condensed {
         (row, corner): (&[f64], f64),
     ) -> Option<Self> {
         let (count, stops) = (sides.count(), sides.each.len());
-        let (felt, pulled) = (sides.felt(by), sides.apply_adjoint(row));
+        let (node_forces, pulled) = (sides.node_forces(by), sides.apply_adjoint(row));
         let first = Border::new((row, corner));
         let bottom = first.along(by) + corner;
         let largest = |values: &[f64], least: f64| {
             values.iter().fold(least, |max, value| max.max(value.abs()))
         };
-        let column_size = largest(&felt, f64::MIN_POSITIVE).max(if count == 0 { 1.0 } else { 0.0 });
+        let column_size =
+            largest(&node_forces, f64::MIN_POSITIVE).max(if count == 0 { 1.0 } else { 0.0 });
         let row_size = largest(&pulled, (bottom / column_size).abs());
-        let places: Vec<NodePlaces> = sides
+        let positions: Vec<NodePlaces> = sides
             .each
             .iter()
             .zip(responses)
-            .map(|(side, response)| sides.places(side, response))
+            .map(|(side, response)| sides.node_positions(side, response))
             .collect();
         let mut matrix = Mat::<f64>::zeros(count + 1, count + 1);
-        let pushing = sides.each.iter().zip(&places).enumerate();
-        let pushing = pushing.flat_map(|(b, (side, places))| {
-            places
+        let pushing = sides.each.iter().zip(&positions).enumerate();
+        let pushing = pushing.flat_map(|(b, (side, positions))| {
+            positions
                 .at
                 .iter()
                 .zip(&side.nodes)
-                .map(move |(place, node)| (b, *place, node.share))
+                .map(move |(position, node)| (b, *position, node.share))
         });
         for (p, ((b, force, share), pulled)) in pushing.zip(&pulled).enumerate() {
             let column: &mut [f64] = matrix.col_as_slice_mut(p);
             let mut rest = &mut column[..];
-            for (a, places) in places.iter().enumerate() {
-                let (own, after) = rest.split_at_mut(places.at.len());
-                responses[a * stops + b].column(force, -share, places, own);
+            for (a, positions) in positions.iter().enumerate() {
+                let (rows, after) = rest.split_at_mut(positions.at.len());
+                responses[a * stops + b].column(force, -share, positions, rows);
                 rest = after;
             }
             column[p] += 1.0;
@@ -172,8 +175,8 @@ impl Condensed {
         let border: &mut [f64] = matrix.col_as_slice_mut(count);
         border
             .iter_mut()
-            .zip(&felt)
-            .for_each(|(entry, felt)| *entry = -felt / column_size);
+            .zip(&node_forces)
+            .for_each(|(entry, node_force)| *entry = -node_force / column_size);
         border[count] = bottom / (column_size * row_size);
         let is_finite = row_size.is_finite() && column_size.is_finite();
         is_finite.then(|| Self {
@@ -207,21 +210,25 @@ impl Condensed {
         last: f64,
     ) -> BorderedSolution {
         let count = sides.count();
-        let felt = if right.iter().all(|r| *r == 0.0) {
+        let node_forces = if right.iter().all(|r| *r == 0.0) {
             vec![0.0; count]
         } else {
-            sides.felt(right)
+            sides.node_forces(right)
         };
         let bottom = (last + self.first.along(right)) / self.row_size;
-        let mut solution: Vec<f64> = felt.iter().map(|felt| -felt).chain([bottom]).collect();
+        let mut solution: Vec<f64> = node_forces
+            .iter()
+            .map(|node_force| -node_force)
+            .chain([bottom])
+            .collect();
         self.factors.solve(&mut solution);
         let parameter = solution[count] / self.column_size;
-        let pushed = sides.apply(solution[..count].iter().copied());
-        let unknown: Vec<f64> = pushed
+        let solved = sides.apply(solution[..count].iter().copied());
+        let unknown: Vec<f64> = solved
             .iter()
             .zip(by)
             .zip(right)
-            .map(|((pushed, by), right)| pushed + by * parameter - right)
+            .map(|((value, by), right)| value + by * parameter - right)
             .collect();
         (parameter.is_finite() && unknown.iter().all(|u| u.is_finite()))
             .then_some((unknown, parameter))

@@ -34,32 +34,33 @@ pub fn grid(harmonics: usize) -> FourierGrid {
 
 /// Returns all contacts of a period.
 pub fn contacts(motion: &PortMotion, grid: &FourierGrid) -> Vec<ContactInterval> {
-    let looks = motion_samples(motion, grid);
-    let Some(first) = looks.iter().position(|look| !look.touches) else {
+    let samples = motion_samples(motion, grid);
+    let Some(first) = samples.iter().position(|sample| !sample.touches) else {
         return vec![ContactInterval { from: 0.0, to: TAU }];
     };
-    let mut found = Vec::new();
+    let mut contact_intervals = Vec::new();
     let mut from = None;
-    let again = looks.iter().map(|look| MotionSample {
-        angle: look.angle + TAU,
-        ..*look
+    let repeated = samples.iter().map(|sample| MotionSample {
+        angle: sample.angle + TAU,
+        ..*sample
     });
-    let round: Vec<MotionSample> = looks[first..]
+    let round: Vec<MotionSample> = samples[first..]
         .iter()
         .copied()
-        .chain(again.take(first + 1))
+        .chain(repeated.take(first + 1))
         .collect();
     for pair in round.windows(2) {
         match (pair[0].touches, pair[1].touches) {
             (false, true) => from = Some(edge(motion, pair[0].angle, pair[1].angle)),
             (true, false) => {
                 let to = edge(motion, pair[1].angle, pair[0].angle);
-                found.extend(from.take().map(|from| within(ContactInterval { from, to })));
+                contact_intervals
+                    .extend(from.take().map(|from| within(ContactInterval { from, to })));
             }
             _ => {}
         }
     }
-    found
+    contact_intervals
 }
 
 /// Shifts a contact so that it begins in the period.
@@ -83,26 +84,26 @@ fn motion_samples(motion: &PortMotion, grid: &FourierGrid) -> Vec<MotionSample> 
         .for_each(|(n, c)| *c *= c64::new(0.0, n as f64 * motion.step_rad_s));
     let rates = grid.values(&spectrum);
     let (count, width) = (grid.samples, TAU / grid.samples as f64);
-    let mut looks = Vec::with_capacity(count + 8);
+    let mut samples = Vec::with_capacity(count + 8);
     for k in 0..count {
-        let (here, next) = (
+        let (current, next) = (
             (depths[k], rates[k]),
             (depths[(k + 1) % count], rates[(k + 1) % count]),
         );
-        let (angle, touches) = (k as f64 * width, motion.touches(here));
-        looks.push(MotionSample { angle, touches });
-        let side = here.0.signum();
-        let turns_back = here.1 * side < 0.0 && next.1 * side > 0.0 && next.0 * side > 0.0;
-        let reach_m = (here.1.abs().max(next.1.abs())) * width / motion.step_rad_s;
-        if turns_back && here.0.abs().min(next.0.abs()) < reach_m {
+        let (angle, touches) = (k as f64 * width, motion.touches(current));
+        samples.push(MotionSample { angle, touches });
+        let side = current.0.signum();
+        let turns_back = current.1 * side < 0.0 && next.1 * side > 0.0 && next.0 * side > 0.0;
+        let reach_m = (current.1.abs().max(next.1.abs())) * width / motion.step_rad_s;
+        if turns_back && current.0.abs().min(next.0.abs()) < reach_m {
             let angle = turning(motion, angle, angle + width);
-            looks.push(MotionSample {
+            samples.push(MotionSample {
                 angle,
                 touches: motion.touches(motion.at(angle)),
             });
         }
     }
-    looks
+    samples
 }
 
 /// Returns the turning point between two angles with rates of opposite sign, precise enough for a

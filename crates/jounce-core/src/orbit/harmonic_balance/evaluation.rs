@@ -69,15 +69,15 @@ impl BalanceEvaluation {
         residual
             .iter_mut()
             .zip(unknown)
-            .for_each(|(pushed, u)| *pushed -= u);
+            .for_each(|(entry, u)| *entry -= u);
         if tone.is_some() {
-            own_of(&plant.ports, &mut residual, &between)
-                .for_each(|(_, port, own)| add_tone(port.steady_m[0], cycles, own));
+            blocks_of(&plant.ports, &mut residual, &between)
+                .for_each(|(_, port, block)| add_tone(port.steady_m[0], cycles, block));
         }
         if !plant.system.signals.is_empty() {
             let resting = plant.resting();
-            own_of(&plant.ports, &mut residual, &between).for_each(|(_, port, own)| {
-                own[0] += port
+            blocks_of(&plant.ports, &mut residual, &between).for_each(|(_, port, block)| {
+                block[0] += port
                     .displacement
                     .iter()
                     .zip(&resting)
@@ -87,13 +87,13 @@ impl BalanceEvaluation {
         }
         let (by_parameter, unknown, grid) =
             (vec![0.0; unknown.len()], unknown.to_vec(), grid.clone());
-        let (shot, excess, condensed) = (OnceCell::new(), OnceCell::new(), OnceCell::new());
+        let (evaluation, excess, condensed) = (OnceCell::new(), OnceCell::new(), OnceCell::new());
         Self {
             parameter,
             kernel,
             forces,
             step_rad_s,
-            shot,
+            shot: evaluation,
             excess,
             by_parameter,
             unknown,
@@ -117,34 +117,34 @@ impl BalanceEvaluation {
         let frequency_rad_s = drift
             .tone_of(0, 0)
             .map_or(0.0, |(_, frequency_rad_s)| frequency_rad_s);
-        let hastened = frequency_rad_s / (self.step_rad_s * f64::from(cycles));
-        let own_n = |stop: usize, node: &ContactNode| {
+        let phase_rate_change = frequency_rad_s / (self.step_rad_s * f64::from(cycles));
+        let direct_n = |stop: usize, node: &ContactNode| {
             let slopes = node.slopes;
-            slopes.damping_n_s_m * node.rate_m_s * hastened
+            slopes.damping_n_s_m * node.rate_m_s * phase_rate_change
                 - slopes.stiffness_n_m * drift.gap_of(stop)
                 + drift.force_relative_of(stop) * node.force_n
         };
-        let mut moved = self
+        let mut derivative = self
             .between
             .frequency_derivative(&self.forces, frequency_rad_s / f64::from(cycles));
         let sides = || self.sides.iter().enumerate();
-        if sides().any(|(stop, side)| side.nodes.iter().any(|node| own_n(stop, node) != 0.0)) {
-            let own: Vec<Vec<c64>> = sides()
-                .map(|(stop, side)| side.harmonics(highest, |node| own_n(stop, node)))
+        if sides().any(|(stop, side)| side.nodes.iter().any(|node| direct_n(stop, node) != 0.0)) {
+            let block: Vec<Vec<c64>> = sides()
+                .map(|(stop, side)| side.harmonics(highest, |node| direct_n(stop, node)))
                 .collect();
-            moved
+            derivative
                 .iter_mut()
-                .zip(self.between.apply(&own))
-                .for_each(|(moved, own)| *moved += own);
+                .zip(self.between.apply(&block))
+                .for_each(|(derivative, block)| *derivative += block);
         }
         let tone = |stop: usize| {
             drift
                 .tone_of(0, stop)
                 .map_or(c64::new(0.0, 0.0), |(displaced_m, _)| displaced_m)
         };
-        own_of(&self.kernel.plant.ports, &mut moved, &self.between)
-            .for_each(|(stop, _, own)| add_tone(tone(stop), cycles, own));
-        self.by_parameter = moved;
+        blocks_of(&self.kernel.plant.ports, &mut derivative, &self.between)
+            .for_each(|(stop, _, block)| add_tone(tone(stop), cycles, block));
+        self.by_parameter = derivative;
     }
 
     /// Returns the periodic state at the start of the period, block coordinates without the steady
@@ -176,7 +176,7 @@ impl BalanceEvaluation {
             fastest,
         );
         for (port, ContactQuadrature { nodes, .. }) in plant.ports.iter().zip(sides) {
-            let left_s: Vec<f64> = nodes
+            let remaining_s: Vec<f64> = nodes
                 .iter()
                 .map(|node| period_s * (1.0 - (node.angle / TAU).rem_euclid(1.0)))
                 .collect();
@@ -184,14 +184,17 @@ impl BalanceEvaluation {
                 .iter()
                 .map(|node| node.share * period_s * node.force_n)
                 .collect();
-            let left = after_impulses(
+            let end_state = after_impulses(
                 block,
                 &port.force,
                 most * self.step_rad_s,
-                &left_s,
+                &remaining_s,
                 &impulses_n_s,
             );
-            state.iter_mut().zip(left).for_each(|(sum, y)| *sum += y);
+            state
+                .iter_mut()
+                .zip(end_state)
+                .for_each(|(sum, y)| *sum += y);
         }
         let free = block.free();
         for ((pair, y), free) in block
@@ -235,17 +238,17 @@ impl BalanceEvaluation {
 }
 
 /// Returns the index, port and harmonics of each stop.
-fn own_of<'h>(
+fn blocks_of<'h>(
     ports: &'h [Port],
     harmonics: &'h mut [f64],
     between: &PortCompliance,
 ) -> impl Iterator<Item = (usize, &'h Port, &'h mut [f64])> {
-    let own = harmonics.chunks_exact_mut(between.size());
+    let block = harmonics.chunks_exact_mut(between.size());
     ports
         .iter()
-        .zip(own)
+        .zip(block)
         .enumerate()
-        .map(|(stop, (port, own))| (stop, port, own))
+        .map(|(stop, (port, block))| (stop, port, block))
 }
 
 impl Linearization for BalanceEvaluation {
@@ -264,16 +267,16 @@ impl Linearization for BalanceEvaluation {
             .residual
             .chunks_exact(self.between.size())
             .zip(&plant.system.stops)
-            .flat_map(|(own, stop)| {
+            .flat_map(|(block, stop)| {
                 let of = if several {
                     format!(" of stop.{}", stop.name)
                 } else {
                     String::new()
                 };
-                let mean = (format!("the mean{of}"), own[0].abs());
+                let mean = (format!("the mean{of}"), block[0].abs());
                 let name = move |n: usize| format!("harmonic {}{of}", n as f64 / cycles);
                 std::iter::once(mean).chain(
-                    own[1..]
+                    block[1..]
                         .chunks_exact(2)
                         .enumerate()
                         .map(move |(k, pair)| (name(k + 1), pair[0].hypot(pair[1]))),

@@ -23,11 +23,11 @@ pub fn after_impulses(
     block: &BlockDiagonal,
     column: &[f64],
     fastest_rad_s: f64,
-    left_s: &[f64],
+    remaining_s: &[f64],
     impulses_n_s: &[f64],
 ) -> Vec<f64> {
-    let (times, impulses) = (lanes(left_s), lanes(impulses_n_s));
-    let longest_s = left_s.iter().fold(0.0_f64, |max, time| max.max(*time));
+    let (times, impulses) = (lanes(remaining_s), lanes(impulses_n_s));
+    let longest_s = remaining_s.iter().fold(0.0_f64, |max, time| max.max(*time));
     let mut state = Vec::with_capacity(column.len());
     let (paired, single) = column.split_at(2 * block.pairs.len());
     for (pair, b) in block.pairs.iter().zip(paired.chunks_exact(2)) {
@@ -46,7 +46,7 @@ pub fn after_impulses(
             }
             BlockPair::Jordan { .. } => {
                 let mut sum = [0.0; 2];
-                for (time_s, impulse) in left_s.iter().zip(impulses_n_s) {
+                for (time_s, impulse) in remaining_s.iter().zip(impulses_n_s) {
                     let [a, d, c, e] = pair.flow(*time_s);
                     sum[0] += impulse * (a * b[0] + d * b[1]);
                     sum[1] += impulse * (c * b[0] + e * b[1]);
@@ -56,7 +56,7 @@ pub fn after_impulses(
         }
     }
     let decayed = |rate: f64| -> f64 {
-        left_s
+        remaining_s
             .iter()
             .zip(impulses_n_s)
             .map(|(time_s, impulse)| impulse * (rate * time_s).exp())
@@ -133,18 +133,18 @@ mod tests {
             reals: vec![-3.0, 0.0],
         };
         let column: Vec<f64> = (0..block.len()).map(|i| 1.0 + 0.1 * i as f64).collect();
-        let left_s: Vec<f64> = (0..21).map(|q| 0.004 * f64::from(q) + 0.02).collect();
+        let remaining_s: Vec<f64> = (0..21).map(|q| 0.004 * f64::from(q) + 0.02).collect();
         let impulses_n_s: Vec<f64> = (0..21).map(|q| (0.3 * f64::from(q)).sin()).collect();
-        let found = after_impulses(&block, &column, f64::INFINITY, &left_s, &impulses_n_s);
+        let computed = after_impulses(&block, &column, f64::INFINITY, &remaining_s, &impulses_n_s);
         let mut exact = vec![0.0; block.len()];
-        for (time_s, impulse) in left_s.iter().zip(&impulses_n_s) {
+        for (time_s, impulse) in remaining_s.iter().zip(&impulses_n_s) {
             exact
                 .iter_mut()
                 .zip(block.flow(*time_s, &column))
                 .for_each(|(sum, y)| *sum += impulse * y);
         }
-        for (i, (found, exact)) in found.iter().zip(&exact).enumerate() {
-            assert!((found - exact).abs() < 1e-11, "state {i}: {found} {exact}");
+        for (i, (value, exact)) in computed.iter().zip(&exact).enumerate() {
+            assert!((value - exact).abs() < 1e-11, "state {i}: {value} {exact}");
         }
     }
 }

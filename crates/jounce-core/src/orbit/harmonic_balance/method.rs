@@ -130,24 +130,24 @@ impl<'h, H: ParametricModel> HarmonicBalance<'h, H> {
         local: &BalanceEvaluation,
         parameter_scale: f64,
     ) -> Result<f64, OrbitError<H::Error>> {
-        let shot = self.shot(local)?;
-        let Some((across, length)) = shot.across(local.parameter, parameter_scale) else {
+        let evaluation = self.shot(local)?;
+        let Some((across, length)) = evaluation.across(local.parameter, parameter_scale) else {
             return Ok(f64::INFINITY);
         };
         let state = length / (STATE_ERROR_FACTOR * self.accuracy);
         if state > 1.0 {
             return Ok(state);
         }
-        let there = Position {
-            unknown: shot.strobe_states[0].clone(),
+        let neighbour = Position {
+            unknown: evaluation.strobe_states[0].clone(),
             parameter: local.parameter,
         }
-        .moved(&across, 1.0);
+        .offset_along(&across, 1.0);
         let exact_w = self
             .shooting
-            .mean_power_w(&there.unknown, there.parameter)?;
-        let apart_w = (self.loads_w(local).iter().sum::<f64>() - exact_w).abs();
-        Ok(state.max(apart_w / (self.accuracy * exact_w.abs()).max(f64::MIN_POSITIVE)))
+            .mean_power_w(&neighbour.unknown, neighbour.parameter)?;
+        let difference_w = (self.loads_w(local).iter().sum::<f64>() - exact_w).abs();
+        Ok(state.max(difference_w / (self.accuracy * exact_w.abs()).max(f64::MIN_POSITIVE)))
     }
 
     /// Returns the mean power of each load, W: `sum_n |V_n|^2 / R` over all harmonics of the
@@ -197,13 +197,13 @@ impl<H: ParametricModel> Problem for HarmonicBalance<'_, H> {
             local.changed(&change, self.shooting.cycles);
         } else {
             let step = self.shooting.harvester.difference();
-            let ahead = self
+            let perturbed = self
                 .shooting
                 .harvester
                 .at(parameter + step)
                 .map_err(OrbitError::Harvester)?;
-            let ahead = self.balance(ahead, unknown, parameter + step)?;
-            local.by_parameter = ahead
+            let perturbed = self.balance(perturbed, unknown, parameter + step)?;
+            local.by_parameter = perturbed
                 .residual()
                 .iter()
                 .zip(local.residual())
@@ -222,15 +222,15 @@ impl<H: ParametricModel> OrbitMethod for HarmonicBalance<'_, H> {
     }
 
     fn orbit(&self, local: &BalanceEvaluation, error: f64) -> Result<Orbit, Self::Error> {
-        let shot = self.shot(local)?;
-        let mut orbit = self.shooting.answer(shot)?;
+        let evaluation = self.shot(local)?;
+        let mut orbit = self.shooting.orbit_of(evaluation)?;
         let loads_w = self.loads_w(local);
         orbit.mean_power_w = loads_w.iter().sum::<f64>() + 0.0;
         let first = loads_w.first().zip(local.kernel.plant.system.loads.first());
         orbit.voltage_rms_v = first.map_or(f64::NAN, |(power_w, load)| {
             (power_w * load.resistance_ohm).sqrt()
         });
-        orbit.error_estimate = error + self.shooting.estimate(shot, &orbit);
+        orbit.error_estimate = error + self.shooting.estimate(evaluation, &orbit);
         Ok(orbit)
     }
 
@@ -238,30 +238,30 @@ impl<H: ParametricModel> OrbitMethod for HarmonicBalance<'_, H> {
         &self,
         local: &'b BalanceEvaluation,
     ) -> Result<&'b ShootingEvaluation, Self::Error> {
-        if let Some(shot) = local.shot.get() {
-            return Ok(shot);
+        if let Some(evaluation) = local.shot.get() {
+            return Ok(evaluation);
         }
         let state = local
             .kernel
             .plant
             .to_physical(&local.state(&self.rules), 0.0);
-        let shot = self
+        let evaluation = self
             .shooting
             .at(&self.shooting.unknown(&state), local.parameter)?;
-        Ok(local.shot.get_or_init(|| shot))
+        Ok(local.shot.get_or_init(|| evaluation))
     }
 
     fn unknown_of(&self, state: &[f64], parameter: f64) -> Result<Vec<f64>, Self::Error> {
-        let shot = self.shooting.at(state, parameter)?;
-        let own = |stop: usize| {
+        let evaluation = self.shooting.at(state, parameter)?;
+        let spectrum_of = |stop: usize| {
             let mut spectrum = self
                 .grid
-                .coefficients(&shot.displacements_m(stop, self.grid.samples));
+                .coefficients(&evaluation.displacements_m(stop, self.grid.samples));
             spectrum.truncate(self.harmonics + 1);
             spectrum[1..].iter_mut().for_each(|c| *c *= 2.0);
             real(&spectrum)
         };
-        Ok((0..self.stops).flat_map(own).collect())
+        Ok((0..self.stops).flat_map(spectrum_of).collect())
     }
 
     fn error_ratio(
@@ -286,11 +286,11 @@ impl<H: ParametricModel> OrbitMethod for HarmonicBalance<'_, H> {
         (harmonics >= MIN_HARMONICS * self.shooting.cycles as usize).then(|| self.with(harmonics))
     }
 
-    fn carried(&self, unknown: &[f64]) -> Vec<f64> {
-        let resized = |own: &[f64]| {
-            let mut own = own.to_vec();
-            own.resize(2 * self.harmonics + 1, 0.0);
-            own
+    fn resampled(&self, unknown: &[f64]) -> Vec<f64> {
+        let resized = |block: &[f64]| {
+            let mut block = block.to_vec();
+            block.resize(2 * self.harmonics + 1, 0.0);
+            block
         };
         unknown
             .chunks_exact(unknown.len() / self.stops)

@@ -49,7 +49,7 @@ impl PortMotion {
     /// not depend on it.
     pub fn along(&self, angles: &Angles) -> [Vec<f64>; 2] {
         if self.law.is_rate_dependent() {
-            return angles.values([&self.depth, &turned(&self.depth, self.step_rad_s)]);
+            return angles.values([&self.depth, &rotated(&self.depth, self.step_rad_s)]);
         }
         let [depths_m] = angles.values([&self.depth]);
         let none = vec![0.0; depths_m.len()];
@@ -90,7 +90,7 @@ pub fn harmonics(moments: &[c64]) -> Vec<c64> {
 }
 
 /// Returns the `c_n` of the rate, per second.
-pub fn turned(coefficients: &[c64], step_rad_s: f64) -> Vec<c64> {
+pub fn rotated(coefficients: &[c64], step_rad_s: f64) -> Vec<c64> {
     coefficients
         .iter()
         .enumerate()

@@ -45,7 +45,7 @@ pub struct ContactQuadrature {
 impl ContactQuadrature {
     /// Creates the nodes of a motion, dense enough for harmonics of the force up to `highest`.
     fn new(motion: &PortMotion, grid: &FourierGrid, rules: &QuadratureRules, highest: f64) -> Self {
-        let (mut places, mut entries) = (Vec::new(), Vec::new());
+        let (mut positions, mut entries) = (Vec::new(), Vec::new());
         for contact in contacts(motion, grid) {
             // The state at the start of the period sums the force before it: the rule must not
             // extend across.
@@ -57,10 +57,15 @@ impl ContactQuadrature {
             parts
                 .iter()
                 .filter(|(from, to)| from < to)
-                .for_each(|part| places.extend(between(*part, rules, highest)));
+                .for_each(|part| positions.extend(between(*part, rules, highest)));
             entries.extend(entry(motion, contact));
         }
-        let inner = Angles::new(&places.iter().map(|(angle, _)| *angle).collect::<Vec<f64>>());
+        let inner = Angles::new(
+            &positions
+                .iter()
+                .map(|(angle, _)| *angle)
+                .collect::<Vec<f64>>(),
+        );
         let [depths_m, rates_m_s] = motion.along(&inner);
         let node =
             |((angle, share), (depth_m, rate_m_s)): (&(f64, f64), (&f64, &f64))| ContactNode {
@@ -70,7 +75,7 @@ impl ContactQuadrature {
                 force_n: motion.law.force_n(*depth_m, *rate_m_s),
                 slopes: motion.law.slopes(*depth_m, *rate_m_s),
             };
-        let mut nodes: Vec<ContactNode> = places
+        let mut nodes: Vec<ContactNode> = positions
             .iter()
             .zip(depths_m.iter().zip(&rates_m_s))
             .map(node)
@@ -96,16 +101,16 @@ impl ContactQuadrature {
         highest: f64,
     ) -> Vec<Self> {
         let stops = &plant.system.stops;
-        let own = unknown.chunks_exact(unknown.len() / stops.len().max(1));
-        let side = |(stop, own): (&Stop, &[f64])| {
+        let blocks = unknown.chunks_exact(unknown.len() / stops.len().max(1));
+        let side = |(stop, block): (&Stop, &[f64])| {
             Self::new(
-                &PortMotion::new(own, step_rad_s, stop.gap_m, stop.law),
+                &PortMotion::new(block, step_rad_s, stop.gap_m, stop.law),
                 grid,
                 rules,
                 highest,
             )
         };
-        stops.iter().zip(own).map(side).collect()
+        stops.iter().zip(blocks).map(side).collect()
     }
 
     /// Returns the `c_n` of a force given at the nodes.
@@ -134,10 +139,10 @@ fn between(
 ) -> impl Iterator<Item = (f64, f64)> {
     let half = 0.5 * (to - from);
     let rule = rules.at_least(MIN_NODES + NODES_PER_RADIAN * half * highest);
-    rule.places
+    rule.positions
         .iter()
         .zip(&rule.weights)
-        .map(move |(place, weight)| (from + half * (1.0 + place), half * weight / TAU))
+        .map(move |(position, weight)| (from + half * (1.0 + position), half * weight / TAU))
 }
 
 /// Returns the node for the edge of a force that starts with a jump: `dF = F(0, v) dd / v` per unit

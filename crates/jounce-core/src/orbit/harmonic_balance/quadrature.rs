@@ -27,7 +27,7 @@ pub struct QuadratureRules(Vec<OnceLock<QuadratureRule>>);
 #[derive(Debug)]
 pub struct QuadratureRule {
     /// `g`.
-    pub places: Vec<f64>,
+    pub positions: Vec<f64>,
     /// `g' ds`.
     pub weights: Vec<f64>,
 }
@@ -51,13 +51,13 @@ impl QuadratureRule {
         // The rule is even: half of it is enough.
         let half: Vec<(f64, f64)> = (0..count / 2).map(|i| gauss(count, i)).collect();
         let mirrored = half.iter().rev().map(|(x, weight)| (-x, *weight));
-        let (mut places, mut weights) = (Vec::with_capacity(count), Vec::with_capacity(count));
+        let (mut positions, mut weights) = (Vec::with_capacity(count), Vec::with_capacity(count));
         for (x, weight) in half.iter().copied().chain(mirrored) {
             let fourth = x.powi(4);
-            places.push(0.25 * x * (5.0 - fourth));
+            positions.push(0.25 * x * (5.0 - fourth));
             weights.push(1.25 * weight * (1.0 - fourth));
         }
-        Self { places, weights }
+        Self { positions, weights }
     }
 }
 
@@ -98,7 +98,7 @@ mod tests {
             for (n, exact) in [(0, 2.0), (1, PI / 2.0), (2, 4.0 / 3.0), (3, 3.0 * PI / 8.0)] {
                 let value = |x: &f64| (1.0 - x * x).powf(0.5 * f64::from(n));
                 let sum: f64 = rule
-                    .places
+                    .positions
                     .iter()
                     .zip(&rule.weights)
                     .map(|(x, w)| w * value(x))

@@ -31,12 +31,12 @@ pub(super) struct LinearizedOrbit {
 }
 
 impl LinearizedOrbit {
-    fn of(shot: &ShootingEvaluation, unit: f64) -> Option<Self> {
-        let n = shot.residual.len();
+    fn of(evaluation: &ShootingEvaluation, unit: f64) -> Option<Self> {
+        let n = evaluation.residual.len();
         let matrix = Mat::from_fn(n, n, |i, j| {
-            shot.map()[(i, j)] - f64::from(u8::from(i == j))
+            evaluation.map()[(i, j)] - f64::from(u8::from(i == j))
         });
-        let column: Vec<f64> = shot.by_parameter.iter().map(|by| unit * by).collect();
+        let column: Vec<f64> = evaluation.by_parameter.iter().map(|by| unit * by).collect();
         let square = Mat::from_fn(n + 1, n + 1, |i, j| match (i < n, j < n) {
             (true, true) => matrix[(i, j)],
             (true, false) => column[i],
@@ -85,28 +85,28 @@ impl BranchProjection {
 
 impl<P: TwoParameterProblem> ExtendedProblem<'_, P> {
     /// Projects a point onto the surface of orbits, at the same second parameter.
-    pub(super) fn foot(
+    pub(super) fn project(
         &self,
         (start, parameter, parameter_2): (&[f64], f64, f64),
         line: &P::Line,
     ) -> Result<Option<BranchProjection>, TrackingError<P>> {
         let (mut start, mut parameter) = (start.to_vec(), parameter);
         for step in 0.. {
-            let shot = self.shot_with_slopes(line, &start, (parameter, parameter_2))?;
-            let Some(tangent) = LinearizedOrbit::of(&shot, self.unit) else {
+            let evaluation = self.shot_with_slopes(line, &start, (parameter, parameter_2))?;
+            let Some(tangent) = LinearizedOrbit::of(&evaluation, self.unit) else {
                 break;
             };
-            let off =
-                ColRef::from_slice(&shot.residual).norm_l2() / ColRef::from_slice(&start).norm_l2();
-            if step == MAX_NEWTON_STEPS || off < NEWTON_TOLERANCE {
+            let residual = ColRef::from_slice(&evaluation.residual).norm_l2()
+                / ColRef::from_slice(&start).norm_l2();
+            if step == MAX_NEWTON_STEPS || residual < NEWTON_TOLERANCE {
                 return Ok(Some(BranchProjection {
                     start,
                     parameter,
-                    shot,
+                    shot: evaluation,
                     tangent,
                 }));
             }
-            let right: Vec<f64> = shot.residual.iter().map(|r| -r).collect();
+            let right: Vec<f64> = evaluation.residual.iter().map(|r| -r).collect();
             let Some(change) = tangent.across(&right) else {
                 break;
             };
@@ -125,7 +125,7 @@ impl<P: TwoParameterProblem> ExtendedProblem<'_, P> {
         (parameter, parameter_2): (f64, f64),
     ) -> Result<ShootingEvaluation, TrackingError<P>> {
         let shooting = self.shooting(line);
-        let (mut shot, exact) = shooting.shoot(start, parameter)?;
+        let (mut evaluation, exact) = shooting.shoot(start, parameter)?;
         if !exact {
             let difference =
                 FIRST_PARAMETER_REACH * self.plane.differences([parameter, parameter_2])[0];
@@ -134,13 +134,13 @@ impl<P: TwoParameterProblem> ExtendedProblem<'_, P> {
                 shooting.shoot(start, parameter + difference)?,
             ];
             let slope = |(more, less): (&f64, &f64)| (more - less) / (2.0 * difference);
-            shot.by_parameter = more
+            evaluation.by_parameter = more
                 .residual
                 .iter()
                 .zip(&less.residual)
                 .map(slope)
                 .collect();
         }
-        Ok(shot)
+        Ok(evaluation)
     }
 }

@@ -58,27 +58,36 @@ impl Gradient {
 
 impl Condition {
     /// Returns `g` at a shooting evaluation, for a condition on its multipliers or on a level.
-    /// `moved` shoots from a start moved by a vector; `aside` are evaluations at parameters moved
-    /// by `differences`.
+    /// `shifted_shot` shoots from a start moved by a vector; `neighbours` are evaluations at
+    /// parameters moved by `differences`.
     ///
     /// `None` where the condition does not exist: a singular border, no complex pair, or a
     /// condition of another kind.
     pub fn gradient<E>(
         self,
-        shot: &ShootingEvaluation,
-        aside: [&ShootingEvaluation; 2],
+        evaluation: &ShootingEvaluation,
+        neighbours: [&ShootingEvaluation; 2],
         differences: [f64; 2],
-        moved: impl Fn(&[f64]) -> Result<ShootingEvaluation, E>,
+        shifted_shot: impl Fn(&[f64]) -> Result<ShootingEvaluation, E>,
     ) -> Result<Option<Gradient>, E> {
         match self {
-            Condition::Multiplier(s) => match CriticalMultiplier::of(shot.map(), s) {
-                Some(critical) => critical.gradient(shot, aside, differences, moved).map(Some),
+            Condition::Multiplier(s) => match CriticalMultiplier::of(evaluation.map(), s) {
+                Some(critical) => critical
+                    .gradient(evaluation, neighbours, differences, shifted_shot)
+                    .map(Some),
                 None => Ok(None),
             },
-            Condition::Circle => neimark_sacker::gradient(shot, aside, differences, moved),
-            Condition::Level(quantity, value) => {
-                level::gradient((quantity, value), shot, aside, differences, moved).map(Some)
+            Condition::Circle => {
+                neimark_sacker::gradient(evaluation, neighbours, differences, shifted_shot)
             }
+            Condition::Level(quantity, value) => level::gradient(
+                (quantity, value),
+                evaluation,
+                neighbours,
+                differences,
+                shifted_shot,
+            )
+            .map(Some),
             Condition::Touching(_) | Condition::Peak => Ok(None),
         }
     }

@@ -62,13 +62,13 @@ impl<P: TwoParameterProblem> ExtendedProblem<'_, P> {
         Shooting {
             harvester: line,
             cycles: self.cycles,
-            tolerance: self.march_tolerance(),
+            tolerance: self.integration_tolerance(),
             scale: self.scale.clone(),
             charged: Vec::new(),
         }
     }
 
-    fn march_tolerance(&self) -> f64 {
+    fn integration_tolerance(&self) -> f64 {
         (INTEGRATION_TOLERANCE_FACTOR * self.tolerance)
             .max(MIN_INTEGRATION_TOLERANCE)
             .min(self.tolerance)
@@ -76,11 +76,11 @@ impl<P: TwoParameterProblem> ExtendedProblem<'_, P> {
 
     /// Returns the first parameter of an unknown.
     pub fn parameter(&self, unknown: &[f64]) -> f64 {
-        self.origin + self.unit * unknown[self.place_of_parameter()]
+        self.origin + self.unit * unknown[self.parameter_index()]
     }
 
     /// Returns the index of the first parameter in the unknown: it follows the state.
-    pub fn place_of_parameter(&self) -> usize {
+    pub fn parameter_index(&self) -> usize {
         self.scale.len()
     }
 
@@ -107,35 +107,32 @@ impl<P: TwoParameterProblem> ExtendedProblem<'_, P> {
         unknown: &[f64],
         parameter_2: f64,
     ) -> Result<Option<Gradient>, OrbitError<LineError<P>>> {
-        let (start, parameter) = (
-            &unknown[..self.place_of_parameter()],
-            self.parameter(unknown),
-        );
+        let (start, parameter) = (&unknown[..self.parameter_index()], self.parameter(unknown));
         let differences = self.plane.differences([parameter, parameter_2]);
         let line = self
             .plane
             .line(parameter_2)
             .map_err(OrbitError::Harvester)?;
-        let beside = self
+        let second_shifted = self
             .plane
             .line(parameter_2 + differences[1])
             .map_err(OrbitError::Harvester)?;
-        let (shot, _) = self.shooting(&line).shoot(start, parameter)?;
-        let (ahead, _) = self
+        let (evaluation, _) = self.shooting(&line).shoot(start, parameter)?;
+        let (by_first, _) = self
             .shooting(&line)
             .shoot(start, parameter + differences[0])?;
-        let (aside, _) = self.shooting(&beside).shoot(start, parameter)?;
-        let Some(touch) = GrazingPoint::of(&shot) else {
+        let (by_second, _) = self.shooting(&second_shifted).shoot(start, parameter)?;
+        let Some(touch) = GrazingPoint::of(&evaluation) else {
             return Ok(None);
         };
-        let found = grazing::gradients(
+        let gradients = grazing::gradients(
             touch,
-            &shot,
-            [&ahead, &aside],
+            &evaluation,
+            [&by_first, &by_second],
             differences,
-            (&self.scale, self.march_tolerance()),
+            (&self.scale, self.integration_tolerance()),
         )?;
-        Ok(found.into_iter().next())
+        Ok(gradients.into_iter().next())
     }
 }
 
@@ -144,64 +141,72 @@ impl<P: TwoParameterProblem> Problem for ExtendedProblem<'_, P> {
     type Error = OrbitError<LineError<P>>;
 
     fn at(&self, unknown: &[f64], parameter_2: f64) -> Result<ExtendedEvaluation, Self::Error> {
-        let n = self.place_of_parameter();
+        let n = self.parameter_index();
         let (start, parameter) = (&unknown[..n], self.parameter(unknown));
         let differences = self.plane.differences([parameter, parameter_2]);
         let line = self
             .plane
             .line(parameter_2)
             .map_err(OrbitError::Harvester)?;
-        let beside = self
+        let second_shifted = self
             .plane
             .line(parameter_2 + differences[1])
             .map_err(OrbitError::Harvester)?;
         let shooting = self.shooting(&line);
-        let (mut shot, exact) = shooting.shoot(start, parameter)?;
-        let (ahead, _) = shooting.shoot(start, parameter + differences[0])?;
-        let (aside, _) = self.shooting(&beside).shoot(start, parameter)?;
+        let (mut evaluation, exact) = shooting.shoot(start, parameter)?;
+        let (first_shot, _) = shooting.shoot(start, parameter + differences[0])?;
+        let (second_shot, _) = self.shooting(&second_shifted).shoot(start, parameter)?;
         if !exact {
-            shot.by_parameter = ahead
+            evaluation.by_parameter = first_shot
                 .residual
                 .iter()
-                .zip(&shot.residual)
+                .zip(&evaluation.residual)
                 .map(|(a, b)| (a - b) / differences[0])
                 .collect();
         }
-        let moved = |by: &[f64]| {
+        let shifted = |by: &[f64]| {
             let start: Vec<f64> = start.iter().zip(by).map(|(u, d)| u + d).collect();
-            shooting.shoot(&start, parameter).map(|(shot, _)| shot)
+            shooting
+                .shoot(&start, parameter)
+                .map(|(evaluation, _)| evaluation)
         };
-        let found = match self.condition {
+        let conditions = match self.condition {
             Condition::Peak => self
-                .peak((start, parameter, parameter_2), (&line, &beside))?
-                .map(|found| vec![found]),
+                .peak((start, parameter, parameter_2), (&line, &second_shifted))?
+                .map(|conditions| vec![conditions]),
             Condition::Touching(touch) => {
-                let touch = touch.moved(unknown[n + 1]);
+                let touch = touch.with_unknown(unknown[n + 1]);
                 Some(grazing::gradients(
                     touch,
-                    &shot,
-                    [&ahead, &aside],
+                    &evaluation,
+                    [&first_shot, &second_shot],
                     differences,
-                    (&self.scale, self.march_tolerance()),
+                    (&self.scale, self.integration_tolerance()),
                 )?)
             }
             condition => condition
-                .gradient(&shot, [&ahead, &aside], differences, moved)?
-                .map(|found| vec![found]),
+                .gradient(
+                    &evaluation,
+                    [&first_shot, &second_shot],
+                    differences,
+                    shifted,
+                )?
+                .map(|conditions| vec![conditions]),
         };
         // Without the condition no bifurcation exists: the residual stays finite under every
         // correction.
-        let gradients = found.unwrap_or_else(|| vec![Gradient::none(n)]);
+        let gradients = conditions.unwrap_or_else(|| vec![Gradient::none(n)]);
         let phase_unit = if let Condition::Touching(touch) = self.condition {
             touch.unit_cycles
         } else {
             0.0
         };
-        let by_second = |i: usize| (aside.residual[i] - shot.residual[i]) / differences[1];
+        let by_second =
+            |i: usize| (second_shot.residual[i] - evaluation.residual[i]) / differences[1];
         let size = n + gradients.len();
         let matrix = Mat::from_fn(size, size, |i, j| match (i < n, j) {
-            (true, j) if j < n => shot.map()[(i, j)] - f64::from(u8::from(i == j)),
-            (true, j) if j == n => self.unit * shot.by_parameter[i],
+            (true, j) if j < n => evaluation.map()[(i, j)] - f64::from(u8::from(i == j)),
+            (true, j) if j == n => self.unit * evaluation.by_parameter[i],
             (true, _) => 0.0,
             (false, j) if j < n => gradients[i - n].by_unknown[j],
             (false, j) if j == n => self.unit * gradients[i - n].by_parameters[0],
@@ -216,15 +221,15 @@ impl<P: TwoParameterProblem> Problem for ExtendedProblem<'_, P> {
                 }
             })
             .collect();
-        let residual = shot
+        let residual = evaluation
             .residual
             .iter()
             .copied()
-            .chain(gradients.iter().map(|own| own.value))
+            .chain(gradients.iter().map(|gradient| gradient.value))
             .collect();
         let (bend, is_resonant) = (gradients[0].power_curvature, gradients[0].is_resonant);
         Ok(ExtendedEvaluation {
-            shot,
+            shot: evaluation,
             power_curvature: bend,
             is_resonant,
             residual,

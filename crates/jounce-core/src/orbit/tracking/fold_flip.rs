@@ -43,26 +43,26 @@ impl CriticalMultiplier {
     /// Returns `g` with its gradient; see [`super::Condition::gradient`].
     pub fn gradient<E>(
         &self,
-        shot: &ShootingEvaluation,
-        aside: [&ShootingEvaluation; 2],
+        evaluation: &ShootingEvaluation,
+        neighbours: [&ShootingEvaluation; 2],
         differences: [f64; 2],
-        moved: impl Fn(&[f64]) -> Result<ShootingEvaluation, E>,
+        shifted_shot: impl Fn(&[f64]) -> Result<ShootingEvaluation, E>,
     ) -> Result<Gradient, E> {
         let n = self.v.len();
-        let step = DIFFERENCE_STEP * ColRef::from_slice(&shot.strobe_states[0]).norm_l2()
+        let step = DIFFERENCE_STEP * ColRef::from_slice(&evaluation.strobe_states[0]).norm_l2()
             / ColRef::from_slice(&self.v).norm_l2();
-        let along = moved(&self.v.iter().map(|v| step * v).collect::<Vec<_>>())?;
+        let along = shifted_shot(&self.v.iter().map(|v| step * v).collect::<Vec<_>>())?;
         let by_unknown = (0..n)
             .map(|j| {
                 -(0..n)
-                    .map(|i| self.w[i] * (along.map()[(i, j)] - shot.map()[(i, j)]))
+                    .map(|i| self.w[i] * (along.map()[(i, j)] - evaluation.map()[(i, j)]))
                     .sum::<f64>()
                     / step
             })
             .collect();
         let change = |k: usize| -> f64 {
             let entry = |i: usize, j: usize| {
-                self.w[i] * (aside[k].map()[(i, j)] - shot.map()[(i, j)]) * self.v[j]
+                self.w[i] * (neighbours[k].map()[(i, j)] - evaluation.map()[(i, j)]) * self.v[j]
             };
             -(0..n)
                 .map(|i| (0..n).map(|j| entry(i, j)).sum::<f64>())
@@ -98,8 +98,8 @@ mod tests {
             })
         };
         for distance in [1e-3, 1e-9, -1e-3] {
-            let g =
-                CriticalMultiplier::of(&map(1.0 + distance), 1.0).map_or(f64::NAN, |found| found.g);
+            let g = CriticalMultiplier::of(&map(1.0 + distance), 1.0)
+                .map_or(f64::NAN, |condition| condition.g);
             assert!(
                 (g.abs() - f64::abs(distance)).abs() < 1e-12,
                 "{g} for {distance}"

@@ -37,10 +37,11 @@ pub struct GrazingPoint {
 
 impl GrazingPoint {
     /// Returns the turning point of an orbit nearest to a surface; `None` without one.
-    pub fn of(shot: &ShootingEvaluation) -> Option<Self> {
-        let cycle_s = shot.period_s / shot.trajectories.len() as f64;
-        let unit_cycles = TIME_SCALE_CYCLES / ColRef::from_slice(&shot.strobe_states[0]).norm_l2();
-        nearest_turn(shot).map(|turn| Self {
+    pub fn of(evaluation: &ShootingEvaluation) -> Option<Self> {
+        let cycle_s = evaluation.period_s / evaluation.trajectories.len() as f64;
+        let unit_cycles =
+            TIME_SCALE_CYCLES / ColRef::from_slice(&evaluation.strobe_states[0]).norm_l2();
+        nearest_turn(evaluation).map(|turn| Self {
             port: turn.port,
             phase_cycles: turn.cycle as f64 + turn.time_s / cycle_s,
             unit_cycles,
@@ -48,7 +49,7 @@ impl GrazingPoint {
     }
 
     /// Returns the grazing point at another value of its unknown, which is zero here.
-    pub(super) fn moved(self, unknown: f64) -> Self {
+    pub(super) fn with_unknown(self, unknown: f64) -> Self {
         Self {
             phase_cycles: self.phase_cycles + unknown * self.unit_cycles,
             ..self
@@ -61,37 +62,37 @@ impl GrazingPoint {
 /// belongs to shooting.
 pub fn gradients(
     touch: GrazingPoint,
-    shot: &ShootingEvaluation,
-    aside: [&ShootingEvaluation; 2],
+    evaluation: &ShootingEvaluation,
+    neighbours: [&ShootingEvaluation; 2],
     differences: [f64; 2],
     (scale, tolerance): (&[f64], f64),
 ) -> Result<Vec<Gradient>, SensitivityError> {
-    let plant = &shot.kernel.plant;
+    let plant = &evaluation.kernel.plant;
     let scale_m = plant.scale_m();
-    let motion = |shot: &ShootingEvaluation, ahead_cycles: f64| {
-        let cycles = shot.trajectories.len() as f64;
+    let motion = |evaluation: &ShootingEvaluation, delay_cycles: f64| {
+        let cycles = evaluation.trajectories.len() as f64;
         let phase = touch.phase_cycles.rem_euclid(cycles);
-        let cycle = (phase as usize).min(shot.trajectories.len() - 1);
-        let cycle_s = shot.period_s / cycles;
+        let cycle = (phase as usize).min(evaluation.trajectories.len() - 1);
+        let cycle_s = evaluation.period_s / cycles;
         let [past_m, rate_m_s] = port_motion(
-            shot,
+            evaluation,
             touch.port,
-            (cycle, (phase - cycle as f64 + ahead_cycles) * cycle_s),
+            (cycle, (phase - cycle as f64 + delay_cycles) * cycle_s),
         );
         [past_m / scale_m, rate_m_s * cycle_s / scale_m]
     };
-    let (here, before, after) = (
-        motion(shot, 0.0),
-        motion(shot, -HALF_DIFFERENCE_CYCLES),
-        motion(shot, HALF_DIFFERENCE_CYCLES),
+    let (current, before, after) = (
+        motion(evaluation, 0.0),
+        motion(evaluation, -HALF_DIFFERENCE_CYCLES),
+        motion(evaluation, HALF_DIFFERENCE_CYCLES),
     );
-    let beside = [motion(aside[0], 0.0), motion(aside[1], 0.0)];
+    let perturbed = [motion(neighbours[0], 0.0), motion(neighbours[1], 0.0)];
     let by_phase = [
-        here[1],
+        current[1],
         (after[1] - before[1]) / (2.0 * HALF_DIFFERENCE_CYCLES),
     ];
-    let flow = flow_until(touch, shot, scale, tolerance)?;
-    let cycle_s = shot.period_s / shot.trajectories.len() as f64;
+    let flow = flow_until(touch, evaluation, scale, tolerance)?;
+    let cycle_s = evaluation.period_s / evaluation.trajectories.len() as f64;
     let rows = [
         (&plant.ports[touch.port].displacement, 1.0 / scale_m),
         (&plant.ports[touch.port].velocity, cycle_s / scale_m),
@@ -105,9 +106,9 @@ pub fn gradients(
                 .sum()
         };
         Gradient {
-            value: here[k],
+            value: current[k],
             by_unknown: (0..scale.len()).map(by).collect(),
-            by_parameters: [0, 1].map(|p| (beside[p][k] - here[k]) / differences[p]),
+            by_parameters: [0, 1].map(|p| (perturbed[p][k] - current[k]) / differences[p]),
             by_phase: by_phase[k],
             power_curvature: None,
             is_resonant: false,
@@ -119,29 +120,29 @@ pub fn gradients(
 /// Returns the derivative of the state at a time by the state at the start of the period.
 fn flow_until(
     touch: GrazingPoint,
-    shot: &ShootingEvaluation,
+    evaluation: &ShootingEvaluation,
     scale: &[f64],
     tolerance: f64,
 ) -> Result<Mat<f64>, SensitivityError> {
-    let plant = &shot.kernel.plant;
+    let plant = &evaluation.kernel.plant;
     let n = scale.len();
-    let cycle_s = shot.period_s / shot.trajectories.len() as f64;
+    let cycle_s = evaluation.period_s / evaluation.trajectories.len() as f64;
     let phase = touch
         .phase_cycles
-        .rem_euclid(shot.trajectories.len() as f64);
+        .rem_euclid(evaluation.trajectories.len() as f64);
     let into = &plant.diagonal.from_physical;
     let mut flow = Mat::from_fn(n, n, |i, j| into[(i, j)] / scale[j]);
-    for (cycle, look) in shot
+    for (cycle, state) in evaluation
         .strobe_states
         .iter()
         .enumerate()
         .take(phase as usize + 1)
     {
-        let physical: Vec<f64> = look.iter().zip(scale).map(|(u, w)| u / w).collect();
+        let physical: Vec<f64> = state.iter().zip(scale).map(|(u, w)| u / w).collect();
         let until_s = cycle_s * (phase - cycle as f64).min(1.0);
         let start = plant.from_physical(&physical, 0.0);
         flow = &FlowSensitivity::march(
-            &shot.kernel,
+            &evaluation.kernel,
             &start,
             0.0,
             until_s,

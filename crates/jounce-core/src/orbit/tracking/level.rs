@@ -17,25 +17,25 @@ const RELATIVE_STEP: f64 = 1e-6;
 /// Returns `g` with its gradient. See [`super::Condition::gradient`].
 pub fn gradient<E>(
     (quantity, value): (OrbitQuantity, f64),
-    shot: &ShootingEvaluation,
-    aside: [&ShootingEvaluation; 2],
+    evaluation: &ShootingEvaluation,
+    neighbours: [&ShootingEvaluation; 2],
     differences: [f64; 2],
-    moved: impl Fn(&[f64]) -> Result<ShootingEvaluation, E>,
+    shifted_shot: impl Fn(&[f64]) -> Result<ShootingEvaluation, E>,
 ) -> Result<Gradient, E> {
-    let off = |shot: &ShootingEvaluation| quantity.of(shot) / value - 1.0;
-    let here = off(shot);
-    let states = shot.strobe_states[0].len();
-    let step = RELATIVE_STEP * ColRef::from_slice(&shot.strobe_states[0]).norm_l2();
+    let relative_error = |evaluation: &ShootingEvaluation| quantity.of(evaluation) / value - 1.0;
+    let current = relative_error(evaluation);
+    let states = evaluation.strobe_states[0].len();
+    let step = RELATIVE_STEP * ColRef::from_slice(&evaluation.strobe_states[0]).norm_l2();
     let by = |j: usize| {
         let change: Vec<f64> = (0..states)
             .map(|i| if i == j { step } else { 0.0 })
             .collect();
-        Ok((off(&moved(&change)?) - here) / step)
+        Ok((relative_error(&shifted_shot(&change)?) - current) / step)
     };
     let by_unknown = (0..states).map(by).collect::<Result<_, E>>()?;
-    let by_parameters = [0, 1].map(|k| (off(aside[k]) - here) / differences[k]);
+    let by_parameters = [0, 1].map(|k| (relative_error(neighbours[k]) - current) / differences[k]);
     Ok(Gradient {
-        value: here,
+        value: current,
         by_unknown,
         by_parameters,
         by_phase: 0.0,

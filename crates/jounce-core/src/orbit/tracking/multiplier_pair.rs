@@ -15,7 +15,7 @@ pub struct MultiplierPair {
     /// Orthonormal basis of the invariant plane of the map, `n x 2`.
     pub right: Mat<f64>,
     /// Basis of the invariant plane of the transposed map, dual to it, `n x 2`.
-    pub left: Mat<f64>,
+    pub left_basis: Mat<f64>,
     /// `B`.
     block: [[f64; 2]; 2],
 }
@@ -25,22 +25,22 @@ impl MultiplierPair {
     pub fn of(map: &Mat<f64>) -> Option<Self> {
         let (right, values) = plane(map, |[a, b]| ((a * b).re - 1.0).abs())?;
         let (sum, product) = ((values[0] + values[1]).re, (values[0] * values[1]).re);
-        let own = |[a, b]: [c64; 2]| ((a + b).re - sum).abs() + ((a * b).re - product).abs();
-        let (left, _) = plane(&map.transpose().to_owned(), own)?;
-        let overlap = left.transpose() * &right;
+        let mismatch = |[a, b]: [c64; 2]| ((a + b).re - sum).abs() + ((a * b).re - product).abs();
+        let (left_basis, _) = plane(&map.transpose().to_owned(), mismatch)?;
+        let overlap = left_basis.transpose() * &right;
         // W = U (V' U)^-1, so that W' V = I.
-        let left = overlap
+        let left_basis = overlap
             .partial_piv_lu()
-            .solve(left.transpose())
+            .solve(left_basis.transpose())
             .transpose()
             .to_owned();
-        let found = left.transpose() * map * &right;
-        let block = [0, 1].map(|i| [0, 1].map(|j| found[(i, j)]));
+        let reduced = left_basis.transpose() * map * &right;
+        let block = [0, 1].map(|i| [0, 1].map(|j| reduced[(i, j)]));
         let is_finite = block.iter().flatten().all(|entry| entry.is_finite());
         is_finite.then_some(Self {
             is_complex: values[0].im != 0.0,
             right,
-            left,
+            left_basis,
             block,
         })
     }
@@ -64,7 +64,7 @@ impl MultiplierPair {
                 .map(|j| change(i, j) * self.right[(j, column)])
                 .sum::<f64>()
         };
-        (0..n).map(|i| self.left[(i, row)] * along(i)).sum()
+        (0..n).map(|i| self.left_basis[(i, row)] * along(i)).sum()
     }
 }
 
@@ -76,12 +76,12 @@ fn plane(map: &Mat<f64>, measure: impl Fn([c64; 2]) -> f64) -> Option<(Mat<f64>,
     let (values, vectors) = (eigen.S().column_vector(), eigen.U());
     let is_pair = |&(i, j): &(usize, usize)| {
         let (a, b) = (values[i], values[j]);
-        let has_met = a.im == 0.0
+        let has_converged = a.im == 0.0
             && b.im == 0.0
             && a.re / b.re < MAX_REAL_RATIO
             && b.re / a.re < MAX_REAL_RATIO
             && a.re * b.re > 0.0;
-        (a.im > 0.0 && b == a.conj()) || has_met
+        (a.im > 0.0 && b == a.conj()) || has_converged
     };
     let pairs = (0..n)
         .flat_map(|i| (0..n).filter(move |j| *j != i).map(move |j| (i, j)))
@@ -145,22 +145,22 @@ mod tests {
     fn the_product_and_its_change_are_those_of_the_closed_form() {
         let determinant = 1.0;
         for trace in [0.7, 2.0 - 1e-8, 2.0 + 1e-8, 2.02, -2.0 + 1e-8] {
-            let here = map(trace, determinant);
-            let pair = MultiplierPair::of(&here).unwrap();
+            let current = map(trace, determinant);
+            let pair = MultiplierPair::of(&current).unwrap();
             assert_eq!(pair.is_complex, trace.abs() < 2.0);
             assert!(
                 (pair.product() - determinant).abs() < 1e-12,
                 "{trace}: {}",
                 pair.product()
             );
-            let moved = |other: Mat<f64>| {
+            let product_of = |other: Mat<f64>| {
                 pair.change(|row, column| {
-                    pair.between(row, column, |i, j| (other[(i, j)] - here[(i, j)]) / 1e-6)
+                    pair.between(row, column, |i, j| (other[(i, j)] - current[(i, j)]) / 1e-6)
                 })
             };
             let (by_trace, by_determinant) = (
-                moved(map(trace + 1e-6, determinant)),
-                moved(map(trace, determinant + 1e-6)),
+                product_of(map(trace + 1e-6, determinant)),
+                product_of(map(trace, determinant + 1e-6)),
             );
             assert!(
                 by_trace.abs() < 1e-8 && (by_determinant - 1.0).abs() < 1e-8,

@@ -24,18 +24,18 @@ const DIFFERENCE_STEP: f64 = 1e-5;
 
 /// Returns `g` with its gradient; `None` without a pair. See [`super::Condition::gradient`].
 pub fn gradient<E>(
-    shot: &ShootingEvaluation,
-    aside: [&ShootingEvaluation; 2],
+    evaluation: &ShootingEvaluation,
+    neighbours: [&ShootingEvaluation; 2],
     differences: [f64; 2],
-    moved: impl Fn(&[f64]) -> Result<ShootingEvaluation, E>,
+    shifted_shot: impl Fn(&[f64]) -> Result<ShootingEvaluation, E>,
 ) -> Result<Option<Gradient>, E> {
-    let Some(pair) = MultiplierPair::of(shot.map()) else {
+    let Some(pair) = MultiplierPair::of(evaluation.map()) else {
         return Ok(None);
     };
-    let n = shot.map().nrows();
-    let step = DIFFERENCE_STEP * ColRef::from_slice(&shot.strobe_states[0]).norm_l2();
+    let n = evaluation.map().nrows();
+    let step = DIFFERENCE_STEP * ColRef::from_slice(&evaluation.strobe_states[0]).norm_l2();
     let along = |column: usize| {
-        moved(
+        shifted_shot(
             &pair
                 .right
                 .col(column)
@@ -48,14 +48,18 @@ pub fn gradient<E>(
     let by = |j: usize| {
         pair.change(|row, column| {
             (0..n)
-                .map(|i| pair.left[(i, row)] * (sides[column].map()[(i, j)] - shot.map()[(i, j)]))
+                .map(|i| {
+                    pair.left_basis[(i, row)]
+                        * (sides[column].map()[(i, j)] - evaluation.map()[(i, j)])
+                })
                 .sum::<f64>()
                 / step
         })
     };
     let by_parameter = |k: usize| {
-        let change =
-            |i: usize, j: usize| (aside[k].map()[(i, j)] - shot.map()[(i, j)]) / differences[k];
+        let change = |i: usize, j: usize| {
+            (neighbours[k].map()[(i, j)] - evaluation.map()[(i, j)]) / differences[k]
+        };
         pair.change(|row, column| pair.between(row, column, change))
     };
     Ok(Some(Gradient {

@@ -36,8 +36,8 @@ const WANTED_CHANGE: f64 = 1e-3;
 /// ... and the largest change of the state over the step, relative to its size.
 const MAX_STATE_CHANGE: f64 = 3e-3;
 
-fn power_w(shot: &ShootingEvaluation) -> f64 {
-    shot.loads_w.iter().sum()
+fn power_w(evaluation: &ShootingEvaluation) -> f64 {
+    evaluation.loads_w.iter().sum()
 }
 
 /// `g` and its slope along the curve.
@@ -52,9 +52,9 @@ impl<P: TwoParameterProblem> ExtendedProblem<'_, P> {
     pub(super) fn peak(
         &self,
         (start, parameter, parameter_2): (&[f64], f64, f64),
-        (line, beside): (&P::Line, &P::Line),
+        (line, neighbour): (&P::Line, &P::Line),
     ) -> Result<Option<Gradient>, TrackingError<P>> {
-        let Some(foot) = self.foot((start, parameter, parameter_2), line)? else {
+        let Some(foot) = self.project((start, parameter, parameter_2), line)? else {
             return Ok(None);
         };
         let (n, size) = (foot.start.len(), foot.size());
@@ -63,32 +63,34 @@ impl<P: TwoParameterProblem> ExtendedProblem<'_, P> {
             return Ok(None);
         };
         let difference = self.plane.differences([foot.parameter, parameter_2])[1];
-        let (aside, _) = self.shooting(beside).shoot(&foot.start, foot.parameter)?;
+        let (shifted, _) = self
+            .shooting(neighbour)
+            .shoot(&foot.start, foot.parameter)?;
         let right: Vec<f64> = (0..n)
-            .map(|i| -(aside.residual[i] - foot.shot.residual[i]) / difference)
+            .map(|i| -(shifted.residual[i] - foot.shot.residual[i]) / difference)
             .collect();
         let Some(to_side) = foot.tangent.across(&right) else {
             return Ok(None);
         };
-        let aside = |step: f64| self.first_aside((&foot, parameter_2), &to_side, step, width);
+        let shifted = |step: f64| self.first_neighbour((&foot, parameter_2), &to_side, step, width);
         let mut step = FIRST_WAY * difference;
-        let Some(mut there) = aside(step)? else {
+        let Some(mut corrected) = shifted(step)? else {
             return Ok(None);
         };
         let farthest = MAX_STATE_CHANGE * size / ColRef::from_slice(&to_side).norm_l2();
-        let better = (step * WANTED_CHANGE / (there - first).abs()).min(farthest);
+        let better = (step * WANTED_CHANGE / (corrected - first).abs()).min(farthest);
         if !(1.0 / ACCEPTED_WAY_RATIO..ACCEPTED_WAY_RATIO).contains(&(better / step)) {
             step = better;
-            let Some(other) = aside(step)? else {
+            let Some(other) = shifted(step)? else {
                 return Ok(None);
             };
-            there = other;
+            corrected = other;
         }
         let along = &foot.tangent.along;
         Ok(Some(Gradient {
             value: first,
             by_unknown: along[..n].iter().map(|t| second * t).collect(),
-            by_parameters: [second * along[n] / self.unit, (there - first) / step],
+            by_parameters: [second * along[n] / self.unit, (corrected - first) / step],
             by_phase: 0.0,
             power_curvature: Some(second * size),
             is_resonant: false,
@@ -102,22 +104,23 @@ impl<P: TwoParameterProblem> ExtendedProblem<'_, P> {
         foot: &BranchProjection,
         width: f64,
     ) -> Result<Option<PowerSlopes>, TrackingError<P>> {
-        let (own_w, residual) = (power_w(&foot.shot), &foot.shot.residual);
+        let (foot_power_w, residual) = (power_w(&foot.shot), &foot.shot.residual);
         let sides = self.sides(line, foot, width)?;
         // The mean of the two sides differs from the curve by the curvature.
-        let left = |i: usize, pair: usize| {
+        let left_part = |i: usize, pair: usize| {
             0.5 * (sides[pair][0].residual[i] + sides[pair][1].residual[i]) - residual[i]
         };
         let bend: Vec<f64> = (0..residual.len())
-            .map(|i| -(16.0 * left(i, 0) - left(i, 1)) / 12.0)
+            .map(|i| -(16.0 * left_part(i, 0) - left_part(i, 1)) / 12.0)
             .collect();
         let Some(bend) = foot.tangent.across(&bend) else {
             return Ok(None);
         };
         let bent_w = power_w(&self.shoot_off(line, foot, &bend, 1.0)?);
-        let both = |pair: usize| power_w(&sides[pair][0]) + power_w(&sides[pair][1]) - 2.0 * own_w;
-        let second_w = (16.0 * both(0) - both(1)) / 12.0 + 2.0 * (bent_w - own_w);
-        let unit = foot.size() / own_w;
+        let both =
+            |pair: usize| power_w(&sides[pair][0]) + power_w(&sides[pair][1]) - 2.0 * foot_power_w;
+        let second_w = (16.0 * both(0) - both(1)) / 12.0 + 2.0 * (bent_w - foot_power_w);
+        let unit = foot.size() / foot_power_w;
         Ok(Some(PowerSlopes {
             first: first_w(&sides, width) * unit,
             second: second_w / (width * width) * unit,
@@ -125,7 +128,7 @@ impl<P: TwoParameterProblem> ExtendedProblem<'_, P> {
     }
 
     /// Returns `g` on the neighbouring curve.
-    fn first_aside(
+    fn first_neighbour(
         &self,
         (foot, parameter_2): (&BranchProjection, f64),
         to_side: &[f64],
@@ -136,14 +139,14 @@ impl<P: TwoParameterProblem> ExtendedProblem<'_, P> {
             .plane
             .line(parameter_2 + step)
             .map_err(OrbitError::Harvester)?;
-        let there: Vec<f64> = foot
+        let corrected: Vec<f64> = foot
             .start
             .iter()
             .zip(to_side)
             .map(|(u, d)| u + step * d)
             .collect();
-        let parameter = foot.parameter + step * self.unit * to_side[there.len()];
-        let Some(other) = self.foot((&there, parameter, parameter_2 + step), &line)? else {
+        let parameter = foot.parameter + step * self.unit * to_side[corrected.len()];
+        let Some(other) = self.project((&corrected, parameter, parameter_2 + step), &line)? else {
             return Ok(None);
         };
         let sense: f64 = other
@@ -164,8 +167,12 @@ impl<P: TwoParameterProblem> ExtendedProblem<'_, P> {
         foot: &BranchProjection,
         width: f64,
     ) -> Result<[[ShootingEvaluation; 2]; 2], TrackingError<P>> {
-        let off = |widths: f64| self.shoot_off(line, foot, &foot.tangent.along, widths * width);
-        Ok([[off(-1.0)?, off(1.0)?], [off(-2.0)?, off(2.0)?]])
+        let shifted_point =
+            |widths: f64| self.shoot_off(line, foot, &foot.tangent.along, widths * width);
+        Ok([
+            [shifted_point(-1.0)?, shifted_point(1.0)?],
+            [shifted_point(-2.0)?, shifted_point(2.0)?],
+        ])
     }
 
     /// Shoots from a point changed by `(u, (p - p0) / unit)`.
@@ -176,7 +183,7 @@ impl<P: TwoParameterProblem> ExtendedProblem<'_, P> {
         change: &[f64],
         length: f64,
     ) -> Result<ShootingEvaluation, TrackingError<P>> {
-        let moved: Vec<f64> = foot
+        let shifted: Vec<f64> = foot
             .start
             .iter()
             .zip(change)
@@ -185,8 +192,8 @@ impl<P: TwoParameterProblem> ExtendedProblem<'_, P> {
         Ok(self
             .shooting(line)
             .shoot(
-                &moved,
-                foot.parameter + length * self.unit * change[moved.len()],
+                &shifted,
+                foot.parameter + length * self.unit * change[shifted.len()],
             )?
             .0)
     }

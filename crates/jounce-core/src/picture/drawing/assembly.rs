@@ -31,7 +31,7 @@ pub struct DrawnSpot {
 /// foot.
 pub fn assemblies(drawing: &Drawing, px_per_m: f64) -> Vec<(usize, DrawnSpot)> {
     let count = drawing.bodies.len();
-    let mut found: Vec<Option<(usize, DrawnSpot)>> = (0..count)
+    let mut spots: Vec<Option<(usize, DrawnSpot)>> = (0..count)
         .map(|k| {
             carrier(drawing, k).is_none().then_some((
                 k,
@@ -42,21 +42,24 @@ pub fn assemblies(drawing: &Drawing, px_per_m: f64) -> Vec<(usize, DrawnSpot)> {
             ))
         })
         .collect();
-    let mut carried = vec![0_usize; count];
+    let mut rank_on = vec![0_usize; count];
     for _ in 0..count {
         for k in 0..count {
-            let Some(place) = carrier(drawing, k).filter(|_| found[k].is_none()) else {
+            let Some(support) = carrier(drawing, k).filter(|_| spots[k].is_none()) else {
                 continue;
             };
-            if let Some((foot, spot)) = found[place.body] {
-                let rank = carried[place.body];
-                carried[place.body] += 1;
-                found[k] = Some((foot, beside(drawing, k, place, spot, rank, px_per_m)));
+            if let Some((foot, spot)) = spots[support.body] {
+                let rank = rank_on[support.body];
+                rank_on[support.body] += 1;
+                spots[k] = Some((
+                    foot,
+                    beside_support(drawing, k, support, spot, rank, px_per_m),
+                ));
             }
         }
     }
     // A spec with circular supports is refused elsewhere; here each of its bodies is an assembly.
-    found
+    spots
         .into_iter()
         .enumerate()
         .map(|(k, spot)| {
@@ -74,8 +77,8 @@ pub fn assemblies(drawing: &Drawing, px_per_m: f64) -> Vec<(usize, DrawnSpot)> {
 /// Returns the place that carries a body.
 pub fn carrier(drawing: &Drawing, body: usize) -> Option<DrawnPlace> {
     match drawing.bodies[body].seat {
-        Seat::On(place) | Seat::Spring(Some(place)) => {
-            Some(place).filter(|place| place.body < drawing.bodies.len())
+        Seat::On(support) | Seat::Spring(Some(support)) => {
+            Some(support).filter(|support| support.body < drawing.bodies.len())
         }
         Seat::Ground | Seat::Spring(None) | Seat::Nothing => None,
     }
@@ -83,24 +86,24 @@ pub fn carrier(drawing: &Drawing, body: usize) -> Option<DrawnPlace> {
 
 /// Returns the position of a body on a place of another body at `on`; `rank` bodies are on it
 /// already.
-fn beside(
+fn beside_support(
     drawing: &Drawing,
     body: usize,
-    place: DrawnPlace,
+    support: DrawnPlace,
     on: DrawnSpot,
     rank: usize,
     px_per_m: f64,
 ) -> DrawnSpot {
-    let x = on.x + on.way * place.along_m * px_per_m;
-    let half = 0.5 * size(drawing, place.body).1;
-    let own = 0.5 * size(drawing, body).1;
+    let x = on.x + on.way * support.along_m * px_per_m;
+    let half = 0.5 * size(drawing, support.body).1;
+    let half_size = 0.5 * size(drawing, body).1;
     let sprung = matches!(drawing.bodies[body].seat, Seat::Spring(_));
     match (
         &drawing.bodies[body].shape,
-        &drawing.bodies[place.body].shape,
+        &drawing.bodies[support.body].shape,
     ) {
         (DrawnShape::Beam(_), DrawnShape::Beam(beam)) => {
-            let amid = place.along_m < 0.999 * beam.length_m;
+            let amid = support.along_m < 0.999 * beam.length_m;
             DrawnSpot {
                 x,
                 y: on.y - if amid { STEP } else { 0.0 },
@@ -108,16 +111,16 @@ fn beside(
             }
         }
         (DrawnShape::Beam(_), _) => {
-            let way = if rank.is_multiple_of(2) { 1.0 } else { -1.0 };
+            let sign = if rank.is_multiple_of(2) { 1.0 } else { -1.0 };
             DrawnSpot {
-                x: on.x + way * 0.5 * size(drawing, place.body).0,
+                x: on.x + sign * 0.5 * size(drawing, support.body).0,
                 y: on.y - STEP * (rank / 2) as f64,
-                way,
+                way: sign,
             }
         }
         (_, DrawnShape::Beam(_)) if sprung => DrawnSpot {
             x,
-            y: on.y - SPRING - own,
+            y: on.y - SPRING - half_size,
             way: 1.0,
         },
         (_, DrawnShape::Beam(_)) => DrawnSpot {
@@ -127,7 +130,7 @@ fn beside(
         },
         _ => DrawnSpot {
             x: on.x,
-            y: on.y - half - own - if sprung { SPRING } else { 0.0 },
+            y: on.y - half - half_size - if sprung { SPRING } else { 0.0 },
             way: 1.0,
         },
     }
@@ -136,8 +139,9 @@ fn beside(
 /// Returns the width and height of a body that is a symbol; zero for a beam.
 pub fn size(drawing: &Drawing, body: usize) -> (f64, f64) {
     let on_beam = || {
-        carrier(drawing, body)
-            .is_some_and(|place| matches!(drawing.bodies[place.body].shape, DrawnShape::Beam(_)))
+        carrier(drawing, body).is_some_and(|support| {
+            matches!(drawing.bodies[support.body].shape, DrawnShape::Beam(_))
+        })
     };
     match drawing.bodies[body].shape {
         DrawnShape::Beam(_) => (0.0, 0.0),
@@ -161,14 +165,14 @@ pub fn room(drawing: &Drawing, body: usize, spot: DrawnSpot, px_per_m: f64) -> R
             Rect::between((spot.x, spot.y - above), (end, spot.y + below))
         }
         _ => {
-            let aside = if sides(drawing, body) == (true, true)
+            let offset = if sides(drawing, body) == (true, true)
                 && drawing.bodies[body].seat == Seat::Spring(None)
             {
                 22.0
             } else {
                 0.0
             };
-            Rect::around((spot.x + aside, spot.y), size(drawing, body))
+            Rect::around((spot.x + offset, spot.y), size(drawing, body))
         }
     }
 }
@@ -176,16 +180,17 @@ pub fn room(drawing: &Drawing, body: usize, spot: DrawnSpot, px_per_m: f64) -> R
 /// Returns the distance of a face of a beam with its patches from the mid-plane, px: at a place, or
 /// the largest.
 fn thickness(beam: &DrawnBeam, along_m: Option<f64>, top: bool, px_per_m: f64) -> f64 {
-    let there = |cover: &&DrawnPatch| cover.top == top && along_m.is_none_or(|x| covers(cover, x));
+    let covers_position =
+        |cover: &&DrawnPatch| cover.top == top && along_m.is_none_or(|x| covers(cover, x));
     let layers = beam
         .layers
         .iter()
-        .filter(there)
+        .filter(covers_position)
         .map(|layer| thick(layer.thickness_m, px_per_m));
     let patches = beam
         .patches
         .iter()
-        .filter(there)
+        .filter(covers_position)
         .map(|patch| under(beam, patch, px_per_m) + thick(patch.thickness_m, px_per_m));
     0.5 * thick(beam.thickness_m, px_per_m) + layers.chain(patches).fold(0.0, f64::max)
 }
@@ -214,19 +219,19 @@ pub fn thick(length_m: f64, px_per_m: f64) -> f64 {
 
 /// Returns the distance of the upper or lower face at a place from the middle of the body; a mass
 /// fixed there is part of it.
-pub fn face(drawing: &Drawing, place: DrawnPlace, above: bool, px_per_m: f64) -> f64 {
-    let DrawnShape::Beam(beam) = &drawing.bodies[place.body].shape else {
-        return 0.5 * size(drawing, place.body).1;
+pub fn face(drawing: &Drawing, support: DrawnPlace, above: bool, px_per_m: f64) -> f64 {
+    let DrawnShape::Beam(beam) = &drawing.bodies[support.body].shape else {
+        return 0.5 * size(drawing, support.body).1;
     };
-    let here = |other: &usize| {
-        drawing.bodies[*other].seat == Seat::On(place)
+    let is_fixed_there = |other: &usize| {
+        drawing.bodies[*other].seat == Seat::On(support)
             && drawing.bodies[*other].shape == DrawnShape::Block
     };
     let fixed = (0..drawing.bodies.len())
-        .filter(here)
+        .filter(is_fixed_there)
         .map(|other| 0.5 * size(drawing, other).1);
     fixed.fold(
-        thickness(beam, Some(place.along_m), above, px_per_m),
+        thickness(beam, Some(support.along_m), above, px_per_m),
         f64::max,
     )
 }

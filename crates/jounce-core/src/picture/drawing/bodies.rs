@@ -28,7 +28,7 @@ pub fn body(
     body: usize,
     shift: (f64, f64),
 ) {
-    let drawn = &drawing.bodies[body];
+    let body_drawing = &drawing.bodies[body];
     let mut spot = layout.spots[body];
     (spot.x, spot.y) = (spot.x + shift.0, spot.y + shift.1);
     let covered = room(drawing, body, spot, layout.px_per_m);
@@ -36,10 +36,10 @@ pub fn body(
         0.5 * (covered.left + covered.right),
         0.5 * (covered.top + covered.bottom),
     );
-    match &drawn.shape {
+    match &body_drawing.shape {
         DrawnShape::Beam(shape) => {
             let foot = carrier(drawing, body)
-                .map(|place| layout.point(drawing, place).1 + shift.1)
+                .map(|support| layout.point(drawing, support).1 + shift.1)
                 .filter(|y| (y - spot.y).abs() > 1.0);
             if let Some(y) = foot.filter(|_| {
                 matches!(
@@ -53,13 +53,13 @@ pub fn body(
                 );
             }
             beam(canvas, shape, spot.way, (spot.x, spot.y), layout.px_per_m);
-            if drawn.seat == Seat::Ground {
+            if body_drawing.seat == Seat::Ground {
                 wall(canvas, (spot.x, spot.y), spot.way);
             }
             let (anchor, toward) = named_at(shape, (spot.x, spot.y), spot.way, layout.px_per_m);
             // If another beam lies close to this face, the name goes to the other face.
             let other = (toward.1 != 0.0).then_some((anchor.0, 2.0 * spot.y - anchor.1));
-            let mut words = drawn.words.clone();
+            let mut words = body_drawing.words.clone();
             words.push(format!(
                 "{} × {}",
                 dimension::length(shape.length_m),
@@ -86,7 +86,7 @@ pub fn body(
     seat(canvas, drawing, body, covered);
     // Off the middle of its side, where a beam may stand on it.
     let quarters = [-0.25, 0.25].map(|part| (covered.right, middle.1 + part * covered.height()));
-    let others = if drawn.shape == DrawnShape::Ball {
+    let others = if body_drawing.shape == DrawnShape::Ball {
         Vec::new()
     } else {
         quarters.to_vec()
@@ -95,7 +95,7 @@ pub fn body(
         (covered.right, middle.1),
         others,
         (1.0, 0.0),
-        drawn.words.clone(),
+        body_drawing.words.clone(),
     );
 }
 
@@ -103,10 +103,10 @@ pub fn body(
 fn named_at(
     beam: &DrawnBeam,
     (x, y): (f64, f64),
-    way: f64,
+    sign: f64,
     px_per_m: f64,
 ) -> ((f64, f64), (f64, f64)) {
-    let length = way * beam.length_m * px_per_m;
+    let length = sign * beam.length_m * px_per_m;
     let half = 0.5 * thick(beam.thickness_m, px_per_m);
     let bare = |top: bool| {
         beam.patches
@@ -116,8 +116,8 @@ fn named_at(
     };
     match (bare(true), bare(false)) {
         (true, _) => ((x + 0.5 * length, y - half), (0.0, -1.0)),
-        (_, true) if way < 0.0 => ((x + 0.5 * length, y + half), (0.0, 1.0)),
-        _ if way > 0.0 => ((x + length, y), (1.0, 0.0)),
+        (_, true) if sign < 0.0 => ((x + 0.5 * length, y + half), (0.0, 1.0)),
+        _ if sign > 0.0 => ((x + length, y), (1.0, 0.0)),
         _ => ((x + HATCH, y), (1.0, 0.0)),
     }
 }
@@ -158,12 +158,12 @@ fn seat(canvas: &mut Canvas, drawing: &Drawing, body: usize, covered: Rect) {
     }
 }
 
-fn wall(canvas: &mut Canvas, (x, y): (f64, f64), way: f64) {
+fn wall(canvas: &mut Canvas, (x, y): (f64, f64), sign: f64) {
     ground(
         canvas.svg,
         (x, y - WALL),
         2.0 * WALL,
-        if way > 0.0 {
+        if sign > 0.0 {
             HatchSide::Left
         } else {
             HatchSide::Right
@@ -171,14 +171,14 @@ fn wall(canvas: &mut Canvas, (x, y): (f64, f64), way: f64) {
     );
     canvas.cover(Rect::between(
         (x, y - WALL),
-        (x - way * HATCH, y + WALL + HATCH),
+        (x - sign * HATCH, y + WALL + HATCH),
     ));
 }
 
 /// Draws a beam with its layers, its patches and its places, its root at `(x, y)`.
-fn beam(canvas: &mut Canvas, beam: &DrawnBeam, way: f64, (x, y): (f64, f64), px_per_m: f64) {
+fn beam(canvas: &mut Canvas, beam: &DrawnBeam, sign: f64, (x, y): (f64, f64), px_per_m: f64) {
     let half = 0.5 * thick(beam.thickness_m, px_per_m);
-    let at = |along_m: f64| x + way * along_m * px_per_m;
+    let at = |along_m: f64| x + sign * along_m * px_per_m;
     canvas.solid(
         Rect::between((x, y - half), (at(beam.length_m), y + half)),
         "class=\"jounce-beam\" fill=\"#4a5560\"",
@@ -204,7 +204,7 @@ fn beam(canvas: &mut Canvas, beam: &DrawnBeam, way: f64, (x, y): (f64, f64), px_
         );
         // Only the end is visible of a layer under another one.
         let (anchor, toward) = if style == LAYER {
-            ((to, 0.5 * (near + far)), (0.5 * way, side))
+            ((to, 0.5 * (near + far)), (0.5 * sign, side))
         } else {
             ((0.5 * (from + to), far), (0.0, side))
         };
@@ -216,19 +216,19 @@ fn beam(canvas: &mut Canvas, beam: &DrawnBeam, way: f64, (x, y): (f64, f64), px_
         canvas.label_along(anchor, others, toward, vec![words]);
     }
     for (name, along_m) in &beam.points {
-        let (place, low) = (at(*along_m), y + half);
+        let (point, low) = (at(*along_m), y + half);
         canvas.svg.path(
             &format!(
                 "M{x0} {}L{x0} {}",
                 number(low),
                 number(low + 8.0),
-                x0 = number(place)
+                x0 = number(point)
             ),
             THIN,
         );
-        canvas.cover(Rect::between((place - 1.0, low), (place + 1.0, low + 8.0)));
+        canvas.cover(Rect::between((point - 1.0, low), (point + 1.0, low + 8.0)));
         canvas.label(
-            (place, low + 8.0),
+            (point, low + 8.0),
             (0.0, 1.0),
             vec![format!("{name} {}", dimension::length(*along_m))],
         );

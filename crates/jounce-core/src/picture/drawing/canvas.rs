@@ -1,6 +1,6 @@
 //! A sheet that records covered areas, so that labels find free positions.
 
-use super::labels::{LINE, LabelRequest, placed};
+use super::labels::{LINE, LabelRequest, place_labels};
 use super::rect::Rect;
 use crate::picture::svg::{Anchor, Svg, number};
 use crate::picture::text::SMALL;
@@ -17,7 +17,7 @@ pub struct Canvas<'s> {
     /// Document.
     pub svg: &'s mut Svg,
     covered: Vec<Rect>,
-    wanted: Vec<LabelRequest>,
+    requests: Vec<LabelRequest>,
     /// Left and right limits of labels.
     page: (f64, f64),
 }
@@ -28,15 +28,15 @@ impl<'s> Canvas<'s> {
         Self {
             svg,
             covered: Vec::new(),
-            wanted: Vec::new(),
+            requests: Vec::new(),
             page,
         }
     }
 
     /// Draws a rectangle that labels avoid.
-    pub fn solid(&mut self, rect: Rect, look: &str) {
+    pub fn solid(&mut self, rect: Rect, style: &str) {
         self.svg
-            .rect(rect.left, rect.top, rect.width(), rect.height(), look);
+            .rect(rect.left, rect.top, rect.width(), rect.height(), style);
         self.cover(rect);
     }
 
@@ -58,7 +58,7 @@ impl<'s> Canvas<'s> {
         toward: (f64, f64),
         lines: Vec<String>,
     ) {
-        self.wanted.push(LabelRequest {
+        self.requests.push(LabelRequest {
             anchor,
             others,
             toward,
@@ -68,7 +68,7 @@ impl<'s> Canvas<'s> {
 
     /// Places all labels; returns the area covered by all elements.
     pub fn finish(self) -> Rect {
-        let labels = placed(&self.wanted, &self.covered, self.page);
+        let labels = place_labels(&self.requests, &self.covered, self.page);
         for label in &labels {
             if let Some([from, to]) = label.leader {
                 let steps = format!(

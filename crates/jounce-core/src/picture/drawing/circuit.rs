@@ -47,13 +47,13 @@ pub fn draw(svg: &mut Svg, circuit: &DrawnCircuit, (x, y): (f64, f64)) {
     svg.text(x, y + 14.0, SMALL, Anchor::Start, &name(circuit));
     let ends = (y + WIRES.0, y + WIRES.1);
     let mut at = x + MARGIN;
-    for (index, drawn) in circuit.elements.iter().enumerate() {
-        let next = at + column(drawn);
-        element(svg, drawn, at, ends);
+    for (index, circuit_element) in circuit.elements.iter().enumerate() {
+        let next = at + column(circuit_element);
+        element(svg, circuit_element, at, ends);
         // The wires extend from each element to the next.
         let last = index + 1 == circuit.elements.len();
         if !last {
-            let from = if let DrawnElement::Block(words) = drawn {
+            let from = if let DrawnElement::Block(words) = circuit_element {
                 at + size_of(words).0 + 20.0
             } else {
                 at
@@ -63,7 +63,7 @@ pub fn draw(svg: &mut Svg, circuit: &DrawnCircuit, (x, y): (f64, f64)) {
                 from,
                 next,
                 ends,
-                matches!(drawn, DrawnElement::SeriesInductor(_)),
+                matches!(circuit_element, DrawnElement::SeriesInductor(_)),
             );
         }
         at = next;
@@ -92,8 +92,8 @@ fn element(svg: &mut Svg, element: &DrawnElement, x: f64, ends: (f64, f64)) {
             words_at(svg, words, x + 10.0, middle);
         }
         DrawnElement::SeriesInductor(words) => {
-            let wide = size_of(words).0.max(40.0) + 24.0;
-            electric::level_inductor(svg, ends.0, (x, x + wide));
+            let element_width = size_of(words).0.max(40.0) + 24.0;
+            electric::level_inductor(svg, ends.0, (x, x + element_width));
             words_at(
                 svg,
                 words,

@@ -37,7 +37,7 @@ pub struct CloseUpSize {
     /// Height of the striking face, px under the upper edge of the window.
     face: f64,
     /// Height of the struck face.
-    struck: f64,
+    stop_face: f64,
 }
 
 /// Distance of the window from the upper edge of the close-up, and its height, px.
@@ -46,18 +46,18 @@ const WINDOW: (f64, f64) = (26.0, SIZE.1 - 54.0);
 impl CloseUpSize {
     /// Returns the dimensions for a contact.
     pub fn of(drawing: &Drawing, contact: &DrawnContact) -> Self {
-        let own: f64 = plies(drawing, contact.at, contact.above)
+        let total_thickness_m: f64 = plies(drawing, contact.at, contact.above)
             .iter()
             .map(|(thickness_m, _)| thickness_m)
             .sum();
-        let scale = FILLED / (contact.gap_m.abs() + own);
-        let way = if contact.above { -1.0 } else { 1.0 };
-        let face = 0.5 * WINDOW.1 - way * (0.5 * FILLED - own * scale);
+        let scale = FILLED / (contact.gap_m.abs() + total_thickness_m);
+        let sign = if contact.above { -1.0 } else { 1.0 };
+        let face = 0.5 * WINDOW.1 - sign * (0.5 * FILLED - total_thickness_m * scale);
         Self {
             scale,
-            way,
+            way: sign,
             face,
-            struck: face + way * contact.gap_m * scale,
+            stop_face: face + sign * contact.gap_m * scale,
         }
     }
 
@@ -65,7 +65,7 @@ impl CloseUpSize {
     /// `(x, y)`, and its derivative by the gap, px/m.
     pub fn grip(&self, (x, y): (f64, f64)) -> ((f64, f64), f64) {
         (
-            (x + 0.5 * SIZE.0, y + WINDOW.0 + self.struck),
+            (x + 0.5 * SIZE.0, y + WINDOW.0 + self.stop_face),
             self.way * self.scale,
         )
     }
@@ -73,15 +73,15 @@ impl CloseUpSize {
 
 /// Returns the plies of a beam at a place, from its upper or lower face on: thickness, m, and
 /// style. Empty for a mass.
-fn plies(drawing: &Drawing, place: DrawnPlace, top: bool) -> Vec<(f64, &'static str)> {
-    let DrawnShape::Beam(beam) = &drawing.bodies[place.body].shape else {
+fn plies(drawing: &Drawing, position: DrawnPlace, top: bool) -> Vec<(f64, &'static str)> {
+    let DrawnShape::Beam(beam) = &drawing.bodies[position.body].shape else {
         return Vec::new();
     };
-    let at = |covering: &'static str, there: &[DrawnPatch], side: bool| {
-        let found = there
+    let at = |covering: &'static str, coverings: &[DrawnPatch], side: bool| {
+        let covering_here = coverings
             .iter()
-            .find(|cover| cover.top == side && covers(cover, place.along_m));
-        found.map(|cover| (cover.thickness_m, covering))
+            .find(|cover| cover.top == side && covers(cover, position.along_m));
+        covering_here.map(|cover| (cover.thickness_m, covering))
     };
     let near = [at(PATCH, &beam.patches, top), at(LAYER, &beam.layers, top)];
     let far = [
@@ -107,9 +107,9 @@ pub fn draw(
     svg.rect(x, y, SIZE.0, SIZE.1, THIN);
     let CloseUpSize {
         scale,
-        way,
+        way: sign,
         face,
-        struck,
+        stop_face,
     } = CloseUpSize::of(drawing, contact);
     svg.text(
         x + 8.0,
@@ -122,19 +122,19 @@ pub fn draw(
     let middle = 0.5 * SIZE.0;
     side(
         svg,
-        (face, -way),
+        (face, -sign),
         &plies(drawing, contact.at, contact.above),
         scale,
     );
     match contact.on {
         None => {
             svg.path(
-                &symbols::tip(middle, struck, way, 14.0),
+                &symbols::tip(middle, stop_face, sign, 14.0),
                 "class=\"jounce-stop\" fill=\"#8a8a8a\" fill-opacity=\"0.8\" stroke=\"none\"",
             );
             ground(
                 svg,
-                (middle - 50.0, struck + way * 28.0),
+                (middle - 50.0, stop_face + sign * 28.0),
                 100.0,
                 if contact.above {
                     HatchSide::Above
@@ -145,18 +145,18 @@ pub fn draw(
         }
         Some(on) => side(
             svg,
-            (struck, way),
+            (stop_face, sign),
             &plies(drawing, on, !contact.above),
             scale,
         ),
     }
     let at = middle + 42.0;
-    dimension::arrow(svg, at, (face, struck), true);
+    dimension::arrow(svg, at, (face, stop_face), true);
     let level = format!(
         "M{} {y}L{} {y}",
         number(middle + 10.0),
         number(at + 8.0),
-        y = number(struck)
+        y = number(stop_face)
     );
     svg.path(&level, THIN);
     svg.close_window();
@@ -170,25 +170,25 @@ pub fn draw(
 }
 
 /// Draws one side of a gap, from its face away from the gap: a beam with its plies, or a mass.
-fn side(svg: &mut Svg, (face, way): (f64, f64), plies: &[(f64, &'static str)], scale: f64) {
+fn side(svg: &mut Svg, (face, sign): (f64, f64), plies: &[(f64, &'static str)], scale: f64) {
     let sizes = plies
         .iter()
-        .map(|(thickness_m, look)| ((thickness_m * scale).max(2.0), *look));
+        .map(|(thickness_m, style)| ((thickness_m * scale).max(2.0), *style));
     let sizes: Vec<(f64, &str)> = if plies.is_empty() {
         vec![(MASS, BODY)]
     } else {
         sizes.collect()
     };
     let mut near = face;
-    for (height, look) in sizes {
+    for (height, style) in sizes {
         svg.rect(
             -2.0,
-            if way < 0.0 { near - height } else { near },
+            if sign < 0.0 { near - height } else { near },
             SIZE.0 + 4.0,
             height,
-            look,
+            style,
         );
-        near += way * height;
+        near += sign * height;
     }
 }
 

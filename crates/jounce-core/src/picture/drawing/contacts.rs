@@ -4,7 +4,7 @@ use super::assembly::{carrier, face, room};
 use super::bodies::arm;
 use super::canvas::{Canvas, INK};
 use super::hatch::{HATCH, HatchSide, ground};
-use super::layout::{DrawingLayout, way};
+use super::layout::{DrawingLayout, sign};
 use super::rect::Rect;
 use super::symbols::tip;
 use super::{Drawing, DrawnContact, dimension};
@@ -27,54 +27,62 @@ pub fn contact(
     index: usize,
     shift: (f64, f64),
 ) {
-    let drawn = &drawing.contacts[index];
-    let (x, middle) = layout.point(drawing, drawn.at);
-    let (x, middle, way) = (x + shift.0, middle + shift.1, way(drawn));
-    let near = middle + way * face(drawing, drawn.at, drawn.above, layout.px_per_m);
-    let struck = middle + way * layout.reach(drawing, drawn);
-    if (struck - near).abs() >= SEEN {
-        dimension::arrow(canvas.svg, x, (near, struck), true);
-        canvas.cover(Rect::between((x - 4.0, near), (x + 4.0, struck)));
+    let contact = &drawing.contacts[index];
+    let (x, middle) = layout.point(drawing, contact.at);
+    let (x, middle, sign) = (x + shift.0, middle + shift.1, sign(contact));
+    let near = middle + sign * face(drawing, contact.at, contact.above, layout.px_per_m);
+    let stop_face = middle + sign * layout.reach(drawing, contact);
+    if (stop_face - near).abs() >= SEEN {
+        dimension::arrow(canvas.svg, x, (near, stop_face), true);
+        canvas.cover(Rect::between((x - 4.0, near), (x + 4.0, stop_face)));
     }
     if !layout.opposite[index] {
-        stop(canvas, drawing, layout, drawn, (x, struck), shift);
+        stop(canvas, drawing, layout, contact, (x, stop_face), shift);
     }
     let anchor = if layout.opposite[index] {
-        0.5 * (near + struck)
+        0.5 * (near + stop_face)
     } else {
-        struck + way * PIN
+        stop_face + sign * PIN
     };
-    canvas.label((x, anchor), (1.0, 0.3 * way), words(drawing, layout, index));
+    canvas.label(
+        (x, anchor),
+        (1.0, 0.3 * sign),
+        words(drawing, layout, index),
+    );
 }
 
 /// Returns the left end of the ground behind a stop, relative to the layout.
-pub fn foot(drawing: &Drawing, layout: &DrawingLayout, drawn: &DrawnContact) -> (f64, f64) {
-    let (x, middle) = layout.point(drawing, drawn.at);
-    let far = middle + way(drawn) * (layout.reach(drawing, drawn) + PIN);
+pub fn ground_end(drawing: &Drawing, layout: &DrawingLayout, contact: &DrawnContact) -> (f64, f64) {
+    let (x, middle) = layout.point(drawing, contact.at);
+    let far = middle + sign(contact) * (layout.reach(drawing, contact) + PIN);
     (x - 0.5 * GROUND, far)
 }
 
 /// Returns the name with the gap, and the law.
 fn words(drawing: &Drawing, layout: &DrawingLayout, index: usize) -> Vec<String> {
-    let drawn = &drawing.contacts[index];
-    let name = match drawn.on {
+    let contact = &drawing.contacts[index];
+    let name = match contact.on {
         // The body is named only if the drawing does not show it.
         Some(on)
             if !layout.opposite[index]
-                && carrier(drawing, drawn.at.body).is_none_or(|place| place.body != on.body) =>
+                && carrier(drawing, contact.at.body)
+                    .is_none_or(|support| support.body != on.body) =>
         {
             format!(
                 "stop {} on {}",
-                drawn.label,
+                contact.label,
                 drawing.bodies[on.body]
                     .words
                     .first()
                     .map_or("", String::as_str)
             )
         }
-        _ => format!("stop {}", drawn.label),
+        _ => format!("stop {}", contact.label),
     };
-    vec![format!("{name}, {}", gap(drawn.gap_m)), drawn.law.clone()]
+    vec![
+        format!("{name}, {}", gap(contact.gap_m)),
+        contact.law.clone(),
+    ]
 }
 
 /// Returns a gap as text.
@@ -91,33 +99,33 @@ fn stop(
     canvas: &mut Canvas,
     drawing: &Drawing,
     layout: &DrawingLayout,
-    drawn: &DrawnContact,
+    contact: &DrawnContact,
     (x, y): (f64, f64),
     shift: (f64, f64),
 ) {
-    let way = way(drawn);
-    let far = y + way * PIN;
+    let sign = sign(contact);
+    let far = y + sign * PIN;
     canvas.svg.path(
-        &tip(x, y, way, TIP),
+        &tip(x, y, sign, TIP),
         "class=\"jounce-stop\" fill=\"#8a8a8a\" stroke=\"none\"",
     );
     canvas.svg.path(
         &format!(
             "M{x0} {}L{x0} {}",
-            number(y + way * 2.0 * TIP),
+            number(y + sign * 2.0 * TIP),
             number(far),
             x0 = number(x)
         ),
         INK,
     );
     canvas.cover(Rect::between((x - TIP, y), (x + TIP, far)));
-    match drawn.on {
+    match contact.on {
         None => {
             ground(
                 canvas.svg,
                 (x - 0.5 * GROUND, far),
                 GROUND,
-                if drawn.above {
+                if contact.above {
                     HatchSide::Above
                 } else {
                     HatchSide::Below
@@ -125,13 +133,13 @@ fn stop(
             );
             canvas.cover(Rect::between(
                 (x - 24.0, far),
-                (x + 24.0, far + way * HATCH),
+                (x + 24.0, far + sign * HATCH),
             ));
         }
         Some(on) => {
             let mut spot = layout.spots[on.body];
             (spot.x, spot.y) = (spot.x + shift.0, spot.y + shift.1);
-            if layout.group[on.body] == layout.group[drawn.at.body] {
+            if layout.group[on.body] == layout.group[contact.at.body] {
                 arm(
                     canvas,
                     (x, far),

@@ -50,32 +50,32 @@ pub fn bar(svg: &mut Svg, x: f64, y: f64, length: f64) {
 /// outside.
 pub fn arrow(svg: &mut Svg, x: f64, (from, to): (f64, f64), both: bool) {
     if both && (from - to).abs() < SHORT {
-        let way = (to - from).signum();
-        arrow(svg, x, (from - way * SHORT, from), false);
-        return arrow(svg, x, (to + way * SHORT, to), false);
+        let sign = (to - from).signum();
+        arrow(svg, x, (from - sign * SHORT, from), false);
+        return arrow(svg, x, (to + sign * SHORT, to), false);
     }
-    let head = |y: f64, way: f64| {
+    let head = |y: f64, sign: f64| {
         format!(
             "M{} {}L{} {}L{} {}",
             number(x - 4.0),
-            number(y + 8.0 * way),
+            number(y + 8.0 * sign),
             number(x),
             number(y),
             number(x + 4.0),
-            number(y + 8.0 * way)
+            number(y + 8.0 * sign)
         )
     };
-    let way = (from - to).signum();
+    let sign = (from - to).signum();
     let mut steps = format!(
         "M{} {}L{} {}{}",
         number(x),
         number(from),
         number(x),
         number(to),
-        head(to, way)
+        head(to, sign)
     );
     if both {
-        steps.push_str(&head(from, -way));
+        steps.push_str(&head(from, -sign));
     }
     svg.path(&steps, LOOK);
 }
@@ -85,9 +85,12 @@ mod tests {
     use super::*;
 
     #[test]
-    fn lengths_are_told_in_the_unit_that_reads_best() {
-        let told = [0.315, 0.98e-3, 5e-5, 2.0, 0.0, 0.085].map(length);
-        assert_eq!(told, ["315 mm", "0.98 mm", "50 µm", "2 m", "0 m", "85 mm"]);
+    fn lengths_are_printed_in_the_most_readable_unit() {
+        let labels = [0.315, 0.98e-3, 5e-5, 2.0, 0.0, 0.085].map(length);
+        assert_eq!(
+            labels,
+            ["315 mm", "0.98 mm", "50 µm", "2 m", "0 m", "85 mm"]
+        );
         assert_eq!(
             [0.07, 0.3, 5.0, 1.0].map(|v| (round_below(v) * 1e3).round()),
             [50.0, 200.0, 5000.0, 1000.0]

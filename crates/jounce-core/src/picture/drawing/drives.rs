@@ -23,12 +23,15 @@ pub fn forces(
     shift: (f64, f64),
 ) {
     for drive in &drawing.drives {
-        let Some(place) = drive.at.filter(|place| layout.group[place.body] == group) else {
+        let Some(position) = drive
+            .at
+            .filter(|position| layout.group[position.body] == group)
+        else {
             continue;
         };
-        let (x, y) = arrow_at(drawing, layout, place, shift);
+        let (x, y) = arrow_at(drawing, layout, position, shift);
         arrow(canvas, x, y);
-        let side = if y > layout.spots[place.body].y + shift.1 {
+        let side = if y > layout.spots[position.body].y + shift.1 {
             1.0
         } else {
             -1.0
@@ -45,26 +48,27 @@ pub fn forces(
 fn arrow_at(
     drawing: &Drawing,
     layout: &DrawingLayout,
-    place: DrawnPlace,
+    position: DrawnPlace,
     shift: (f64, f64),
 ) -> (f64, f64) {
-    let (x, y) = layout.point(drawing, place);
-    if let DrawnShape::Beam(_) = drawing.bodies[place.body].shape {
+    let (x, y) = layout.point(drawing, position);
+    if let DrawnShape::Beam(_) = drawing.bodies[position.body].shape {
         // On the face without contact.
         let above = !drawing
             .contacts
             .iter()
-            .any(|contact| contact.above && contact.at == place);
+            .any(|contact| contact.above && contact.at == position);
         let side = if above { -1.0 } else { 1.0 };
         return (
             x + shift.0,
-            y + shift.1 + side * (face(drawing, place, above, layout.px_per_m) + 6.0 + 0.5 * ARROW),
+            y + shift.1
+                + side * (face(drawing, position, above, layout.px_per_m) + 6.0 + 0.5 * ARROW),
         );
     }
     let room = room(
         drawing,
-        place.body,
-        layout.spots[place.body],
+        position.body,
+        layout.spots[position.body],
         layout.px_per_m,
     );
     // A beam on the mass extends to the right first.
@@ -95,7 +99,7 @@ pub fn bases(
             .iter()
             .filter(|drive| drive.base.as_ref() == Some(name))
             .collect();
-        let Some((x, y)) = foot(drawing, layout, group, moving[0]) else {
+        let Some((x, y)) = drive_position(drawing, layout, group, moving[0]) else {
             continue;
         };
         let (x, y) = (x + shift.0, y + shift.1);
@@ -112,28 +116,28 @@ pub fn bases(
 /// Returns the position of the arrow of a base in a group: at the side of its first clamped or
 /// sprung body, else of a stop on it, else of another body on it. `None` if the group has none of
 /// these.
-fn foot(
+fn drive_position(
     drawing: &Drawing,
     layout: &DrawingLayout,
     group: usize,
     drive: &DrawnDrive,
 ) -> Option<(f64, f64)> {
-    let place = |body: &usize| (layout.spots[*body].x, layout.spots[*body].y);
-    let carried = || {
+    let centre = |body: &usize| (layout.spots[*body].x, layout.spots[*body].y);
+    let bodies = || {
         layout
             .members(group)
-            .filter(|body| drive.carried.contains(body))
+            .filter(|body| drive.carried_bodies.contains(body))
     };
-    let of = |seat: Seat| carried().filter(move |body| drawing.bodies[*body].seat == seat);
+    let of = |seat: Seat| bodies().filter(move |body| drawing.bodies[*body].seat == seat);
     let leftmost = |seat: Seat| {
         of(seat).min_by(|a, b| {
-            place(a)
+            centre(a)
                 .0
-                .total_cmp(&place(b).0)
-                .then(place(a).1.total_cmp(&place(b).1))
+                .total_cmp(&centre(b).0)
+                .then(centre(a).1.total_cmp(&centre(b).1))
         })
     };
-    let beside = |body: usize| {
+    let at_side = |body: usize| {
         let spot = layout.spots[body];
         let room = room(drawing, body, spot, layout.px_per_m);
         (
@@ -146,14 +150,16 @@ fn foot(
         )
     };
     let stop = || {
-        let mut own = drive.stops.iter().map(|index| &drawing.contacts[*index]);
-        own.find(|contact| layout.group[contact.at.body] == group)
-            .map(|contact| contacts::foot(drawing, layout, contact))
+        let mut contacts = drive.stops.iter().map(|index| &drawing.contacts[*index]);
+        contacts
+            .find(|contact| layout.group[contact.at.body] == group)
+            .map(|contact| contacts::ground_end(drawing, layout, contact))
     };
-    let held = leftmost(Seat::Ground).or_else(|| leftmost(Seat::Spring(None)));
-    held.map(beside)
+    let support = leftmost(Seat::Ground).or_else(|| leftmost(Seat::Spring(None)));
+    support
+        .map(at_side)
         .or_else(|| stop().map(|(x, y)| (x - ASIDE, y)))
-        .or_else(|| carried().next().map(beside))
+        .or_else(|| bodies().next().map(at_side))
 }
 
 /// Draws the arrow of gravity at a position on the sheet.

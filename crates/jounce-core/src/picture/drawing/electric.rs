@@ -23,8 +23,8 @@ pub fn resistor(svg: &mut Svg, x: f64, (top, bottom): (f64, f64)) {
     line(&mut steps, (x, top), (x, middle - HALF));
     line(&mut steps, (x, middle + HALF), (x, bottom));
     svg.path(&steps, INK);
-    let look = "class=\"jounce-paper\" fill=\"#ffffff\" stroke=\"#1a1a1a\" stroke-width=\"1.2\"";
-    svg.rect(x - 6.0, middle - HALF, 12.0, 2.0 * HALF, look);
+    let style = "class=\"jounce-paper\" fill=\"#ffffff\" stroke=\"#1a1a1a\" stroke-width=\"1.2\"";
+    svg.rect(x - 6.0, middle - HALF, 12.0, 2.0 * HALF, style);
 }
 
 /// A capacitor.

@@ -3,7 +3,7 @@
 use super::assembly::{face, thick};
 use super::close_up::{self, CloseUpSize};
 use super::contacts::PIN;
-use super::layout::{DrawingLayout, way};
+use super::layout::{DrawingLayout, sign};
 use super::rect::Rect;
 use super::{Drawing, DrawnShape};
 
@@ -69,27 +69,27 @@ pub fn grips(
     drawing: &Drawing,
     layout: &DrawingLayout,
     shifts: &[(f64, f64)],
-    looks: &[Rect],
+    close_ups: &[Rect],
 ) -> Vec<Grip> {
-    let mut found = Vec::new();
+    let mut grips = Vec::new();
     for body in 0..drawing.bodies.len() {
-        found.extend(patches(drawing, layout, body, shifts[layout.group[body]]));
+        grips.extend(patches(drawing, layout, body, shifts[layout.group[body]]));
     }
-    let mut looks = looks.iter();
+    let mut close_ups = close_ups.iter();
     for (index, contact) in drawing.contacts.iter().enumerate() {
         let shift = shifts[layout.group[contact.at.body]];
         let (x, middle) = layout.point(drawing, contact.at);
-        let (x, middle, way) = (x + shift.0, middle + shift.1, way(contact));
-        let struck = middle + way * layout.reach(drawing, contact);
+        let (x, middle, sign) = (x + shift.0, middle + shift.1, sign(contact));
+        let stop_face = middle + sign * layout.reach(drawing, contact);
         if matches!(drawing.bodies[contact.at.body].shape, DrawnShape::Beam(_)) {
             let along = layout.spots[contact.at.body].way * layout.px_per_m;
-            let near = middle + way * face(drawing, contact.at, contact.above, layout.px_per_m);
+            let near = middle + sign * face(drawing, contact.at, contact.above, layout.px_per_m);
             let y = if layout.opposite[index] {
-                0.5 * (near + struck)
+                0.5 * (near + stop_face)
             } else {
-                struck + way * 0.7 * PIN
+                stop_face + sign * 0.7 * PIN
             };
-            found.push(Grip {
+            grips.push(Grip {
                 part: GripPart::Place { contact: index },
                 at: (x, y),
                 px_per_m: (along, 0.0),
@@ -97,22 +97,25 @@ pub fn grips(
         }
         let part = GripPart::Gap { contact: index };
         if close_up::needed(contact, layout.px_per_m) {
-            let Some(look) = looks.next() else { continue };
-            let (at, px_per_m) = CloseUpSize::of(drawing, contact).grip((look.left, look.top));
-            found.push(Grip {
+            let Some(close_up) = close_ups.next() else {
+                continue;
+            };
+            let (at, px_per_m) =
+                CloseUpSize::of(drawing, contact).grip((close_up.left, close_up.top));
+            grips.push(Grip {
                 part,
                 at,
                 px_per_m: (0.0, px_per_m),
             });
         } else if layout.px_per_m > 0.0 {
-            found.push(Grip {
+            grips.push(Grip {
                 part,
-                at: (x, struck),
-                px_per_m: (0.0, way * layout.px_per_m),
+                at: (x, stop_face),
+                px_per_m: (0.0, sign * layout.px_per_m),
             });
         }
     }
-    found
+    grips
 }
 
 /// Returns the ends of the patches on a body.
@@ -121,23 +124,29 @@ fn patches(drawing: &Drawing, layout: &DrawingLayout, body: usize, shift: (f64, 
         return Vec::new();
     };
     let (spot, px_per_m) = (layout.spots[body], layout.px_per_m);
-    let ends = beam.patches.iter().enumerate().flat_map(|(patch, drawn)| {
-        let side = if drawn.top { -1.0 } else { 1.0 };
-        let y = spot.y
-            + shift.1
-            + side * 0.5 * (thick(beam.thickness_m, px_per_m) + thick(drawn.thickness_m, px_per_m));
-        let at = |along_m: f64| (spot.x + shift.0 + spot.way * along_m * px_per_m, y);
-        let grip = |part, along_m| Grip {
-            part,
-            at: at(along_m),
-            px_per_m: (spot.way * px_per_m, 0.0),
-        };
-        let (start_m, end_m) = (drawn.start_m, drawn.start_m + drawn.length_m);
-        [
-            grip(GripPart::PatchStart { body, patch }, start_m),
-            grip(GripPart::PatchEnd { body, patch }, end_m),
-        ]
-    });
+    let ends = beam
+        .patches
+        .iter()
+        .enumerate()
+        .flat_map(|(patch, covering)| {
+            let side = if covering.top { -1.0 } else { 1.0 };
+            let y = spot.y
+                + shift.1
+                + side
+                    * 0.5
+                    * (thick(beam.thickness_m, px_per_m) + thick(covering.thickness_m, px_per_m));
+            let at = |along_m: f64| (spot.x + shift.0 + spot.way * along_m * px_per_m, y);
+            let grip = |part, along_m| Grip {
+                part,
+                at: at(along_m),
+                px_per_m: (spot.way * px_per_m, 0.0),
+            };
+            let (start_m, end_m) = (covering.start_m, covering.start_m + covering.length_m);
+            [
+                grip(GripPart::PatchStart { body, patch }, start_m),
+                grip(GripPart::PatchEnd { body, patch }, end_m),
+            ]
+        });
     ends.collect()
 }
 
@@ -211,11 +220,12 @@ mod tests {
         // the stop is drawn.
         for (gap, inside) in [("1 mm", true), ("20 mm", false)] {
             let (sheet, grip) = gripped(&[("stop.tip.gap", gap)], GripPart::Gap { contact: 0 });
-            let look = sheet
-                .looks
-                .first()
-                .is_some_and(|look| look.grown(0.1).meets(&Rect::around(grip.at, (0.1, 0.1))));
-            assert_eq!(look, inside, "{grip:?} {sheet:?}");
+            let close_up = sheet.looks.first().is_some_and(|close_up| {
+                close_up
+                    .grown(0.1)
+                    .meets(&Rect::around(grip.at, (0.1, 0.1)))
+            });
+            assert_eq!(close_up, inside, "{grip:?} {sheet:?}");
             assert!(grip.px_per_m.1 < 0.0, "the stop stands above");
             assert!(inside || sheet.side.meets(&Rect::around(grip.at, (0.1, 0.1))));
         }

@@ -41,8 +41,8 @@ const TURNED: f64 = 60.0;
 
 /// Places every label at the cheapest free position between two edges of the page; labels with a
 /// cheap position come first.
-pub fn placed(
-    wanted: &[LabelRequest],
+pub fn place_labels(
+    requests: &[LabelRequest],
     obstacles: &[Rect],
     (left, right): (f64, f64),
 ) -> Vec<Label> {
@@ -52,17 +52,25 @@ pub fn placed(
         top: f64::NEG_INFINITY,
         bottom: f64::INFINITY,
     };
-    let first =
-        |want: &LabelRequest| cost(want, &cheapest(want, obstacles, &[], page), obstacles, &[]);
-    let mut order: Vec<(f64, &LabelRequest)> =
-        wanted.iter().map(|want| (first(want), want)).collect();
+    let first = |request: &LabelRequest| {
+        cost(
+            request,
+            &cheapest(request, obstacles, &[], page),
+            obstacles,
+            &[],
+        )
+    };
+    let mut order: Vec<(f64, &LabelRequest)> = requests
+        .iter()
+        .map(|request| (first(request), request))
+        .collect();
     order.sort_by(|a, b| a.0.total_cmp(&b.0));
     let mut labels: Vec<Label> = Vec::new();
-    for (_, want) in order {
-        let room = cheapest(want, obstacles, &labels, page);
-        let leader = leader(want, &room, obstacles, &labels).map(|(line, _)| line);
+    for (_, request) in order {
+        let room = cheapest(request, obstacles, &labels, page);
+        let leader = leader(request, &room, obstacles, &labels).map(|(line, _)| line);
         labels.push(Label {
-            lines: want.lines.clone(),
+            lines: request.lines.clone(),
             room,
             leader,
         });
@@ -84,13 +92,13 @@ pub fn size_of(lines: &[String]) -> (f64, f64) {
 /// Returns the leader to a label, from the start with the fewest crossings, and its cost. A label
 /// next to its anchor has no leader unless an element lies between.
 fn leader(
-    want: &LabelRequest,
+    request: &LabelRequest,
     room: &Rect,
     obstacles: &[Rect],
     labels: &[Label],
 ) -> Option<([(f64, f64); 2], f64)> {
-    let lines = std::iter::once(want.anchor)
-        .chain(want.others.iter().copied())
+    let lines = std::iter::once(request.anchor)
+        .chain(request.others.iter().copied())
         .map(|from| {
             let to = room.nearest(from);
             let length = distance(from, to);
@@ -111,7 +119,7 @@ fn leader(
         });
     let (line, crossed, _) =
         lines.min_by(|one, other| one.1.total_cmp(&other.1).then(one.2.total_cmp(&other.2)))?;
-    let near = distance(want.anchor, room.nearest(want.anchor)) <= APART;
+    let near = distance(request.anchor, room.nearest(request.anchor)) <= APART;
     (!near || crossed > 0.0).then_some((line, crossed))
 }
 
@@ -119,21 +127,23 @@ fn distance(a: (f64, f64), b: (f64, f64)) -> f64 {
     (a.0 - b.0).hypot(a.1 - b.1)
 }
 
-fn cheapest(want: &LabelRequest, obstacles: &[Rect], labels: &[Label], page: Rect) -> Rect {
-    let size = size_of(&want.lines);
+fn cheapest(request: &LabelRequest, obstacles: &[Rect], labels: &[Label], page: Rect) -> Rect {
+    let size = size_of(&request.lines);
     let free = |room: &Rect| {
-        let wide = room.grown(3.0);
+        let with_margin = room.grown(3.0);
         // Side by side, two names are read as one unless a wide space separates them.
-        let apart = Rect {
+        let with_space = Rect {
             left: room.left - 12.0,
             right: room.right + 12.0,
             ..*room
         };
         let inside = room.left >= page.left && room.right <= page.right;
         inside
-            && !obstacles.iter().any(|other| wide.meets(other))
+            && !obstacles.iter().any(|other| with_margin.meets(other))
             && !labels.iter().any(|label| {
-                wide.meets(&label.room) || apart.meets(&label.room) || pierced(label, &wide)
+                with_margin.meets(&label.room)
+                    || with_space.meets(&label.room)
+                    || pierced(label, &with_margin)
             })
     };
     // Centred at the anchor, or with an edge near it, on either side.
@@ -155,14 +165,14 @@ fn cheapest(want: &LabelRequest, obstacles: &[Rect], labels: &[Label], page: Rec
                 continue;
             }
             for dy in (-45..=45).map(|j| 5.0 * f64::from(j)) {
-                let room = Rect::around((want.anchor.0 + dx, want.anchor.1 + dy), size);
+                let room = Rect::around((request.anchor.0 + dx, request.anchor.1 + dy), size);
                 if beaten(&best, least((*dx, dy), size))
-                    || beaten(&best, alone(want, &room))
+                    || beaten(&best, placement_cost(request, &room))
                     || !free(&room)
                 {
                     continue;
                 }
-                let cost = cost(want, &room, obstacles, labels);
+                let cost = cost(request, &room, obstacles, labels);
                 if !beaten(&best, cost) {
                     best = Some((cost, room));
                 }
@@ -178,8 +188,8 @@ fn cheapest(want: &LabelRequest, obstacles: &[Rect], labels: &[Label], page: Rec
             .iter()
             .chain(labels.iter().map(|label| &label.room))
             .map(|rect| rect.bottom)
-            .fold(want.anchor.1, f64::max);
-        let x = want.anchor.0.clamp(
+            .fold(request.anchor.1, f64::max);
+        let x = request.anchor.0.clamp(
             page.left + 0.5 * size.0,
             (page.right - 0.5 * size.0).max(page.left + 0.5 * size.0),
         );
@@ -194,29 +204,29 @@ fn pierced(label: &Label, room: &Rect) -> bool {
         .is_some_and(|[from, to]| room.crossed(from, to))
 }
 
-/// Returns a fast lower bound of [`alone`] for a label of a size at a distance from its anchor,
-/// roundoff included.
+/// Returns a fast lower bound of [`placement_cost`] for a label of a size at a distance from its
+/// anchor, roundoff included.
 fn least((dx, dy): (f64, f64), (width, height): (f64, f64)) -> f64 {
     let (across, up) = (dx.abs(), dy.abs());
     (1.0 - 1e-9) * ((across - 0.5 * width).max(up - 0.5 * height).max(0.0) + 0.1 * across.max(up))
 }
 
 /// Returns the cost of the distance and of the deviation from the preferred direction.
-fn alone(want: &LabelRequest, room: &Rect) -> f64 {
+fn placement_cost(request: &LabelRequest, room: &Rect) -> f64 {
     let middle = (
-        0.5 * (room.left + room.right) - want.anchor.0,
-        0.5 * (room.top + room.bottom) - want.anchor.1,
+        0.5 * (room.left + room.right) - request.anchor.0,
+        0.5 * (room.top + room.bottom) - request.anchor.1,
     );
     let length = middle.0.hypot(middle.1).max(1.0);
-    let along = (middle.0 * want.toward.0 + middle.1 * want.toward.1)
-        / (length * want.toward.0.hypot(want.toward.1).max(1e-9));
-    distance(want.anchor, room.nearest(want.anchor)) + 0.1 * length + TURNED * (1.0 - along)
+    let along = (middle.0 * request.toward.0 + middle.1 * request.toward.1)
+        / (length * request.toward.0.hypot(request.toward.1).max(1e-9));
+    distance(request.anchor, room.nearest(request.anchor)) + 0.1 * length + TURNED * (1.0 - along)
 }
 
 /// Returns the cost including the crossings of the leader.
-fn cost(want: &LabelRequest, room: &Rect, obstacles: &[Rect], labels: &[Label]) -> f64 {
-    alone(want, room)
-        + leader(want, room, obstacles, labels).map_or(0.0, |(_, crossed)| 10.0 + crossed)
+fn cost(request: &LabelRequest, room: &Rect, obstacles: &[Rect], labels: &[Label]) -> f64 {
+    placement_cost(request, room)
+        + leader(request, room, obstacles, labels).map_or(0.0, |(_, crossed)| 10.0 + crossed)
 }
 
 #[cfg(test)]
@@ -224,15 +234,15 @@ mod tests {
     use super::*;
 
     #[test]
-    fn many_labels_at_one_place_stand_apart() {
-        let want = LabelRequest {
+    fn labels_at_one_position_do_not_overlap() {
+        let request = LabelRequest {
             anchor: (200.0, 100.0),
             others: Vec::new(),
             toward: (0.0, -1.0),
             lines: vec!["one of many".into(), "two lines".into()],
         };
         let obstacle = Rect::between((0.0, 95.0), (400.0, 105.0));
-        let labels = placed(&vec![want; 40], &[obstacle], (10.0, 390.0));
+        let labels = place_labels(&vec![request; 40], &[obstacle], (10.0, 390.0));
         for (k, label) in labels.iter().enumerate() {
             assert!(
                 !label.room.meets(&obstacle)

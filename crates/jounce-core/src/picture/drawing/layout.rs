@@ -58,10 +58,10 @@ impl DrawingLayout {
     }
 
     /// Returns a place on the sheet: its abscissa and the height of the middle of the body there.
-    pub fn point(&self, drawing: &Drawing, place: DrawnPlace) -> (f64, f64) {
-        let spot = self.spots[place.body];
-        let along = if matches!(drawing.bodies[place.body].shape, DrawnShape::Beam(_)) {
-            place.along_m
+    pub fn point(&self, drawing: &Drawing, position: DrawnPlace) -> (f64, f64) {
+        let spot = self.spots[position.body];
+        let along = if matches!(drawing.bodies[position.body].shape, DrawnShape::Beam(_)) {
+            position.along_m
         } else {
             0.0
         };
@@ -79,7 +79,10 @@ impl DrawingLayout {
             .filter(|contact| self.group[contact.at.body] == group)
             .map(|contact| {
                 let (x, y) = self.point(drawing, contact.at);
-                Rect::between((x, y), (x, y + way(contact) * self.reach(drawing, contact)))
+                Rect::between(
+                    (x, y),
+                    (x, y + sign(contact) * self.reach(drawing, contact)),
+                )
             });
         bodies
             .chain(stops)
@@ -103,21 +106,21 @@ impl DrawingLayout {
     fn oppose(&mut self, drawing: &Drawing, feet: &[usize]) -> bool {
         for (index, contact) in drawing.contacts.iter().enumerate() {
             let Some(on) = contact.on else { continue };
-            let (known, new, way) = match (self.group[contact.at.body], self.group[on.body]) {
+            let (known, new, sign) = match (self.group[contact.at.body], self.group[on.body]) {
                 (usize::MAX, usize::MAX) => continue,
-                (_, usize::MAX) => (contact.at, on, way(contact)),
-                (usize::MAX, _) => (on, contact.at, -way(contact)),
+                (_, usize::MAX) => (contact.at, on, sign(contact)),
+                (usize::MAX, _) => (on, contact.at, -sign(contact)),
                 _ => continue,
             };
             let (x, y) = self.point(drawing, known);
             self.face_each_other(drawing, feet, (known, new), x);
-            let apart =
+            let distance =
                 self.reach(drawing, contact) + face(drawing, on, !contact.above, self.px_per_m);
-            let found = self.point(drawing, new);
+            let point = self.point(drawing, new);
             self.shift(
                 feet,
                 feet[new.body],
-                (x - found.0, y + way * apart - found.1),
+                (x - point.0, y + sign * distance - point.1),
             );
             self.take(feet, feet[new.body], self.group[known.body]);
             self.opposite[index] = true;
@@ -137,10 +140,10 @@ impl DrawingLayout {
         let foot = feet[new.body];
         let clamped = drawing.bodies[foot].seat == Seat::Ground;
         let root = x - (self.point(drawing, new).0 - self.spots[foot].x);
-        let there = self.spots[feet[known.body]].x;
+        let foot_x = self.spots[feet[known.body]].x;
         let long = matches!(drawing.bodies[known.body].shape, DrawnShape::Beam(_))
             || feet[known.body] != known.body;
-        if clamped && long && (root - there).abs() > 8.0 {
+        if clamped && long && (root - foot_x).abs() > 8.0 {
             let centre = self.spots[foot].x;
             for (body, _) in feet.iter().enumerate().filter(|(_, of)| **of == foot) {
                 let spot = &mut self.spots[body];
@@ -158,7 +161,7 @@ impl DrawingLayout {
 }
 
 /// Returns -1 if the struck body is above, on a sheet whose heights grow downwards.
-pub fn way(contact: &DrawnContact) -> f64 {
+pub fn sign(contact: &DrawnContact) -> f64 {
     if contact.above { -1.0 } else { 1.0 }
 }
 

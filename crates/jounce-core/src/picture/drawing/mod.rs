@@ -42,7 +42,7 @@ impl Drawing {
 
     /// Returns the drawing with the positions of its parts, for a page in which they can be moved.
     pub fn sheet(&self) -> GripSheet {
-        sheet::drawn(self)
+        sheet::draw_sheet(self)
     }
 
     /// Returns the drawing as a PNG file of `scale` times its size in pixels.

@@ -120,7 +120,7 @@ pub struct DrawnDrive {
     /// Moving base; `None` for a force.
     pub base: Option<String>,
     /// Bodies on the moving base.
-    pub carried: Vec<usize>,
+    pub carried_bodies: Vec<usize>,
     /// Contacts whose stop stands directly on the moving base.
     pub stops: Vec<usize>,
 }

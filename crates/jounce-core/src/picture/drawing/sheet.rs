@@ -27,7 +27,7 @@ enum Cell<'d> {
 impl Cell<'_> {
     fn size(&self) -> (f64, f64) {
         match self {
-            Cell::Circuit(drawn) => (circuit::wide(drawn), circuit::HIGH),
+            Cell::Circuit(circuit) => (circuit::wide(circuit), circuit::HIGH),
             Cell::Look(_) => close_up::SIZE,
         }
     }
@@ -46,17 +46,17 @@ struct Content {
 }
 
 /// Returns the drawing with the positions of its parts.
-pub fn drawn(drawing: &Drawing) -> GripSheet {
+pub fn draw_sheet(drawing: &Drawing) -> GripSheet {
     let layout = scale::fitted(drawing);
     let mut svg = Svg::new(WIDTH, &drawing.title);
-    let found = content(&mut svg, drawing, &layout);
-    let (circuits, looks) = found.cells.split_at(drawing.circuits.len());
-    let grips = grips(drawing, &layout, &found.shifts, looks);
+    let sheet_content = content(&mut svg, drawing, &layout);
+    let (circuits, close_ups) = sheet_content.cells.split_at(drawing.circuits.len());
+    let grips = grips(drawing, &layout, &sheet_content.shifts, close_ups);
     GripSheet {
-        svg: svg.finish(found.height),
-        side: found.side,
+        svg: svg.finish(sheet_content.height),
+        side: sheet_content.side,
         circuits: circuits.to_vec(),
-        looks: looks.to_vec(),
+        looks: close_ups.to_vec(),
         grips,
     }
 }
@@ -93,7 +93,7 @@ fn content(svg: &mut Svg, drawing: &Drawing, layout: &DrawingLayout) -> Content 
         ));
         y += SPACE;
     }
-    let looks = drawing
+    let close_ups = drawing
         .contacts
         .iter()
         .filter(|contact| close_up::needed(contact, layout.px_per_m))
@@ -102,7 +102,7 @@ fn content(svg: &mut Svg, drawing: &Drawing, layout: &DrawingLayout) -> Content 
         svg,
         drawing,
         layout,
-        drawing.circuits.iter().map(Cell::Circuit).chain(looks),
+        drawing.circuits.iter().map(Cell::Circuit).chain(close_ups),
         y,
     );
     Content {
@@ -176,7 +176,7 @@ fn cells<'d>(
             (x, y, high) = (EDGE, y + high + SPACE, 0.0);
         }
         match cell {
-            Cell::Circuit(drawn) => circuit::draw(svg, drawn, (x, y)),
+            Cell::Circuit(circuit) => circuit::draw(svg, circuit, (x, y)),
             Cell::Look(contact) => close_up::draw(svg, drawing, contact, (x, y), layout.px_per_m),
         }
         covered.push(Rect::between((x, y), (x + width, y + height)));
@@ -208,7 +208,7 @@ mod tests {
 
     /// Returns every text with its area.
     fn texts(svg: &str) -> Vec<(Rect, String)> {
-        let found = svg.split("<text").skip(1).map(|element| {
+        let labels = svg.split("<text").skip(1).map(|element| {
             let text = element
                 .split('>')
                 .nth(1)
@@ -220,46 +220,46 @@ mod tests {
                 number(element, "y"),
                 number(element, "font-size"),
             );
-            let wide = width(&text, size);
+            let text_width = width(&text, size);
             let left = if element.contains("\"middle\"") {
-                x - 0.5 * wide
+                x - 0.5 * text_width
             } else {
                 x
             };
             (
                 Rect {
                     left,
-                    right: left + wide,
+                    right: left + text_width,
                     top: y - 0.75 * size,
                     bottom: y + 0.2 * size,
                 },
                 text,
             )
         });
-        found.collect()
+        labels.collect()
     }
 
     fn specs(folder: &Path) -> Vec<PathBuf> {
         let paths = std::fs::read_dir(folder)
             .unwrap()
             .map(|entry| entry.unwrap().path());
-        let mut found: Vec<PathBuf> = Vec::new();
+        let mut spec_paths: Vec<PathBuf> = Vec::new();
         for path in paths {
             match path.is_dir() {
-                true => found.extend(specs(&path)),
+                true => spec_paths.extend(specs(&path)),
                 false
                     if path.extension().is_some_and(|ending| ending == "toml")
                         && !["expected.toml", "measured.toml", "study.toml"]
                             .iter()
                             .any(|name| path.ends_with(name)) =>
                 {
-                    found.push(path)
+                    spec_paths.push(path)
                 }
                 false => (),
             }
         }
-        found.sort();
-        found
+        spec_paths.sort();
+        spec_paths
     }
 
     #[test]
@@ -320,7 +320,7 @@ mod tests {
     #[test]
     fn no_leader_of_any_example_or_starter_crosses_a_beam() {
         let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-        let mut seen = 0;
+        let mut leader_count = 0;
         for path in [
             specs(&root.join("../../examples")),
             specs(&root.join("src/starter")),
@@ -334,7 +334,7 @@ mod tests {
                 .into_iter()
                 .filter(|[from, _]| from.1 < sheet.side.bottom)
                 .collect();
-            seen += leaders.len();
+            leader_count += leaders.len();
             for element in sheet
                 .svg
                 .split("<rect")
@@ -354,7 +354,7 @@ mod tests {
                 );
             }
         }
-        assert!(seen > 20, "{seen} lines");
+        assert!(leader_count > 20, "{leader_count} lines");
     }
 
     /// Returns the width and height of the first rectangle of a class.
@@ -385,7 +385,7 @@ mod tests {
             .split("<path")
             .find(|element| element.contains("jounce-stop"))
             .unwrap();
-        let struck: f64 = tip
+        let impact_length: f64 = tip
             .split('Q')
             .nth(1)
             .unwrap()
@@ -395,7 +395,7 @@ mod tests {
             .parse()
             .unwrap();
         assert!(
-            ((number(beam, "y") - struck) / length - 2.0 / 300.0).abs() < 1e-4,
+            ((number(beam, "y") - impact_length) / length - 2.0 / 300.0).abs() < 1e-4,
             "{svg}"
         );
         assert!(

@@ -28,11 +28,11 @@ pub fn spring(svg: &mut Svg, x: f64, from: f64, to: f64) {
     svg.path(&steps, INK);
 }
 
-/// Returns the outline of a tip at `(x, y)` that opens away from the beam: `way` is -1 above it and
-/// 1 below.
-pub fn tip(x: f64, y: f64, way: f64, size: f64) -> String {
+/// Returns the outline of a tip at `(x, y)` that opens away from the beam: `sign` is -1 above it
+/// and 1 below.
+pub fn tip(x: f64, y: f64, sign: f64, size: f64) -> String {
     let (a, b) = (number(x - size), number(x + size));
-    let (middle, far) = (number(y + way * size), number(y + way * 2.0 * size));
+    let (middle, far) = (number(y + sign * size), number(y + sign * 2.0 * size));
     format!(
         "M{a} {far}L{a} {middle}Q{a} {y0} {x0} {y0}Q{b} {y0} {b} {middle}L{b} {far}Z",
         x0 = number(x),

@@ -58,10 +58,10 @@ pub(super) fn panel(mut panel: Panel, lines: &[BranchLine], marks: &[BranchMark]
         let known = labels.iter().position(|label| *label == line.label);
         let colour = Colour::nth(known.unwrap_or(labels.len()));
         for (stable, style) in [(true, Line::Solid), (false, Line::Dashed)] {
-            let drawn = stretches(line, stable);
-            if drawn.iter().any(|value| value.is_finite()) {
+            let values = stability_values(line, stable);
+            if values.iter().any(|value| value.is_finite()) {
                 panel = panel.with(
-                    Series::line(line.parameter.clone(), drawn)
+                    Series::line(line.parameter.clone(), values)
                         .style(style)
                         .colour(colour),
                 );
@@ -94,12 +94,12 @@ pub(super) fn panel(mut panel: Panel, lines: &[BranchLine], marks: &[BranchMark]
 
 /// Returns the values on segments of one stability, gaps elsewhere; a segment extends to the next
 /// point, so that segments join.
-fn stretches(line: &BranchLine, stable: bool) -> Vec<f64> {
+fn stability_values(line: &BranchLine, stable: bool) -> Vec<f64> {
     (0..line.value.len())
         .map(|k| {
-            let own = line.stable[k] == stable;
+            let is_member = line.stable[k] == stable;
             let before = k > 0 && line.stable[k - 1] == stable;
-            if own || before {
+            if is_member || before {
                 line.value[k]
             } else {
                 f64::NAN
@@ -113,14 +113,17 @@ mod tests {
     use super::*;
 
     #[test]
-    fn stretches_meet_and_leave_gaps() {
+    fn stable_segments_join_with_gaps_elsewhere() {
         let line = BranchLine {
             label: "period 1".into(),
             parameter: vec![1.0, 2.0, 3.0, 4.0],
             value: vec![5.0, 6.0, 7.0, 8.0],
             stable: vec![true, true, false, false],
         };
-        let (solid, dashed) = (stretches(&line, true), stretches(&line, false));
+        let (solid, dashed) = (
+            stability_values(&line, true),
+            stability_values(&line, false),
+        );
         assert_eq!(solid[..3], [5.0, 6.0, 7.0]);
         assert!(solid[3].is_nan() && dashed[0].is_nan() && dashed[1].is_nan());
         assert_eq!(dashed[2..], [7.0, 8.0]);

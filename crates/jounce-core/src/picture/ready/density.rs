@@ -17,7 +17,7 @@ pub struct DensityLine {
 
 /// Draws densities over `frequency_hz`, each in a panel of its own.
 pub fn densities(title: &str, frequency_hz: &[f64], lines: &[DensityLine]) -> Figure {
-    let shown = |values: &[f64]| {
+    let in_unit = |values: &[f64]| {
         values
             .iter()
             .map(|value| if *value > 0.0 { *value } else { f64::NAN })
@@ -31,7 +31,7 @@ pub fn densities(title: &str, frequency_hz: &[f64], lines: &[DensityLine]) -> Fi
         .high(190.0);
         let ends = line.interval.iter().filter(|end| !end.is_empty());
         let panel = ends.enumerate().fold(panel, |panel, (k, end)| {
-            let end = Series::line(frequency_hz.to_vec(), shown(end))
+            let end = Series::line(frequency_hz.to_vec(), in_unit(end))
                 .colour(Colour::nth(1))
                 .style(Line::Thin);
             panel.with(if k == 0 {
@@ -40,6 +40,6 @@ pub fn densities(title: &str, frequency_hz: &[f64], lines: &[DensityLine]) -> Fi
                 end
             })
         });
-        figure.with(panel.with(Series::line(frequency_hz.to_vec(), shown(&line.density))))
+        figure.with(panel.with(Series::line(frequency_hz.to_vec(), in_unit(&line.density))))
     })
 }

@@ -35,7 +35,7 @@ const MARKERS: [Marker; 4] = [Marker::Circle, Marker::Square, Marker::Ring, Mark
 pub fn diagram(title: &str, parameter: &Axis, views: &[DiagramView]) -> Figure {
     let mut figure = Figure::new(title);
     for view in views {
-        let mut drawn = panel(
+        let mut figure_panel = panel(
             Panel::new(parameter.clone(), view.value.clone()).high(340.0),
             &view.lines,
             &[],
@@ -46,7 +46,7 @@ pub fn diagram(title: &str, parameter: &Axis, views: &[DiagramView]) -> Figure {
                 dots.value.clone(),
                 MARKERS[k % MARKERS.len()],
             );
-            drawn = drawn.with(
+            figure_panel = figure_panel.with(
                 points
                     .colour(Colour::nth(FIRST_COLOUR + k))
                     .label(&dots.label),
@@ -54,13 +54,13 @@ pub fn diagram(title: &str, parameter: &Axis, views: &[DiagramView]) -> Figure {
         }
         if !figure.panels.is_empty() {
             // The legend is in the first panel.
-            drawn.series.retain(|series| !series.x.is_empty());
-            drawn
+            figure_panel.series.retain(|series| !series.x.is_empty());
+            figure_panel
                 .series
                 .iter_mut()
                 .for_each(|series| series.label = None);
         }
-        figure = figure.with(drawn);
+        figure = figure.with(figure_panel);
     }
     figure
 }

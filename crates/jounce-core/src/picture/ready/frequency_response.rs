@@ -44,12 +44,12 @@ pub fn frequency_responses(
         } else {
             size
         });
-        let (places, angles) = unwrapped(
+        let (frequencies, angles) = unwrapped(
             frequency_hz,
             parts().map(|(re, im)| im.atan2(*re).to_degrees()),
         );
         phase = phase.with(
-            Series::line(places, angles)
+            Series::line(frequencies, angles)
                 .colour(Colour::nth(index))
                 .style(Line::Thin),
         );
@@ -59,17 +59,17 @@ pub fn frequency_responses(
 
 /// Returns the phase with a gap wherever it wraps from one end of the axis to the other.
 fn unwrapped(frequency_hz: &[f64], angles: impl Iterator<Item = f64>) -> (Vec<f64>, Vec<f64>) {
-    let (mut places, mut values): (Vec<f64>, Vec<f64>) = (Vec::new(), Vec::new());
-    for (place, angle) in frequency_hz.iter().zip(angles) {
+    let (mut frequencies, mut values): (Vec<f64>, Vec<f64>) = (Vec::new(), Vec::new());
+    for (frequency, angle) in frequency_hz.iter().zip(angles) {
         if values
             .last()
             .is_some_and(|before| (angle - before).abs() > 180.0)
         {
-            places.push(*place);
+            frequencies.push(*frequency);
             values.push(f64::NAN);
         }
-        places.push(*place);
+        frequencies.push(*frequency);
         values.push(angle);
     }
-    (places, values)
+    (frequencies, values)
 }

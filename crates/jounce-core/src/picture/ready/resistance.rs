@@ -14,7 +14,7 @@ pub fn power_against_resistance(title: &str, unit: &str, lines: &[SweepLine]) ->
     } else {
         "Mean power"
     };
-    let look = SweepLook {
+    let style = SweepLook {
         parameter: Axis::log("Load resistance", "ohm"),
         value: Axis::linear(quantity, unit),
     };
@@ -27,7 +27,7 @@ pub fn power_against_resistance(title: &str, unit: &str, lines: &[SweepLine]) ->
             ..line.clone()
         })
         .collect();
-    let mut figure = sweep(title, &look, &named);
+    let mut figure = sweep(title, &style, &named);
     for panel in &mut figure.panels {
         panel.height_px = 320.0;
         panel
@@ -74,11 +74,11 @@ fn best_ohm(line: &SweepLine) -> Option<f64> {
     let highest = (0..points.len())
         .filter(|&i| points[i].1.is_finite())
         .max_by(|&a, &b| points[a].1.total_cmp(&points[b].1))?;
-    let around = points.get(highest.checked_sub(1)?..=highest + 1)?;
-    let [(x0, y0), (x1, y1), (x2, y2)] =
-        [around[0], around[1], around[2]].map(|(ohm, power): (f64, f64)| (ohm.ln(), power));
-    let (left, right) = ((y1 - y0) / (x1 - x0), (y2 - y1) / (x2 - x1));
-    let best = 0.5 * (x0 + x1) + 0.5 * (x2 - x0) * left / (left - right);
+    let three_points = points.get(highest.checked_sub(1)?..=highest + 1)?;
+    let [(x0, y0), (x1, y1), (x2, y2)] = [three_points[0], three_points[1], three_points[2]]
+        .map(|(ohm, power): (f64, f64)| (ohm.ln(), power));
+    let (slope_left, right) = ((y1 - y0) / (x1 - x0), (y2 - y1) / (x2 - x1));
+    let best = 0.5 * (x0 + x1) + 0.5 * (x2 - x0) * slope_left / (slope_left - right);
     best.is_finite().then(|| best.exp())
 }
 
@@ -114,16 +114,16 @@ mod tests {
                 .iter()
                 .map(|r| 2.0 * r * best / (r * r + best * best))
                 .collect();
-            let found = best_ohm(&line(ohm, power)).unwrap();
-            assert!((found / best - 1.0).abs() < 0.002, "{found} {best}");
+            let computed = best_ohm(&line(ohm, power)).unwrap();
+            assert!((computed / best - 1.0).abs() < 0.002, "{computed} {best}");
         }
     }
 
     #[test]
-    fn the_best_resistance_is_told_in_its_own_unit() {
-        let told = |ohm: f64| label(&line(vec![], vec![]), Some(ohm));
+    fn best_resistance_is_printed_with_its_unit() {
+        let printed = |ohm: f64| label(&line(vec![], vec![]), Some(ohm));
         assert_eq!(
-            [told(95.2), told(4.7e3), told(1.25e6)],
+            [printed(95.2), printed(4.7e3), printed(1.25e6)],
             [
                 "a, best at 95.2 Ω",
                 "a, best at 4.70 kΩ",
@@ -133,7 +133,7 @@ mod tests {
     }
 
     #[test]
-    fn a_maximum_at_an_end_beside_a_gap_or_on_a_plateau_is_none() {
+    fn maximum_at_an_end_next_to_a_gap_or_on_a_plateau_is_rejected() {
         for power in [
             vec![3.0, 2.0, 1.0],
             vec![1.0, 2.0, f64::NAN],

@@ -46,8 +46,11 @@ pub fn spectrogram(title: &str, of: &TimeSpectrum, drive_hz: Option<f64>) -> Fig
         };
         rows.windows(2).map(most).collect()
     };
-    let ends = |places: &[f64], edges: &[usize]| {
-        edges.iter().map(|edge| places[*edge]).collect::<Vec<f64>>()
+    let ends = |positions: &[f64], edges: &[usize]| {
+        edges
+            .iter()
+            .map(|edge| positions[*edge])
+            .collect::<Vec<f64>>()
     };
     let field = Field {
         x: ends(&of.time_s, &columns),
@@ -123,7 +126,7 @@ mod tests {
     /// 1000 spectra of 500 lines, one of them large: it remains visible at 0 dB, however many cells
     /// are joined.
     #[test]
-    fn what_is_joined_shows_its_largest() {
+    fn merged_cells_show_their_maximum() {
         let edges = |n: usize| (0..=n).map(|k| k as f64).collect::<Vec<f64>>();
         let mut amplitude_peak = vec![vec![1e-3; 500]; 1000];
         amplitude_peak[777][333] = 2.0;

@@ -51,15 +51,15 @@ impl SweepLook {
 }
 
 /// Draws sweeps in one panel: a colour for each level, the direction by line and marker.
-pub fn sweep(title: &str, look: &SweepLook, lines: &[SweepLine]) -> Figure {
-    let mut panel = Panel::new(look.parameter.clone(), look.value.clone()).high(380.0);
+pub fn sweep(title: &str, style: &SweepLook, lines: &[SweepLine]) -> Figure {
+    let mut panel = Panel::new(style.parameter.clone(), style.value.clone()).high(380.0);
     let levels = levels(lines);
     let both_ways = lines
         .iter()
         .any(|line| line.direction == LineDirection::Down);
     let mut named: Vec<&str> = Vec::new();
     for line in lines {
-        let series = drawn(line, &levels);
+        let series = sweep_series(line, &levels);
         if named.contains(&line.label.as_str()) {
             panel = panel.with(series);
             continue;
@@ -96,7 +96,7 @@ fn levels(lines: &[SweepLine]) -> Vec<&str> {
     levels
 }
 
-fn drawn(line: &SweepLine, levels: &[&str]) -> Series {
+fn sweep_series(line: &SweepLine, levels: &[&str]) -> Series {
     let colour = Colour::nth(
         levels
             .iter()

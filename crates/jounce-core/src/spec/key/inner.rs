@@ -40,18 +40,18 @@ impl<P, T> Inner<P> for Named<P, T> {
             Kind::Things,
             reading,
             |name, path, node, reading| {
-                let mut thing = (self.blank)();
-                read_keys(self.keys, path, node, &mut thing, reading);
-                (self.open)(parent).insert(name.to_owned(), thing);
+                let mut element = (self.blank)();
+                read_keys(self.keys, path, node, &mut element, reading);
+                (self.open)(parent).insert(name.to_owned(), element);
             },
         );
     }
 
     fn write(&self, parent: &P, path: &str, out: &mut String) {
-        for (name, thing) in (self.get)(parent) {
+        for (name, element) in (self.get)(parent) {
             write_keys(
                 self.keys,
-                thing,
+                element,
                 &format!("{path}.{}", toml_edit::Key::new(name)),
                 true,
                 out,
@@ -74,7 +74,7 @@ impl<P, T> Inner<P> for Named<P, T> {
         };
         (self.open)(parent)
             .get_mut(*name)
-            .is_some_and(|thing| store(self.keys, thing, rest, value))
+            .is_some_and(|element| store(self.keys, element, rest, value))
     }
 }
 

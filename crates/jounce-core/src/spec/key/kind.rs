@@ -43,7 +43,7 @@ pub(in crate::spec) enum Kind {
 
 impl Kind {
     /// Returns the expected value for a message: `"expected a plain number"`.
-    pub(in crate::spec) fn due(self) -> String {
+    pub(in crate::spec) fn expectation(self) -> String {
         match self {
             Self::Quantity(quantity) | Self::NamedQuantities(quantity) => {
                 format!(
@@ -64,9 +64,9 @@ impl Kind {
             ),
             Self::Path => "expected the path of a file, in quotes".to_owned(),
             Self::Text => "expected a text in quotes".to_owned(),
-            Self::Reference { what } => format!("expected the name of {what}, in quotes"),
-            Self::References { what } => {
-                format!("expected a list of names of {what} such as [\"one\", \"-other\"]")
+            Self::Reference { what: noun } => format!("expected the name of {noun}, in quotes"),
+            Self::References { what: noun } => {
+                format!("expected a list of names of {noun} such as [\"one\", \"-other\"]")
             }
             Self::Things | Self::Table => "expected a table".to_owned(),
         }

@@ -191,27 +191,27 @@ impl<T> Key<T> {
     }
 
     /// Returns the kind of the key in this element.
-    pub(super) fn kind_in(&self, thing: &T) -> Kind {
+    pub(super) fn kind_in(&self, element: &T) -> Kind {
         self.quantity
             .as_ref()
-            .and_then(|measure| (measure.quantity)(thing))
+            .and_then(|measure| (measure.quantity)(element))
             .map_or(self.info.kind, Kind::Quantity)
     }
 }
 
 /// Returns the word of a choice in an element.
-pub(super) fn chosen<T>(keys: &[Key<T>], thing: &T, choice: &str) -> Option<String> {
+pub(super) fn chosen<T>(keys: &[Key<T>], element: &T, choice: &str) -> Option<String> {
     keys.iter()
         .find(|key| key.info.name == choice)
         .and_then(|key| match key.slot {
-            Slot::Text { get, .. } => Some(get(thing)),
+            Slot::Text { get, .. } => Some(get(element)),
             _ => None,
         })
 }
 
 /// True if the key applies to the choices of the element.
-pub(super) fn applies<T>(keys: &[Key<T>], thing: &T, info: &KeyInfo) -> bool {
+pub(super) fn applies<T>(keys: &[Key<T>], element: &T, info: &KeyInfo) -> bool {
     info.when.is_none_or(|when| {
-        chosen(keys, thing, when.key).is_some_and(|word| when.is.contains(&word.as_str()))
+        chosen(keys, element, when.key).is_some_and(|word| when.is.contains(&word.as_str()))
     })
 }

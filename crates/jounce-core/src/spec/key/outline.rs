@@ -15,7 +15,7 @@ pub(in crate::spec) struct Row {
 /// that the key depends on.
 pub(in crate::spec) fn rows<T>(keys: &[Key<T>], blank: impl Fn() -> T) -> Vec<Row> {
     let chosen = |key: &Key<T>| {
-        let mut thing = blank();
+        let mut element = blank();
         let choice = key.info.when.and_then(|when| {
             Some((
                 keys.iter().find(|key| key.info.name == when.key)?,
@@ -30,9 +30,9 @@ pub(in crate::spec) fn rows<T>(keys: &[Key<T>], blank: impl Fn() -> T) -> Vec<Ro
             word,
         )) = choice
         {
-            set(&mut thing, word);
+            set(&mut element, word);
         }
-        thing
+        element
     };
     let row = |key: &Key<T>| Row {
         info: key.info,

@@ -45,7 +45,7 @@ impl Range {
 
     /// True if the value is within the limits and its magnitude is computable.
     pub(in crate::spec) fn holds(&self, value: f64) -> bool {
-        self.limits_hold(value) && is_of_this_world(value)
+        self.limits_hold(value) && is_in_physical_range(value)
     }
 
     fn limits_hold(&self, value: f64) -> bool {
@@ -97,7 +97,7 @@ const MAX_SIZE: f64 = 1e30;
 /// Smallest magnitude of a nonzero number of a spec, SI.
 const MIN_SIZE: f64 = 1e-30;
 
-fn is_of_this_world(value: f64) -> bool {
+fn is_in_physical_range(value: f64) -> bool {
     let size = value.abs();
     size == 0.0 || (MIN_SIZE..=MAX_SIZE).contains(&size)
 }

@@ -22,7 +22,7 @@ pub(super) const FREQUENCY_LIMITS_HZ: (f64, f64) = (1e-6, 1e6);
 
 /// Tables of a spec.
 pub(super) static SPEC: &[Key<Spec>] = &[
-    things(
+    named_tables(
         "beam",
         "uniform beams, clamped at their root",
         &Named {
@@ -32,7 +32,7 @@ pub(super) static SPEC: &[Key<Spec>] = &[
             keys: beam::KEYS,
         },
     ),
-    things(
+    named_tables(
         "patch",
         "piezoelectric patches bonded to beams",
         &Named {
@@ -42,7 +42,7 @@ pub(super) static SPEC: &[Key<Spec>] = &[
             keys: patch::KEYS,
         },
     ),
-    things(
+    named_tables(
         "layer",
         "passive layers on the faces of beams, under the patches: bond lines, shims, coatings",
         &Named {
@@ -52,7 +52,7 @@ pub(super) static SPEC: &[Key<Spec>] = &[
             keys: layer::KEYS,
         },
     ),
-    things(
+    named_tables(
         "mass",
         "rigid masses: on a spring, fixed to a beam, or free; they may carry beams",
         &Named {
@@ -62,7 +62,7 @@ pub(super) static SPEC: &[Key<Spec>] = &[
             keys: mass::KEYS,
         },
     ),
-    things(
+    named_tables(
         "modal",
         "structures defined by their modes",
         &Named {
@@ -72,7 +72,7 @@ pub(super) static SPEC: &[Key<Spec>] = &[
             keys: modal::KEYS,
         },
     ),
-    things(
+    named_tables(
         "stop",
         "one-sided contacts; without stops the harvester is linear",
         &Named {
@@ -82,7 +82,7 @@ pub(super) static SPEC: &[Key<Spec>] = &[
             keys: stop::KEYS,
         },
     ),
-    things(
+    named_tables(
         "circuit",
         "circuits, each across one patch or several; every patch has one or sets `electrodes = \"open\"`",
         &Named {
@@ -92,7 +92,7 @@ pub(super) static SPEC: &[Key<Spec>] = &[
             keys: circuit::KEYS,
         },
     ),
-    things(
+    named_tables(
         "drive",
         "excitation: forces, and motions of the ground or of other bases",
         &Named {
@@ -140,7 +140,7 @@ pub(super) static SPEC: &[Key<Spec>] = &[
     ),
 ];
 
-const fn things(
+const fn named_tables(
     name: &'static str,
     doc: &'static str,
     inner: &'static dyn super::key::Inner<Spec>,

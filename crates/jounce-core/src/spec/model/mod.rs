@@ -88,7 +88,9 @@ impl Spec {
         for _ in 0..=self.mass.len() {
             match self.mass.get(support) {
                 _ if support == mass => return true,
-                Some(own) if own.stiffness_n_m.is_none() => support = &own.on,
+                Some(support_mass) if support_mass.stiffness_n_m.is_none() => {
+                    support = &support_mass.on
+                }
                 _ => return false,
             }
         }

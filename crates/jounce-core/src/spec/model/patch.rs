@@ -64,7 +64,7 @@ impl Patch {
     }
 
     /// Returns the thickness with the foils, m.
-    pub fn whole_thickness_m(&self) -> f64 {
+    pub fn total_thickness_m(&self) -> f64 {
         self.thickness_m + 2.0 * self.foils.each_m()
     }
 

@@ -24,7 +24,7 @@ pub(super) fn check<T>(
     on: &str,
     path: &str,
     entry: &Entry,
-    thing: &mut T,
+    element: &mut T,
     reading: &mut ReadState,
 ) {
     let rows: Vec<&Key<T>> = keys
@@ -32,12 +32,15 @@ pub(super) fn check<T>(
         .filter(|key| key.info.name == entry.name)
         .collect();
     let path = join(path, &entry.name);
-    reading.places.insert(path.clone(), entry.node.place);
+    reading.positions.insert(path.clone(), entry.node.position);
     if let [row] = rows[..] {
-        read_slot(row, &path, &entry.node, thing, reading);
+        read_slot(row, &path, &entry.node, element, reading);
         return;
     }
-    let verdicts: Vec<RowVerdict> = rows.iter().map(|row| verdict(row, entry, thing)).collect();
+    let verdicts: Vec<RowVerdict> = rows
+        .iter()
+        .map(|row| verdict(row, entry, element))
+        .collect();
     let good = rows
         .iter()
         .zip(&verdicts)
@@ -66,23 +69,27 @@ pub(super) fn check<T>(
         .collect();
     kinds.dedup();
     match size {
-        Some(text) if words.is_empty() => reading.fault(entry.node.place, &path, || text.clone()),
-        Some(text) => reading.fault(entry.node.place, &path, || {
+        Some(text) if words.is_empty() => {
+            reading.fault(entry.node.position, &path, || text.clone())
+        }
+        Some(text) => reading.fault(entry.node.position, &path, || {
             format!("{text}, except with {on} = {}", join_words(words))
         }),
-        None if words.is_empty() => reading.fault(entry.node.place, &path, || kinds.join("; or ")),
+        None if words.is_empty() => {
+            reading.fault(entry.node.position, &path, || kinds.join("; or "))
+        }
         None => {}
     }
 }
 
-fn verdict<T>(row: &Key<T>, entry: &Entry, thing: &T) -> RowVerdict {
+fn verdict<T>(row: &Key<T>, entry: &Entry, element: &T) -> RowVerdict {
     if !matches!(
         row.slot,
         Slot::Number { .. } | Slot::Optional { .. } | Slot::Derived { .. } | Slot::Count { .. }
     ) {
         return RowVerdict::Good;
     }
-    let kind = row.kind_in(thing);
+    let kind = row.kind_in(element);
     match (
         read_number(kind, Range::ANY, &entry.node),
         read_number(kind, row.info.range, &entry.node),

@@ -17,14 +17,14 @@ pub(super) struct ReadState {
     /// Faults so far.
     pub(super) found: Vec<ReadFault>,
     /// Place of each key that was read, by its dotted path; includes the keys of tables.
-    pub(super) places: HashMap<String, SourcePlace>,
+    pub(super) positions: HashMap<String, SourcePlace>,
     /// False if lines of the file were skipped; then no key is reported as missing.
     pub(super) complete: bool,
 }
 
 /// A fault and its place.
 pub(super) struct ReadFault {
-    pub(super) place: SourcePlace,
+    pub(super) position: SourcePlace,
     pub(super) key: String,
     pub(super) message: String,
 }
@@ -33,17 +33,22 @@ impl ReadState {
     pub(super) fn new(complete: bool) -> Self {
         Self {
             found: Vec::new(),
-            places: HashMap::new(),
+            positions: HashMap::new(),
             complete,
         }
     }
 
     /// Records a fault; the message names the key. Faults beyond the reporting limit are dropped.
-    pub(super) fn fault(&mut self, place: SourcePlace, key: &str, text: impl FnOnce() -> String) {
+    pub(super) fn fault(
+        &mut self,
+        position: SourcePlace,
+        key: &str,
+        text: impl FnOnce() -> String,
+    ) {
         if self.found.len() < Faults::MAX_REPORTED {
             let message = super::nearest::sentence(key, &text());
             self.found.push(ReadFault {
-                place,
+                position,
                 key: key.to_owned(),
                 message,
             });
@@ -51,23 +56,23 @@ impl ReadState {
     }
 
     /// Adds violated rules between keys; a key that already has a fault is skipped.
-    pub(super) fn add_broken(&mut self, broken: Vec<(String, String)>) {
-        let told: Vec<String> = self
+    pub(super) fn add_broken(&mut self, faults: Vec<(String, String)>) {
+        let messages: Vec<String> = self
             .found
             .iter()
             .map(|finding| finding.key.clone())
             .collect();
-        for (key, message) in broken {
+        for (key, message) in faults {
             let below = format!("{key}.");
-            let empty = key == super::validation::NO_STRUCTURE && !told.is_empty();
+            let empty = key == super::validation::NO_STRUCTURE && !messages.is_empty();
             if !empty
-                && !told
+                && !messages
                     .iter()
                     .any(|other| *other == key || other.starts_with(&below))
                 && self.has_room()
             {
                 self.found.push(ReadFault {
-                    place: self.place(&key),
+                    position: self.position(&key),
                     key,
                     message,
                 });
@@ -76,11 +81,11 @@ impl ReadState {
     }
 
     /// Returns the place of a key, or the place of the table that would contain it.
-    fn place(&self, key: &str) -> SourcePlace {
+    fn position(&self, key: &str) -> SourcePlace {
         let mut path = key;
         loop {
-            match (self.places.get(path), path.rsplit_once('.')) {
-                (Some(place), _) => return *place,
+            match (self.positions.get(path), path.rsplit_once('.')) {
+                (Some(position), _) => return *position,
                 (None, Some((parent, _))) => path = parent,
                 (None, None) => return SourcePlace::At(0),
             }

@@ -12,11 +12,11 @@ pub(in crate::spec) fn read_keys<T>(
     keys: &'static [Key<T>],
     path: &str,
     node: &Node,
-    thing: &mut T,
+    element: &mut T,
     reading: &mut ReadState,
 ) {
     let Some(entries) = node.entries() else {
-        return reading.fault(node.place, path, || {
+        return reading.fault(node.position, path, || {
             format!(
                 "expected a table: write [{path}] with its keys below; found {}",
                 node.found()
@@ -34,14 +34,14 @@ pub(in crate::spec) fn read_keys<T>(
             if first_of_its_name(keys, key)
                 && let Some(entry) = entries.iter().find(|entry| entry.name == info.name)
             {
-                missing_choice::check(keys, choice, path, entry, thing, reading);
+                missing_choice::check(keys, choice, path, entry, element, reading);
             }
             continue;
         }
         let unmeasured = key.quantity.as_ref().is_some_and(|measure| {
-            doubtful.contains(&measure.by) || (measure.quantity)(thing).is_none()
+            doubtful.contains(&measure.by) || (measure.quantity)(element).is_none()
         });
-        if unmeasured || !applies(keys, thing, info) {
+        if unmeasured || !applies(keys, element, info) {
             continue;
         }
         let Some(entry) = entries.iter().find(|entry| entry.name == info.name) else {
@@ -51,16 +51,16 @@ pub(in crate::spec) fn read_keys<T>(
             continue;
         };
         let path = join(path, info.name);
-        reading.places.insert(path.clone(), entry.node.place);
+        reading.positions.insert(path.clone(), entry.node.position);
         if let Slot::Inner(inner) = &key.slot {
-            inner.read(thing, &path, &entry.node, reading);
-        } else if !read_slot(key, &path, &entry.node, thing, reading) {
+            inner.read(element, &path, &entry.node, reading);
+        } else if !read_slot(key, &path, &entry.node, element, reading) {
             doubtful.push(info.name);
         }
     }
     for entry in entries {
         if reading.has_room() {
-            check_known(keys, path, entry, thing, &doubtful, reading);
+            check_known(keys, path, entry, element, &doubtful, reading);
         }
     }
     check_alternatives(keys, path, entries, reading);
@@ -85,11 +85,15 @@ fn missing<T>(
     let stands = |name: &&str| entries.iter().any(|entry| entry.name == *name);
     let text = || match key.info.need {
         Need::OneOf(names) => format!("one of {} is missing", quoted(names)),
-        _ => format!("`{}` is missing; {}", key.info.name, key.info.kind.due()),
+        _ => format!(
+            "`{}` is missing; {}",
+            key.info.name,
+            key.info.kind.expectation()
+        ),
     };
-    let given = key.info.unless.is_some_and(|other| stands(&other));
+    let is_replaced = key.info.unless.is_some_and(|other| stands(&other));
     let must = match key.info.need {
-        _ if given => false,
+        _ if is_replaced => false,
         Need::Default | Need::AtMostOne(_) => false,
         Need::Required => true,
         Need::OneOf(names) => names.first() == Some(&key.info.name) && !names.iter().any(stands),
@@ -100,7 +104,7 @@ fn missing<T>(
             && nearest(&entry.name, names()) == Some(key.info.name)
     };
     if must && reading.complete && reading.has_room() && !entries.iter().any(misspelt) {
-        reading.fault(node.place, path, text);
+        reading.fault(node.position, path, text);
     }
     must
 }
@@ -109,7 +113,7 @@ fn check_known<T>(
     keys: &[Key<T>],
     path: &str,
     entry: &Entry,
-    thing: &T,
+    element: &T,
     doubtful: &[&str],
     reading: &mut ReadState,
 ) {
@@ -117,7 +121,7 @@ fn check_known<T>(
     let key = join(path, &entry.name);
     if named().next().is_none() {
         let names = distinct(keys.iter().map(|key| key.info.name));
-        return reading.fault(entry.place, &key, || {
+        return reading.fault(entry.position, &key, || {
             format!(
                 "unknown key{}; keys here: {}",
                 did_you_mean(&entry.name, names.iter().copied()),
@@ -125,7 +129,7 @@ fn check_known<T>(
             )
         });
     }
-    if named().any(|key| applies(keys, thing, &key.info)) {
+    if named().any(|key| applies(keys, element, &key.info)) {
         return;
     }
     let Some(when) = named()
@@ -134,13 +138,13 @@ fn check_known<T>(
     else {
         return;
     };
-    let word = chosen(keys, thing, when.key).unwrap_or_default();
+    let word = chosen(keys, element, when.key).unwrap_or_default();
     let words = distinct(
         named()
             .filter_map(|key| key.info.when)
             .flat_map(|when| when.is.iter().copied()),
     );
-    reading.fault(entry.place, &key, || {
+    reading.fault(entry.position, &key, || {
         format!(
             "does not apply with {} = \"{word}\", only with {}",
             when.key,
@@ -159,7 +163,7 @@ fn check_alternatives<T>(keys: &[Key<T>], path: &str, entries: &[Entry], reading
             && let (Some(first), Some(second)) = (standing.next(), standing.next())
         {
             let key = join(path, &second.name);
-            reading.fault(second.place, &key, || {
+            reading.fault(second.position, &key, || {
                 format!(
                     "`{}` is given too; give exactly one of {}",
                     first.name,
@@ -185,16 +189,16 @@ pub(in crate::spec) fn read_named(
             }
             _ => format!("expected a table: write [{path}] with NAME = VALUE below"),
         };
-        return reading.fault(node.place, path, || {
+        return reading.fault(node.position, path, || {
             format!("{hint}; found {}", node.found())
         });
     };
-    let mut strays = 0;
+    let mut unknown_keys = 0;
     for entry in entries {
         let path_of = join(path, &entry.name);
         let allowed = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
         if entry.name.is_empty() || !entry.name.chars().all(allowed) {
-            reading.fault(entry.place, path, || {
+            reading.fault(entry.position, path, || {
                 format!(
                     "the name {:?} is not allowed; use the letters a to z and A to Z, digits, _ and -",
                     clip(&entry.name)
@@ -202,15 +206,15 @@ pub(in crate::spec) fn read_named(
             });
         }
         if matches!(kind, Kind::Things) && entry.node.entries().is_none() {
-            strays += 1;
-            if strays == 1 {
+            unknown_keys += 1;
+            if unknown_keys == 1 {
                 let text =
                     || format!("expected a name here: write [{path}.NAME] with its keys below");
-                reading.fault(entry.place, &path_of, text);
+                reading.fault(entry.position, &path_of, text);
             }
             continue;
         }
-        reading.places.insert(path_of.clone(), entry.place);
+        reading.positions.insert(path_of.clone(), entry.position);
         read(&entry.name, &path_of, &entry.node, reading);
     }
 }
@@ -224,11 +228,11 @@ fn quoted(names: &[&str]) -> String {
 }
 
 fn distinct<'k>(names: impl Iterator<Item = &'k str>) -> Vec<&'k str> {
-    let mut seen = Vec::new();
+    let mut names_so_far = Vec::new();
     for name in names {
-        if !seen.contains(&name) {
-            seen.push(name);
+        if !names_so_far.contains(&name) {
+            names_so_far.push(name);
         }
     }
-    seen
+    names_so_far
 }

@@ -10,51 +10,51 @@ pub(super) fn read_slot<T>(
     key: &Key<T>,
     path: &str,
     node: &Node,
-    thing: &mut T,
+    element: &mut T,
     reading: &mut ReadState,
 ) -> bool {
-    let kind = key.kind_in(thing);
+    let kind = key.kind_in(element);
     let range = key.info.range;
     match &key.slot {
         Slot::Number { set, .. } | Slot::Derived { set, .. } | Slot::Optional { set, .. } => {
             // A hole instead of the default, so rules between keys do not report a value that was
             // not intended.
             let number = one_number(kind, range, path, node, reading);
-            set(thing, number.unwrap_or(f64::NAN));
+            set(element, number.unwrap_or(f64::NAN));
             number.is_some()
         }
         Slot::Count { set, .. } => {
             let number = one_number(kind, range, path, node, reading);
-            set(thing, number.map_or(0, |value| value as usize));
+            set(element, number.map_or(0, |value| value as usize));
             number.is_some()
         }
         Slot::Text { set, .. } => {
             let text = text(&key.info, path, node, reading);
-            text.map(|text| set(thing, text)).is_some()
+            text.map(|text| set(element, text)).is_some()
         }
         Slot::Texts { open, .. } => {
             let list = texts(&key.info, path, node, reading);
-            list.map(|list| *open(thing) = list).is_some()
+            list.map(|list| *open(element) = list).is_some()
         }
         Slot::Numbers { open, .. } => {
             let list = numbers(&key.info, path, node, reading);
-            list.map(|list| *open(thing) = list).is_some()
+            list.map(|list| *open(element) = list).is_some()
         }
         Slot::NamedQuantities { open, .. } => {
-            let map = open(thing);
+            let map = open(element);
             read_named(path, node, kind, reading, |name, path, node, reading| {
                 // The name remains known, so references to it are not reported as wrong.
                 let value = one_number(kind, range, path, node, reading).unwrap_or(f64::NAN);
-                reading.places.insert(path.to_owned(), node.place);
+                reading.positions.insert(path.to_owned(), node.position);
                 map.insert(name.to_owned(), value);
             });
             true
         }
         Slot::NamedNumbers { open, .. } => {
-            let map = open(thing);
+            let map = open(element);
             read_named(path, node, kind, reading, |name, path, node, reading| {
                 let list = numbers(&key.info, path, node, reading).unwrap_or_default();
-                reading.places.insert(path.to_owned(), node.place);
+                reading.positions.insert(path.to_owned(), node.position);
                 map.insert(name.to_owned(), list);
             });
             true
@@ -73,7 +73,7 @@ fn one_number(
     match read_number(kind, range, node) {
         Ok(value) => Some(value),
         Err(text) => {
-            reading.fault(node.place, path, || text);
+            reading.fault(node.position, path, || text);
             None
         }
     }
@@ -81,7 +81,7 @@ fn one_number(
 
 /// Returns a number of any kind within its limits, in SI, or its fault.
 pub(in crate::spec) fn read_number(kind: Kind, range: Range, node: &Node) -> Result<f64, String> {
-    let (value, shown) = match (kind, &node.value) {
+    let (value, printed) = match (kind, &node.value) {
         (Kind::Quantity(quantity) | Kind::NamedQuantities(quantity), Value::Text(text)) => (
             quantity.read(text).map_err(|error| error.to_string())?,
             clip(text),
@@ -94,7 +94,7 @@ pub(in crate::spec) fn read_number(kind: Kind, range: Range, node: &Node) -> Res
             let raw = clip(&node.raw);
             return Err(format!(
                 "{raw} has no unit; {}; write for example \"{raw} {example}\"",
-                kind.due()
+                kind.expectation()
             ));
         }
         (
@@ -107,12 +107,12 @@ pub(in crate::spec) fn read_number(kind: Kind, range: Range, node: &Node) -> Res
         (Kind::Numbers | Kind::NamedNumbers, _) => {
             return Err(format!("expected a plain number; found {}", node.found()));
         }
-        _ => return Err(format!("{}; found {}", kind.due(), node.found())),
+        _ => return Err(format!("{}; found {}", kind.expectation(), node.found())),
     };
     if range.holds(value) {
         Ok(value)
     } else {
-        Err(format!("is {shown}; it {}", range.broken(value, kind)))
+        Err(format!("is {printed}; it {}", range.broken(value, kind)))
     }
 }
 
@@ -124,43 +124,43 @@ fn text<'n>(
 ) -> Option<&'n str> {
     let wrong = match (&node.value, info.kind) {
         (Value::Text(text), Kind::Choice(words)) if !words.contains(&text.as_str()) => {
-            let meant = did_you_mean(text, words.iter().copied());
+            let suggestion = did_you_mean(text, words.iter().copied());
             format!(
-                "\"{}\" is not known{meant}; {}",
+                "\"{}\" is not known{suggestion}; {}",
                 clip(text),
-                info.kind.due()
+                info.kind.expectation()
             )
         }
         (Value::Text(text), Kind::ChoiceOrPath(words))
             if !words.contains(&text.as_str()) && !text.contains(['.', '/', '\\']) =>
         {
-            let meant = did_you_mean(text, words.iter().copied());
+            let suggestion = did_you_mean(text, words.iter().copied());
             format!(
-                "\"{}\" is not known{meant}; {}",
+                "\"{}\" is not known{suggestion}; {}",
                 clip(text),
-                info.kind.due()
+                info.kind.expectation()
             )
         }
         (Value::Text(text), _) if text.trim().is_empty() => {
-            format!("the text is empty; {}", info.kind.due())
+            format!("the text is empty; {}", info.kind.expectation())
         }
         (Value::Text(text), _) => return Some(text),
-        _ => format!("{}; found {}", info.kind.due(), node.found()),
+        _ => format!("{}; found {}", info.kind.expectation(), node.found()),
     };
-    reading.fault(node.place, path, || wrong);
+    reading.fault(node.position, path, || wrong);
     None
 }
 
 fn texts(info: &KeyInfo, path: &str, node: &Node, reading: &mut ReadState) -> Option<Vec<String>> {
     let Value::List(items) = &node.value else {
-        reading.fault(node.place, path, || {
-            format!("{}; found {}", info.kind.due(), node.found())
+        reading.fault(node.position, path, || {
+            format!("{}; found {}", info.kind.expectation(), node.found())
         });
         return None;
     };
     if items.is_empty() {
-        reading.fault(node.place, path, || {
-            format!("the list is empty; {}", info.kind.due())
+        reading.fault(node.position, path, || {
+            format!("the list is empty; {}", info.kind.expectation())
         });
         return None;
     }
@@ -168,11 +168,11 @@ fn texts(info: &KeyInfo, path: &str, node: &Node, reading: &mut ReadState) -> Op
     for (index, item) in items.iter().enumerate() {
         match &item.value {
             Value::Text(text) if !text.trim().is_empty() => list.push(text.clone()),
-            _ => reading.fault(item.place, path, || {
+            _ => reading.fault(item.position, path, || {
                 format!(
                     "name {} of the list: {}; found {}",
                     index + 1,
-                    info.kind.due(),
+                    info.kind.expectation(),
                     item.found()
                 )
             }),
@@ -183,14 +183,14 @@ fn texts(info: &KeyInfo, path: &str, node: &Node, reading: &mut ReadState) -> Op
 
 fn numbers(info: &KeyInfo, path: &str, node: &Node, reading: &mut ReadState) -> Option<Vec<f64>> {
     let Value::List(items) = &node.value else {
-        reading.fault(node.place, path, || {
-            format!("{}; found {}", Kind::Numbers.due(), node.found())
+        reading.fault(node.position, path, || {
+            format!("{}; found {}", Kind::Numbers.expectation(), node.found())
         });
         return None;
     };
     let may_be_empty = info.kind == Kind::Numbers && info.need == Need::Default;
     if items.is_empty() && !may_be_empty {
-        reading.fault(node.place, path, || {
+        reading.fault(node.position, path, || {
             "the list is empty; give one number per mode".to_owned()
         });
         return None;
@@ -199,7 +199,7 @@ fn numbers(info: &KeyInfo, path: &str, node: &Node, reading: &mut ReadState) -> 
     for (index, item) in items.iter().enumerate() {
         match read_number(Kind::Numbers, info.range, item) {
             Ok(value) => list.push(value),
-            Err(text) => reading.fault(item.place, path, || {
+            Err(text) => reading.fault(item.position, path, || {
                 sentence(&format!("number {}", index + 1), &text)
             }),
         }

@@ -22,7 +22,7 @@ impl<'t> Lines<'t> {
 
     /// Returns line and column, both from 1, the column in characters; an offset past the end
     /// counts as the end.
-    pub(in crate::spec) fn place(&self, offset: usize) -> (usize, usize) {
+    pub(in crate::spec) fn line_and_column(&self, offset: usize) -> (usize, usize) {
         let offset = boundary(self.text, offset);
         let line = self.starts.partition_point(|start| *start <= offset);
         let start = self.starts[line - 1];
@@ -53,15 +53,15 @@ mod tests {
     use super::*;
 
     #[test]
-    fn places_count_from_one_in_characters() {
+    fn positions_count_from_one_in_characters() {
         let lines = Lines::new("a\n\u{b5}m x\n");
-        assert_eq!(lines.place(0), (1, 1));
-        assert_eq!(lines.place(1), (1, 2));
-        assert_eq!(lines.place(2), (2, 1));
-        assert_eq!(lines.place(3), (2, 1));
-        assert_eq!(lines.place(6), (2, 4));
-        assert_eq!(lines.place(999), (3, 1));
-        assert_eq!(Lines::new("").place(0), (1, 1));
+        assert_eq!(lines.line_and_column(0), (1, 1));
+        assert_eq!(lines.line_and_column(1), (1, 2));
+        assert_eq!(lines.line_and_column(2), (2, 1));
+        assert_eq!(lines.line_and_column(3), (2, 1));
+        assert_eq!(lines.line_and_column(6), (2, 4));
+        assert_eq!(lines.line_and_column(999), (3, 1));
+        assert_eq!(Lines::new("").line_and_column(0), (1, 1));
         assert_eq!(lines.range(1), 0..1);
         assert_eq!(lines.range(4), 2..7);
     }

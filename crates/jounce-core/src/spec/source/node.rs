@@ -3,7 +3,7 @@
 use toml_edit::{Item, TableLike};
 
 use crate::spec::nearest::clip;
-use crate::spec::numeric_key::place_in_list;
+use crate::spec::numeric_key::list_index;
 
 /// Place of a value.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -17,7 +17,7 @@ pub(in crate::spec) enum SourcePlace {
 /// A value and its place.
 #[derive(Debug, Clone)]
 pub(in crate::spec) struct Node {
-    pub(in crate::spec) place: SourcePlace,
+    pub(in crate::spec) position: SourcePlace,
     /// Number as written; empty for other values.
     pub(in crate::spec) raw: String,
     pub(in crate::spec) value: Value,
@@ -42,7 +42,7 @@ pub(in crate::spec) enum Value {
 pub(in crate::spec) struct Entry {
     pub(in crate::spec) name: String,
     /// Place of the key.
-    pub(in crate::spec) place: SourcePlace,
+    pub(in crate::spec) position: SourcePlace,
     pub(in crate::spec) node: Node,
 }
 
@@ -70,9 +70,9 @@ impl Node {
         let entries = match &mut self.value {
             Value::Table(entries) => entries,
             Value::List(items) => {
-                let place = place_in_list(name).filter(|_| rest.is_empty());
-                return place
-                    .and_then(|place| items.get_mut(place))
+                let list_index = list_index(name).filter(|_| rest.is_empty());
+                return list_index
+                    .and_then(|list_index| items.get_mut(list_index))
                     .map(|item| *item = node)
                     .is_some();
             }
@@ -83,13 +83,13 @@ impl Node {
             .position(|entry| entry.name == *name)
             .unwrap_or_else(|| {
                 let empty = Node {
-                    place: node.place,
+                    position: node.position,
                     raw: String::new(),
                     value: Value::Table(Vec::new()),
                 };
                 entries.push(Entry {
                     name: (*name).to_owned(),
-                    place: node.place,
+                    position: node.position,
                     node: empty,
                 });
                 entries.len() - 1
@@ -97,7 +97,7 @@ impl Node {
         if rest.is_empty() {
             entries[index] = Entry {
                 name: (*name).to_owned(),
-                place: node.place,
+                position: node.position,
                 node,
             };
             return true;
@@ -143,7 +143,7 @@ pub(super) fn entries(text: &str, table: &dyn TableLike, parent: usize) -> Vec<E
             .map_or(parent, |span| span.start);
         Entry {
             name: name.to_owned(),
-            place: SourcePlace::At(at),
+            position: SourcePlace::At(at),
             node: node(text, item, at),
         }
     };
@@ -192,7 +192,7 @@ impl Node {
     /// Returns a value at an offset of the text.
     pub(in crate::spec) fn at(offset: usize, value: Value) -> Self {
         Self {
-            place: SourcePlace::At(offset),
+            position: SourcePlace::At(offset),
             raw: String::new(),
             value,
         }

@@ -114,12 +114,12 @@ fn duplicated(text: &str, offset: usize, span: &std::ops::Range<usize>) -> Synta
     if is_header(line) {
         let name = header_name(line);
         let first = first_line(text, |other| is_header(other) && header_name(other) == name)
-            .filter(|first| *first < lines.place(offset).0);
-        let told = first
+            .filter(|first| *first < lines.line_and_column(offset).0);
+        let hint = first
             .map(|first| format!(" (first on line {first})"))
             .unwrap_or_default();
         let message = format!(
-            "[{}] is defined twice{told}; rename the second one, or merge the two",
+            "[{}] is defined twice{hint}; rename the second one, or merge the two",
             clip(name)
         );
         return SyntaxError {
@@ -143,11 +143,11 @@ fn duplicated(text: &str, offset: usize, span: &std::ops::Range<usize>) -> Synta
     } else {
         format!("{}.{}", clip(name), clip(key))
     };
-    let own = before
+    let header_before = before
         .lines()
         .enumerate()
         .skip(header.map_or(0, |(index, _)| index + 1));
-    let first = own
+    let first = header_before
         .filter(|(_, other)| {
             other
                 .split('=')
@@ -156,10 +156,10 @@ fn duplicated(text: &str, offset: usize, span: &std::ops::Range<usize>) -> Synta
         })
         .map(|(index, _)| index + 1)
         .next();
-    let told = first
+    let hint = first
         .map(|first| format!(" (first on line {first})"))
         .unwrap_or_default();
-    let message = format!("{path}: the key appears twice in this table{told}; remove one of them");
+    let message = format!("{path}: the key appears twice in this table{hint}; remove one of them");
     SyntaxError {
         offset,
         key: path,
@@ -167,16 +167,16 @@ fn duplicated(text: &str, offset: usize, span: &std::ops::Range<usize>) -> Synta
     }
 }
 
-fn first_line(text: &str, wanted: impl Fn(&str) -> bool) -> Option<usize> {
-    text.lines().position(wanted).map(|index| index + 1)
+fn first_line(text: &str, predicate: impl Fn(&str) -> bool) -> Option<usize> {
+    text.lines().position(predicate).map(|index| index + 1)
 }
 
-fn malformed(text: &str, offset: usize, why: &str) -> SyntaxError {
+fn malformed(text: &str, offset: usize, reason: &str) -> SyntaxError {
     let line = &text[Lines::new(text).range(offset)];
     let hint = line
         .split_once('=')
         .and_then(|(key, value)| unquoted(key.trim(), value.trim()));
-    let message = hint.unwrap_or_else(|| format!("this is not valid TOML: {why}"));
+    let message = hint.unwrap_or_else(|| format!("this is not valid TOML: {reason}"));
     SyntaxError {
         offset,
         key: String::new(),

@@ -9,10 +9,10 @@ use super::reference::{patches, unknown};
 use crate::spec::nearest::clip;
 use crate::spec::{Circuit, Electrodes, Spec, Wiring};
 
-pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
+pub(super) fn check(spec: &Spec, faults: &mut ValidationFaults) {
     // Listed once, and only if there is a fault.
     let known = LazyCell::new(|| patches(spec));
-    let mut carried: BTreeMap<&str, &str> = BTreeMap::new();
+    let mut circuit_of: BTreeMap<&str, &str> = BTreeMap::new();
     for (name, circuit) in &spec.circuit {
         let key = || {
             if circuit.patch.is_empty() {
@@ -24,15 +24,15 @@ pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
         for (patch, _) in circuit.connections() {
             if !has_patch(spec, patch) {
                 let words = || known.iter().map(String::as_str);
-                broken.push(key, || unknown("patch", patch, "patches", words));
-            } else if carried.get(patch) == Some(&name.as_str()) {
-                broken.push(key, || {
+                faults.push(key, || unknown("patch", patch, "patches", words));
+            } else if circuit_of.get(patch) == Some(&name.as_str()) {
+                faults.push(key, || {
                     format!(
                         "patch \"{}\" is listed twice; list each patch once",
                         clip(patch)
                     )
                 });
-            } else if let Some(first) = carried.get(patch) {
+            } else if let Some(first) = circuit_of.get(patch) {
                 let text = || {
                     format!(
                         "patch \"{}\" already has circuit \"{}\"; give each patch one circuit",
@@ -40,41 +40,41 @@ pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
                         clip(first)
                     )
                 };
-                broken.push(key, text);
+                faults.push(key, text);
             } else {
-                carried.insert(patch, name);
+                circuit_of.insert(patch, name);
             }
         }
         if circuit.inductance_h.is_none() && circuit.inductor == Wiring::Series {
             let text =
                 || "has no effect without an inductor; give `inductance`, or omit it".to_owned();
-            broken.push(|| format!("circuit.{name}.inductor"), text);
+            faults.push(|| format!("circuit.{name}.inductor"), text);
         }
         if circuit.resistance_ohm.is_finite() && circuit.battery_v.is_some() {
             let text = || {
                 "has no effect with a battery, which takes the charge; omit it, or give `storage` instead of `battery`".to_owned()
             };
-            broken.push(|| format!("circuit.{name}.resistance"), text);
+            faults.push(|| format!("circuit.{name}.resistance"), text);
         }
         if circuit.leakage_ohm.is_some() && circuit.battery_v.is_some() {
             let text = || {
                 "has no effect with a battery, whose voltage is fixed; omit it, or give `storage` instead of `battery`".to_owned()
             };
-            broken.push(|| format!("circuit.{name}.leakage_resistance"), text);
+            faults.push(|| format!("circuit.{name}.leakage_resistance"), text);
         }
         if circuit.wiring == Wiring::Series && circuit.connections().count() == 1 {
             let text = || {
                 "has no effect with a single patch; list several in `patches`, or omit it"
                     .to_owned()
             };
-            broken.push(|| format!("circuit.{name}.wiring"), text);
+            faults.push(|| format!("circuit.{name}.wiring"), text);
         }
     }
-    check_electrodes(spec, &carried, broken);
+    check_electrodes(spec, &circuit_of, faults);
 }
 
 /// Every patch is in a circuit or has open electrodes, but not both.
-fn check_electrodes(spec: &Spec, carried: &BTreeMap<&str, &str>, broken: &mut ValidationFaults) {
+fn check_electrodes(spec: &Spec, circuit_of: &BTreeMap<&str, &str>, faults: &mut ValidationFaults) {
     // If a circuit names no patch or a patch that does not exist, the intended patch is unknown.
     let named = |circuit: &Circuit| {
         circuit.connections().count() > 0
@@ -83,7 +83,7 @@ fn check_electrodes(spec: &Spec, carried: &BTreeMap<&str, &str>, broken: &mut Va
                 .all(|(patch, _)| has_patch(spec, patch))
     };
     let all_named = spec.circuit.values().all(named);
-    let own = spec
+    let parts = spec
         .patch
         .iter()
         .map(|(name, patch)| (format!("patch.{name}"), name.clone(), patch.electrodes));
@@ -97,12 +97,12 @@ fn check_electrodes(spec: &Spec, carried: &BTreeMap<&str, &str>, broken: &mut Va
             )
         })
     });
-    for (path, name, electrodes) in own.chain(modal) {
+    for (path, name, electrodes) in parts.chain(modal) {
         let key = || format!("{path}.electrodes");
-        match (electrodes, carried.get(name.as_str())) {
+        match (electrodes, circuit_of.get(name.as_str())) {
             (Electrodes::Circuit, None) if all_named => {
                 let text = "no circuit names this patch, so its electrodes float; name it in a [circuit.NAME], or set electrodes = \"open\"";
-                broken.push(key, || text.to_owned());
+                faults.push(key, || text.to_owned());
             }
             (Electrodes::Open, Some(circuit)) => {
                 let text = || {
@@ -111,7 +111,7 @@ fn check_electrodes(spec: &Spec, carried: &BTreeMap<&str, &str>, broken: &mut Va
                         clip(circuit)
                     )
                 };
-                broken.push(key, text);
+                faults.push(key, text);
             }
             _ => {}
         }

@@ -15,18 +15,18 @@ const ZERO_START_ANGLE: f64 = 1e-12;
 /// Largest number of samples of one drive: 0.8 GB.
 const MAX_DRIVE_SAMPLES: f64 = 1e8;
 
-pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
+pub(super) fn check(spec: &Spec, faults: &mut ValidationFaults) {
     let supports = LazyCell::new(|| supports(spec));
     for (name, drive) in &spec.drive {
-        check_kind(name, drive, broken);
-        check_signal(spec, name, drive, broken);
-        check_base(spec, &supports, (name, drive), broken);
+        check_kind(name, drive, faults);
+        check_signal(spec, name, drive, faults);
+        check_base(spec, &supports, (name, drive), faults);
         if drive.base() == Some(GROUND) {
             check_participation(
                 spec,
                 &format!("drive.{name}.kind"),
                 "a motion of the base",
-                broken,
+                faults,
             );
         }
     }
@@ -35,13 +35,13 @@ pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
         .acceleration_m_s2
         .is_some_and(|acceleration| acceleration != 0.0)
     {
-        check_participation(spec, "gravity.acceleration", "gravity", broken);
+        check_participation(spec, "gravity.acceleration", "gravity", faults);
     }
     let pulled = spec
         .gravity
         .acceleration_m_s2
         .is_some_and(|acceleration| acceleration != 0.0);
-    let met = |name: &str| {
+    let is_known = |name: &str| {
         spec.stop.values().any(|stop| {
             [&stop.at, &stop.frame]
                 .iter()
@@ -51,16 +51,16 @@ pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
     for (name, _) in spec
         .mass
         .iter()
-        .filter(|(name, mass)| mass.on == "nothing" && !pulled && !met(name))
+        .filter(|(name, mass)| mass.on == "nothing" && !pulled && !is_known(name))
     {
         let text = || {
             "is \"nothing\", so the mass would drift without bound; add [gravity] or a [stop.NAME] that it strikes".to_owned()
         };
-        broken.push(|| format!("mass.{name}.on"), text);
+        faults.push(|| format!("mass.{name}.on"), text);
     }
 }
 
-fn check_kind(name: &str, drive: &Drive, broken: &mut ValidationFaults) {
+fn check_kind(name: &str, drive: &Drive, faults: &mut ValidationFaults) {
     let text = match (drive.kind, &drive.signal) {
         (
             DriveKind::BaseDisplacement,
@@ -77,7 +77,7 @@ fn check_kind(name: &str, drive: &Drive, broken: &mut ValidationFaults) {
         }
         _ => return,
     };
-    broken.push(|| format!("drive.{name}.kind"), || text.to_owned());
+    faults.push(|| format!("drive.{name}.kind"), || text.to_owned());
 }
 
 /// Returns the supports of beams, masses and stops.
@@ -96,19 +96,19 @@ fn check_base<'s, F: FnOnce() -> BTreeSet<&'s str>>(
     spec: &'s Spec,
     supports: &LazyCell<BTreeSet<&'s str>, F>,
     (name, drive): (&str, &Drive),
-    broken: &mut ValidationFaults,
+    faults: &mut ValidationFaults,
 ) {
     let Some(base) = drive.base() else { return };
     let key = || format!("drive.{name}.at");
     let at = clip(base);
     if base.contains('.') || base == "nothing" || spec.mass.contains_key(base) {
-        let what = if spec.mass.contains_key(base) {
+        let noun = if spec.mass.contains_key(base) {
             "a mass, which only a force moves"
         } else {
             "not the name of a base"
         };
-        broken.push(key, || {
-            format!("is \"{at}\", {what}; give \"ground\" or the name of a base that supports roots, masses or stops")
+        faults.push(key, || {
+            format!("is \"{at}\", {noun}; give \"ground\" or the name of a base that supports roots, masses or stops")
         });
     } else if base != GROUND && !supports.contains(base) {
         let text = || {
@@ -117,7 +117,7 @@ fn check_base<'s, F: FnOnce() -> BTreeSet<&'s str>>(
                  `at` to move the ground"
             )
         };
-        broken.push(key, text);
+        faults.push(key, text);
     }
     if let (DriveKind::BaseDisplacement, DriveSignal::Chirp { phase_rad, .. }) =
         (drive.kind, &drive.signal)
@@ -126,11 +126,11 @@ fn check_base<'s, F: FnOnce() -> BTreeSet<&'s str>>(
         let text = || {
             "does not let the displacement start at 0, so the base would jump at the start of the chirp; omit `phase`".to_owned()
         };
-        broken.push(|| format!("drive.{name}.phase"), text);
+        faults.push(|| format!("drive.{name}.phase"), text);
     }
 }
 
-fn check_signal(spec: &Spec, name: &str, drive: &Drive, broken: &mut ValidationFaults) {
+fn check_signal(spec: &Spec, name: &str, drive: &Drive, faults: &mut ValidationFaults) {
     let hertz = |value: f64| Quantity::Frequency.write(value);
     let mut samples = 0.0;
     match drive.signal {
@@ -141,7 +141,7 @@ fn check_signal(spec: &Spec, name: &str, drive: &Drive, broken: &mut ValidationF
             ..
         } => {
             if low_hz >= high_hz {
-                broken.push(
+                faults.push(
                     || format!("drive.{name}.low"),
                     || {
                         format!(
@@ -161,7 +161,7 @@ fn check_signal(spec: &Spec, name: &str, drive: &Drive, broken: &mut ValidationF
                         hertz(high_hz)
                     )
                 };
-                broken.push(|| format!("drive.{name}.sample_rate"), text);
+                faults.push(|| format!("drive.{name}.sample_rate"), text);
             }
             samples = sample_rate_hz.unwrap_or(DriveSignal::SAMPLES_PER_CYCLE * high_hz)
                 * spec.run.duration_s;
@@ -182,20 +182,20 @@ fn check_signal(spec: &Spec, name: &str, drive: &Drive, broken: &mut ValidationF
                 "has {samples:.1e} samples, more than the limit {MAX_DRIVE_SAMPLES:.0e}; shorten the run or lower the frequency"
             )
         };
-        broken.push(|| format!("drive.{name}.signal"), text);
+        faults.push(|| format!("drive.{name}.signal"), text);
     }
 }
 
-fn check_participation(spec: &Spec, key: &str, what: &str, broken: &mut ValidationFaults) {
+fn check_participation(spec: &Spec, key: &str, noun: &str, faults: &mut ValidationFaults) {
     for (name, _) in spec.modal.iter().filter(|(_, modal)| {
         modal.participation_sqrt_kg.is_empty() && !modal.frequency_hz.is_empty()
     }) {
         let text = || {
             format!(
-                "{what} acts on the mass of each mode; give modal.{}.participation_sqrt_kg",
+                "{noun} acts on the mass of each mode; give modal.{}.participation_sqrt_kg",
                 clip(name)
             )
         };
-        broken.push(|| key.to_owned(), text);
+        faults.push(|| key.to_owned(), text);
     }
 }

@@ -7,16 +7,16 @@ use crate::spec::nearest::clip;
 /// Library materials whose constants are those of the composite with its foils.
 const FOIL_COMPOSITE_PREFIX: &str = "MFC-";
 
-pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
+pub(super) fn check(spec: &Spec, faults: &mut ValidationFaults) {
     for (name, patch) in &spec.patch {
         let foils = &patch.foils;
         if foils.thickness_m.is_none() {
-            let given = [
+            let inputs = [
                 ("foil_youngs_modulus", foils.youngs_modulus_pa),
                 ("foil_density", foils.density_kg_m3),
             ];
-            for (key, _) in given.into_iter().filter(|(_, value)| value.is_some()) {
-                broken.push(
+            for (key, _) in inputs.into_iter().filter(|(_, value)| value.is_some()) {
+                faults.push(
                     || format!("patch.{name}.{key}"),
                     || "has no effect without `foil_thickness`; give both, or omit both".to_owned(),
                 );
@@ -28,7 +28,7 @@ pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
                     clip(&patch.material)
                 )
             };
-            broken.push(|| format!("patch.{name}.foil_thickness"), text);
+            faults.push(|| format!("patch.{name}.foil_thickness"), text);
         }
     }
 }

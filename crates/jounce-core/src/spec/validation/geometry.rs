@@ -9,7 +9,7 @@ use crate::spec::{Face, Patch, Quantity, Spec};
 /// not exact.
 pub(super) const LENGTH_ROUNDOFF: f64 = 1e-9;
 
-pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
+pub(super) fn check(spec: &Spec, faults: &mut ValidationFaults) {
     for (name, beam) in &spec.beam {
         for (point, &x_m) in &beam.point {
             if x_m > beam.length_m * (1.0 + LENGTH_ROUNDOFF) {
@@ -20,7 +20,7 @@ pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
                         metres(beam.length_m)
                     )
                 };
-                broken.push(|| format!("beam.{name}.point.{point}"), text);
+                faults.push(|| format!("beam.{name}.point.{point}"), text);
             }
         }
     }
@@ -37,7 +37,7 @@ pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
                     metres(beam.length_m)
                 )
             };
-            broken.push(|| format!("patch.{name}.length"), text);
+            faults.push(|| format!("patch.{name}.length"), text);
         }
         if patch.width_m > beam.width_m * (1.0 + LENGTH_ROUNDOFF) {
             let text = || {
@@ -47,14 +47,14 @@ pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
                     metres(beam.width_m)
                 )
             };
-            broken.push(|| format!("patch.{name}.width"), text);
+            faults.push(|| format!("patch.{name}.width"), text);
         }
         if patch.d33_m_per_v.is_some() != patch.electrode_spacing_m.is_some() {
             let text = || {
                 "`d33` and `electrode_spacing` require each other; give both, or `d31` alone"
                     .to_owned()
             };
-            broken.push(|| format!("patch.{name}"), text);
+            faults.push(|| format!("patch.{name}"), text);
         }
         if end_m(patch).is_finite() {
             on_face
@@ -63,16 +63,16 @@ pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
                 .push((name, patch));
         }
     }
-    check_facing(&on_face, broken);
+    check_facing(&on_face, faults);
     for ((beam, _), patches) in on_face {
-        check_overlap(patches, LENGTH_ROUNDOFF * spec.beam[beam].length_m, broken);
+        check_overlap(patches, LENGTH_ROUNDOFF * spec.beam[beam].length_m, faults);
     }
 }
 
 /// Two patches at the same position on the two faces have the same section model.
 fn check_facing(
     on_face: &BTreeMap<(&str, bool), Vec<(&str, &Patch)>>,
-    broken: &mut ValidationFaults,
+    faults: &mut ValidationFaults,
 ) {
     for ((beam, _), tops) in on_face.iter().filter(|((_, top), _)| *top) {
         let Some(bottoms) = on_face.get(&(*beam, false)) else {
@@ -90,13 +90,13 @@ fn check_facing(
                         "differs from that of patch \"{other}\" on the other face; give both the same section"
                     )
                 };
-                broken.push(|| format!("patch.{name}.section"), text);
+                faults.push(|| format!("patch.{name}.section"), text);
             }
         }
     }
 }
 
-fn check_overlap(mut patches: Vec<(&str, &Patch)>, slack_m: f64, broken: &mut ValidationFaults) {
+fn check_overlap(mut patches: Vec<(&str, &Patch)>, slack_m: f64, faults: &mut ValidationFaults) {
     patches.sort_by(|a, b| a.1.start_m.total_cmp(&b.1.start_m));
     // The patch that ends furthest from the root so far, which need not be the previous one.
     let mut furthest = 0;
@@ -109,7 +109,7 @@ fn check_overlap(mut patches: Vec<(&str, &Patch)>, slack_m: f64, broken: &mut Va
                     "the patch starts at {start}, but patch \"{other}\" on the same face ends at {reach}; move or shorten one of them"
                 )
             };
-            broken.push(|| format!("patch.{name}.start"), text);
+            faults.push(|| format!("patch.{name}.start"), text);
         }
         if end_m(patch) > end_m(before) {
             furthest = index;

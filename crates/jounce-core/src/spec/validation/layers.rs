@@ -34,7 +34,7 @@ impl<'s> FaceCover<'s> {
     }
 }
 
-pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
+pub(super) fn check(spec: &Spec, faults: &mut ValidationFaults) {
     let layers: Vec<FaceCover> = spec
         .layer
         .iter()
@@ -61,7 +61,7 @@ pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
                     metres(beam.length_m)
                 )
             };
-            broken.push(|| format!("layer.{name}.length"), text);
+            faults.push(|| format!("layer.{name}.length"), text);
         }
         if layer.width_m > beam.width_m * (1.0 + LENGTH_ROUNDOFF) {
             let text = || {
@@ -71,7 +71,7 @@ pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
                     metres(beam.width_m)
                 )
             };
-            broken.push(|| format!("layer.{name}.width"), text);
+            faults.push(|| format!("layer.{name}.width"), text);
         }
     }
     for (index, layer) in layers.iter().enumerate() {
@@ -81,13 +81,13 @@ pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
             .chain(&patches)
             .filter(|other| layer.meets(other, slack_m))
         {
-            check_pair(layer, other, slack_m, broken);
+            check_pair(layer, other, slack_m, faults);
         }
     }
 }
 
 /// Checks a layer against an element that covers part of the same length.
-fn check_pair(layer: &FaceCover, other: &FaceCover, slack_m: f64, broken: &mut ValidationFaults) {
+fn check_pair(layer: &FaceCover, other: &FaceCover, slack_m: f64, faults: &mut ValidationFaults) {
     if layer.section != other.section {
         let text = || {
             format!(
@@ -95,7 +95,7 @@ fn check_pair(layer: &FaceCover, other: &FaceCover, slack_m: f64, broken: &mut V
                 other.key
             )
         };
-        broken.push(|| format!("{}.section", layer.key), text);
+        faults.push(|| format!("{}.section", layer.key), text);
     }
     if layer.face != other.face {
         return;
@@ -108,7 +108,7 @@ fn check_pair(layer: &FaceCover, other: &FaceCover, slack_m: f64, broken: &mut V
                 other.key
             )
         };
-        broken.push(|| format!("{}.start", layer.key), text);
+        faults.push(|| format!("{}.start", layer.key), text);
     } else if other.start_m < layer.start_m - slack_m || other.end_m > layer.end_m + slack_m {
         let text = || {
             format!(
@@ -116,6 +116,6 @@ fn check_pair(layer: &FaceCover, other: &FaceCover, slack_m: f64, broken: &mut V
                 other.key
             )
         };
-        broken.push(|| format!("{}.length", layer.key), text);
+        faults.push(|| format!("{}.length", layer.key), text);
     }
 }

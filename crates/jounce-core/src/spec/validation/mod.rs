@@ -41,18 +41,18 @@ impl ValidationFaults {
 
 /// Returns every rule that a spec violates: dotted key and message.
 pub(super) fn broken(spec: &Spec) -> Vec<(String, String)> {
-    let mut broken = ValidationFaults { found: Vec::new() };
-    reference::check(spec, &mut broken);
-    support::check(spec, &mut broken);
-    circuit::check(spec, &mut broken);
-    geometry::check(spec, &mut broken);
-    layers::check(spec, &mut broken);
-    pores::check(spec, &mut broken);
-    foils::check(spec, &mut broken);
-    modes::check(spec, &mut broken);
-    drives::check(spec, &mut broken);
-    overlap::check(spec, &mut broken);
-    broken.found
+    let mut faults = ValidationFaults { found: Vec::new() };
+    reference::check(spec, &mut faults);
+    support::check(spec, &mut faults);
+    circuit::check(spec, &mut faults);
+    geometry::check(spec, &mut faults);
+    layers::check(spec, &mut faults);
+    pores::check(spec, &mut faults);
+    foils::check(spec, &mut faults);
+    modes::check(spec, &mut faults);
+    drives::check(spec, &mut faults);
+    overlap::check(spec, &mut faults);
+    faults.found
 }
 
 /// Returns the first rule that a spec violates.

@@ -3,29 +3,29 @@
 use super::ValidationFaults;
 use crate::spec::{Modal, Quantity, Reduction, Spec};
 
-pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
+pub(super) fn check(spec: &Spec, faults: &mut ValidationFaults) {
     if spec.beam.is_empty() && spec.mass.is_empty() && spec.modal.is_empty() {
         let text =
             || "there is no structure; add [beam.NAME], [mass.NAME] or [modal.NAME]".to_owned();
-        broken.push(|| super::NO_STRUCTURE.to_owned(), text);
+        faults.push(|| super::NO_STRUCTURE.to_owned(), text);
     }
     for (name, modal) in &spec.modal {
-        check_lists(name, modal, broken);
+        check_lists(name, modal, faults);
     }
-    check_damping(spec, broken);
-    check_count(spec, broken);
+    check_damping(spec, faults);
+    check_count(spec, faults);
     let run = &spec.run;
     if run.average_over_s > run.duration_s {
         let [window, duration] =
             [run.average_over_s, run.duration_s].map(|time| Quantity::Time.write(time));
-        broken.push(
+        faults.push(
             || "run.average_over".to_owned(),
             || format!("is {window}; it must be at most run.duration = {duration}"),
         );
     }
 }
 
-fn check_lists(name: &str, modal: &Modal, broken: &mut ValidationFaults) {
+fn check_lists(name: &str, modal: &Modal, faults: &mut ValidationFaults) {
     let modes = modal.frequency_hz.len();
     let pairs = modal.frequency_hz.windows(2).enumerate();
     if let Some((index, pair)) = pairs.into_iter().find(|(_, pair)| pair[0] > pair[1]) {
@@ -37,7 +37,7 @@ fn check_lists(name: &str, modal: &Modal, broken: &mut ValidationFaults) {
                 pair[0]
             )
         };
-        broken.push(|| format!("modal.{name}.frequency_hz"), text);
+        faults.push(|| format!("modal.{name}.frequency_hz"), text);
     }
     let mut check = |key: &dyn Fn() -> String, list: &[f64]| {
         if modes > 0 && !list.is_empty() && list.len() != modes {
@@ -47,7 +47,7 @@ fn check_lists(name: &str, modal: &Modal, broken: &mut ValidationFaults) {
                     numbers(list.len())
                 )
             };
-            broken.push(key, text);
+            faults.push(key, text);
         }
     };
     check(
@@ -70,14 +70,14 @@ fn check_lists(name: &str, modal: &Modal, broken: &mut ValidationFaults) {
 }
 
 /// Every retained mode needs a damping ratio, given with its mass or here.
-fn check_damping(spec: &Spec, broken: &mut ValidationFaults) {
+fn check_damping(spec: &Spec, faults: &mut ValidationFaults) {
     if spec.beam.is_empty() || spec.damping.beyond.is_some() {
         return;
     }
     let damped = damped_elsewhere(spec);
-    let (kept, given) = (spec.reduction.modes, spec.damping.ratios.len());
-    let wanted = kept.saturating_sub(damped);
-    if given < wanted {
+    let (modes, ratios) = (spec.reduction.modes, spec.damping.ratios.len());
+    let expected = modes.saturating_sub(damped);
+    if ratios < expected {
         let except = if damped == 0 {
             String::new()
         } else {
@@ -85,32 +85,32 @@ fn check_damping(spec: &Spec, broken: &mut ValidationFaults) {
         };
         let text = || {
             format!(
-                "has {}, but {kept} modes are retained{except}, so {wanted} are required; \
+                "has {}, but {modes} modes are retained{except}, so {expected} are required; \
                  add ratios, set `beyond` for the others, or lower reduction.modes",
-                numbers(given)
+                numbers(ratios)
             )
         };
-        broken.push(|| "damping.ratios".to_owned(), text);
+        faults.push(|| "damping.ratios".to_owned(), text);
     }
 }
 
 /// Without beams the number of modes is known. The default number never exceeds it.
-fn check_count(spec: &Spec, broken: &mut ValidationFaults) {
-    let there = damped_elsewhere(spec);
+fn check_count(spec: &Spec, faults: &mut ValidationFaults) {
+    let elsewhere = damped_elsewhere(spec);
     let has_hole = spec
         .modal
         .values()
         .any(|modal| modal.frequency_hz.is_empty());
-    let wanted = spec.reduction.modes;
+    let expected = spec.reduction.modes;
     if spec.beam.is_empty()
-        && there > 0
+        && elsewhere > 0
         && !has_hole
-        && wanted > there
-        && wanted != Reduction::default().modes
+        && expected > elsewhere
+        && expected != Reduction::default().modes
     {
-        broken.push(
+        faults.push(
             || "reduction.modes".to_owned(),
-            || format!("is {wanted}; it must not exceed the {there} modes of the structure"),
+            || format!("is {expected}; it must not exceed the {elsewhere} modes of the structure"),
         );
     }
 }

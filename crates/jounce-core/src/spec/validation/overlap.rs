@@ -15,7 +15,7 @@ use crate::spec::{Quantity, Side, Spec, Start, Stop, StopLaw};
 /// digits.
 const DEPTH_ROUNDOFF: f64 = 1e-3;
 
-pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
+pub(super) fn check(spec: &Spec, faults: &mut ValidationFaults) {
     let one_sided = |stop: &Stop| !matches!(stop.law, StopLaw::Cubic { .. });
     for (name, stop) in spec
         .stop
@@ -24,7 +24,7 @@ pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
     {
         let free = [&stop.at, &stop.frame].map(|point| free_below(spec, point));
         let Some(mass) = free[0].or(free[1]).filter(|_| free[0] != free[1]) else {
-            check_held(spec, (name, stop), broken);
+            check_inside_at_rest(spec, (name, stop), faults);
             continue;
         };
         // Under gravity, other starts than rest place the bodies elsewhere: a sagging beam makes
@@ -40,26 +40,26 @@ pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
             } else {
                 "0".to_owned()
             };
-            let why = if most_m > 0.0 {
+            let reason = if most_m > 0.0 {
                 " deeper than weight allows"
             } else {
                 ""
             };
             let text = || {
                 format!(
-                    "is {gap}: at rest the free mass \"{}\" would penetrate the stop{why}; give at least {least}",
+                    "is {gap}: at rest the free mass \"{}\" would penetrate the stop{reason}; give at least {least}",
                     clip(mass)
                 )
             };
-            broken.push(|| format!("stop.{name}.gap"), text);
+            faults.push(|| format!("stop.{name}.gap"), text);
         }
     }
-    check_facing(spec, broken);
+    check_facing(spec, faults);
 }
 
 /// Refuses a supported point that lies inside a rigid stop at rest, since a run from rest cannot
 /// start there. For two different bases this is checked at placement.
-fn check_held(spec: &Spec, (name, stop): (&str, &Stop), broken: &mut ValidationFaults) {
+fn check_inside_at_rest(spec: &Spec, (name, stop): (&str, &Stop), faults: &mut ValidationFaults) {
     let is_rigid = matches!(stop.law, StopLaw::Rigid { .. });
     if is_rigid
         && spec.run.start == Start::Rest
@@ -72,12 +72,12 @@ fn check_held(spec: &Spec, (name, stop): (&str, &Stop), broken: &mut ValidationF
                 clip(&stop.at)
             )
         };
-        broken.push(|| format!("stop.{name}.gap"), text);
+        faults.push(|| format!("stop.{name}.gap"), text);
     }
 }
 
 /// Two rigid stops on the two sides of one point must not overlap.
-fn check_facing(spec: &Spec, broken: &mut ValidationFaults) {
+fn check_facing(spec: &Spec, faults: &mut ValidationFaults) {
     let rigid = |stop: &Stop| matches!(stop.law, StopLaw::Rigid { .. });
     let upper = spec
         .stop
@@ -101,7 +101,7 @@ fn check_facing(spec: &Spec, broken: &mut ValidationFaults) {
                         clip(other)
                     )
                 };
-                broken.push(|| format!("stop.{name}.gap"), text);
+                faults.push(|| format!("stop.{name}.gap"), text);
             }
         }
     }
@@ -127,7 +127,7 @@ fn pressed_m(spec: &Spec, stop: &Stop, free: [Option<&str>; 2]) -> f64 {
     let presses = match free {
         [Some(_), None] => towards > 0.0,
         [None, Some(_)] => towards < 0.0,
-        [Some(mass), _] => carried(spec).contains(mass),
+        [Some(mass), _] => carried_bodies(spec).contains(mass),
         [None, None] => true,
     };
     let weight_n = acceleration_m_s2.abs() * free_mass_kg(spec);
@@ -141,20 +141,20 @@ fn pressed_m(spec: &Spec, stop: &Stop, free: [Option<&str>; 2]) -> f64 {
 }
 
 /// Returns the free masses that rest on a supported body, directly or through other free masses.
-fn carried(spec: &Spec) -> BTreeSet<&str> {
-    let mut carried = BTreeSet::new();
+fn carried_bodies(spec: &Spec) -> BTreeSet<&str> {
+    let mut bodies = BTreeSet::new();
     for _ in 0..spec.mass.len() {
         for stop in spec.stop.values() {
             let free = [&stop.at, &stop.frame].map(|point| free_below(spec, point));
             if free
                 .iter()
-                .any(|mass| mass.is_none_or(|mass| carried.contains(mass)))
+                .any(|mass| mass.is_none_or(|mass| bodies.contains(mass)))
             {
-                carried.extend(free.into_iter().flatten());
+                bodies.extend(free.into_iter().flatten());
             }
         }
     }
-    carried
+    bodies
 }
 
 /// Returns the mass of all unsupported bodies, kg.

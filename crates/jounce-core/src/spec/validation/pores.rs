@@ -6,7 +6,7 @@ use crate::material;
 use crate::spec::nearest::clip;
 use crate::spec::{Patch, PatchPores, PoreShape, Spec};
 
-pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
+pub(super) fn check(spec: &Spec, faults: &mut ValidationFaults) {
     for (name, patch) in &spec.patch {
         match patch.pores.porosity {
             // Reported already: spheroids without their aspect ratio.
@@ -14,7 +14,7 @@ pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
                 if patch.pores.shape == PoreShape::Spheroids
                     && patch.pores.aspect_ratio.is_none() => {}
             Some(porosity) if (0.0..1.0).contains(&porosity) => {
-                check_composite(name, patch, porosity, broken)
+                check_composite(name, patch, porosity, faults)
             }
             // Reported already: a value outside its range.
             Some(_) => {}
@@ -23,14 +23,14 @@ pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
                     "is missing; the shape of the pores and the scheme have no effect without it"
                         .to_owned()
                 };
-                broken.push(|| format!("patch.{name}.porosity"), text);
+                faults.push(|| format!("patch.{name}.porosity"), text);
             }
             None => {}
         }
     }
 }
 
-fn check_composite(name: &str, patch: &Patch, porosity: f64, broken: &mut ValidationFaults) {
+fn check_composite(name: &str, patch: &Patch, porosity: f64, faults: &mut ValidationFaults) {
     let key = || format!("patch.{name}.porosity");
     if material::full_constants(&patch.material).is_none() {
         let known = material::LIBRARY
@@ -47,7 +47,7 @@ fn check_composite(name: &str, patch: &Patch, porosity: f64, broken: &mut Valida
                 clip(&patch.material)
             )
         };
-        return broken.push(key, text);
+        return faults.push(key, text);
     }
     let Some(composite) = patch.pores.composite else {
         let text = || {
@@ -55,9 +55,9 @@ fn check_composite(name: &str, patch: &Patch, porosity: f64, broken: &mut Valida
                 "is {porosity}, at which the scheme predicts no stiffness; lower it, or set porosity_scheme = \"mori-tanaka\""
             )
         };
-        return broken.push(key, text);
+        return faults.push(key, text);
     };
-    let given = [
+    let inputs = [
         (
             "youngs_modulus",
             patch.youngs_modulus_pa != composite.youngs_modulus_pa,
@@ -78,10 +78,10 @@ fn check_composite(name: &str, patch: &Patch, porosity: f64, broken: &mut Valida
                 .is_some_and(|permittivity| permittivity != composite.permittivity_f_m),
         ),
     ];
-    for (constant, _) in given.into_iter().filter(|(_, differs)| *differs) {
+    for (constant, _) in inputs.into_iter().filter(|(_, differs)| *differs) {
         let text = || {
             "does not apply with `porosity`, which sets all constants of the patch; omit one of the two".to_owned()
         };
-        broken.push(|| format!("patch.{name}.{constant}"), text);
+        faults.push(|| format!("patch.{name}.{constant}"), text);
     }
 }

@@ -6,12 +6,12 @@ use super::ValidationFaults;
 use crate::spec::nearest::{clip, did_you_mean, join_words};
 use crate::spec::{GROUND, Spec};
 
-pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
-    check_names(spec, broken);
+pub(super) fn check(spec: &Spec, faults: &mut ValidationFaults) {
+    check_names(spec, faults);
     for (name, patch) in &spec.patch {
         if !patch.on.is_empty() && !spec.beam.contains_key(&patch.on) {
             let beams = || spec.beam.keys().map(String::as_str);
-            broken.push(
+            faults.push(
                 || format!("patch.{name}.on"),
                 || unknown("beam", &patch.on, "beams", beams),
             );
@@ -20,7 +20,7 @@ pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
     for (name, layer) in &spec.layer {
         if !layer.on.is_empty() && !spec.beam.contains_key(&layer.on) {
             let beams = || spec.beam.keys().map(String::as_str);
-            broken.push(
+            faults.push(
                 || format!("layer.{name}.on"),
                 || unknown("beam", &layer.on, "beams", beams),
             );
@@ -40,7 +40,7 @@ pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
             || format!("drive.{name}.at"),
             &drive.at,
             false,
-            broken,
+            faults,
         );
     }
     for (name, stop) in &spec.stop {
@@ -50,7 +50,7 @@ pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
             || format!("stop.{name}.at"),
             &stop.at,
             false,
-            broken,
+            faults,
         );
         check_point(
             spec,
@@ -58,10 +58,10 @@ pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
             || format!("stop.{name}.frame"),
             &stop.frame,
             true,
-            broken,
+            faults,
         );
         if !stop.at.is_empty() && stop.at == stop.frame {
-            broken.push(
+            faults.push(
                 || format!("stop.{name}.frame"),
                 || {
                     format!(
@@ -74,7 +74,7 @@ pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
     }
 }
 
-fn check_names(spec: &Spec, broken: &mut ValidationFaults) {
+fn check_names(spec: &Spec, faults: &mut ValidationFaults) {
     for name in spec
         .modal
         .keys()
@@ -86,23 +86,23 @@ fn check_names(spec: &Spec, broken: &mut ValidationFaults) {
                 clip(name)
             )
         };
-        broken.push(|| format!("modal.{name}"), text);
+        faults.push(|| format!("modal.{name}"), text);
     }
-    for taken in [GROUND, "nothing"]
+    for reserved in [GROUND, "nothing"]
         .into_iter()
         .filter(|name| spec.mass.contains_key(*name))
     {
         let text = || {
             format!(
-                "the name \"{taken}\" is reserved{}; choose another",
-                if taken == GROUND {
+                "the name \"{reserved}\" is reserved{}; choose another",
+                if reserved == GROUND {
                     " for the ground"
                 } else {
                     ""
                 }
             )
         };
-        broken.push(|| format!("mass.{taken}"), text);
+        faults.push(|| format!("mass.{reserved}"), text);
     }
     for (name, beam) in &spec.beam {
         for end in ["root", "end"]
@@ -115,7 +115,7 @@ fn check_names(spec: &Spec, broken: &mut ValidationFaults) {
                     clip(name)
                 )
             };
-            broken.push(|| format!("beam.{name}.point.{end}"), text);
+            faults.push(|| format!("beam.{name}.point.{end}"), text);
         }
     }
 }
@@ -126,12 +126,12 @@ fn check_point<F: FnOnce() -> Vec<String>>(
     key: impl FnOnce() -> String,
     point: &str,
     ground: bool,
-    broken: &mut ValidationFaults,
+    faults: &mut ValidationFaults,
 ) {
     if point.is_empty()
         || has_point(spec, point)
         || (ground && spec.is_base(point))
-        || broken.is_full()
+        || faults.is_full()
     {
         return;
     }
@@ -142,7 +142,7 @@ fn check_point<F: FnOnce() -> Vec<String>>(
             .filter(|_| ground)
             .chain(points.iter().map(String::as_str))
     };
-    broken.push(key, || {
+    faults.push(key, || {
         unknown("point or mass", point, "points and masses", words)
     });
 }
@@ -196,17 +196,20 @@ pub(super) fn patches(spec: &Spec) -> Vec<String> {
 }
 
 pub(super) fn unknown<'n, I: Iterator<Item = &'n str>>(
-    what: &str,
+    noun: &str,
     name: &str,
     many: &str,
     known: impl Fn() -> I,
 ) -> String {
-    let meant = did_you_mean(name, known());
-    let there = join_words(known());
-    let there = if there.is_empty() {
+    let suggestion = did_you_mean(name, known());
+    let listed = join_words(known());
+    let listed = if listed.is_empty() {
         format!("this spec has no {many}")
     } else {
-        format!("{many} here: {there}")
+        format!("{many} here: {listed}")
     };
-    format!("there is no {what} \"{}\"{meant}; {there}", clip(name))
+    format!(
+        "there is no {noun} \"{}\"{suggestion}; {listed}",
+        clip(name)
+    )
 }

@@ -11,42 +11,42 @@ use crate::spec::{Beam, GROUND, Mass, Spec, Start};
 
 const NO_SUPPORT: &str = "nothing";
 
-pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
+pub(super) fn check(spec: &Spec, faults: &mut ValidationFaults) {
     // Listed once, and only if there is a fault.
-    let places = LazyCell::new(|| places(spec));
+    let supports = LazyCell::new(|| support_names(spec));
     for (name, beam) in &spec.beam {
         check_support(
             spec,
-            &places,
+            &supports,
             || format!("beam.{name}.root"),
             &beam.root,
             &[GROUND],
-            broken,
+            faults,
         );
     }
     for (name, mass) in &spec.mass {
         check_support(
             spec,
-            &places,
+            &supports,
             || format!("mass.{name}.on"),
             &mass.on,
             &[GROUND, NO_SUPPORT],
-            broken,
+            faults,
         );
-        check_mass(spec, name, mass, broken);
+        check_mass(spec, name, mass, faults);
     }
-    check_cycles(spec, broken);
+    check_cycles(spec, faults);
 }
 
 fn check_support<F: FnOnce() -> Vec<String>>(
     spec: &Spec,
-    places: &LazyCell<Vec<String>, F>,
+    supports: &LazyCell<Vec<String>, F>,
     key: impl FnOnce() -> String,
     support: &str,
     words: &[&'static str],
-    broken: &mut ValidationFaults,
+    faults: &mut ValidationFaults,
 ) {
-    let there = match support.split_once('.') {
+    let hint = match support.split_once('.') {
         None => {
             support.is_empty()
                 || words.contains(&support)
@@ -58,22 +58,22 @@ fn check_support<F: FnOnce() -> Vec<String>>(
             .get(beam)
             .is_some_and(|beam| ["root", "end"].contains(&point) || beam.point.contains_key(point)),
     };
-    if !there {
+    if !hint {
         let names = || {
             words
                 .iter()
                 .copied()
                 .chain(spec.bases())
-                .chain(places.iter().map(String::as_str))
+                .chain(supports.iter().map(String::as_str))
         };
-        broken.push(key, || {
+        faults.push(key, || {
             unknown("mass or point", support, "possible supports", names)
         });
     }
 }
 
 /// Returns masses, and points of beams except their roots.
-fn places(spec: &Spec) -> Vec<String> {
+fn support_names(spec: &Spec) -> Vec<String> {
     let of_beam = |(name, beam): (&String, &Beam)| -> Vec<String> {
         beam.point
             .keys()
@@ -91,30 +91,30 @@ fn places(spec: &Spec) -> Vec<String> {
 
 /// A mass on a spring has a damping ratio; a mass without a spring is free or fixed to a mass or a
 /// beam.
-fn check_mass(spec: &Spec, name: &str, mass: &Mass, broken: &mut ValidationFaults) {
+fn check_mass(spec: &Spec, name: &str, mass: &Mass, faults: &mut ValidationFaults) {
     let on = mass.on.as_str();
     match (mass.stiffness_n_m, mass.damping_ratio) {
-        (None, _) if spec.is_base(on) => broken.push(
+        (None, _) if spec.is_base(on) => faults.push(
             || format!("mass.{name}"),
             || "one of `frequency` or `stiffness` is missing; a mass on the ground or another base needs a spring (on = \"nothing\" makes it free)".into(),
         ),
         (Some(_), _) if on == NO_SUPPORT => {
-            broken.push(|| format!("mass.{name}.on"), || "is \"nothing\", but the mass has a spring; remove the spring, or name its support".into())
+            faults.push(|| format!("mass.{name}.on"), || "is \"nothing\", but the mass has a spring; remove the spring, or name its support".into())
         }
         (Some(_), None) => {
-            broken.push(|| format!("mass.{name}"), || "`damping_ratio` is missing; expected a plain number without quotes or unit".into())
+            faults.push(|| format!("mass.{name}"), || "`damping_ratio` is missing; expected a plain number without quotes or unit".into())
         }
-        (None, Some(_)) => broken.push(
+        (None, Some(_)) => faults.push(
             || format!("mass.{name}.damping_ratio"),
             || "does not apply to a mass without a spring, which has no mode of its own; give `frequency` or `stiffness` too".into(),
         ),
         _ => {}
     }
-    check_velocity(spec, name, mass, broken);
-    check_friction(spec, name, mass, broken);
+    check_velocity(spec, name, mass, faults);
+    check_friction(spec, name, mass, faults);
     let turns = mass.stiffness_n_m.is_none() && turns_with(spec, on, spec.mass.len());
     if mass.rotary_inertia_kg_m2 > 0.0 && !turns {
-        broken.push(
+        faults.push(
             || format!("mass.{name}.rotary_inertia"),
             || {
                 "has no effect: only a mass without a spring on a point of a beam rotates; omit it"
@@ -125,7 +125,7 @@ fn check_mass(spec: &Spec, name: &str, mass: &Mass, broken: &mut ValidationFault
 }
 
 /// A velocity is allowed for a free mass or a mass on a spring that carries no beam.
-fn check_velocity(spec: &Spec, name: &str, mass: &Mass, broken: &mut ValidationFaults) {
+fn check_velocity(spec: &Spec, name: &str, mass: &Mass, faults: &mut ValidationFaults) {
     if mass
         .velocity_m_s
         .is_none_or(|velocity_m_s| velocity_m_s == 0.0)
@@ -134,7 +134,7 @@ fn check_velocity(spec: &Spec, name: &str, mass: &Mass, broken: &mut ValidationF
     }
     let key = || format!("mass.{name}.velocity");
     if mass.stiffness_n_m.is_none() && mass.on != NO_SUPPORT {
-        broken.push(key, || {
+        faults.push(key, || {
             "does not apply to a mass that is fixed to its support; give it to a free mass or a mass on a spring".into()
         });
     }
@@ -149,24 +149,24 @@ fn check_velocity(spec: &Spec, name: &str, mass: &Mass, broken: &mut ValidationF
                 clip(beam)
             )
         };
-        broken.push(key, text);
+        faults.push(key, text);
     }
     if matches!(spec.run.start, Start::State(_)) {
-        broken.push(key, || "has no effect: the state file of run.start contains the velocities; omit one of the two".into());
+        faults.push(key, || "has no effect: the state file of run.start contains the velocities; omit one of the two".into());
     }
 }
 
 /// Friction is allowed for a free mass that carries no moving element.
-fn check_friction(spec: &Spec, name: &str, mass: &Mass, broken: &mut ValidationFaults) {
+fn check_friction(spec: &Spec, name: &str, mass: &Mass, faults: &mut ValidationFaults) {
     if mass.friction_n_s_m.is_none() {
         return;
     }
     let key = || format!("mass.{name}.friction");
     if mass.stiffness_n_m.is_some() {
-        broken
+        faults
             .push(key, || "does not apply to a mass on a spring, whose loss is set by `damping_ratio`; omit `friction`".into());
     } else if mass.on != NO_SUPPORT && !mass.on.is_empty() {
-        broken.push(key, || "is for a free mass that moves in a channel; set on = \"nothing\", or omit `friction`".into());
+        faults.push(key, || "is for a free mass that moves in a channel; set on = \"nothing\", or omit `friction`".into());
     }
     let beams = spec
         .beam
@@ -176,7 +176,7 @@ fn check_friction(spec: &Spec, name: &str, mass: &Mass, broken: &mut ValidationF
         .mass
         .iter()
         .filter(|(_, other)| other.stiffness_n_m.is_some())
-        .map(|(other, own)| (format!("mass.{other}"), &own.on));
+        .map(|(other, other_mass)| (format!("mass.{other}"), &other_mass.on));
     if let Some((other, _)) = beams
         .chain(sprung)
         .find(|(_, support)| spec.is_fixed_to(support, name))
@@ -187,7 +187,7 @@ fn check_friction(spec: &Spec, name: &str, mass: &Mass, broken: &mut ValidationF
                 clip(&other)
             )
         };
-        broken.push(key, text);
+        faults.push(key, text);
     }
 }
 
@@ -203,7 +203,7 @@ fn turns_with(spec: &Spec, support: &str, depth: usize) -> bool {
 }
 
 /// Follows every support downwards; a loop is reported once, at its first name.
-fn check_cycles(spec: &Spec, broken: &mut ValidationFaults) {
+fn check_cycles(spec: &Spec, faults: &mut ValidationFaults) {
     let below = |(is_beam, name): (bool, &str)| -> Option<(bool, String)> {
         let support = if is_beam {
             &spec.beam.get(name)?.root
@@ -245,7 +245,7 @@ fn check_cycles(spec: &Spec, broken: &mut ValidationFaults) {
                     .map(|(_, name)| clip(name))
                     .collect::<Vec<_>>()
                     .join(" on ");
-                broken.push(
+                faults.push(
                     || key,
                     || {
                         format!(

@@ -23,18 +23,18 @@ pub(super) struct Couplings(Option<Vec<Vec<f64>>>);
 
 impl Couplings {
     /// Computes the couplings of another map in the eigenvectors of a map with these multipliers.
-    pub fn of(values: &[c64], [own, other]: [(&Mat<f64>, &Option<Eigenbasis>); 2]) -> Self {
-        let tied = own
+    pub fn of(values: &[c64], [eigenvalues, other]: [(&Mat<f64>, &Option<Eigenbasis>); 2]) -> Self {
+        let tied = eigenvalues
             .1
             .as_ref()
             .zip(other.1.as_ref())
-            .and_then(|(basis, beyond)| basis.couplings(own.0, (beyond, other.0)));
-        let Some((own, tied)) = tied else {
+            .and_then(|(basis, beyond)| basis.couplings(eigenvalues.0, (beyond, other.0)));
+        let Some((eigenvalues, tied)) = tied else {
             return Self(None);
         };
         let mut all = vec![vec![0.0; values.len()]; values.len()];
-        let pairs = paired(values.len(), own.len(), |i, k| {
-            (values[i] - own[k]).norm_sqr()
+        let pairs = paired(values.len(), eigenvalues.len(), |i, k| {
+            (values[i] - eigenvalues[k]).norm_sqr()
         });
         for (i, k) in &pairs {
             for (j, l) in &pairs {
@@ -93,9 +93,9 @@ fn may_meet(ends: [StepEnd; 2], one: (usize, usize), two: (usize, usize)) -> boo
     let [a, b] = ends;
     let rate = |end: StepEnd, i: usize| (end.change(i) / end.value(i)).im;
     let turn = |(i, j): (usize, usize)| {
-        let whole = (b.value(j) / a.value(i)).arg();
-        let led = 0.5 * (rate(a, i) + rate(b, j));
-        whole + TAU * ((led - whole) / TAU).round()
+        let principal_angle = (b.value(j) / a.value(i)).arg();
+        let mean_rate = 0.5 * (rate(a, i) + rate(b, j));
+        principal_angle + TAU * ((mean_rate - principal_angle) / TAU).round()
     };
     let from = (a.value(one.0) / a.value(two.0)).arg();
     let to = from + turn(one) - turn(two);

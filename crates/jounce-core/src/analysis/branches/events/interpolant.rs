@@ -128,17 +128,17 @@ fn halves<const N: usize>(coefficients: [f64; N]) -> [[f64; N]; 2] {
 
 /// Counts the crossings on consecutive pieces, between two ends of known signs.
 fn counted(first: bool, last: bool, pieces: &[InterpolantPiece]) -> Option<usize> {
-    let (mut sign, mut count, mut way) = (first, 0, None);
+    let (mut sign, mut count, mut direction) = (first, 0, None);
     for piece in pieces.iter().chain([&InterpolantPiece::Sign(last)]) {
-        match (*piece, way) {
+        match (*piece, direction) {
             (InterpolantPiece::Open, _) => return None,
-            (InterpolantPiece::Monotone(rises), None) => way = Some(rises),
+            (InterpolantPiece::Monotone(rises), None) => direction = Some(rises),
             (InterpolantPiece::Monotone(rises), Some(before)) if rises == before => {}
             // The function turns where its sign is unknown.
             (InterpolantPiece::Monotone(_), Some(_)) => return None,
             (InterpolantPiece::Sign(now), _) => {
                 count += usize::from(now != sign);
-                (sign, way) = (now, None);
+                (sign, direction) = (now, None);
             }
         }
     }
@@ -163,21 +163,24 @@ mod tests {
     /// `e - (s - 0.4)^2`, two zeros `2 sqrt(e)` apart: found where they are separate, never missed
     /// however near they are.
     #[test]
-    fn a_pair_of_crossings_is_never_taken_for_none() {
+    fn close_pairs_of_zeros_are_detected() {
         for power in 1..14 {
-            let apart = 10.0_f64.powi(-power);
+            let distance = 10.0_f64.powi(-power);
             let pair = of(
-                |s| apart - (s - 0.4) * (s - 0.4),
+                |s| distance - (s - 0.4) * (s - 0.4),
                 |s| -2.0 * (s - 0.4),
                 (0.0, 1.0),
             );
-            assert_ne!(pair.crossings(), Some(0), "{apart:e}");
+            assert_ne!(pair.crossings(), Some(0), "{distance:e}");
             let half = of(
-                |s| apart - (s - 0.4) * (s - 0.4),
+                |s| distance - (s - 0.4) * (s - 0.4),
                 |s| -2.0 * (s - 0.4),
                 (0.5, 1.0),
             );
-            assert!(half.crossings().is_none_or(|count| count < 2), "{apart:e}");
+            assert!(
+                half.crossings().is_none_or(|count| count < 2),
+                "{distance:e}"
+            );
         }
         let far = of(
             |s| -1.0 - (s - 0.4) * (s - 0.4),
@@ -189,7 +192,7 @@ mod tests {
 
     /// Comparison with 4000 samples of polynomials and waves: proved results hold.
     #[test]
-    fn what_is_proved_agrees_with_samples() {
+    fn proofs_agree_with_samples() {
         let mut proved = 0;
         for k in 0..2000 {
             let unit = |j: u32| (f64::from(k * 7 + j) * 0.618_033_988_749_895).fract() * 2.0 - 1.0;
@@ -217,12 +220,12 @@ mod tests {
     fn every_zero_of_a_pair_is_found_or_not_proved() {
         for k in 0..400_u32 {
             let unit = |j: u32| (f64::from(k * 5 + j) * 0.618_033_988_749_895).fract();
-            let (first, second, apart) = (
+            let (first, second, distance) = (
                 0.1 + 0.3 * unit(1),
                 0.6 + 0.3 * unit(2),
                 10.0_f64.powf(-1.0 - 6.0 * unit(3)),
             );
-            let zeros = [first, first + apart, second];
+            let zeros = [first, first + distance, second];
             let value = |s: f64| zeros.iter().map(|z| s - z).product::<f64>();
             let slope = |s: f64| {
                 (0..3)
@@ -234,21 +237,21 @@ mod tests {
                     })
                     .sum::<f64>()
             };
-            let (mut steps, mut found, mut open) = (vec![(0.0, 1.0)], 0, 0);
+            let (mut steps, mut zeros_found, mut open) = (vec![(0.0, 1.0)], 0, 0);
             while let Some((from, to)) = steps.pop() {
                 let inside = zeros.iter().filter(|z| (from..to).contains(*z)).count();
                 match of(value, slope, (from, to)).crossings() {
                     Some(count) if count < 2 => {
                         assert_eq!(count, inside, "{from} {to} {zeros:?}");
-                        found += count;
+                        zeros_found += count;
                     }
                     _ if to - from < 1.5 / 1024.0 => open += inside,
                     _ => steps.extend([(from, 0.5 * (from + to)), (0.5 * (from + to), to)]),
                 }
             }
-            assert_eq!(found + open, 3, "{zeros:?}");
+            assert_eq!(zeros_found + open, 3, "{zeros:?}");
             // Zeros a few shortest steps apart are found.
-            assert!(apart < 4e-3 || open == 0, "{zeros:?}");
+            assert!(distance < 4e-3 || open == 0, "{zeros:?}");
         }
     }
 

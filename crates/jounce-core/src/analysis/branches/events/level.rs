@@ -26,12 +26,16 @@ impl QuantityLevel {
         let allowed = || format!("{text}: {}", choices(plant));
         let (name, value_text) = text.split_once('=').ok_or_else(allowed)?;
         let (kind, of) = name.trim().split_once('.').unwrap_or((name.trim(), ""));
-        let patch = plant.system.modes.patch.keys().position(|own| own == of);
-        let stop = plant
+        let patch = plant
             .system
-            .stops
-            .iter()
-            .position(|own| own.name == of && !matches!(own.law, Law::Rigid(_)));
+            .modes
+            .patch
+            .keys()
+            .position(|candidate| candidate == of);
+        let stop =
+            plant.system.stops.iter().position(|candidate| {
+                candidate.name == of && !matches!(candidate.law, Law::Rigid(_))
+            });
         let (quantity, unit) = match (kind, patch, stop) {
             ("mean_power", ..) if of.is_empty() => {
                 (OrbitQuantity::MeanPower, Some(Quantity::Power))
@@ -65,8 +69,8 @@ impl QuantityLevel {
     }
 
     /// Returns the difference of the quantity of an orbit from the level, relative to the level.
-    pub(in crate::analysis) fn off(&self, shot: &ShootingEvaluation) -> f64 {
-        self.quantity.of(shot) / self.value - 1.0
+    pub(in crate::analysis) fn relative_difference(&self, evaluation: &ShootingEvaluation) -> f64 {
+        self.quantity.of(evaluation) / self.value - 1.0
     }
 }
 

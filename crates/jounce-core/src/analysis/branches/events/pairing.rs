@@ -9,11 +9,11 @@ pub fn paired(from: usize, to: usize, cost: impl Fn(usize, usize) -> f64) -> Vec
         .collect();
     costs.retain(|(cost, ..)| cost.is_finite());
     costs.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let (mut taken_from, mut taken_to) = (vec![false; from], vec![false; to]);
+    let (mut used_from, mut used_to) = (vec![false; from], vec![false; to]);
     let mut pairs = Vec::with_capacity(from.min(to));
     for (_, i, j) in costs {
-        if !taken_from[i] && !taken_to[j] {
-            (taken_from[i], taken_to[j]) = (true, true);
+        if !used_from[i] && !used_to[j] {
+            (used_from[i], used_to[j]) = (true, true);
             pairs.push((i, j));
         }
     }

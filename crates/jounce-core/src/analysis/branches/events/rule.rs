@@ -37,19 +37,19 @@ pub struct NotProved {
 
 impl NotProved {
     /// Adds an interval to a list, or extends the previous one of the same kind.
-    fn add(list: &mut Vec<Self>, event: BranchKind, [from, to]: [f64; 2], why: &str) {
+    fn add(list: &mut Vec<Self>, event: BranchKind, [from, to]: [f64; 2], reason: &str) {
         match list
             .iter_mut()
             .rev()
             .find(|known| known.event == event)
-            .filter(|known| known.to == from && known.why == why)
+            .filter(|known| known.to == from && known.why == reason)
         {
             Some(known) => known.to = to,
             None => list.push(Self {
                 event,
                 from,
                 to,
-                why: why.to_owned(),
+                why: reason.to_owned(),
             }),
         }
     }
@@ -85,41 +85,42 @@ impl BranchTracer {
         points: &mut u32,
         not_proved: &mut Vec<NotProved>,
     ) -> Result<Vec<OrbitPoint<M>>, M::Error> {
-        let doubts = self.doubts(method, before, &after);
-        if doubts.is_empty() {
+        let unproved = self.doubts(method, before, &after);
+        if unproved.is_empty() {
             return Ok(vec![after]);
         }
-        let is_left = halvings > 0 && *points > 0;
-        let middle = if is_left {
+        let may_halve = halvings > 0 && *points > 0;
+        let middle = if may_halve {
             self.half_way(method, &before.step, &after.step)
         } else {
             None
         };
         let Some(middle) = middle else {
-            let why = if is_left {
+            let reason = if may_halve {
                 "no orbit was found at the midpoint of a step"
             } else {
                 "not proved on the smallest steps"
             };
-            doubts.into_iter().for_each(|event| {
+            unproved.into_iter().for_each(|event| {
                 NotProved::add(
                     not_proved,
                     event,
                     [before, &after].map(|at| at.point.parameter),
-                    why,
+                    reason,
                 )
             });
             return Ok(vec![after]);
         };
         *points -= 1;
         let middle = OrbitPoint::new(method, middle)?;
-        let mut places = self.halved(method, (before, middle), halvings - 1, points, not_proved)?;
-        if let Some(last) = places.pop() {
+        let mut orbit_points =
+            self.halved(method, (before, middle), halvings - 1, points, not_proved)?;
+        if let Some(last) = orbit_points.pop() {
             let rest = self.halved(method, (&last, after), halvings - 1, points, not_proved)?;
-            places.push(last);
-            places.extend(rest);
+            orbit_points.push(last);
+            orbit_points.extend(rest);
         }
-        Ok(places)
+        Ok(orbit_points)
     }
 
     /// Returns the point of the curve half-way between two.
@@ -130,26 +131,26 @@ impl BranchTracer {
         after: &CurvePoint<M::Evaluation>,
     ) -> Option<CurvePoint<M::Evaluation>> {
         let metric = Metric::at(&before.position, self.parameter_scale());
-        let stretch = HermiteSegment::between(
+        let segment = HermiteSegment::between(
             &metric,
             (&before.position, &before.tangent),
             (&after.position, &after.tangent),
         );
-        let ahead = metric.unit(before.position.to(&after.position));
-        let found = correct(
+        let direction = metric.unit(before.position.to(&after.position));
+        let corrected = correct(
             method,
             &self.corrector,
             &metric,
-            &ahead,
-            stretch.at(0.5 * stretch.length),
+            &direction,
+            segment.at(0.5 * segment.length),
         )
         .ok()?;
-        let ahead = tangent(&found.local, &metric, &ahead)?;
+        let direction = tangent(&corrected.local, &metric, &direction)?;
         Some(CurvePoint {
-            position: found.position,
-            tangent: ahead,
-            local: found.local,
-            error: found.error,
+            position: corrected.position,
+            tangent: direction,
+            local: corrected.local,
+            error: corrected.error,
         })
     }
 
@@ -160,7 +161,7 @@ impl BranchTracer {
         before: &OrbitPoint<M>,
         after: &OrbitPoint<M>,
     ) -> Vec<BranchKind> {
-        let mut doubts = Vec::new();
+        let mut unproved = Vec::new();
         let meets = meets_halves(&before.point.orbit, &after.point.orbit);
         if !meets
             && self
@@ -168,27 +169,27 @@ impl BranchTracer {
                 .crossings()
                 .is_none_or(|count| count > 1)
         {
-            doubts.push(BranchKind::Fold);
+            unproved.push(BranchKind::Fold);
         }
         let Some(ends) = self.ends(method, before, after) else {
-            doubts.extend([
+            unproved.extend([
                 BranchKind::PeriodDoubling,
                 BranchKind::NeimarkSacker,
                 BranchKind::Grazing,
             ]);
-            return doubts;
+            return unproved;
         };
         let [one, two] = ends.map(|end| end.readings);
         // Without contacts and switches the multipliers are those of the plant, all inside the unit
         // circle.
-        if !(one.here.is_free && two.here.is_free) {
+        if !(one.current.is_free && two.current.is_free) {
             let couplings = Self::couplings(method, before, after);
             let is_tied = |one, two| {
                 couplings
                     .as_ref()
                     .is_none_or(|couplings| may_push_out(ends, couplings, one, two))
             };
-            doubts.extend(
+            unproved.extend(
                 doubtful_multipliers(ends, is_tied)
                     .into_iter()
                     .filter(|kind| !(meets && *kind == BranchKind::BranchPoint)),
@@ -196,16 +197,16 @@ impl BranchTracer {
         }
         let is_open = |turn: &Extremum| turn.past_m.crossings().is_none_or(|count| count > 1);
         if may_touch_unseen(ends) || extrema(ends).iter().any(is_open) {
-            doubts.push(BranchKind::Grazing);
+            unproved.push(BranchKind::Grazing);
         }
         let level = |k: usize| Interpolant {
-            values: [one, two].map(|at| at.here.levels[k]),
+            values: [one, two].map(|at| at.current.levels[k]),
             slopes: ends.map(|end| end.level(k)),
         };
         if (0..self.levels.len()).any(|k| level(k).crossings().is_none_or(|count| count > 1)) {
-            doubts.push(BranchKind::Level);
+            unproved.push(BranchKind::Level);
         }
-        doubts
+        unproved
     }
 
     /// Returns the ends of a step with the data of their test functions; `None` where these cannot
@@ -233,22 +234,22 @@ impl BranchTracer {
         before: &OrbitPoint<M>,
         after: &OrbitPoint<M>,
     ) -> Option<[Couplings; 2]> {
-        let maps = [before, after].map(|place| method.shot(&place.step.local).ok());
+        let maps = [before, after].map(|point| method.shot(&point.step.local).ok());
         let one = (&maps[0]?.block_map, before.eigenbasis(method));
         let two = (&maps[1]?.block_map, after.eigenbasis(method));
-        let of = |place: &OrbitPoint<M>, maps| Couplings::of(&place.point.orbit.multipliers, maps);
+        let of = |point: &OrbitPoint<M>, maps| Couplings::of(&point.point.orbit.multipliers, maps);
         Some([of(before, [one, two]), of(after, [two, one])])
     }
 
     /// Returns the parameter's component of the tangent, by the cubic of the parameter.
     fn turns<L>(&self, before: &CurvePoint<L>, after: &CurvePoint<L>) -> Interpolant {
         let metric = Metric::at(&before.position, self.parameter_scale());
-        let way = before.position.to(&after.position);
-        let length = metric.length(&way);
+        let chord = before.position.to(&after.position);
+        let length = metric.length(&chord);
         let rate = |step: &CurvePoint<L>| metric.unit(step.tangent.clone()).parameter * length;
         let [first, last] = [rate(before), rate(after)];
         // Bernstein coefficients of its derivative: first, middle, last.
-        let middle = 3.0 * way.parameter - first - last;
+        let middle = 3.0 * chord.parameter - first - last;
         Interpolant {
             values: [first, last],
             slopes: [2.0 * (middle - first), 2.0 * (last - middle)],
@@ -273,16 +274,16 @@ fn doubtful_multipliers(
     let is_doubtful = |kind: BranchKind, f: TestFunction| {
         let mut count = 0;
         for group in &groups {
-            let Some(own) = between(ends, group, f).crossings() else {
+            let Some(readings) = between(ends, group, f).crossings() else {
                 return true;
             };
-            let crosses = if kind == BranchKind::NeimarkSacker && own > 0 {
+            let crosses = if kind == BranchKind::NeimarkSacker && readings > 0 {
                 is_torus_crossing(ends, group)
             } else {
                 Some(true)
             };
             let Some(crosses) = crosses else { return true };
-            count += if crosses { own } else { 0 };
+            count += if crosses { readings } else { 0 };
         }
         count > 1
     };

@@ -38,7 +38,7 @@ pub(in crate::analysis::branches) struct StepEnd<'r> {
 
 impl StepEnd<'_> {
     pub fn value(&self, i: usize) -> c64 {
-        self.readings.here.multipliers[i]
+        self.readings.current.multipliers[i]
     }
 
     /// Returns the change of a multiplier over the step, by its derivative.
@@ -52,27 +52,30 @@ impl StepEnd<'_> {
     }
 
     fn count(&self) -> usize {
-        self.readings.here.multipliers.len()
+        self.readings.current.multipliers.len()
     }
 
     /// Returns the index of the conjugate.
     fn conjugate(&self, i: usize) -> usize {
         let conjugate = self.value(i).conj();
-        let off = |j: &usize| (self.value(*j) - conjugate).norm();
+        let distance = |j: &usize| (self.value(*j) - conjugate).norm();
         if conjugate.im == 0.0 {
             i
         } else {
             (0..self.count())
-                .min_by(|a, b| off(a).total_cmp(&off(b)))
+                .min_by(|a, b| distance(a).total_cmp(&distance(b)))
                 .unwrap_or(i)
         }
     }
 
     /// Returns a function of some multipliers, and its change over the step by its derivative.
-    fn of(&self, own: &[usize], f: TestFunction) -> (f64, f64) {
-        let all = |values: &[c64]| f(&own.iter().map(|i| values[*i]).collect::<Vec<_>>());
-        let here = all(&self.readings.here.multipliers);
-        (here, (all(&self.readings.multipliers) - here) * self.per())
+    fn of(&self, members: &[usize], f: TestFunction) -> (f64, f64) {
+        let all = |values: &[c64]| f(&members.iter().map(|i| values[*i]).collect::<Vec<_>>());
+        let value = all(&self.readings.current.multipliers);
+        (
+            value,
+            (all(&self.readings.multipliers) - value) * self.per(),
+        )
     }
 }
 
@@ -92,9 +95,10 @@ pub(super) fn between(
 /// True where the blocks of the group hold it inside the unit circle on the step. Their discs lie
 /// inside it at both ends, and remain inside if they change by the same amount again.
 pub(super) fn is_enclosed([a, b]: [StepEnd; 2], group: &MultiplierGroup) -> bool {
-    let radius = |end: StepEnd, own: &[usize]| {
-        own.iter()
-            .map(|i| end.readings.here.radii[*i])
+    let radius = |end: StepEnd, members: &[usize]| {
+        members
+            .iter()
+            .map(|i| end.readings.current.radii[*i])
             .fold(0.0, f64::max)
     };
     let [one, two] = [radius(a, &group.from), radius(b, &group.to)];
@@ -159,19 +163,19 @@ impl LinkedMultiplier {
 
     /// Returns the squared distance between two multipliers, each extrapolated towards the other
     /// end of the step.
-    fn off(&self, to: &Self) -> f64 {
+    fn squared_distance(&self, to: &Self) -> f64 {
         let size = self.value.norm_sqr().max(to.value.norm_sqr());
-        let way = (to.value - self.value).norm_sqr();
+        let distance = (to.value - self.value).norm_sqr();
         if size == 0.0 {
             return 0.0;
         }
-        let led = to.log - self.log - (self.half + to.half);
-        let turns = led.im - TAU * (led.im / TAU).round();
-        let off = size * (led.re * led.re + turns * turns);
+        let log_error = to.log - self.log - (self.half + to.half);
+        let turns = log_error.im - TAU * (log_error.im / TAU).round();
+        let off = size * (log_error.re * log_error.re + turns * turns);
         // Where two real multipliers meet, their derivatives are unbounded.
         let is_real = self.value.im == 0.0 || to.value.im == 0.0;
-        let off = if is_real { off.min(way) } else { off };
-        if off.is_finite() { off } else { way }
+        let off = if is_real { off.min(distance) } else { off };
+        if off.is_finite() { off } else { distance }
     }
 }
 
@@ -183,34 +187,36 @@ pub(super) fn groups(
 ) -> Vec<MultiplierGroup> {
     let [a, b] = ends;
     let (from, to) = (LinkedMultiplier::all(a), LinkedMultiplier::all(b));
-    let pairs = paired(from.len(), to.len(), |i, j| from[i].off(&to[j]));
+    let pairs = paired(from.len(), to.len(), |i, j| {
+        from[i].squared_distance(&to[j])
+    });
     // Index of the group of each pair.
     let mut group: Vec<usize> = (0..pairs.len()).collect();
     let join = |group: &mut Vec<usize>, one: usize, two: usize| {
         let (one, two) = (group[one], group[two]);
         group
             .iter_mut()
-            .filter(|own| **own == two)
-            .for_each(|own| *own = one);
+            .filter(|member| **member == two)
+            .for_each(|member| *member = one);
     };
     for (k, (i, j)) in pairs.iter().enumerate() {
-        let (beside, opposite) = (a.conjugate(*i), b.conjugate(*j));
+        let (conjugate, opposite) = (a.conjugate(*i), b.conjugate(*j));
         for (other, (i, j)) in pairs.iter().enumerate() {
-            if *i == beside || *j == opposite {
+            if *i == conjugate || *j == opposite {
                 join(&mut group, k, other);
             }
         }
     }
     let members = |group: &[usize], number: usize| {
-        let own = || {
+        let member = || {
             pairs
                 .iter()
                 .zip(group)
-                .filter(move |(_, own)| **own == number)
+                .filter(move |(_, member)| **member == number)
         };
         MultiplierGroup {
-            from: own().map(|((i, _), _)| *i).collect(),
-            to: own().map(|((_, j), _)| *j).collect(),
+            from: member().map(|((i, _), _)| *i).collect(),
+            to: member().map(|((_, j), _)| *j).collect(),
         }
     };
     // Two real multipliers may meet and separate again on the step.
@@ -253,7 +259,7 @@ mod tests {
     /// Data of multipliers at a point of a curve, and at 1e-6 ahead.
     fn at(multipliers: impl Fn(f64) -> Vec<c64>, s: f64) -> TestDataPair {
         let (turns, levels, radii) = (Vec::new(), Vec::new(), vec![2.0; multipliers(s).len()]);
-        let here = TestData {
+        let data = TestData {
             multipliers: multipliers(s),
             radii,
             turns,
@@ -263,7 +269,7 @@ mod tests {
             is_free: false,
         };
         TestDataPair {
-            here,
+            current: data,
             multipliers: multipliers(s + 1e-6),
             turns: Vec::new(),
             levels: Vec::new(),
@@ -292,9 +298,12 @@ mod tests {
             let root = c64::new(b * b - 0.9, 0.0).sqrt();
             vec![-root - b, root - b, c64::new(0.2, 0.0)]
         };
-        let (found, readings) = groups_of(pair, (0.0, 0.6));
-        let wide = found.iter().find(|group| group.from.len() == 2);
-        assert!(wide.is_some() && found.len() == 2, "{found:?}");
+        let (multiplier_groups, readings) = groups_of(pair, (0.0, 0.6));
+        let wide = multiplier_groups.iter().find(|group| group.from.len() == 2);
+        assert!(
+            wide.is_some() && multiplier_groups.len() == 2,
+            "{multiplier_groups:?}"
+        );
         let ends = readings.each_ref().map(|readings| StepEnd {
             readings,
             length: 0.6,
@@ -320,11 +329,11 @@ mod tests {
             ]
             .concat()
         };
-        let (found, _) = groups_of(both, (0.0, 1.0));
-        assert_eq!(found.len(), 2);
+        let (multiplier_groups, _) = groups_of(both, (0.0, 1.0));
+        assert_eq!(multiplier_groups.len(), 2);
         assert!(
-            found.iter().all(|group| group.from == group.to),
-            "{found:?}"
+            multiplier_groups.iter().all(|group| group.from == group.to),
+            "{multiplier_groups:?}"
         );
     }
 }

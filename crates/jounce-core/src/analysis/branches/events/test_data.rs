@@ -35,7 +35,7 @@ pub(in crate::analysis::branches) struct TestData {
 /// Data at two points near each other; the data ahead are in the order of those here.
 #[derive(Debug, Clone, PartialEq)]
 pub(in crate::analysis::branches) struct TestDataPair {
-    pub here: TestData,
+    pub current: TestData,
     /// Multipliers ahead.
     pub multipliers: Vec<c64>,
     /// Turning points ahead; `None` where one disappears on the way.
@@ -47,27 +47,34 @@ pub(in crate::analysis::branches) struct TestDataPair {
 }
 
 impl TestData {
-    fn of(shot: &ShootingEvaluation, multipliers: Vec<c64>, levels: &[QuantityLevel]) -> Self {
-        let switches = shot
+    fn of(
+        evaluation: &ShootingEvaluation,
+        multipliers: Vec<c64>,
+        levels: &[QuantityLevel],
+    ) -> Self {
+        let switches = evaluation
             .trajectories
             .iter()
             .any(|trajectory| !trajectory.changes().is_empty());
         Self {
             multipliers,
             radii: Vec::new(),
-            turns: turns(shot),
-            levels: levels.iter().map(|level| level.off(shot)).collect(),
-            period_s: shot.period_s,
-            cycles: shot.trajectories.len(),
-            is_free: shot.contacts == 0 && shot.max_penetration_m == 0.0 && !switches,
+            turns: turns(evaluation),
+            levels: levels
+                .iter()
+                .map(|level| level.relative_difference(evaluation))
+                .collect(),
+            period_s: evaluation.period_s,
+            cycles: evaluation.trajectories.len(),
+            is_free: evaluation.contacts == 0 && evaluation.max_penetration_m == 0.0 && !switches,
         }
     }
 
     /// Adds for each multiplier the radius of the disc of the nearest block.
-    fn with_radii(mut self, shot: &ShootingEvaluation) -> Self {
+    fn with_radii(mut self, evaluation: &ShootingEvaluation) -> Self {
         let discs = discs(
-            &shot.block_map,
-            shot.kernel.plant.diagonal.block.pairs.len(),
+            &evaluation.block_map,
+            evaluation.kernel.plant.diagonal.block.pairs.len(),
         );
         let pairs = paired(self.multipliers.len(), discs.len(), |i, j| {
             (self.multipliers[i] - discs[j].value).norm_sqr()
@@ -91,19 +98,20 @@ impl TestDataPair {
         parameter_scale: f64,
         levels: &[QuantityLevel],
     ) -> Option<Self> {
-        let shot = method.shot(&step.local).ok()?;
-        let here = TestData::of(shot, orbit.multipliers.clone(), levels).with_radii(shot);
+        let evaluation = method.shot(&step.local).ok()?;
+        let data =
+            TestData::of(evaluation, orbit.multipliers.clone(), levels).with_radii(evaluation);
         let metric = Metric::at(&step.position, parameter_scale);
         let unit = metric.unit(step.tangent.clone());
         let on_side = |side: f64| {
-            let length = side * SLOPE_DISTANCE * shot.tolerance().sqrt();
-            let there = step.position.moved(&unit, length);
-            let local = method.at(&there.unknown, there.parameter).ok()?;
+            let length = side * SLOPE_DISTANCE * evaluation.tolerance().sqrt();
+            let neighbour = step.position.offset_along(&unit, length);
+            let local = method.at(&neighbour.unknown, neighbour.parameter).ok()?;
             let near = method.shot(&local).ok()?;
             let reading = TestData::of(near, multipliers(&near.block_map)?, levels);
             Some((
-                near.contacts == shot.contacts,
-                Self::joined(here.clone(), &reading, length),
+                near.contacts == evaluation.contacts,
+                Self::joined(data.clone(), &reading, length),
             ))
         };
         // The flow has no derivative across a grazing on a rigid stop: the difference is taken on
@@ -118,24 +126,24 @@ impl TestDataPair {
         other
     }
 
-    fn joined(here: TestData, ahead: &TestData, length: f64) -> Self {
-        let apart = |i: usize, j: usize| (here.multipliers[i] - ahead.multipliers[j]).norm_sqr();
-        let same = paired(here.multipliers.len(), ahead.multipliers.len(), apart);
+    fn joined(data: TestData, other: &TestData, length: f64) -> Self {
+        let distance = |i: usize, j: usize| (data.multipliers[i] - other.multipliers[j]).norm_sqr();
+        let same = paired(data.multipliers.len(), other.multipliers.len(), distance);
         let multipliers = same
             .into_iter()
-            .map(|(_, j)| ahead.multipliers[j])
+            .map(|(_, j)| other.multipliers[j])
             .collect();
-        let mut turns = vec![None; here.turns.len()];
-        for (i, j) in paired(here.turns.len(), ahead.turns.len(), |i, j| {
-            way((&here, &here.turns[i]), (ahead, &ahead.turns[j])).abs()
+        let mut turns = vec![None; data.turns.len()];
+        for (i, j) in paired(data.turns.len(), other.turns.len(), |i, j| {
+            phase_shift((&data, &data.turns[i]), (other, &other.turns[j])).abs()
         }) {
-            turns[i] = Some(ahead.turns[j]);
+            turns[i] = Some(other.turns[j]);
         }
         Self {
-            here,
+            current: data,
             multipliers,
             turns,
-            levels: ahead.levels.clone(),
+            levels: other.levels.clone(),
             length,
         }
     }
@@ -143,13 +151,13 @@ impl TestDataPair {
 
 /// Returns the difference in phase between turning points of two orbits; infinite where they are of
 /// different kinds.
-pub(super) fn way(
+pub(super) fn phase_shift(
     (one, from): (&TestData, &TurningPoint),
     (two, to): (&TestData, &TurningPoint),
 ) -> f64 {
     if (from.port, from.is_maximum) != (to.port, to.is_maximum) {
         return f64::INFINITY;
     }
-    let way = two.phase(to) - one.phase(from);
-    way - way.round()
+    let phase_shift = two.phase(to) - one.phase(from);
+    phase_shift - phase_shift.round()
 }

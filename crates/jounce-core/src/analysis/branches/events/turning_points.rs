@@ -7,7 +7,7 @@
 use super::interpolant::Interpolant;
 use super::pairing::paired;
 use super::spectrum::StepEnd;
-use super::test_data::{TestData, way};
+use super::test_data::{TestData, phase_shift};
 use crate::orbit::{ShootingEvaluation, TurningPoint, turns};
 
 /// Turning point on a step.
@@ -32,27 +32,28 @@ impl Extremum {
 
     /// Returns the distance past the surface, m, of the turning point on an orbit at a fraction of
     /// the step; NaN where the orbit has no such turning point.
-    pub fn past_m(&self, shot: &ShootingEvaluation, share: f64) -> f64 {
-        let cycles = shot.trajectories.len() as f64;
+    pub fn past_m(&self, evaluation: &ShootingEvaluation, share: f64) -> f64 {
+        let cycles = evaluation.trajectories.len() as f64;
         let expected = self.phase + share * self.way;
-        let off = |turn: &TurningPoint| {
-            let off =
-                (turn.cycle as f64 + turn.time_s * cycles / shot.period_s) / cycles - expected;
-            (off - off.round()).abs()
+        let phase_error = |turn: &TurningPoint| {
+            let phase_error = (turn.cycle as f64 + turn.time_s * cycles / evaluation.period_s)
+                / cycles
+                - expected;
+            (phase_error - phase_error.round()).abs()
         };
-        let alike = turns(shot)
+        let is_same_kind = turns(evaluation)
             .into_iter()
             .filter(|turn| (turn.port, turn.is_maximum) == (self.from.port, self.from.is_maximum));
-        alike
-            .min_by(|a, b| off(a).total_cmp(&off(b)))
-            .map_or(f64::NAN, |turn| turn.refined(shot).past_m)
+        is_same_kind
+            .min_by(|a, b| phase_error(a).total_cmp(&phase_error(b)))
+            .map_or(f64::NAN, |turn| turn.refined(evaluation).past_m)
     }
 }
 
 /// Returns the turning points that both ends of a step have.
 pub(in crate::analysis::branches) fn extrema(ends: [StepEnd; 2]) -> Vec<Extremum> {
     let [a, b] = ends;
-    let (from, to) = (&a.readings.here, &b.readings.here);
+    let (from, to) = (&a.readings.current, &b.readings.current);
     let joined = |(i, j): (usize, usize)| Extremum {
         past_m: Interpolant {
             values: [from.turns[i].past_m, to.turns[j].past_m],
@@ -60,7 +61,7 @@ pub(in crate::analysis::branches) fn extrema(ends: [StepEnd; 2]) -> Vec<Extremum
         },
         from: from.turns[i],
         phase: from.phase(&from.turns[i]),
-        way: way((from, &from.turns[i]), (to, &to.turns[j])),
+        way: phase_shift((from, &from.turns[i]), (to, &to.turns[j])),
     };
     pairs(ends).into_iter().map(joined).collect()
 }
@@ -68,27 +69,27 @@ pub(in crate::analysis::branches) fn extrema(ends: [StepEnd; 2]) -> Vec<Extremum
 /// True where a turning point that may have touched its stop appears or disappears on a step.
 pub(super) fn may_touch_unseen(ends: [StepEnd; 2]) -> bool {
     let pairs = pairs(ends);
-    let is_alone = |side: usize, k: usize| !pairs.iter().any(|pair| [pair.0, pair.1][side] == k);
+    let is_unpaired = |side: usize, k: usize| !pairs.iter().any(|pair| [pair.0, pair.1][side] == k);
     ends.iter().enumerate().any(|(side, end)| {
-        let turns = &end.readings.here.turns;
+        let turns = &end.readings.current.turns;
         // It may move by twice the change given by its derivative.
         let stays = |k: usize| turns[k].past_m.abs() >= 2.0 * end.fall_m(k).abs();
-        (0..turns.len()).any(|k| is_alone(side, k) && !stays(k))
+        (0..turns.len()).any(|k| is_unpaired(side, k) && !stays(k))
     })
 }
 
 fn pairs(ends: [StepEnd; 2]) -> Vec<(usize, usize)> {
-    let [from, to] = ends.map(|end| &end.readings.here);
+    let [from, to] = ends.map(|end| &end.readings.current);
     let [near, far] = [from, to].map(|reading| {
         (0..reading.turns.len())
             .map(|k| to_neighbour(reading, k))
             .collect::<Vec<f64>>()
     });
     paired(near.len(), far.len(), |i, j| {
-        let off = off(ends, (i, j));
+        let mismatch = phase_difference(ends, (i, j));
         // A turning point cannot pass its neighbours.
-        if off < near[i].min(far[j]) {
-            off
+        if mismatch < near[i].min(far[j]) {
+            mismatch
         } else {
             f64::INFINITY
         }
@@ -98,48 +99,50 @@ fn pairs(ends: [StepEnd; 2]) -> Vec<(usize, usize)> {
 /// Returns the phase difference from a turning point to the nearest one of the other kind at its
 /// port; infinite without one.
 fn to_neighbour(reading: &TestData, k: usize) -> f64 {
-    let own = &reading.turns[k];
+    let this = &reading.turns[k];
     let neighbours = reading
         .turns
         .iter()
-        .filter(|turn| turn.port == own.port && turn.is_maximum != own.is_maximum);
+        .filter(|turn| turn.port == this.port && turn.is_maximum != this.is_maximum);
     let away = neighbours
-        .map(|turn| reading.phase(turn) - reading.phase(own))
+        .map(|turn| reading.phase(turn) - reading.phase(this))
         .map(|away| (away - away.round()).abs());
     away.fold(f64::INFINITY, f64::min)
 }
 
 /// Returns the phase difference between two turning points, each extrapolated towards the other end
 /// of the step.
-fn off([a, b]: [StepEnd; 2], (i, j): (usize, usize)) -> f64 {
-    let (from, to) = (&a.readings.here, &b.readings.here);
-    let way = way((from, &from.turns[i]), (to, &to.turns[j]));
-    (way - 0.5 * (a.turn(i) + b.turn(j))).abs().min(way.abs())
+fn phase_difference([a, b]: [StepEnd; 2], (i, j): (usize, usize)) -> f64 {
+    let (from, to) = (&a.readings.current, &b.readings.current);
+    let phase_shift = phase_shift((from, &from.turns[i]), (to, &to.turns[j]));
+    (phase_shift - 0.5 * (a.turn(i) + b.turn(j)))
+        .abs()
+        .min(phase_shift.abs())
 }
 
 impl StepEnd<'_> {
-    fn ahead(&self, k: usize) -> Option<(&TurningPoint, TurningPoint)> {
-        Some((&self.readings.here.turns[k], self.readings.turns[k]?))
+    fn next_turn(&self, k: usize) -> Option<(&TurningPoint, TurningPoint)> {
+        Some((&self.readings.current.turns[k], self.readings.turns[k]?))
     }
 
     /// Change of the distance past the surface over the step, m, by its derivative; NaN where the
     /// turning point disappears at once.
     fn fall_m(&self, k: usize) -> f64 {
-        self.ahead(k).map_or(f64::NAN, |(here, ahead)| {
-            (ahead.past_m - here.past_m) * self.per()
+        self.next_turn(k).map_or(f64::NAN, |(current, neighbour)| {
+            (neighbour.past_m - current.past_m) * self.per()
         })
     }
 
     /// Change of a level over the step, by its derivative.
     pub fn level(&self, k: usize) -> f64 {
-        (self.readings.levels[k] - self.readings.here.levels[k]) * self.per()
+        (self.readings.levels[k] - self.readings.current.levels[k]) * self.per()
     }
 
     /// Change of the phase over the step, by its derivative.
     fn turn(&self, k: usize) -> f64 {
-        let here = &self.readings.here;
-        self.ahead(k).map_or(0.0, |(from, to)| {
-            way((here, from), (here, &to)) * self.per()
+        let current = &self.readings.current;
+        self.next_turn(k).map_or(0.0, |(from, to)| {
+            phase_shift((current, from), (current, &to)) * self.per()
         })
     }
 }
